@@ -323,7 +323,7 @@ function(restrip_verify_tables target)
       list(APPEND dump --digest-command ${command})
     endif()
   endif()
-  add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} --all ${dump})
+  add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} ${dump})
   add_test(NAME ${target}.automaton
            COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8
                    ${automaton_dump})

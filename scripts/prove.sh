@@ -93,12 +93,12 @@ all_reasons() {
 }
 
 rung search "every rule is sound and optimal; the shipped headers give it, in every position" \
-  "every recolouring of every configuration on explicit graphs, twice: every world outside, smallest hitting sets" \
+  "the definition, in Boost.Graph: every recolouring of every configuration, in every world outside" \
   "C++ compiler, verify/" \
   's/^verified: (.*)$/\1/p' \
-  $bin/restrip-verify --all --dump-command $bin/restrip-dump-tables
+  $bin/restrip-verify --dump-command $bin/restrip-dump-tables
 rung linked "what the linked look-up picks is the best, in every position, whatever is known of the outside" \
-  "every recolouring beside every set of pairs that the strips outside may join" \
+  "the definition: every recolouring in every world outside that is still possible" \
   "C++ compiler, verify/" \
   's/^answers of the shipped headers proved: (.*)$/\1/p' \
   $bin/restrip-verify --headers --linked-dump-command "$bin/restrip-dump-tables --linked"

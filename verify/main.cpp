@@ -50,14 +50,14 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
       "Example, from the top of the source tree:\n"
-      "  build/release/bin/restrip-verify --tables-dir tables --all\n\n"
+      "  build/release/bin/restrip-verify --tables-dir tables\n\n"
       "An operation of one's own (docs/operation-file.md):\n"
       "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
       "    --certificate tables/certificates/operations/bisect.cert");
-  CLI::Option* const operation = app.add_option(
-      "--operation", options.operation,
-      "An operation or family of one's own: its file. With it go only "
-      "--certificate, --linked-certificate, --header, --dump-command, --max-k, --all, --threads and --json");
+  CLI::Option* const operation =
+      app.add_option("--operation", options.operation,
+                     "An operation or family of one's own: its file. With it go only "
+                     "--certificate, --linked-certificate, --header, --dump-command, --max-k, --threads and --json");
   CLI::Option* const certificate =
       app.add_option("--certificate", options.certificate, "The certificate of the operation")->needs(operation);
   app.add_option("--linked-certificate", options.linked_certificate, "The certificate of its linked rules")
@@ -84,8 +84,6 @@ int main(int argc, char** argv) {
          "their reasons, and not searched for a second time")
       ->capture_default_str()
       ->check(CLI::Range(3U, largest_judged_fan));
-  app.add_flag("--all", options.second_formulation,
-               "Check also that a second formulation (forbidden sets, no strip walked) agrees everywhere");
   add_json_option(app, json);
   app.add_option("--family", options.families, "Only this certificate, such as split; may be repeated");
   app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
@@ -108,7 +106,7 @@ int main(int argc, char** argv) {
                   options.max_k, largest_fan));
     refuse_if(options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty(),
               "--headers needs --dump-command, --linked-dump-command or both");
-    for (const char* name : {"--tables-dir", "--all", "--threads"})
+    for (const char* name : {"--tables-dir", "--threads"})
       refuse_if(options.headers_only && given(name),
                 fmt::format("--headers reads no certificates, so {} has no effect; leave it out", name));
     for (const char* name : {"--linked-dump-command", "--digest-command"})

@@ -14,6 +14,7 @@
 #include "linked/linked_check.hpp"
 #include "linked/linked_dump.hpp"
 #include "model/input.hpp"
+#include "model/on_threads.hpp"
 #include "model/quantity.hpp"
 
 namespace restrip::verify {
@@ -22,10 +23,9 @@ namespace {
 /// How many ports a pairing has in tables up to this k (docs/certificate.md, "Table dump").
 unsigned pairing_places(unsigned max_k) { return max_k <= 8 ? 8 : 16; }
 
-/// The certificate of a linked family beside that of its local rules; and for each section what a dump must say.
+/// The certificate of a linked family, and for each section what a dump must say.
 struct Lists {
   LinkedCertificate certificate;
-  Certificate local;
   std::vector<std::vector<std::string>> lines;
 };
 
@@ -49,7 +49,7 @@ class Verification {
       for (const Family& family : families_)
         if (chosen(family.name)) read_rules(family, shipped(family.name));
       for (const LinkedFamily& family : linked_)
-        if (chosen(family.name)) read_lists(family, shipped(family.name), shipped(family.local.name));
+        if (chosen(family.name)) read_lists(family, shipped(family.name));
       totals_.read.certificates = true;
       check_families();
     }
@@ -81,11 +81,7 @@ class Verification {
                        "a header has the table of one operation or family, and this file describes more");
     if (!options_.certificate.empty()) read_rules(family, options_.certificate);
     linked_ = {{"linked-" + family.name, family}};
-    if (!options_.linked_certificate.empty()) {
-      if (options_.certificate.empty())
-        throw InputError(options_.linked_certificate, 0, "expected a certificate of rules beside it");
-      read_lists(linked_.front(), options_.linked_certificate, options_.certificate);
-    }
+    if (!options_.linked_certificate.empty()) read_lists(linked_.front(), options_.linked_certificate);
     totals_.read.certificates = !options_.certificate.empty();
     check_families();
     ExpectedDump expected = expected_dump();
@@ -145,11 +141,8 @@ class Verification {
     totals_.rules += read.rows;
   }
 
-  /// The rows of the local family are read beside it, chosen or not.
-  void read_lists(const LinkedFamily& family, const std::string& file, const std::string& local) {
-    const Lists& read = lists_[&family] = {parse_linked_certificate(file, read_file(file), family),
-                                           parse_certificate(local, read_file(local), family.local),
-                                           {}};
+  void read_lists(const LinkedFamily& family, const std::string& file) {
+    const Lists& read = lists_[&family] = {parse_linked_certificate(file, read_file(file), family), {}};
     totals_.alternatives += read.certificate.rows;
   }
 
@@ -169,17 +162,16 @@ class Verification {
       if (options_.show_progress)
         fmt::print(stderr, "\r{} of {} positions checked{}", n, all, n == all ? "\r\x1b[K" : "");
     };
-    const std::vector<PositionCheck> checks =
-        check_positions(tasks, options_.second_formulation, std::max(1U, options_.threads), progress);
+    const std::vector<PositionCheck> checks = check_positions(tasks, std::max(1U, options_.threads), progress);
     for (const PositionCheck& check : checks) {
       totals_.configurations += check.valid;
-      totals_.pairs += check.pairs;
+      totals_.graphs += check.graphs;
     }
     std::span<const PositionCheck> rest = checks;
     for (const Family& family : families_) {
       if (!chosen(family.name)) continue;
       const std::size_t count = tasks_of(family, nullptr).size();
-      report_family(family, rules_of(family), rest.first(count), options_.second_formulation, listener_);
+      report_family(family, rules_of(family), rest.first(count), listener_);
       if (const Certificate* rules = rules_of(family))
         report_index_cost(family, *rules, std::max(1U, options_.threads), listener_);
       rest = rest.subspan(count);
@@ -193,7 +185,7 @@ class Verification {
     for (std::size_t i = 0; i < family.local.sections.size(); ++i) {
       const Section& section = family.local.sections[i];
       const SectionLists& of_section = lists.certificate.sections[i];
-      check_linked({&section, &of_section, &lists.local.sections[i], lists.certificate.file, lists.local.file}, check);
+      check_linked({&section, &of_section, lists.certificate.file}, check);
       lists.lines.push_back(dump_of(section, of_section, pairing_places(options_.max_k)));
     }
     report_linked(family, check, listener_);
@@ -240,12 +232,14 @@ class Verification {
       listener_({subject, claim, fmt::format("{}, {}", method, quantity(count.positions, "position")), count.entries,
                  std::exchange(seconds, 0), failures.count, failures.first});
     };
+    Failures differences = listed.differences;
+    differences.add(listed.wrong);
+    report(sum_of(listed.families), differences, "every answer is the certificate's row, in its positions",
+           how_read.c_str());
+    report(sum_of(unlisted.families), unlisted.wrong, "every answer is sound and best, in other positions",
+           "definition");
     AnswerCount judged = sum_of(listed.families);
-    report(judged, listed.differences, "every answer is the certificate's row, in its positions", how_read.c_str());
     judged += sum_of(unlisted.families);
-    Failures wrong = listed.wrong;
-    wrong.add(unlisted.wrong);
-    report(judged, wrong, "every answer is sound and best", "worlds, all recolourings");
     if (comparison.tells_changes) {
       Failures told = listed.told;
       told.add(unlisted.told);
@@ -331,9 +325,8 @@ bool has_family(const Options& options) {
 
 std::string last_line_of(const Options& options, const Totals& totals) {
   std::string text = totals.graph_only ? "graph only: not checked to be an operation on a mesh\n" : "";
-  text += fmt::format("{}: {}: {}, {} of {}", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
-                      quantity(totals.configurations, "configuration"), quantity(totals.pairs, "recolouring"),
-                      totals.configurations == 1 ? "it" : "them");
+  text += fmt::format("{}: {}: {}, {} judged", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
+                      quantity(totals.configurations, "configuration"), quantity(totals.graphs, "graph"));
   if (!options.certificate.empty()) text += ", " + quantity(totals.rules, "rule");
   if (!options.linked_certificate.empty()) text += ", " + quantity(totals.alternatives, "alternative");
   const std::uint64_t answers = sum_of(totals.answers).entries;

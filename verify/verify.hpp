@@ -17,7 +17,6 @@ struct Options {
   std::string linked_dump_command;    ///< prints what the linked look-up picks; empty: not judged
   bool headers_only = false;          ///< no certificates are read: the dumps are judged by themselves
   std::vector<std::string> families;  ///< of certificates; empty: all
-  bool second_formulation = false;
   unsigned threads = 2;
   unsigned max_k = largest_fan;  ///< tests use smaller tables
   bool show_progress = false;    ///< on standard error

@@ -18,7 +18,7 @@ REFUSED = [
     ("restrip-generate describe --family split --k 4 --at 2 --to 1", "--family split: its positions do not depend on --to"),
     ("restrip-generate dump --family flip --k 4", "--family flip: it has one position, without --k"),
     ("restrip-verify --headers --dump-command false --tables-dir tables", "--headers reads no certificates, so --tables-dir has no effect"),
-    ("restrip-verify --headers --dump-command false --all", "so --all has no effect; leave it out"),
+    ("restrip-verify --headers --dump-command false --threads 2", "so --threads has no effect; leave it out"),
     ("restrip-verify --headers --dump-command false --threads 2", "so --threads has no effect; leave it out"),
     ("restrip-verify --family split --linked-dump-command false", "--linked-dump-command judges all rules, so --family has no effect"),
     ("restrip-verify --family split --dump-command false --digest-command false", "--digest-command judges all rules, so --family has no effect"),

@@ -4,18 +4,18 @@ set(std "<[a-z_0-9]+>")
 set(allowed_in_files "${std}|\"files/.*\"|<fmt/.*>|<(fcntl|signal|unistd|sys/stat|sys/types).h>")
 set(allowed_in_common "${std}|<(fmt|openssl)/.*>|<unistd.h>")
 set(allowed_in_generator "${std}|\"(common|files)/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
-set(allowed_in_verify "${std}|\"common/(counted|digest|share).hpp\"|<(fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
+set(allowed_in_verify "${std}|\"common/(counted|digest|share).hpp\"|<(boost|fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
 set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<(png|unistd).h>")
-set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>")
+set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<boost/graph/.*>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_bindings/js "${allowed_in_web}")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(files|common|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
-set(door_adapters "<(OpenMesh|CGAL)/.*>")
+set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
 # The verifying programs write files as the others do. What the verifier reads, it reads by itself.
 set(door_reports "\"files/(output|report_output|system_calls).hpp\"")
@@ -32,7 +32,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify common|files model certificate judge linked automaton)
+set(floors_verify common|files model definition certificate judge linked automaton)
 set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.

@@ -152,7 +152,7 @@ TEST(AlteredBytesWithNewSums, AreWrongOrAsRight) {
       const auto byte = static_cast<unsigned char>(likely[random() % likely.size()]);
       if (byte == byte_at(sample.text, place)) continue;
       const std::string text = with_sums(altered(sample.text, place, byte));
-      const Verdict verdict = verdict_of(text, sample.family, false);
+      const Verdict verdict = verdict_of(text, sample.family);
       const std::ptrdiff_t line = line_of_byte(sample.text, place);
       if (verdict.exit_code == 0) {
         ++as_right;

@@ -10,7 +10,8 @@
 #include <iostream>
 #include <random>
 
-#include "judge/position_check.hpp"
+#include "judge/operation_judge.hpp"
+#include "judge/symmetry.hpp"
 #include "model/family.hpp"
 #include "verdict.hpp"
 
@@ -22,12 +23,14 @@ Colors colors_of(NaiveColors colors) { return {static_cast<Mask>(colors.inner), 
 /// Every recolouring of every valid configuration; how many there were.
 std::size_t expect_same_judgement(const Operation& operation) {
   const NaiveOperation naive(operation);
-  FitTable table(operation.constraint, operation.ports());
-  RuleJudge judge(operation, table);
+  const OperationJudge judge(operation);
+  const Keys keys(operation);
   std::size_t compared = 0;
   for (const NaiveColors& configuration : naive.configurations()) {
-    const bool valid = judge.before().valid(colors_of(configuration));
+    const bool valid = judge.definition()->valid(colors_of(configuration));
+    const std::optional<Key> key = keys.key_of(colors_of(configuration));
     EXPECT_EQ(valid, naive.valid(false, configuration));
+    EXPECT_EQ(valid, key.has_value());
     if (!valid) continue;
     const std::vector<NaiveCandidate> sound = naive.sound(configuration);
     std::vector<long> best;
@@ -48,6 +51,10 @@ std::size_t expect_same_judgement(const Operation& operation) {
                       static_cast<unsigned>(std::mismatch(best.begin(), best.end(), candidate->cost.begin()).first -
                                             best.begin())};
         const Judged found = judge.judged(colors_of(configuration), colors_of(after));
+        // The locality lemma.
+        if (found.verdict != verify::Verdict::wrong_ports) {
+          EXPECT_EQ(keys.sound(*key, colors_of(after)), found.verdict != verify::Verdict::unsound);
+        }
         if (found.verdict == expected.verdict && found.criterion == expected.criterion) continue;
         ADD_FAILURE() << operation.name() << ": " << judge.explained(colors_of(configuration), colors_of(after), found);
         return compared;

@@ -23,8 +23,7 @@ void NaiveLists::count() {
   claims = {{"lists", static_cast<int>(lists.size())}, {"alternatives", rows}, {"longest", longest}};
 }
 
-NaiveLinked::NaiveLinked(const std::string& family, const NaiveSection& section, NaiveTable local)
-    : family_(family), section_(&section), local_(std::move(local)) {
+NaiveLinked::NaiveLinked(const std::string& family, const NaiveSection& section) : family_(family), section_(&section) {
   const NaiveOperation& first = section.operations.front();
   for (int ports = 0; ports < 1 << first.ports(); ++ports) {
     recolorings_.emplace_back();
@@ -39,9 +38,6 @@ NaiveLinked::NaiveLinked(const std::string& family, const NaiveSection& section,
       recolorings_.back().push_back(recoloring);
     }
   }
-  for_each_valid(section, [&](const NaiveOperation& operation, NaiveColors before) {
-    possible_[{&operation, before}] = soundness(operation, false, before);
-  });
 }
 
 std::vector<bool> NaiveLinked::soundness(const NaiveOperation& operation, bool after, NaiveColors colors) const {
@@ -88,17 +84,6 @@ bool NaiveLinked::best_beside(int ports, const std::vector<int>& list, std::size
   return true;
 }
 
-bool NaiveLinked::as_local(const NaiveOperation& operation, NaiveColors before, const std::vector<int>& list) const {
-  const std::vector<bool>& possible = possible_.at({&operation, before});
-  const auto first = std::find_if(list.begin(), list.end(), [&](int inner) {
-    for (std::size_t world = 0; world < possible.size(); ++world)
-      if (possible[world] && !at(before.ports, inner).sound[world]) return false;
-    return true;
-  });
-  const NaiveRow& rule = local_.rows.at(operation.key(before));
-  return first != list.end() && at(before.ports, *first).merit == at(before.ports, rule.after.inner).merit;
-}
-
 Crimes NaiveLinked::crimes(const NaiveLists& lists) const {
   Crimes crimes;
   const auto count = [&](const char* claim, bool crime) {
@@ -128,11 +113,6 @@ Crimes NaiveLinked::crimes(const NaiveLists& lists) const {
     for (std::size_t world = 0; world < section_->operations.front().worlds(ports).size(); ++world)
       count("beside any outside nothing beats the first sound one", !best_beside(ports, list, world));
   }
-  for_each_valid(*section_, [&](const NaiveOperation& operation, NaiveColors before) {
-    const auto found = lists.lists.find(before.ports);
-    count("where only colours are known it equals the local rule",
-          found == lists.lists.end() || !as_local(operation, before, found->second));
-  });
   NaiveLists counted = lists;
   counted.count();
   for (std::size_t i = 0; i < counted.claims.size(); ++i)
@@ -159,8 +139,7 @@ std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families) 
   std::vector<NaiveLinked> result;
   for (const NaiveFamily& family : families)
     if (family.name == "split" || family.name == "collapse")
-      for (const NaiveSection& section : family.sections)
-        result.emplace_back("linked-" + family.name, section, naive_table(family.name, section, true).value());
+      for (const NaiveSection& section : family.sections) result.emplace_back("linked-" + family.name, section);
   return result;
 }
 

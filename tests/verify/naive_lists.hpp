@@ -23,14 +23,12 @@ using Crimes = std::map<std::string, std::uint64_t>;
 /// Everything there is to know about one section, found once.
 class NaiveLinked {
  public:
-  /// `local`: the rows of the family without lists.
-  NaiveLinked(const std::string& family, const NaiveSection& section, NaiveTable local);
+  NaiveLinked(const std::string& family, const NaiveSection& section);
 
   /// Lists that hold.
   NaiveLists good() const;
   Crimes crimes(const NaiveLists& lists) const;
 
-  const NaiveTable& local() const { return local_; }
   /// How many recolourings there are.
   int recolorings() const { return 1 << section_->operations.front().operation().after.edges.size(); }
 
@@ -43,14 +41,11 @@ class NaiveLinked {
 
   std::vector<bool> soundness(const NaiveOperation& operation, bool after, NaiveColors colors) const;
   bool best_beside(int ports, const std::vector<int>& list, std::size_t world) const;
-  bool as_local(const NaiveOperation& operation, NaiveColors before, const std::vector<int>& list) const;
   const Recoloring& at(int ports, int inner) const;
 
   std::string family_;
   const NaiveSection* section_;
-  NaiveTable local_;
   std::vector<std::vector<Recoloring>> recolorings_;  ///< by ports, inner
-  std::map<std::pair<const NaiveOperation*, NaiveColors>, std::vector<bool>> possible_;
 };
 
 /// A certificate that holds these sections.

@@ -58,31 +58,27 @@ class PassingFile {
 
 }  // namespace
 
-Verdict verdict_of(const std::string& certificate_text, const Family& family, bool second_formulation) {
+Verdict verdict_of(const std::string& certificate_text, const Family& family) {
   return collected([&](const ClaimListener& listener) {
     const Certificate certificate = parse_certificate("table", certificate_text, family);
-    const std::vector<PositionCheck> checks =
-        check_positions(tasks_of(family, &certificate), second_formulation, 1, [](std::size_t) {});
-    report_family(family, &certificate, checks, second_formulation, listener);
+    const std::vector<PositionCheck> checks = check_positions(tasks_of(family, &certificate), 1, [](std::size_t) {});
+    report_family(family, &certificate, checks, listener);
   });
 }
 
 Verdict verdict_of(const NaiveTable& table) {
   return verdict_of(certificate_text(table.family, std::vector{table}),
-                    one_section_family(table.family, table.position), true);
+                    one_section_family(table.family, table.position));
 }
 
-Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local) {
+Verdict verdict_of(const NaiveLists& lists) {
   return collected([&](const ClaimListener& listener) {
-    const LinkedFamily family{lists.family, one_section_family(local.family, local.position)};
-    const Certificate rules =
-        parse_certificate("local", certificate_text(local.family, std::vector{local}), family.local);
+    const std::string local = lists.family.substr(std::string("linked-").size());
+    const LinkedFamily family{lists.family, one_section_family(local, lists.position)};
     const LinkedCertificate certificate =
         parse_linked_certificate("table", certificate_text(lists.family, std::vector{lists}), family);
     LinkedCheck check;
-    check_linked({&family.local.sections.front(), &certificate.sections.front(), &rules.sections.front(),
-                  certificate.file, rules.file},
-                 check);
+    check_linked({&family.local.sections.front(), &certificate.sections.front(), certificate.file}, check);
     report_linked(family, check, listener);
   });
 }

@@ -22,13 +22,13 @@ struct Verdict {
 };
 
 /// The verdict on a certificate of this family.
-Verdict verdict_of(const std::string& certificate, const Family& family, bool second_formulation);
+Verdict verdict_of(const std::string& certificate, const Family& family);
 
 /// The verdict on a certificate that holds this one section only.
 Verdict verdict_of(const NaiveTable& table);
 
-/// The verdict on a certificate of linked rules with this one section only, beside such a one of the local rules.
-Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local);
+/// The verdict on a certificate of linked rules with this one section only.
+Verdict verdict_of(const NaiveLists& lists);
 
 /// The verdict on a folder with MANIFEST and certificates/.
 Verdict verdict_of(const std::filesystem::path& tables_dir);

@@ -9,8 +9,9 @@
 #include "automaton/automaton_dump.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
-#include "judge/position_check.hpp"
+#include "judge/report.hpp"
 #include "model/input.hpp"
+#include "model/on_threads.hpp"
 #include "model/quantity.hpp"
 
 namespace restrip::verify {

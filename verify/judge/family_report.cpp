@@ -6,6 +6,7 @@
 
 #include "judge/reference.hpp"
 #include "judge/section_check.hpp"
+#include "model/on_threads.hpp"
 #include "model/quantity.hpp"
 
 namespace restrip::verify {
@@ -14,12 +15,11 @@ namespace {
 class FamilyReport {
  public:
   FamilyReport(const Family& family, const Certificate* certificate, std::span<const PositionCheck> checks,
-               bool second_formulation, const ClaimListener& listener)
+               const ClaimListener& listener)
       : family_(family),
         operation_(family.sections.front().operations.front()),
         certificate_(certificate),
         checks_(checks),
-        second_formulation_(second_formulation),
         listener_(listener) {
     for (const Section& section : family.sections)
       for (const Operation& operation : section.operations)
@@ -27,12 +27,10 @@ class FamilyReport {
   }
 
   void run() {
-    report_keys();
     if (certificate_ == nullptr) return;
     check_sections();
     report_rows();
     report_reasons();
-    if (second_formulation_) report_second_formulation();
     report("copies follow from rules by symmetry",
            fmt::format("{:.0f} {} at most, by backtracking", most_symmetries_,
                        most_symmetries_ == 1 ? "symmetry" : "symmetries"),
@@ -72,16 +70,6 @@ class FamilyReport {
       for (const Operation& operation : section.operations) visit(operation, *check++);
   }
 
-  /// What docs/operation-file.md says of keys, with the definitions in place of it.
-  void report_keys() const {
-    report("joined ports tell which worlds a configuration fits",
-           quantity(sum(&PositionCheck::tested), "colouring") + " in worlds, equal graphs once",
-           sum(&PositionCheck::valid), 0, sum(&PositionCheck::odd_keys));
-    report("sound by the worlds when it joins only pairs of J",
-           quantity(sum(&PositionCheck::shortcuts), "pair") + " of classes" + limit_, sum(&PositionCheck::pairs), 0,
-           sum(&PositionCheck::wrong_shortcuts));
-  }
-
   void check_sections() {
     const double start = thread_seconds();
     std::size_t first = 0;
@@ -104,21 +92,20 @@ class FamilyReport {
   }
 
   void report_rows() const {
-    report("every valid configuration has a row", "all configurations as graphs", sum(&PositionCheck::valid), 0,
-           sum(&PositionCheck::missing));
-    report("every row has a valid configuration", "all configurations as graphs", certificate_->rows, 0, extra_);
+    const std::string definition = "definition, " + quantity_grouped(sum(&PositionCheck::graphs), "graph") + limit_;
+    report("every valid configuration has a row", "definition" + limit_, sum(&PositionCheck::valid),
+           sum(&PositionCheck::Seconds::judging), sum(&PositionCheck::missing));
+    report("every row has a valid configuration", "definition" + limit_, certificate_->rows, 0, extra_);
     report("no port is taken, none given up that must stay", "ports before and after compared",
            sum(&PositionCheck::with_row), 0, sum(&PositionCheck::wrong_ports));
-    report("every row is sound", "every world that the configuration fits", sum(&PositionCheck::with_row), 0,
-           sum(&PositionCheck::unsound));
+    report("every row is sound", definition, sum(&PositionCheck::with_row), 0, sum(&PositionCheck::unsound));
     for (std::size_t i = 0; i < operation_.cost.size(); ++i) {
       Failures not_best;
       for (const PositionCheck& check : checks_) not_best.add(check.not_best[i]);
       std::string name = text_of(operation_.cost[i]);
       if (name.size() > 24) name = fmt::format("of criterion {}", i + 1);
       report(fmt::format("{} sound recolouring has less {}", i == 0 ? "no" : "as good, no", name),
-             (i == 0 ? "all recolourings, sound by the worlds" : "the same search") + limit_,
-             sum(&PositionCheck::pairs), i == 0 ? sum(&PositionCheck::Seconds::judging) : 0, not_best);
+             "definition" + limit_, sum(&PositionCheck::with_row), 0, not_best);
     }
   }
 
@@ -130,21 +117,6 @@ class FamilyReport {
                                           quantity(reasons_.trees, "case tree"), reasons_.most_cases);
     report("every rule has a reason why nothing is preferred to it", method, reasons_.rules,
            sum(&PositionCheck::Seconds::reasons), reasons_.wrong);
-  }
-
-  void report_second_formulation() const {
-    Agreement all;
-    for (const PositionCheck& check : checks_) {
-      all.pairs += check.agreement.pairs;
-      all.optima += check.agreement.optima;
-      all.hitting_set_problems += check.agreement.hitting_set_problems;
-      all.disagreements.add(check.agreement.disagreements);
-    }
-    if (all.pairs == 0) return;
-    report("worlds and forbidden sets agree on what is sound", "no forbidden set contained" + limit_, all.pairs,
-           sum(&PositionCheck::Seconds::agreement), all.disagreements);
-    report("and on every optimum", quantity(all.hitting_set_problems, "smallest hitting set") + limit_, all.optima, 0,
-           all.disagreements);
   }
 
   void report_nauty() const {
@@ -214,7 +186,6 @@ class FamilyReport {
   const Operation& operation_;
   const Certificate* certificate_;
   std::span<const PositionCheck> checks_;
-  bool second_formulation_;
   const ClaimListener& listener_;
   std::string limit_;  ///< what is said where not all positions are searched
   Failures extra_;
@@ -243,8 +214,8 @@ std::vector<PositionTask> tasks_of(const Family& family, const Certificate* cert
 }
 
 void report_family(const Family& family, const Certificate* certificate, std::span<const PositionCheck> checks,
-                   bool second_formulation, const ClaimListener& listener) {
-  FamilyReport(family, certificate, checks, second_formulation, listener).run();
+                   const ClaimListener& listener) {
+  FamilyReport(family, certificate, checks, listener).run();
 }
 
 }  // namespace restrip::verify

@@ -2,15 +2,16 @@
 // The checks of a family's positions and sections, put together and reported claim by claim.
 
 #include "certificate/certificate.hpp"
-#include "judge/position_check.hpp"
+#include "judge/position.hpp"
 
 namespace restrip::verify {
 
-/// The tasks of a family, section by section, position by position. Without a certificate only keys are checked.
+/// The tasks of a family, section by section, position by position. Without a certificate configurations are only
+/// counted.
 std::vector<PositionTask> tasks_of(const Family& family, const Certificate* certificate);
 
 /// `checks` has one entry for each of these tasks, in order.
 void report_family(const Family& family, const Certificate* certificate, std::span<const PositionCheck> checks,
-                   bool second_formulation, const ClaimListener& listener);
+                   const ClaimListener& listener);
 
 }  // namespace restrip::verify

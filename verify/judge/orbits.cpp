@@ -15,10 +15,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/pending/disjoint_sets.hpp>
 #include <set>
 #include <stdexcept>
-
-#include "judge/merged_sets.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -204,16 +203,17 @@ std::vector<Mask> images_of_masks(const Permutation& permutation) {
 
 OrbitCounts merged_orbits(const Operation& operation, const Symmetries& symmetries, const std::vector<bool>& valid) {
   const unsigned ports = operation.ports();
-  MergedSets sets(valid.size());
+  boost::disjoint_sets_with_storage<> sets(valid.size());
   for (const Symmetry& symmetry : symmetries.generators()) {
     const std::vector<Mask> ports_image = images_of_masks(symmetry.ports);
     const std::vector<Mask> edges_image = images_of_masks(symmetry.edges_before);
     for (Mask both = 0; both < valid.size(); ++both)
-      sets.merge(both, concatenated(edges_image[high_part(both, ports)], ports_image[low_part(both, ports)], ports));
+      sets.union_set(both,
+                     concatenated(edges_image[high_part(both, ports)], ports_image[low_part(both, ports)], ports));
   }
   OrbitCounts orbits;
   for (Mask both = 0; both < valid.size(); ++both)
-    if (sets.smallest(both) == both) {
+    if (sets.find_set(both) == both) {
       ++orbits.all;
       orbits.valid += valid[both] ? 1U : 0U;
     }

@@ -17,7 +17,7 @@ struct Loss {
 /// are edges.
 class RuleReason {
  public:
-  RuleReason(const RuleJudge& judge, Colors configuration, Colors recoloring)
+  RuleReason(const OperationJudge& judge, Colors configuration, Colors recoloring)
       : judge_(judge), operation_(judge.operation()), configuration_(configuration) {
     const unsigned inner = operation_.after.inner_edges();
     const Mask open_ports = configuration.ports & operation_.may_give_up;
@@ -67,7 +67,7 @@ class RuleReason {
     return {static_cast<int>(solid_count(dashed)), isolated + given_up, given_up};
   }
 
-  const RuleJudge& judge_;
+  const OperationJudge& judge_;
   const Operation& operation_;
   Colors configuration_;
   Mask edges_ = 0;
@@ -77,7 +77,8 @@ class RuleReason {
 
 }  // namespace
 
-std::string fault_of_reason(const RuleJudge& judge, Colors configuration, Colors recoloring, const Reason& reason) {
+std::string fault_of_reason(const OperationJudge& judge, Colors configuration, Colors recoloring,
+                            const Reason& reason) {
   return RuleReason(judge, configuration, recoloring).fault(reason, 0, 0);
 }
 

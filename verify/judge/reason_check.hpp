@@ -6,12 +6,12 @@
 #include <string>
 
 #include "certificate/reason_text.hpp"
-#include "judge/rule_judge.hpp"
+#include "judge/operation_judge.hpp"
 
 namespace restrip::verify {
 
 /// What is wrong with the reason why nothing is better than this recolouring of a valid configuration; empty when it is
 /// one. The operation must be one that may have reasons.
-std::string fault_of_reason(const RuleJudge& judge, Colors configuration, Colors recoloring, const Reason& reason);
+std::string fault_of_reason(const OperationJudge& judge, Colors configuration, Colors recoloring, const Reason& reason);
 
 }  // namespace restrip::verify

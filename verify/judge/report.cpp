@@ -60,11 +60,11 @@ std::string line_of(const ClaimResult& result) {
 
 std::string last_line(const Totals& totals) {
   return answers_line("proved", totals.answers) + answers_line("NOT compared", totals.not_compared) +
-         fmt::format("{}: {}, {}, {}, {} tried, {}{}, k <= {}; read: {}\n",
+         fmt::format("{}: {}, {}, {}, {} judged, {}{}, k <= {}; read: {}\n",
                      totals.failed == 0 ? "verified" : "NOT verified", quantity_grouped(totals.rules, "rule"),
                      quantity_grouped(totals.alternatives, "alternative"),
-                     quantity_grouped(totals.configurations, "configuration"),
-                     quantity_grouped(totals.pairs, "recolouring"), quantity(totals.claims, "claim"),
+                     quantity_grouped(totals.configurations, "configuration"), quantity_grouped(totals.graphs, "graph"),
+                     quantity(totals.claims, "claim"),
                      totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed), totals.max_k,
                      text_of(totals.read));
 }
@@ -90,7 +90,7 @@ std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals
                   {"rules", totals.rules},
                   {"alternatives", totals.alternatives},
                   {"configurations", totals.configurations},
-                  {"recolorings", totals.pairs},
+                  {"graphs", totals.graphs},
                   {"answers_proved", json_of(totals.answers)},
                   {"answers_not_compared", json_of(totals.not_compared)},
                   {"graph_only", totals.graph_only},

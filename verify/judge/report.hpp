@@ -64,7 +64,7 @@ struct Totals {
   std::uint64_t rules = 0;           ///< rows, copies included
   std::uint64_t alternatives = 0;    ///< rows of linked families
   std::uint64_t configurations = 0;  ///< valid ones, all families and positions
-  std::uint64_t pairs = 0;           ///< (configuration with a sound row, recolouring)
+  std::uint64_t graphs = 0;          ///< that were held against the definition
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
   Sources read;

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "judge/position_check.hpp"
+#include "judge/position.hpp"
 
 namespace restrip::verify {
 

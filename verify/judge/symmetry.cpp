@@ -1,10 +1,14 @@
 #include "judge/symmetry.hpp"
 
+#include <fmt/format.h>
+
+#include <boost/graph/vf2_sub_graph_iso.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 #include <map>
 #include <numeric>
 #include <stdexcept>
 
-#include "judge/merged_sets.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -37,28 +41,118 @@ unsigned edge_between(const Side& side, unsigned one, unsigned other) {
   throw std::logic_error("a symmetry takes an edge to none");
 }
 
+/// What can be taken to what has the same color.
+using ColoredGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                                           boost::property<boost::vertex_color_t, unsigned>,
+                                           boost::property<boost::edge_color_t, unsigned>>;
+
+ColoredGraph graph_of(const Operation& operation, bool before_too, Colors after) {
+  const unsigned first_before = operation.ports();
+  const unsigned first_after = first_before + (before_too ? operation.before.triangles : 0);
+  const unsigned first_edge = first_after + operation.after.triangles;
+  ColoredGraph graph;
+  for (unsigned port = 0; port < operation.ports(); ++port)
+    add_vertex(is_solid(operation.may_give_up, port) ? port_that_may_go : port_that_stays, graph);
+  for (unsigned node = first_before; node < first_after; ++node) add_vertex(triangle_before, graph);
+  for (unsigned triangle = 0; triangle < operation.after.triangles; ++triangle) add_vertex(triangle_after, graph);
+  for (unsigned edge = 0; edge < operation.after.inner_edges(); ++edge)
+    add_vertex(is_solid(after.inner, edge) ? solid_after : dashed_after, graph);
+
+  for (unsigned port = 0; port < operation.ports(); ++port) {
+    if (before_too) add_edge(port, first_before + operation.before.owner_of_port[port], owner_before, graph);
+    add_edge(port, first_after + operation.after.owner_of_port[port], owner_after, graph);
+  }
+  if (before_too)
+    for (const auto& [one, other] : operation.before.edges)
+      add_edge(first_before + one, first_before + other, inner_before, graph);
+  for (unsigned edge = 0; edge < operation.after.inner_edges(); ++edge)
+    for (const unsigned triangle : operation.after.edges[edge])
+      add_edge(first_edge + edge, first_after + triangle, end_of_inner_after, graph);
+
+  // A term is joined to all that it counts. Terms have one colour when they differ in nothing else.
+  std::map<std::pair<PlacedTerm, unsigned>, unsigned> colors;
+  for (const auto& [placed, times] : counted_terms(operation)) {
+    PlacedTerm kind = placed;
+    kind.second.among = 0;
+    const unsigned color = first_term + static_cast<unsigned>(colors.size());
+    add_vertex(colors.try_emplace({kind, times}, color).first->second, graph);
+    const Among among = among_of(placed.second.count);
+    const unsigned first = among == Among::edges ? first_edge : (among == Among::triangles ? first_after : 0);
+    for (unsigned i = 0; i < most_colors; ++i)
+      if (is_solid(placed.second.among, i)) add_edge(num_vertices(graph) - 1, first + i, counted, graph);
+  }
+  return graph;
+}
+
+/// Isomorphisms of the graphs of one operation, found by VF2. A patch of many equal parts has too many to try: the
+/// search gives up after some seconds, all that are looked for together.
+class Isomorphisms {
+ public:
+  explicit Isomorphisms(const Operation& operation) : name_(operation.name()) {}
+
+  /// One that takes the first nodes where `fixed` says, as many as it has; nullopt when there is none.
+  std::optional<Permutation> find(ColoredGraph from, ColoredGraph to, const Permutation& fixed);
+
+ private:
+  std::string name_;
+  unsigned compared_ = 0;
+};
+
+std::optional<Permutation> Isomorphisms::find(ColoredGraph from, ColoredGraph to, const Permutation& fixed) {
+  constexpr unsigned steps = 20'000'000;
+  constexpr unsigned pinned = 1'000'000;  // a color that only this node has, the same at both places
+  if (num_vertices(from) != num_vertices(to)) return {};
+  for (unsigned node = 0; node < fixed.size(); ++node) {
+    if (fixed[node] >= num_vertices(to) ||
+        get(boost::vertex_color, from, node) != get(boost::vertex_color, to, fixed[node]))
+      return {};
+    put(boost::vertex_color, from, node, pinned + node);
+    put(boost::vertex_color, to, fixed[node], pinned + node);
+  }
+  std::optional<Permutation> found;
+  const auto same_color = [&](unsigned one, unsigned other) {
+    if (++compared_ > steps)
+      throw InputError(name_, 0,
+                       "its patches have too many equal parts: their symmetries were not found in 20,000,000 steps");
+    return get(boost::vertex_color, from, one) == get(boost::vertex_color, to, other);
+  };
+  boost::vf2_graph_iso(
+      from, to,
+      [&](const auto& image_of, const auto& /*inverse*/) {
+        found.emplace();
+        for (unsigned node = 0; node < num_vertices(from); ++node)
+          found->push_back(static_cast<unsigned>(get(image_of, node)));
+        return false;  // one is enough
+      },
+      boost::vertex_order_by_mult(from),
+      boost::vertices_equivalent(same_color)
+          .edges_equivalent(
+              boost::make_property_map_equivalent(get(boost::edge_color, from), get(boost::edge_color, to))));
+  return found;
+}
+
 }  // namespace
 
 Symmetries::Symmetries(const Operation& operation, Keep keep)
     : operation_(operation), before_too_(keep == Keep::both_sides) {
   // From the last node to the first: the symmetries that leave all nodes before it where they are.
-  const ColoredGraph plain = graph({});
-  const std::vector<unsigned> kinds = refined_colors(plain);
-  MergedSets orbits(plain.size());  // of nodes that generators take to each other
-  for (unsigned node = plain.size(); node-- > 0;) {
+  const ColoredGraph plain = graph_of(operation, before_too_, {});
+  Isomorphisms isomorphisms(operation);
+  const auto size = static_cast<unsigned>(num_vertices(plain));
+  boost::disjoint_sets_with_storage<> orbits(size);  // of nodes that generators take to each other
+  for (unsigned node = size; node-- > 0;) {
     Permutation fixed(node + 1);
     std::iota(fixed.begin(), fixed.end(), 0U);
-    for (unsigned image = node + 1; image < plain.size(); ++image) {
-      if (kinds[image] != kinds[node] || orbits.smallest(image) == orbits.smallest(node)) continue;
+    for (unsigned image = node + 1; image < size; ++image) {
+      if (orbits.find_set(image) == orbits.find_set(node)) continue;
       fixed[node] = image;
-      const std::optional<Permutation> found = isomorphism(plain, plain, fixed);
+      const std::optional<Permutation> found = isomorphisms.find(plain, plain, fixed);
       if (!found) continue;
-      for (unsigned from = 0; from < found->size(); ++from) orbits.merge(from, (*found)[from]);
+      for (unsigned from = 0; from < size; ++from) orbits.union_set(from, (*found)[from]);
       generators_.push_back(symmetry_of(*found));
     }
     unsigned images = 0;
-    for (unsigned other = 0; other < plain.size(); ++other)
-      images += orbits.smallest(other) == orbits.smallest(node) ? 1U : 0U;
+    for (unsigned other = 0; other < size; ++other) images += orbits.find_set(other) == orbits.find_set(node) ? 1U : 0U;
     order_ *= images;
   }
 }
@@ -77,49 +171,11 @@ Symmetry Symmetries::symmetry_of(const Permutation& nodes) const {
   return symmetry;
 }
 
-ColoredGraph Symmetries::graph(Colors after) const {
-  const unsigned first_before = operation_.ports();
-  const unsigned first_after = first_before + (before_too_ ? operation_.before.triangles : 0);
-  const unsigned first_edge = first_after + operation_.after.triangles;
-  ColoredGraph graph;
-  for (unsigned port = 0; port < operation_.ports(); ++port)
-    graph.add_node(is_solid(operation_.may_give_up, port) ? port_that_may_go : port_that_stays);
-  for (unsigned node = first_before; node < first_after; ++node) graph.add_node(triangle_before);
-  for (unsigned triangle = 0; triangle < operation_.after.triangles; ++triangle) graph.add_node(triangle_after);
-  for (unsigned edge = 0; edge < operation_.after.inner_edges(); ++edge)
-    graph.add_node(is_solid(after.inner, edge) ? solid_after : dashed_after);
-
-  for (unsigned port = 0; port < operation_.ports(); ++port) {
-    if (before_too_) graph.add_edge(port, first_before + operation_.before.owner_of_port[port], owner_before);
-    graph.add_edge(port, first_after + operation_.after.owner_of_port[port], owner_after);
-  }
-  if (before_too_)
-    for (const auto& [one, other] : operation_.before.edges)
-      graph.add_edge(first_before + one, first_before + other, inner_before);
-  for (unsigned edge = 0; edge < operation_.after.inner_edges(); ++edge)
-    for (const unsigned triangle : operation_.after.edges[edge])
-      graph.add_edge(first_edge + edge, first_after + triangle, end_of_inner_after);
-
-  // A term is joined to all that it counts. Terms have one colour when they differ in nothing else.
-  std::map<std::pair<PlacedTerm, unsigned>, unsigned> colors;
-  for (const auto& [placed, times] : counted_terms(operation_)) {
-    PlacedTerm kind = placed;
-    kind.second.among = 0;
-    const unsigned color = first_term + static_cast<unsigned>(colors.size());
-    graph.add_node(colors.try_emplace({kind, times}, color).first->second);
-    const Among among = among_of(placed.second.count);
-    const unsigned first = among == Among::edges ? first_edge : (among == Among::triangles ? first_after : 0);
-    for (unsigned i = 0; i < most_colors; ++i)
-      if (is_solid(placed.second.among, i)) graph.add_edge(graph.size() - 1, first + i, counted);
-  }
-  return graph;
-}
-
 const Symmetry* Symmetries::with(const Permutation& ports) const {
   const auto [place, is_new] = known_.try_emplace(ports);
   if (is_new) {
-    const ColoredGraph plain = graph({});
-    if (const std::optional<Permutation> found = isomorphism(plain, plain, ports)) place->second = symmetry_of(*found);
+    const ColoredGraph plain = graph_of(operation_, before_too_, {});
+    if (const auto found = Isomorphisms(operation_).find(plain, plain, ports)) place->second = symmetry_of(*found);
   }
   return place->second ? &*place->second : nullptr;
 }
@@ -128,7 +184,10 @@ bool Symmetries::carries(const Permutation& ports, Colors from, Colors to) const
   const Symmetry* const symmetry = with(ports);
   if (symmetry == nullptr || moved(from.ports, ports) != to.ports) return false;
   // Another one may move the ports in the same way, and other triangles.
-  return moved(from.inner, symmetry->edges_after) == to.inner || isomorphism(graph(from), graph(to), ports).has_value();
+  return moved(from.inner, symmetry->edges_after) == to.inner ||
+         Isomorphisms(operation_)
+             .find(graph_of(operation_, before_too_, from), graph_of(operation_, before_too_, to), ports)
+             .has_value();
 }
 
 }  // namespace restrip::verify

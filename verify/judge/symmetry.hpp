@@ -1,13 +1,13 @@
 #pragma once
-// The symmetries of an operation (docs/certificate.md): found by backtracking on one graph that has a node for each
-// port, each triangle, each inner edge after and each term of the cost that counts only some of them.
+// The symmetries of an operation (docs/certificate.md): isomorphisms, found by Boost's VF2, of one graph that has a
+// node for each port, each triangle, each inner edge after and each term of the cost that counts only some of them.
 
 #include <map>
 #include <optional>
 #include <vector>
 
-#include "judge/isomorphism.hpp"
 #include "model/coloring.hpp"
+#include "model/key.hpp"
 
 namespace restrip::verify {
 
@@ -22,6 +22,7 @@ class Symmetries {
  public:
   /// Symmetries that keep the patches before and after; or the patch after alone, where one rule serves every position.
   enum class Keep { both_sides, after };
+  /// InputError when a patch has so many equal parts that the search takes more than a few seconds.
   Symmetries(const Operation& operation, Keep keep);
 
   /// Symmetries of which all others are made.
@@ -35,7 +36,6 @@ class Symmetries {
   bool carries(const Permutation& ports, Colors from, Colors to) const;
 
  private:
-  ColoredGraph graph(Colors after) const;
   Symmetry symmetry_of(const Permutation& nodes) const;
   /// One that moves the ports so, or null.
   const Symmetry* with(const Permutation& ports) const;

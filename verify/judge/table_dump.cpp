@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "certificate/stream_lines.hpp"
-#include "judge/position_check.hpp"
+#include "judge/operation_judge.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -60,14 +60,15 @@ void for_each_configuration(const Operation& operation, const Visit& visit) {
     for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) visit(Colors{inner, ports});
 }
 
-/// Judges the answers of one table.
+/// Judges the answers of one table: against the rows of a certificate, which are judged elsewhere, or by the
+/// definition.
 class TableJudge {
  public:
-  TableJudge(const ExpectedTable& table, FitTables& tables, Compared& compared)
-      : table_(table), judge_(*table.operation, tables.of(*table.operation)), compared_(compared) {
+  TableJudge(const ExpectedTable& table, Compared& compared) : table_(table), compared_(compared) {
     if (table.rows != nullptr)
-      for (std::uint32_t number = 0; number < judge_.before().classes().size(); ++number)
-        row_of_class_.push_back(table.rows->row_of(judge_.key_of_class(number)));
+      keys_.emplace(*table.operation);
+    else
+      judge_.emplace(*table.operation);
   }
 
   void entry(std::uint64_t line, Colors configuration, const std::optional<Answer>& answer) {
@@ -76,24 +77,27 @@ class TableJudge {
       return fmt::format("line {}, table {}, inner {:x}, ports {:x}: ", line, operation.name(), configuration.inner,
                          configuration.ports);
     };
-    const bool valid = judge_.before().valid(configuration);
-    if (valid != answer.has_value()) {
+    const std::optional<Key> key = keys_ ? keys_->key_of(configuration) : judge_->key_of(configuration);
+    if (key.has_value() != answer.has_value()) {
       compared_.wrong.add(
           fmt::format("{}\n    before  {}\n  {}\n", where(), drawn(operation.before, configuration),
-                      valid ? "no answer to a valid configuration"
-                            : "an answer to a configuration that is not valid: " +
-                                  invalid_because(operation.before, configuration, most_solid(operation.constraint))));
+                      key ? "no answer to a valid configuration"
+                          : "an answer to a configuration that is not valid: " +
+                                invalid_because(operation.before, configuration, most_solid(operation.constraint))));
       return;
     }
-    if (!valid) return;
-    if (const Judged judged = judge_.judged(configuration, answer->colors); judged.verdict != Verdict::right)
+    if (!key) return;
+    told(configuration, *answer, where);
+    if (judge_) {
+      const Judged judged = judge_->judged(configuration, answer->colors);
+      if (judged.verdict == Verdict::right) return;
       compared_.wrong.add(
           compared_.wrong.count != 0
               ? std::string()
-              : fmt::format("{}\n{}", where(), judge_.explained(configuration, answer->colors, judged)));
-    told(configuration, *answer, where);
-    if (table_.rows == nullptr) return;
-    const Row* const row = row_of_class_[judge_.before().class_of(configuration)];
+              : fmt::format("{}\n{}", where(), judge_->explained(configuration, answer->colors, judged)));
+      return;
+    }
+    const Row* const row = table_.rows->row_of(*key);
     if (row == nullptr || row->after != answer->colors)
       compared_.differences.add(fmt::format(
           "{}the table answers \"{:x} {:x}\", the certificate has {}\n", where(), answer->colors.inner,
@@ -118,9 +122,9 @@ class TableJudge {
   }
 
   const ExpectedTable& table_;
-  RuleJudge judge_;
   Compared& compared_;
-  std::vector<const Row*> row_of_class_;
+  std::optional<Keys> keys_;
+  std::optional<OperationJudge> judge_;
 };
 
 class DumpReader {
@@ -157,7 +161,7 @@ class DumpReader {
     const Operation& operation = *table.operation;
     const std::uint64_t lines_before = result_.lines;
     std::optional<TableJudge> judge;
-    if (table.against != Against::nothing) judge.emplace(table, tables_, compared);
+    if (table.against != Against::nothing) judge.emplace(table, compared);
     for_each_configuration(operation, [&](Colors configuration) {
       const std::optional<Answer> answer = answer_to(configuration, operation);
       if (judge) judge->entry(lines_.number(), configuration, answer);
@@ -214,7 +218,6 @@ class DumpReader {
   StreamLines& lines_;
   const ExpectedDump& expected_;
   DumpComparison& result_;
-  FitTables tables_;
   std::string prefix_;
 };
 
@@ -236,11 +239,10 @@ DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected) {
 DumpComparison compare_answers(const ExpectedDump& expected, const AnswerOf& answer) {
   DumpComparison result;
   result.tells_changes = false;
-  FitTables tables;
   for (const ExpectedTable& table : expected.tables) {
     Compared& compared = result.tables[static_cast<std::size_t>(table.against)];
     std::optional<TableJudge> judge;
-    if (table.against != Against::nothing) judge.emplace(table, tables, compared);
+    if (table.against != Against::nothing) judge.emplace(table, compared);
     std::uint64_t entries = 0;
     for_each_configuration(*table.operation, [&](Colors configuration) {
       ++entries;

@@ -1,36 +1,28 @@
 #pragma once
 // Everything that is checked of one section of linked rules.
 
-#include "certificate/certificate.hpp"
 #include "linked/list_check.hpp"
 
 namespace restrip::verify {
 
 /// What was found in sections, all together.
 struct LinkedCheck {
-  std::uint64_t recolorings = 0;     ///< of all ports
-  std::uint64_t worlds = 0;          ///< (ports, matching outside)
-  std::uint64_t beside = 0;          ///< (alternative, matching outside)
-  std::uint64_t configurations = 0;  ///< valid ones before the operation, all positions
-  bool searched = true;              ///< beside everything outside; beyond largest_fan only the lists are checked
+  std::uint64_t recolorings = 0;  ///< of all ports
+  std::uint64_t worlds = 0;       ///< (ports, world)
   ListFailures lists;
-  Failures condition;  ///< sound in the world, or not, other than the alternative's pairs say
-  Failures best;       ///< beside some matching the first sound row is not the best
-  Failures local;      ///< for what the colours alone tell, it is not as good as the local rule
+  Failures best;  ///< in some world the first sound row is not the best
   Failures claims;
   std::uint64_t sections = 0;
   std::uint64_t rows = 0;
   double listing_seconds = 0;  ///< processor time
-  double beside_seconds = 0;
+  double world_seconds = 0;
 };
 
-/// One piece of work: the lists of a section, and the rows of the local family for the same section.
+/// One piece of work: the lists of a section.
 struct LinkedTask {
   const Section* section = nullptr;
   const SectionLists* lists = nullptr;
-  const SectionRows* local = nullptr;
   std::string file;
-  std::string local_file;
 };
 
 /// Adds what is found there.

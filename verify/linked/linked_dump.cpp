@@ -69,8 +69,11 @@ class Reader {
     lines_.place = fmt::format(", table {} {}", family, operation.position);
     ++check_.positions;
     questions_.clear();
+    worlds_ = worlds_of(Constraint::strips, operation.ports());
+    before_.emplace(operation.before, Constraint::strips, worlds_);
+    after_.emplace(operation.after, Constraint::strips, worlds_);
     judges_.clear();
-    judges_.resize(mask_count(operation.before.ports()));
+    judges_.resize(mask_count(operation.ports()));
     known_.clear();
     for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner)
       for (Mask ports = 0; ports < mask_count(operation.before.ports()); ++ports) read_entry({inner, ports});
@@ -87,16 +90,18 @@ class Reader {
     const bool answered = rest_ != "-";
     const Branch root = answered ? branch() : Branch{};
     if (answered && !rest_.empty()) lines_.fail(fmt::format("more words than an entry has: \"{}\"", line_));
-    const Survey own = survey(operation_->before, before);
-    if (own.valid != answered) return wrong(before, own.valid ? "valid, and nothing picked" : "not valid");
+    const bool valid = before_->valid(before);
+    if (valid != answered) return wrong(before, valid ? "valid, and nothing picked" : "not valid");
     if (!answered) return;
     ++check_.configurations;
+    std::vector<unsigned> worlds;
+    for (unsigned world = 0; world < worlds_.size(); ++world)
+      if (is_subset(worlds_[world].ports, before.ports) && before_->valid(before, world)) worlds.push_back(world);
+    auto& judge = judges_[before.ports];
+    if (!judge) judge = std::make_unique<TreeJudge>(operation_->after, *after_, worlds_, before.ports);
     const auto [place, is_new] =
-        known_.try_emplace({before.ports, own.joined.bits, std::uint64_t{static_cast<Mask>(root.kind)}, root.number});
-    if (is_new) {
-      if (!judges_[before.ports]) judges_[before.ports] = std::make_unique<TreeJudge>(operation_->after, before.ports);
-      place->second = judges_[before.ports]->judge(questions_, root, own.joined);
-    }
+        known_.try_emplace({before.ports, worlds, root.kind == Branch::Kind::leaf, root.number});
+    if (is_new) place->second = judge->judge(questions_, root, worlds);
     check_.leaves += place->second.leaves;
     if (!place->second.fault.empty()) wrong(before, place->second.fault);
   }
@@ -116,8 +121,11 @@ class Reader {
   std::uint64_t entries_ = 0;
   const Operation* operation_ = nullptr;
   std::vector<Question> questions_;
+  std::vector<World> worlds_;
+  std::optional<PatchInWorlds> before_;
+  std::optional<PatchInWorlds> after_;
   std::vector<std::unique_ptr<TreeJudge>> judges_;  ///< by ports
-  std::map<std::array<std::uint64_t, 4>, TreeJudge::Verdict> known_;
+  std::map<std::tuple<Mask, std::vector<unsigned>, bool, Mask>, TreeJudge::Verdict> known_;
 };
 
 }  // namespace

@@ -4,51 +4,47 @@
 
 #include <algorithm>
 
-#include "judge/worlds.hpp"
-
 namespace restrip::verify {
 
-TreeJudge::TreeJudge(const Side& after, Mask ports)
-    : after_(after), ports_(ports), recolorings_(recolorings_of(after, ports)) {
-  const Worlds worlds(Constraint::strips, after.ports());
-  for (const World& world : worlds.of(ports)) {
-    const PortPairs pairs = pairs_of(world);
-    Matching matching{pairs, {}};
-    for (unsigned i = 0; i < most_partners; ++i) {
-      matching.partner[i] = nobody;
-      for (unsigned j = 0; j < most_partners; ++j)
-        if (j != i && pairs.has(i, j)) matching.partner[i] = j;
+TreeJudge::TreeJudge(const Side& after, const PatchInWorlds& in_worlds, const std::vector<World>& worlds, Mask ports)
+    : after_(after),
+      in_worlds_(in_worlds),
+      worlds_(worlds),
+      ports_(ports),
+      recolorings_(recolorings_of(after, ports)),
+      partners_(worlds.size()) {
+  for (std::size_t world = 0; world < worlds.size(); ++world) {
+    partners_[world].fill(nobody);
+    for (const std::vector<unsigned>& pair : worlds[world].connected) {
+      partners_[world][pair[0]] = pair[1];
+      partners_[world][pair[1]] = pair[0];
     }
-    matchings_.push_back(matching);
   }
-  // Only the best of the recolourings with the same pairing can matter; and none that joins more than one as good.
-  std::map<PortPairs, Merit> best;
+  // Only the best of the recolourings that are sound in the same worlds can matter.
+  std::map<std::vector<bool>, Merit> best;
   for (const Recoloring& recoloring : recolorings_) {
     if (!recoloring.survey.valid) continue;
-    const auto [place, is_new] = best.try_emplace(recoloring.survey.joined, recoloring.merit);
+    const auto [place, is_new] = best.try_emplace(sound_in(recoloring.colors.inner), recoloring.merit);
     if (!is_new) place->second = std::max(place->second, recoloring.merit);
   }
-  for (const auto& one : best) {
-    const bool covered = std::any_of(best.begin(), best.end(), [&](const auto& other) {
-      return other.first != one.first && other.first.within(one.first) && other.second >= one.second;
-    });
-    if (!covered) choices_.push_back({one.second, one.first, sound_beside(one.first)});
-  }
+  for (const auto& [sound, merit] : best) choices_.push_back({merit, sound});
   std::stable_sort(choices_.begin(), choices_.end(),
                    [](const Choice& one, const Choice& other) { return one.merit > other.merit; });
 }
 
-std::vector<bool> TreeJudge::sound_beside(PortPairs joined) const {
-  std::vector<bool> sound;
-  for (const Matching& outside : matchings_) sound.push_back(!close_a_cycle(joined, outside.pairs, after_.ports()));
-  return sound;
+const std::vector<bool>& TreeJudge::sound_in(Mask inner) {
+  const auto [place, is_new] = sound_.try_emplace(inner);
+  if (is_new)
+    for (std::size_t world = 0; world < worlds_.size(); ++world)
+      place->second.push_back(is_subset(worlds_[world].ports, ports_) && in_worlds_.valid({inner, ports_}, world));
+  return place->second;
 }
 
-TreeJudge::Verdict TreeJudge::judge(const std::vector<Question>& questions, Branch root, PortPairs joined_before) {
+TreeJudge::Verdict TreeJudge::judge(const std::vector<Question>& questions, Branch root,
+                                    const std::vector<unsigned>& worlds) {
   Verdict verdict;
   Knowledge nothing;
-  for (unsigned q = 0; q < matchings_.size(); ++q)
-    if (!close_a_cycle(joined_before, matchings_[q].pairs, after_.ports())) nothing.possible.push_back(q);
+  nothing.possible = worlds;
   descend(questions, root, nothing, verdict);
   return verdict;
 }
@@ -70,8 +66,8 @@ void TreeJudge::descend(const std::vector<Question>& questions, Branch branch, c
   const auto answered = [&](unsigned partner, const std::string& text) {
     Knowledge more{known.asked | single(port), known.unknown, {}, known.text + text};
     if (partner != nobody) more.asked |= single(partner);
-    for (const unsigned q : known.possible)
-      if (matchings_[q].partner[port] == partner) more.possible.push_back(q);
+    for (const unsigned world : known.possible)
+      if (partners_[world][port] == partner) more.possible.push_back(world);
     return more;
   };
   descend(questions, question.ends, answered(nobody, fmt::format(" {} ends", port)), verdict);
@@ -99,11 +95,9 @@ void TreeJudge::judge_leaf(Mask inner, const Knowledge& known, Verdict& verdict)
   }
   const Recoloring& own = recolorings_[inner];
   if (!own.survey.valid) return fail("unsound: " + invalid_because(after_, own.colors, most_solid(Constraint::strips)));
-  const auto [place, is_new] = sound_.try_emplace(own.survey.joined);
-  if (is_new) place->second = sound_beside(own.survey.joined);
-  for (const unsigned q : known.possible)
-    if (!place->second[q])
-      return fail("unsound where strips outside join " + listed(matchings_[q].pairs, after_.ports()));
+  const std::vector<bool>& sound = sound_in(inner);
+  for (const unsigned world : known.possible)
+    if (!sound[world]) return fail("unsound with " + text_of(worlds_[world]));
   const Merit merit = own.merit;
   for (const Choice& choice : choices_) {
     if (choice.merit <= merit) return;
@@ -117,10 +111,10 @@ void TreeJudge::judge_leaf(Mask inner, const Knowledge& known, Verdict& verdict)
 /// something possible? The least is left possible when all of it is found out, so these cases are looked at: outsides
 /// that are equal at the ports that were not asked about, and join none of them with a port that was.
 bool TreeJudge::always_unsound(const Choice& choice, const Knowledge& known) const {
-  std::map<std::array<unsigned, most_partners>, bool> unsound;
+  std::map<Partners, bool> unsound;
   const Mask open = ports_ & ~known.asked;
-  for (const unsigned q : known.possible) {
-    std::array<unsigned, most_partners> found_out = matchings_[q].partner;
+  for (const unsigned world : known.possible) {
+    Partners found_out = partners_[world];
     bool mixed = false;
     for (unsigned i = 0; i < most_partners; ++i) {
       if (is_solid(open, i))
@@ -130,7 +124,7 @@ bool TreeJudge::always_unsound(const Choice& choice, const Knowledge& known) con
     }
     if (mixed) continue;
     bool& any = unsound[found_out];
-    any = any || !choice.sound[q];
+    any = any || !choice.sound[world];
   }
   return std::all_of(unsound.begin(), unsound.end(), [](const auto& found) { return found.second; });
 }

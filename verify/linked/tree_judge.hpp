@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "definition/definition.hpp"
 #include "linked/list_check.hpp"
 
 namespace restrip::verify {
@@ -28,49 +29,46 @@ struct Question {
 /// All trees of one position and one port mask are judged by one of these.
 class TreeJudge {
  public:
-  TreeJudge(const Side& after, Mask ports);
+  TreeJudge(const Side& after, const PatchInWorlds& in_worlds, const std::vector<World>& worlds, Mask ports);
 
   struct Verdict {
     std::uint64_t leaves = 0;  ///< those that can be reached
     std::string fault;         ///< the first; empty when there is none
   };
-  /// The tree that begins at `root`, for a configuration that joins these ports.
-  Verdict judge(const std::vector<Question>& questions, Branch root, PortPairs joined_before);
+  /// The tree that begins at `root`, for a configuration that may stand in these worlds.
+  Verdict judge(const std::vector<Question>& questions, Branch root, const std::vector<unsigned>& worlds);
 
  private:
   static constexpr unsigned most_partners = 8;
   static constexpr unsigned nobody = most_partners;
 
-  /// What may lie outside.
-  struct Matching {
-    PortPairs pairs;
-    std::array<unsigned, most_partners> partner;
-  };
-  /// A pairing that recolourings have, the best merit among these, and beside which matchings they are sound.
+  using Partners = std::array<unsigned, most_partners>;
+  /// The worlds in which recolourings are valid, and the best merit among these recolourings.
   struct Choice {
     Merit merit;
-    PortPairs joined;
     std::vector<bool> sound;
   };
   /// The answers on the way to a leaf.
   struct Knowledge {
     Mask asked = 0;                  ///< ports, those that strips come back through included
     Mask unknown = 0;                ///< those of them that nothing is known of
-    std::vector<unsigned> possible;  ///< matchings
+    std::vector<unsigned> possible;  ///< worlds
     std::string text;
   };
 
-  std::vector<bool> sound_beside(PortPairs joined) const;
+  const std::vector<bool>& sound_in(Mask inner);
   void descend(const std::vector<Question>& questions, Branch branch, const Knowledge& known, Verdict& verdict);
   void judge_leaf(Mask inner, const Knowledge& known, Verdict& verdict);
   bool always_unsound(const Choice& choice, const Knowledge& known) const;
 
   const Side& after_;
+  const PatchInWorlds& in_worlds_;
+  const std::vector<World>& worlds_;
   Mask ports_;
   std::vector<Recoloring> recolorings_;
-  std::vector<Matching> matchings_;
-  std::vector<Choice> choices_;  ///< the preferred ones first
-  std::map<PortPairs, std::vector<bool>> sound_;
+  std::vector<Partners> partners_;           ///< by world: the port that each one is joined with
+  std::vector<Choice> choices_;              ///< the preferred ones first
+  std::map<Mask, std::vector<bool>> sound_;  ///< by inner edges
 };
 
 }  // namespace restrip::verify

@@ -25,6 +25,12 @@ Degrees degrees(const Side& side, Colors colors) {
   return count;
 }
 
+std::optional<SolidGraph> valid_graph(const Side& side, Colors colors, unsigned most_solid) {
+  const Degrees count = degrees(side, colors);
+  if (*std::max_element(count.begin(), count.end()) > most_solid) return {};
+  return inner_graph(side, colors.inner);
+}
+
 PortPairs joined_ports(const Side& side, const SolidGraph& inner, Mask ports) {
   PortPairs joined;
   for (unsigned j = 1; j < side.ports(); ++j)
@@ -46,10 +52,11 @@ int strips_of(const Side& side, Colors colors) {
 
 Survey survey(const Side& side, Colors colors) {
   Survey result;
-  if (!invalid_because(side, colors, most_solid(Constraint::strips)).empty()) return result;
+  const std::optional<SolidGraph> inner = valid_graph(side, colors, most_solid(Constraint::strips));
+  if (!inner) return result;
   result.valid = true;
   result.isolated = isolated_of(side, colors);
-  result.joined = joined_ports(side, inner_graph(side, colors.inner).value(), colors.ports);
+  result.joined = joined_ports(side, *inner, colors.ports);
   return result;
 }
 

@@ -46,6 +46,19 @@ using Degrees = std::array<unsigned, most_triangles>;
 /// How many solid edges each triangle has, ports counted.
 Degrees degrees(const Side& side, Colors colors);
 
+/// The solid inner edges of a valid colouring: no triangle has more than `most_solid`, ports counted, and no cycle is
+/// solid. Nullopt when it is not valid.
+std::optional<SolidGraph> valid_graph(const Side& side, Colors colors, unsigned most_solid);
+
+/// Calls back with each valid colouring and its solid inner edges.
+template <class Visit>
+void for_each_valid(const Side& side, unsigned most_solid, const Visit& visit) {
+  for (Mask inner = 0; inner < mask_count(side.inner_edges()); ++inner)
+    if (const auto graph = valid_graph(side, {inner, 0}, most_solid))
+      for (Mask ports = 0; ports < mask_count(side.ports()); ++ports)
+        if (valid_graph(side, {inner, ports}, most_solid)) visit(Colors{inner, ports}, *graph);
+}
+
 /// The pairs of solid ports whose triangles are connected by solid inner edges.
 PortPairs joined_ports(const Side& side, const SolidGraph& inner, Mask ports);
 

@@ -1,4 +1,17 @@
 #pragma once
-// Work that several threads share: on_threads().
+// Work that several threads share: on_threads(); and what of the processor a thread used.
+
+#include <ctime>
 
 #include "common/share.hpp"
+
+namespace restrip::verify {
+
+/// Processor seconds of the calling thread.
+inline double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+}  // namespace restrip::verify

@@ -78,6 +78,11 @@ struct Operation {
 /// The most solid edges that a triangle may have.
 unsigned most_solid(Constraint constraint);
 
+/// Whether a recolouring may keep just these of the solid ports.
+inline bool admissible(const Operation& operation, Mask ports, Mask kept) {
+  return is_subset(kept, ports) && is_subset(ports & ~kept, operation.may_give_up);
+}
+
 /// Whether rules may have reasons: strips or forests, where fewest strips come first, then fewest isolated triangles
 /// and ports given up, then fewest ports given up.
 bool may_have_reasons(const Operation& operation);

@@ -1,4 +1,4 @@
-#include "judge/cost.hpp"
+#include "model/cost.hpp"
 
 #include <fmt/format.h>
 

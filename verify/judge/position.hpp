@@ -2,13 +2,12 @@
 // Everything that is checked of one operation at one position, and the threads that do it.
 
 #include <functional>
-#include <memory>
 #include <set>
 
 #include "certificate/certificate.hpp"
+#include "judge/operation_judge.hpp"
 #include "judge/orbits.hpp"
-#include "judge/rule_judge.hpp"
-#include "judge/second_opinion.hpp"
+#include "judge/report.hpp"
 
 namespace restrip::verify {
 
@@ -17,22 +16,17 @@ struct PositionCheck {
   std::uint64_t valid = 0;
   std::uint64_t with_row = 0;        ///< valid ones that have a row
   std::uint64_t with_sound_row = 0;  ///< those of them whose row is sound
-  std::uint64_t pairs = 0;           ///< (valid configuration, recolouring) that were searched
-  std::uint64_t tested = 0;          ///< (colouring, world)
-  std::uint64_t shortcuts = 0;       ///< pairs of classes of which the key was asked as well
+  std::uint64_t graphs = 0;          ///< colourings of a patch in a world that were judged
   std::uint64_t costing = 0;
   std::optional<int> worst_strips;
   std::optional<int> worst_isolated;
   std::set<Key> keys;  ///< of valid configurations
-  Failures odd_keys;   ///< configurations whose joined ports do not tell which worlds they fit
-  Failures wrong_shortcuts;
   Failures missing;
   Failures wrong_ports;
   Failures unsound;
   std::array<Failures, most_criteria> not_best;
   std::vector<bool> row_used;
   std::vector<std::string> reason_faults;  ///< by row; of the rules that serve a configuration here
-  Agreement agreement;                     ///< of the second formulation, when asked for
   OrbitCounts merged;
   std::optional<OrbitCounts> nauty;
 
@@ -40,13 +34,12 @@ struct PositionCheck {
   struct Seconds {
     double judging = 0;
     double reasons = 0;
-    double agreement = 0;
     double merged = 0;
     double nauty = 0;
   } seconds;
 };
 
-/// One piece of work: an operation and the rows that serve it; without rows only the keys are checked.
+/// One piece of work: an operation and the rows that serve it; without rows its configurations are only counted.
 struct PositionTask {
   const Section* section = nullptr;
   const Operation* operation = nullptr;
@@ -54,23 +47,11 @@ struct PositionTask {
   std::string file;
 };
 
-/// The tables of one thread, one for each constraint and number of ports.
-class FitTables {
- public:
-  FitTable& of(const Operation& operation);
-
- private:
-  std::map<std::pair<Constraint, unsigned>, std::unique_ptr<FitTable>> tables_;
-};
-
-PositionCheck check_position(const PositionTask& task, bool second_formulation, FitTables& tables);
+PositionCheck check_position(const PositionTask& task);
 
 /// All tasks on so many threads; the result has the order of the tasks, whatever the threads do. `on_done` is called
 /// with the number of finished tasks, from one thread at a time.
-std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, bool second_formulation,
-                                           unsigned threads, const std::function<void(std::size_t)>& on_done);
-
-/// Processor seconds of the calling thread.
-double thread_seconds();
+std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, unsigned threads,
+                                           const std::function<void(std::size_t)>& on_done);
 
 }  // namespace restrip::verify

@@ -1,0 +1,179 @@
+#include "definition/definition.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/container_hash/hash.hpp>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/filtered_graph.hpp>
+#include <boost/graph/incremental_components.hpp>
+
+namespace restrip::verify {
+namespace {
+
+/// Adds the worlds that extend `world` by what happens to `port` and the ports after it.
+void extend(Constraint constraint, unsigned ports, unsigned port, const World& world, std::vector<World>& all) {
+  if (port == ports || constraint == Constraint::matching) return all.push_back(world);
+  extend(constraint, ports, port + 1, world, all);  // it is connected to no later one
+  if (is_solid(world.ports, port)) return;
+  // Or begins a set, with one later port or any number of them.
+  const Mask later = (mask_count(ports) - 1) & ~(mask_count(port + 1) - 1) & ~world.ports;
+  for (Mask others = later; others != 0; others = (others - 1) & later) {
+    if (constraint == Constraint::strips && solid_count(others) != 1) continue;
+    World more = world;
+    more.ports |= others | single(port);
+    more.connected.push_back({port});
+    for (unsigned other = port + 1; other < ports; ++other)
+      if (is_solid(others, other)) more.connected.back().push_back(other);
+    extend(constraint, ports, port + 1, more, all);
+  }
+}
+
+constexpr unsigned outside = most_colors;
+struct DualEdge {
+  unsigned number = 0;  ///< inner edges, then ports; `outside` for all edges of a world
+};
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, DualEdge>;
+
+/// Which edges are solid.
+struct Solid {
+  const Graph* graph = nullptr;
+  Mask colors = 0;
+  bool operator()(const Graph::edge_descriptor& edge) const { return is_solid(colors, (*graph)[edge].number); }
+};
+
+}  // namespace
+
+struct PatchInWorlds::Graphs {
+  std::vector<Graph> of_world;
+};
+
+std::vector<World> worlds_of(Constraint constraint, unsigned ports) {
+  std::vector<World> all;
+  extend(constraint, ports, 0, {}, all);
+  std::sort(all.begin(), all.end(), [](const World& one, const World& other) {
+    return std::pair(solid_count(one.ports), one.connected) < std::pair(solid_count(other.ports), other.connected);
+  });
+  return all;
+}
+
+std::string text_of(const World& world) {
+  std::string text;
+  for (const std::vector<unsigned>& ports : world.connected) text += fmt::format(" {}", fmt::join(ports, "-"));
+  return text.empty() ? "no ports connected outside" : fmt::format("ports{} connected outside", text);
+}
+
+PatchInWorlds::PatchInWorlds(const Side& side, Constraint constraint, const std::vector<World>& worlds)
+    : triangles_(side.triangles), inner_edges_(side.inner_edges()), most_solid_(most_solid(constraint)) {
+  auto graphs = std::make_shared<Graphs>();
+  for (const World& world : worlds) {
+    Graph& graph = graphs->of_world.emplace_back(side.triangles + side.ports());
+    unsigned number = 0;
+    for (const auto& [one, other] : side.edges) add_edge(one, other, {number++}, graph);
+    for (unsigned port = 0; port < side.ports(); ++port)
+      add_edge(side.owner_of_port[port], side.triangles + port, {number++}, graph);
+    for (const std::vector<unsigned>& ports : world.connected)
+      for (std::size_t i = 1; i < ports.size(); ++i)
+        add_edge(side.triangles + ports[i - 1], side.triangles + ports[i], {outside}, graph);
+  }
+  worlds_ = graphs;
+}
+
+bool PatchInWorlds::valid(Colors colors, std::size_t world) const {
+  ++graphs_;
+  const Graph& all = worlds_->of_world[world];
+  const Solid solid{&all, single(outside) | concatenated(colors.ports, colors.inner, inner_edges_)};
+  const boost::filtered_graph<Graph, Solid> graph(all, solid);
+
+  std::array<unsigned, most_triangles + most_ports> degree{};
+  std::size_t solid_edges = 0;
+  for (auto [edge, end] = edges(graph); edge != end; ++edge, ++solid_edges) {
+    ++degree[source(*edge, graph)];
+    ++degree[target(*edge, graph)];
+  }
+  for (unsigned triangle = 0; triangle < triangles_; ++triangle)
+    if (degree[triangle] > most_solid_) return false;
+
+  // A graph is a forest when its edges are its nodes less its connected components.
+  std::array<std::size_t, most_triangles + most_ports> rank;
+  std::array<std::size_t, most_triangles + most_ports> parent;
+  boost::disjoint_sets<std::size_t*, std::size_t*> components(rank.data(), parent.data());
+  boost::initialize_incremental_components(graph, components);
+  boost::incremental_components(graph, components);
+  const auto [first, last] = vertices(graph);
+  return solid_edges == num_vertices(graph) - components.count_sets(first, last);
+}
+
+Definition::Definition(const Operation& operation)
+    : operation_(operation),
+      worlds_(worlds_of(operation.constraint, operation.ports())),
+      before_(operation.before, operation.constraint, worlds_),
+      after_(operation.after, operation.constraint, worlds_),
+      valid_after_(mask_count(operation.ports())),
+      question_of_(mask_count(operation.before.colors()), none) {
+  for (Mask kept = 0; kept < valid_after_.size(); ++kept)
+    for (Mask inner = 0; inner < mask_count(operation.after.inner_edges()); ++inner)
+      if (after_.valid({inner, kept})) valid_after_[kept].push_back(inner);
+
+  for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) {
+    std::vector<unsigned> possible;
+    for (unsigned world = 0; world < worlds_.size(); ++world)
+      if (is_subset(worlds_[world].ports, ports)) possible.push_back(world);
+    std::unordered_map<std::vector<unsigned>, unsigned, boost::hash<std::vector<unsigned>>> known;
+    for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner) {
+      if (!before_.valid({inner, ports})) continue;
+      std::vector<unsigned> worlds;
+      for (const unsigned world : possible)
+        if (before_.valid({inner, ports}, world)) worlds.push_back(world);
+      const auto number = static_cast<unsigned>(questions_.size());
+      const auto [place, is_new] = known.try_emplace(worlds, number);
+      question_of_[concatenated(inner, ports, operation.ports())] = place->second;
+      if (is_new) questions_.push_back({std::move(worlds), {}});
+    }
+    const std::vector<Candidate> in_order = in_order_of_preference(ports);
+    for (const auto& question : known) {
+      auto& [worlds, best] = questions_[question.second];
+      const auto first = std::find_if(in_order.begin(), in_order.end(), [&, &worlds = worlds](const Candidate& one) {
+        return !refuting_world(worlds, one.colors).has_value();
+      });
+      if (first != in_order.end()) best = *first;
+    }
+  }
+}
+
+std::vector<Candidate> Definition::in_order_of_preference(Mask ports) const {
+  std::vector<Candidate> all;
+  for (Mask kept = 0; kept <= ports; ++kept)
+    if (admissible(operation_, ports, kept))
+      for (const Mask inner : valid_after_[kept]) all.push_back({cost({0, ports}, {inner, kept}), {inner, kept}});
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::optional<unsigned> Definition::refuting_world(const std::vector<unsigned>& worlds, Colors recoloring) const {
+  for (const unsigned world : worlds)
+    if (!after_.valid(recoloring, world)) return world;
+  return {};
+}
+
+std::optional<unsigned> Definition::refuting_world(Colors configuration, Colors recoloring) const {
+  return refuting_world(worlds(configuration), recoloring);
+}
+
+Judged Definition::judged(Colors configuration, Colors recoloring) const {
+  const std::uint64_t answer = concatenated(recoloring.inner, recoloring.ports, operation_.ports());
+  const auto [place, is_new] =
+      known_.try_emplace(question_number(configuration) * wide_mask_count(most_colors) + answer);
+  Judged& judged = place->second;
+  if (!is_new) return judged;
+  if (!admissible(operation_, configuration.ports, recoloring.ports)) return judged = {Verdict::wrong_ports};
+  if (refuting_world(configuration, recoloring).has_value()) return judged = {Verdict::unsound};
+  const CostValues own = cost(configuration, recoloring);
+  const CostValues least = best(configuration).value().cost;
+  const auto* const higher = std::mismatch(own.begin(), own.end(), least.begin()).first;
+  if (higher != own.end()) judged = {Verdict::not_best, static_cast<unsigned>(higher - own.begin())};
+  return judged;
+}
+
+}  // namespace restrip::verify

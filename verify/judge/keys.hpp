@@ -1,0 +1,27 @@
+#pragma once
+// The keys of configurations (docs/operation-file.md), by which certificates list rules. That a key says all that a
+// rule must know is a theorem about the definition; no verdict on a row that is searched depends on it.
+
+#include <vector>
+
+#include "model/coloring.hpp"
+#include "model/key.hpp"
+
+namespace restrip::verify {
+
+class Keys {
+ public:
+  explicit Keys(const Operation& operation);
+
+  /// Nothing for a configuration that is not valid.
+  std::optional<Key> key_of(Colors configuration) const;
+  /// Whether a recolouring with admissible ports is sound for all configurations with this key: where it is valid and
+  /// joins no other ports (the locality lemma).
+  bool sound(const Key& key, Colors recoloring) const;
+
+ private:
+  const Operation& operation_;
+  std::vector<PortPairs> joinable_;  ///< by ports: the pairs that some recolouring joins
+};
+
+}  // namespace restrip::verify

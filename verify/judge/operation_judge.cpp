@@ -1,0 +1,69 @@
+#include "judge/operation_judge.hpp"
+
+#include <fmt/format.h>
+
+namespace restrip::verify {
+
+OperationJudge::OperationJudge(const Operation& operation) : operation_(operation), keys_(operation) {
+  if (searched(operation)) definition_.emplace(operation);
+}
+
+std::optional<Key> OperationJudge::key_of(Colors configuration) const {
+  if (definition_ && !definition_->valid(configuration)) return {};
+  return keys_.key_of(configuration);
+}
+
+bool OperationJudge::is_sound(Colors configuration, Colors recoloring) const {
+  if (!admissible(operation_, configuration.ports, recoloring.ports)) return false;
+  if (definition_) return !definition_->refuting_world(configuration, recoloring);
+  return keys_.sound(keys_.key_of(configuration).value(), recoloring);
+}
+
+Judged OperationJudge::judged(Colors configuration, Colors recoloring) const {
+  if (definition_) return definition_->judged(configuration, recoloring);
+  if (!admissible(operation_, configuration.ports, recoloring.ports)) return {Verdict::wrong_ports};
+  return {is_sound(configuration, recoloring) ? Verdict::right : Verdict::unsound};
+}
+
+std::string OperationJudge::explained(Colors configuration, Colors recoloring, const Judged& judged) const {
+  std::string text = fmt::format("    before  {}\n    after   {}\n", drawn(operation_.before, configuration),
+                                 drawn(operation_.after, recoloring));
+  const Mask taken = recoloring.ports & ~configuration.ports;
+  const Mask refused = configuration.ports & ~recoloring.ports & ~operation_.may_give_up;
+  switch (judged.verdict) {
+    case Verdict::right:
+      break;
+    case Verdict::wrong_ports:
+      for (unsigned port = 0; port < operation_.ports(); ++port) {
+        if (is_solid(taken, port)) return text + fmt::format("  port {} was dashed and becomes solid\n", port);
+        if (is_solid(refused, port)) return text + fmt::format("  port {} is given up and may not be\n", port);
+      }
+      break;
+    case Verdict::unsound: {
+      const std::string invalid = invalid_because(operation_.after, recoloring, most_solid(operation_.constraint));
+      if (!invalid.empty())
+        text += fmt::format("  unsound: {} after\n", invalid);
+      else if (definition_)
+        text +=
+            fmt::format("  unsound: with {}, there is no solid cycle before, but one after\n",
+                        text_of(definition_->world(definition_->refuting_world(configuration, recoloring).value())));
+      else
+        text += "  unsound: it joins ports that were not joined before\n";
+      if (definition_ && !definition_->best(configuration))
+        text += "  no recolouring is sound here; the operation would have to give up more ports\n";
+      break;
+    }
+    case Verdict::not_best: {
+      const Candidate better = definition_->best(configuration).value();
+      const Criterion& criterion = operation_.cost[judged.criterion];
+      text +=
+          fmt::format("    better  {}\n  not best: {} is {}, and may be {}\n", drawn(operation_.after, better.colors),
+                      text_of(criterion), definition_->cost(configuration, recoloring)[judged.criterion],
+                      better.cost[judged.criterion]);
+      break;
+    }
+  }
+  return text;
+}
+
+}  // namespace restrip::verify
