@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Renders performance.md from what the benchmark programs recorded (scripts/performance.sh runs them). Every number
+"""Renders the page of results from what the benchmark programs recorded (scripts/performance.sh runs them). Every number
 of the page is computed here; the prose is performance.md.in.
 
 Example: bench/render.py --json build/performance --out docs

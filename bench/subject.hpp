@@ -21,7 +21,7 @@ struct Subject {
 /// Made when first asked for, and kept.
 [[nodiscard]] const Subject& subject(const std::string& name);
 
-/// Baking the dragon takes minutes (docs/baked.md has its figures), so it is left out here.
+/// Baking the dragon takes minutes (docs/how-to/baked-strips.md has its figures), so it is left out here.
 [[nodiscard]] bool has_plan(const std::string& name, const tools::Way& way);
 /// Made when first asked for, and kept. Other costs than strips only for ways that weigh.
 [[nodiscard]] const tools::Plan& plan(const std::string& name, const tools::Way& way,

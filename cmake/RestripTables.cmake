@@ -1,4 +1,4 @@
-# Tables made in a user's build: restrip_generate_tables() and restrip_verify_tables(). docs/cmake.md is the manual.
+# Tables made in a user's build: restrip_generate_tables() and restrip_verify_tables(). docs/how-to/cmake.md is the manual.
 #
 # Who includes this file sets the global property RESTRIP_VERSION first, and afterwards has the programs as targets
 # restrip::generate, restrip::verify, restrip::verify-automaton: programs of this machine, built in the same build
@@ -8,14 +8,14 @@ include_guard(GLOBAL)
 # The largest fans that the generator makes, and that the verifier judges.
 set_property(GLOBAL PROPERTY RESTRIP_LARGEST_FAN 13)
 set_property(GLOBAL PROPERTY RESTRIP_LARGEST_VERIFIED_FAN 10)
-# The largest first number of a position in the table of a family of one's own.
+# The largest first number of a position in the table of a custom family.
 set_property(GLOBAL PROPERTY RESTRIP_LARGEST_OWN_FAMILY 10)
 # The languages that the generator writes.
 set_property(GLOBAL PROPERTY RESTRIP_LANGUAGES c c++ glsl json rust wgsl)
 
 set(RESTRIP_HOST_PROGRAMS "" CACHE PATH "Folder of restrip-generate and the other programs, to run on this machine")
 
-# _restrip_import_programs(WHY): imports the programs as they are found; WHY tells what is missing, or is empty.
+# _restrip_import_programs(WHY): imports the programs as they are found; WHY reports what is missing, or is empty.
 function(_restrip_import_programs why)
   set(${why} "" PARENT_SCOPE)
   foreach(name IN ITEMS generate verify verify-automaton dump-tables)
@@ -280,7 +280,7 @@ function(restrip_verify_tables target)
     get_target_property(folder ${target} RESTRIP_FOLDER)
   endif()
   if(NOT folder)
-    message(FATAL_ERROR "restrip_verify_tables: ${target}: is no target that restrip_generate_tables() made")
+    message(FATAL_ERROR "restrip_verify_tables: ${target}: is not a target that restrip_generate_tables() made")
   endif()
   _restrip_check_programs(restrip_verify_tables)
   get_target_property(operations ${target} RESTRIP_OPERATIONS)

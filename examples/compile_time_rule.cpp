@@ -7,7 +7,8 @@ int main() {
   constexpr restrip::SplitPosition at{.k = 4, .a = 2};
 
   // Before the split, t_0 … t_3 follow each other in a strip that enters and leaves by the ports of t_0 and t_3. Bit i
-  // of the first mask is the dual edge between t_i and t_{i+1}, bit i of the second the port of t_i (docs/notation.md).
+  // of the first mask is the dual edge between t_i and t_{i+1}, bit i of the second the port of t_i
+  // (docs/reference/notation.md).
   constexpr restrip::Word loop = 0b0111;
   constexpr restrip::Word ports = 0b1001;
 

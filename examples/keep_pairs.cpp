@@ -1,7 +1,7 @@
 // Triangles in pairs, kept while the mesh changes: as quadrilaterals, say. A pair is a solid dual edge, and no triangle
 // has two. Edges of a closed mesh are bisected and flipped, and the vertices removed again, a whole replay up and down;
-// the tables of tables/operations/*-matching.json say which pairs an operation leaves. docs/toolkit.md says how such
-// tables are made and proved.
+// the tables of tables/operations/*-matching.json say which pairs an operation leaves.
+// docs/tutorials/custom-operation.md says how such tables are made and proved.
 #include <cstdio>
 #include <restrip/restrip.hpp>
 #include <restrip/tables/operations/bisect_matching.hpp>

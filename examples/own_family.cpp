@@ -1,6 +1,7 @@
 // A custom family with strips: own_family.json says, for every k, that a vertex of k triangles is removed and its
-// hole becomes a fan around one of its neighbours. One table has the best rules for all k up to 8 (docs/toolkit.md).
-// Here vertices of all these valences are removed at random, under each policy in turn, from a torus or an OBJ file.
+// hole becomes a fan around one of its neighbours. One table has the best rules for all k up to 8
+// (docs/tutorials/custom-operation.md). Here vertices of all these valences are removed at random, under each policy in
+// turn, from a torus or an OBJ file.
 #include <array>
 #include <cstdio>
 #include <fstream>

@@ -1,6 +1,7 @@
 // Playing a baked mesh. The strips of every level are decided beforehand, here by a keeper that searches long; what is
 // stored with each record is the dual edges whose colour it flips. At run time no rule is looked up and nothing is
-// searched. `restrip bake` does the first part for meshes of any size, with longer searches (docs/baked.md).
+// searched. `restrip bake` does the first part for meshes of any size, with longer searches
+// (docs/how-to/baked-strips.md).
 #include <cstdio>
 #include <restrip/restrip.hpp>
 #include <vector>

@@ -29,7 +29,7 @@ class SignalPause {
 /// Goes away with its owner unless it was published.
 class Draft {
  public:
-  /// A new file in the folder of `target`, which is no link. No file had its name before. Throws FileError about
+  /// A new file in the folder of `target`, which is not a link. No file had its name before. Throws FileError about
   /// `shown`, the name by which the user knows the target.
   Draft(std::filesystem::path target, std::string shown);
   ~Draft();

@@ -96,7 +96,7 @@ void check_protection(const fs::path& file, const fs::path& target) {
   if (::access(target.c_str(), W_OK) != 0 && errno != ENOENT) fail_to_write(file.string(), errno);
 }
 
-/// Writes to what is there, and is no regular file.
+/// Writes to what is there, and is not a regular file.
 void write_through(const std::string& shown, int descriptor, std::string_view bytes) {
   Descriptor out(descriptor >= 0 ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)
                                  : system_calls().open(shown.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC, 0));
@@ -181,7 +181,7 @@ OutputSet::OutputSet(fs::path folder, const std::vector<fs::path>& names, const 
     const fs::path file = folder_ / name;
     made_.make(folder_of(file));
     if (tested_.emplace_back(file, rules).target_.empty())
-      throw FileError(fmt::format("{}: cannot be written: it is no regular file; remove it", file.string()));
+      throw FileError(fmt::format("{}: cannot be written: it is not a regular file; remove it", file.string()));
   }
 }
 

@@ -25,7 +25,7 @@ struct OutputRules {
 /// to as it is, under any name: replacing it would take it away from other programs. `-` is standard output.
 class Output {
  public:
-  /// Throws FileError unless the file can be written: its folder is there and takes files, it is no folder and not
+  /// Throws FileError unless the file can be written: its folder is there and takes files, it is not a folder and not
   /// protected, the rules hold, and no other output of this thread is the same file.
   explicit Output(const std::filesystem::path& file, const OutputRules& rules = {});
 

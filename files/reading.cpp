@@ -48,7 +48,7 @@ std::string read_whole(const std::filesystem::path& file, const ReadLimits& limi
   }
   constexpr std::size_t block = std::size_t{1} << 20;
   while (true) {
-    // Behind what was announced there is one byte to see the end by, and blocks where the file goes on nevertheless.
+    // Behind what was announced there is one byte to see the end by, and blocks where the file continues nevertheless.
     if (filled == bytes.size()) bytes.resize(filled + (filled == announced && filled != 0 ? 1 : block));
     const ssize_t got = system_calls().read(in.get(), bytes.data() + filled, bytes.size() - filled);
     if (got < 0 && errno == EINTR) continue;

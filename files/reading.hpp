@@ -18,7 +18,7 @@ struct ReadLimits {
 /// bytes have been read.
 [[nodiscard]] std::string read_whole(const std::filesystem::path& file, const ReadLimits& limits = {});
 
-/// The extension in lower case, with its dot; empty when there is none.
+/// The extension in lower case, with its dot; empty when none exists.
 [[nodiscard]] std::string extension_of(const std::filesystem::path& file);
 
 }  // namespace restrip::files

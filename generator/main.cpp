@@ -55,7 +55,7 @@ CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& langu
       ->allow_extra_args(false);
 }
 
-/// What tells the positions of a family apart.
+/// What reports the positions of a family apart.
 using PlaceOptions = std::array<const CLI::Option*, PositionNumbers{}.size()>;
 
 /// The position that the options --k, --at and --to say.
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> served;
   auto* served_option = automaton_command->add_option(
       "--operation", served,
-      "Write the look-up of families of your own (operation files) that the shipped automaton answers, instead");
+      "Write the look-up of custom families (operation files) that the shipped automaton answers, instead");
   automaton_command
       ->add_option(
           "--cost", automaton.cost,
@@ -153,9 +153,10 @@ int main(int argc, char** argv) {
 
   RulesOptions rules;
   auto* rules_command = app.add_subcommand("rules",
-                                           "Write the table and the certificate of operations of your own (operation "
+                                           "Write the table and the certificate of custom operations (operation "
                                            "files), or the table in another language");
-  rules_command->add_option("--operation", rules.files, "Operation file, as docs/operation-file.md describes it")
+  rules_command
+      ->add_option("--operation", rules.files, "Operation file, as docs/reference/operation-file.md describes it")
       ->required();
   rules_command->add_option("--out", rules.out, "Directory that receives them")->required();
   rules_command

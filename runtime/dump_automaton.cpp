@@ -1,5 +1,5 @@
-// The numbers of the automaton of all valences, and a digest of what its look-up answers (docs/certificate.md, "Dump of
-// the automaton").
+// The numbers of the automaton of all valences, and a digest of what its look-up answers (docs/reference/verifiers.md,
+// "Dump of the automaton").
 #include <cstdint>
 #include <initializer_list>
 #include <string>

@@ -1,7 +1,7 @@
-// What the compiled look-up answers, as digests in the format of the programs for other languages (docs/languages.md,
-// "Checking a look-up"): a line for each operation, 0 to 6, and position, "operation k p q digest". The digest is the
-// sum of mix() over all colours before and all ports, valid or not, modulo 2^32, so that programs that answer in
-// parallel can add it up in any order.
+// What the compiled look-up answers, as digests in the format of the programs for other languages
+// (docs/how-to/other-languages.md, "Check a look-up"): a line for each operation, 0 to 6, and position, "operation k p
+// q digest". The digest is the sum of mix() over all colours before and all ports, valid or not, modulo 2^32, so that
+// programs that answer in parallel can add it up in any order.
 #include <cstdint>
 #include <cstdio>
 

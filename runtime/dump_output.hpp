@@ -70,17 +70,17 @@ class Output {
   std::size_t lines_ = 0;
 };
 
-/// The trees of linked_split_rule() and linked_collapse_rule() (docs/certificate.md, "Dump of linked rules").
+/// The trees of linked_split_rule() and linked_collapse_rule() (docs/reference/verifiers.md, "Dump of linked rules").
 void linked_rules(Output& out, std::size_t max_k);
 
 /// The numbers of the automaton, and a digest of its answers to every key of every position with k <= max_k.
 void automaton(Output& out, std::size_t max_k);
 
-/// Digests of what the automaton's look-up answers in positions with k <= max_k (docs/certificate.md, "Digests of the
-/// automaton"). False when not everything could be written.
+/// Digests of what the automaton's look-up answers in positions with k <= max_k (docs/reference/verifiers.md, "Digests
+/// of the automaton"). False when not everything could be written.
 bool automaton_digests(std::size_t max_k);
 
-/// What a digest adds up (docs/certificate.md, "Digests of answers").
+/// What a digest adds up (docs/reference/verifiers.md, "Digests of answers").
 constexpr std::uint32_t mix(Word before, Word ports, std::uint32_t answer) {
   std::uint32_t h =
       answer ^ static_cast<std::uint32_t>(before) * 0x9e3779b1U ^ static_cast<std::uint32_t>(ports) * 0x85ebca77U;

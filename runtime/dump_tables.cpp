@@ -1,6 +1,7 @@
 // restrip-dump-tables: prints what the compiled rules answer to every configuration, valid or not, in every position,
-// so that those who trust neither the generator nor the look-up in the tables can compare (docs/certificate.md, "Table
-// dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton); or, with
+// so that those who trust neither the generator nor the look-up in the tables can compare (docs/reference/verifiers.md,
+// "Table dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton); or,
+// with
 // --digests, only digests of that; of the automaton, digests of what it answers in larger fans as well.
 #include <cstdio>
 #include <string>

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Checks every row of certificates from their text and docs/notation.md, docs/certificate.md alone: that it is sound,
+"""Checks every row of certificates from their text and docs/reference/notation.md, docs/reference/certificate.md alone: that it is sound,
 and by its reason that nothing is preferred to it. Copies are checked by their symmetry. Nothing is searched, but for the
 lists of linked rules, which are held against all recolourings.
 
   scripts/check_reasons.py tables/certificates/*.cert
   scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
 
-The second line is for a custom operation, by docs/operation-file.md: its file describes one operation, and has
+The second line is for a custom operation, by docs/reference/operation-file.md: its file describes one operation, and has
 reasons (strips or forests, fewest strips first). It must have a row for every valid configuration; "configurations", "valid"
 and "keys" are recounted.
 
@@ -301,7 +301,7 @@ class Row:
 
 
 class Lists:
-    """The lists of a section of linked rules: points 1 to 4 of docs/certificate.md."""
+    """The lists of a section of linked rules: points 1 to 4 of docs/reference/certificate.md."""
 
     def __init__(self, patch):
         self.patch, self.ports, self.taken = patch, -1, []

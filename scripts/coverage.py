@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""What each claim rests on: docs/coverage.csv, and the tables that are made of it.
+"""What each claim rests on: docs/coverage.csv, and the table made of it.
 
   scripts/coverage.py record FOLDER RUNG…   the reports FOLDER/RUNG.log become the rows of these rungs in docs/coverage.csv
-  scripts/coverage.py table                 the table of docs/trust.md
-  scripts/coverage.py guarantees            the table of README.md
+  scripts/coverage.py table                 the table of docs/explanation/what-is-proven.md
   scripts/coverage.py check [ROOT]          each claim has a row, each row a rung of scripts/prove.sh, each rung a row
 
 scripts/prove.sh runs the rungs and then "record", so every row comes from a line that a run has printed. A report in
@@ -39,7 +38,7 @@ def automaton_lines(claims_of):
     return [
         line("every meeting is sound and best", ("Sound", "Locally optimal", "Checkable"), "every pair of kinds of arcs", CERTIFICATES, k="every"),
         line("every number of the header is the certificate's", ("Compiled",), "compared", AUTOMATON, k="every"),
-        line("every answer of the header is the certificate's +k <= (?P<k>[0-9]+),", ("Compiled", "Told"), "compared", AUTOMATON),
+        line("every answer of the header is the certificate's +k <= (?P<k>[0-9]+),", ("Compiled", "Reported"), "compared", AUTOMATON),
         line("every answer with k = (?P<k>[0-9]+) is sound and best", ("Sound", "Locally optimal"), SEARCH, CERTIFICATES),
     ]
 
@@ -53,13 +52,13 @@ RULES = [
 ANSWERS = [
     (r"every answer is the certificate's row, in its positions +[^,]*dump,", ["Compiled"], "compared", TABLES),
     ("every answer is sound and best, in other positions", ["Sound", "Locally optimal"], SEARCH, TABLES),
-    ("every answer tells what it changes", ["Told"], "counted before and after", TABLES),
+    ("every answer reports what it changes", ["Reported"], "counted before and after", TABLES),
 ]
 THEOREM = r"^{} +[0-9]+  Closed under the global context$"
 REPORTS = {
     "search": RULES + [
         holds("no rule costs above [0-9]+ strips?, isolates above [0-9]+", ["Bounded"], SEARCH, CERTIFICATES),
-        holds("beside any outside nothing beats the first sound one", ["Linked"], SEARCH, CERTIFICATES,
+        holds("in any outside nothing beats the first sound one", ["Linked"], SEARCH, CERTIFICATES,
               subject="linked-(?P<operation>[a-z]+)"),
     ] + [holds(*answer, subject="shipped headers", operations="answered") for answer in ANSWERS],
     "linked": [
@@ -77,13 +76,13 @@ REPORTS = {
         Line(r"/linked-(?P<operation>[a-z-]+)\.cert: \d+ alternatives, the lists are complete", ["Linked"], SEARCH, CERTIFICATES),
     ],
     "valences": [
-        Line(r"^\d+ random fans, k = \d+ \.\.\. (?P<k>\d+)$", ["Sound", "Locally optimal", "Told"], RANDOM, AUTOMATON, FANS),
+        Line(r"^\d+ random fans, k = \d+ \.\.\. (?P<k>\d+)$", ["Sound", "Locally optimal", "Reported"], RANDOM, AUTOMATON, FANS),
     ],
     "beyond": [
         Line(r"^\d+ patches of each operation, k = \d+ \.\.\. (?P<k>\d+)$", ["Linked"], RANDOM, "compiled linked look-up", FANS),
     ],
     "run": [
-        Line(r"^  judged: (?P<operation>[a-z ]+): \d+(, k <= \d+)?$", ["Sound", "Locally optimal", "Told"],
+        Line(r"^  judged: (?P<operation>[a-z ]+): \d+(, k <= \d+)?$", ["Sound", "Locally optimal", "Reported"],
              "the operations of a run, judged by functions extracted from Coq", "a trace", k="those met"),
     ],
     "theorem": [
@@ -92,8 +91,8 @@ REPORTS = {
         Line(THEOREM.format("every_rule_right"), RULE, COQ, "nothing: a fold written in Coq", FANS, "every"),
         Line(THEOREM.format("correct_tables_cost"), ["Bounded"], COQ, "nothing: every correct table costs the same", FANS, "every"),
         Line(THEOREM.format("automaton_serves"), RULE, COQ, "numbers of the compiled automaton", FANS, "every"),
-        Line(THEOREM.format("answers_tell"), ["Told"], COQ, TABLES, ALL, "told"),
-        Line(THEOREM.format("automaton_told"), ["Told"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
+        Line(THEOREM.format("answers_tell"), ["Reported"], COQ, TABLES, ALL, "told"),
+        Line(THEOREM.format("automaton_told"), ["Reported"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
         Line(THEOREM.format("automaton_looked_up"), ["Compiled"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
         Line(THEOREM.format("linked_rules_right"), ["Linked"], COQ, "lists of the compiled tables", ["split", "collapse"]),
         Line(THEOREM.format("sequences_right"), ["Sequences"], COQ, TABLES, FANS),
@@ -120,7 +119,7 @@ def operations_of(line, found, report):
 
 
 def k_of(line, found, report):
-    """"every", or the largest; 0 where there is none, as of operation files, or where no k is covered whole."""
+    """"every", or the largest; 0 where none exists, as of operation files, or where no k is covered whole."""
     if line.k == "every":
         return line.k
     if line.k == "those met":
@@ -160,7 +159,7 @@ def bold_of(text, heading):
 class Coverage:
     def __init__(self, root):
         self.root, self.path = root, root / "docs/coverage.csv"
-        self.claims = bold_of((root / "docs/trust.md").read_text(encoding="utf-8"), "## What is claimed")
+        self.claims = bold_of((root / "docs/explanation/what-is-proven.md").read_text(encoding="utf-8"), "## What is claimed")
         self.guarantees = bold_of((root / "README.md").read_text(encoding="utf-8"), "## What is guaranteed")
         self.rungs = re.findall(r"^ *rung ([a-z]+) ", (root / "scripts/prove.sh").read_text(encoding="utf-8"), re.M)
         with open(self.path, encoding="utf-8", newline="") as file:
@@ -169,10 +168,10 @@ class Coverage:
     def check(self):
         """Sentences about what does not fit."""
         claimed, run = {row.claim for row in self.rows}, {row.rung for row in self.rows}
-        return (["docs/trust.md lists no claims, or README.md no guarantees"] if not self.claims or not self.guarantees else []) + \
+        return (["docs/explanation/what-is-proven.md lists no claims, or README.md no guarantees"] if not self.claims or not self.guarantees else []) + \
             [f"{claim}: a claim without a row in docs/coverage.csv" for claim in self.claims if claim not in claimed] + \
-            [f"{claim}: a guarantee of README.md that docs/trust.md does not claim" for claim in self.guarantees if claim not in self.claims] + \
-            [f"{claim}: rows of docs/coverage.csv name it, and docs/trust.md does not claim it" for claim in sorted(claimed - set(self.claims))] + \
+            [f"{claim}: a guarantee of README.md that docs/explanation/what-is-proven.md does not claim" for claim in self.guarantees if claim not in self.claims] + \
+            [f"{claim}: rows of docs/coverage.csv name it, and docs/explanation/what-is-proven.md does not claim it" for claim in sorted(claimed - set(self.claims))] + \
             [f"{rung}: no rung of scripts/prove.sh" for rung in sorted(run - set(self.rungs))] + \
             [f"{rung}: a rung of scripts/prove.sh without a row" for rung in self.rungs if rung not in run]
 
@@ -214,14 +213,6 @@ class Coverage:
         return table_of(["claims", "of", "k", "how it is known", "what was read", "rung"],
                         [[*cells, f"`{rung}`"] for *cells, rung in self.merged(self.claims)])
 
-    def guarantees_table(self):
-        """Of what reads more than certificates, where anything does."""
-        known = {}
-        for claims, of, k, how, read, _ in self.merged(self.guarantees):
-            if read != CERTIFICATES or "Checkable" in claims:
-                known.setdefault((claims, of, k, read), []).append(how)
-        return table_of(["guarantees", "of", "k", "what was read", "how it is known"], [[*cells, "; ".join(hows)] for cells, hows in known.items()])
-
 
 def table_of(head, lines):
     return "".join("| " + " | ".join(cells) + " |\n" for cells in [head, ["---"] * len(head), *lines])
@@ -232,8 +223,6 @@ def main():
         Coverage(ROOT).record(Path(sys.argv[2]), sys.argv[3:])
     elif sys.argv[1:] == ["table"]:
         print(Coverage(ROOT).table(), end="")
-    elif sys.argv[1:] == ["guarantees"]:
-        print(Coverage(ROOT).guarantees_table(), end="")
     elif sys.argv[1:2] == ["check"] and len(sys.argv) <= 3:
         faults = Coverage(Path(sys.argv[2]) if len(sys.argv) == 3 else ROOT).check()
         sys.exit("\n".join(faults) or 0)

@@ -111,7 +111,7 @@ class Figures:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     epilog="Example: RESTRIP_MESHES=meshes scripts/figures.py --kind long docs/strips.md")
+                                     epilog="Example: RESTRIP_MESHES=meshes scripts/figures.py --kind long docs/reference/policies.md")
     parser.add_argument("documents", nargs="*", metavar="DOCUMENT", help="README.md, CONTRIBUTING.md and docs/ when none is given")
     parser.add_argument("--check", action="store_true", help="change nothing; exit with 1 where a table differs")
     parser.add_argument("--kind", action="append", choices=["quick", "long", "timed"],
@@ -124,7 +124,7 @@ def main():
     arguments = parser.parse_args()
     arguments.kind = arguments.kind or ["quick"]
     arguments.bin = arguments.bin.resolve()
-    documents = arguments.documents or [ROOT / name for name in ("README.md", "CONTRIBUTING.md")] + sorted(ROOT.glob("docs/*.md"))
+    documents = arguments.documents or [ROOT / name for name in ("README.md", "CONTRIBUTING.md")] + sorted(ROOT.glob("docs/**/*.md"))
     figures, bare = Figures(arguments), 0
     for document in documents:
         text = Path(document).read_text(encoding="utf-8")

@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
 """Runs the generator and prints a table of one of the documents.
 
-counts:     configurations, orbits and rules that add a strip, for splits and for collapses (docs/theory.md)
-ports:      what splits and collapses would gain if their rules gave solid ports up (docs/theory.md)
-ports-met:  how often splits of real meshes (web/atlas/met.csv) would gain by that (docs/theory.md)
-families:   rules and bytes of each family of tables, k <= 8 (docs/tables.md)
+counts:     configurations, orbits and rules that add a strip, for splits and for collapses (docs/explanation/theory.md)
+ports:      what splits and collapses would gain if their rules gave solid ports up (docs/explanation/theory.md)
+ports-met:  how often splits of real meshes (web/atlas/met.csv) would gain by that (docs/explanation/theory.md)
+families:   rules and bytes of each family of tables, k <= 8 (docs/reference/tables.md)
 programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DNDEBUG against single headers with tables
-            up to different k (docs/tables.md)
-operations: claims of the certificates of the shipped operation files, proved by the verifier (docs/toolkit.md)
-matchings:  claims of the splits, collapses and the flip of matchings, all positions of a fan together (docs/toolkit.md)
-speed:      time to make and to prove the tables of operation files, small and at the limits (docs/toolkit.md)
-compiling:  time and memory of compilers that read one header (docs/tables.md)
-languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
-automata:   bytes of the automaton in other languages, for two costs (docs/languages.md)
-verified:   time of making tables up to different k and of verifying them with what they compile to (docs/cmake.md)
-costs:      the automaton of different costs (docs/automaton.md)
-shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
+            up to different k (docs/reference/tables.md)
+operations: claims of the certificates of the shipped operation files, proved by the verifier (docs/tutorials/custom-operation.md)
+matchings:  claims of the splits, collapses and the flip of matchings, all positions of a fan together (docs/tutorials/custom-operation.md)
+speed:      time to make and to prove the tables of operation files, small and at the limits (docs/tutorials/custom-operation.md)
+compiling:  time and memory of compilers that read one header (docs/reference/tables.md)
+languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/how-to/other-languages.md)
+automata:   bytes of the automaton in other languages, for two costs (docs/how-to/other-languages.md)
+verified:   time of making tables up to different k and of verifying them with what they compile to (docs/how-to/cmake.md)
+costs:      the automaton of different costs (docs/explanation/automaton.md)
+shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/how-to/cluster.md)
 """
 import argparse
 import csv
@@ -65,7 +65,7 @@ class Positions:
     """Rules of one position that count strips alone: the best that keep every port, and the best that may give ports up."""
 
     def __init__(self, generate, family, k, a):
-        self.keeping, self.giving = {}, {}  # solid edges after the operation, ports included, by (P, J) of docs/operation-file.md
+        self.keeping, self.giving = {}, {}  # solid edges after the operation, ports included, by (P, J) of docs/reference/operation-file.md
         self.costing = []                   # valid configurations whose rule adds a strip: keeping, giving
         printed = subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)])
         operation = {**json.loads(printed), "cost": [[{"count": "strips"}]]}

@@ -1,5 +1,5 @@
-"""Operations and families as files describe them (docs/operation-file.md): the patches of their positions as graphs, and what
-their certificates (docs/certificate.md) say of them."""
+"""Operations and families as files describe them (docs/reference/operation-file.md): the patches of their positions as graphs, and what
+their certificates (docs/reference/certificate.md) say of them."""
 import functools
 import itertools
 import json
@@ -211,7 +211,7 @@ def positions_of(path, largest=8):
         except Refused as fault:
             raise Refused(f"{path}: {description.name}: {fault}") from None
         except (ValueError, KeyError, TypeError, AttributeError, IndexError):
-            raise Refused(f"{path}: {description.name}: is not described as docs/operation-file.md says; "
+            raise Refused(f"{path}: {description.name}: is not described as docs/reference/operation-file.md says; "
                           "restrip-generate rules names the fault") from None
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Measures everything that docs/performance.md says, and writes that page anew. A full run takes about a quarter of an hour and
+# Measures everything that docs/results.md says, and writes that page again. A full run takes about a quarter of an hour and
 # three gigabytes; without RESTRIP_MESHES (a folder with bunny.obj and dragon_vrip.ply) only made meshes are measured.
 #
-#   scripts/performance.sh                    measure all, into build/performance; then docs/performance.md
+#   scripts/performance.sh                    measure all, into build/performance; then docs/results.md
 #   scripts/performance.sh --only level       measure this program again and render; may be repeated
 #   scripts/performance.sh --short            a third of the time: no mesh of more than a million triangles, less repetition
 #   scripts/performance.sh --quick            small meshes, seconds; the page goes to build/performance-quick

@@ -2,8 +2,8 @@
 """Pictures as SVG: the patches of operations, and a mesh coloured by strip.
 
 As a program it draws what `restrip draw -o picture.json` writes: scripts/pictures.py picture.json picture.svg
-Of an operation file (docs/operation-file.md) it draws the patch before and after, with the numbers of triangles, inner edges and
-ports; with --certificate (docs/certificate.md) its rules as well.
+Of an operation file (docs/reference/operation-file.md) it draws the patch before and after, with the numbers of triangles, inner edges and
+ports; with --certificate (docs/reference/certificate.md) its rules as well.
 """
 import argparse
 import json
@@ -28,7 +28,7 @@ PATCH_STYLE = """:root { --old: #e3f2fd; --new: #ffe082; --rim: #7a8794; --solid
 """
 
 
-# ---- patches (docs/notation.md numbers their edges)
+# ---- patches (docs/reference/notation.md numbers their edges)
 
 def _middle(*places):
     return sum(p[0] for p in places) / len(places), sum(p[1] for p in places) / len(places)
@@ -135,7 +135,7 @@ def split_picture(k, a, inner, ports, description):
 
 
 def arc_picture(word, links, description):
-    """An arc of a fan (docs/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Behind a
+    """An arc of a fan (docs/explanation/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Behind a
     solid port the strip turns about the corner at the left (l, L) or at the right (r, R), or ends (s, S)."""
     hub, width = (200, 100), math.radians(min(40, 110 / len(word)))
     start = math.pi / 2 + width * len(word) / 2

@@ -109,7 +109,7 @@ rung beyond "so does it in fans of all kinds and sizes without tables" \
   $bin/runtime_linked_test --gtest_filter='LinkedSearch.IsBest*'
 rung automaton "every answer of the automaton is sound and optimal, for every k; the shipped header holds its numbers" \
   "every colouring of short arcs, every pair of the finitely many kinds of arcs; whole fans to k = 10 as well" \
-  "C++ compiler, verify/automaton, the interface lemma of docs/automaton.md" \
+  "C++ compiler, verify/automaton, the interface lemma of docs/explanation/automaton.md" \
   's/^verified: (.*)$/\1/p' \
   $bin/restrip-verify-automaton --tables-dir tables --dump-command "$bin/restrip-dump-tables --automaton"
 rung valences "so does the compiled look-up, which reads those numbers" \
@@ -124,7 +124,7 @@ rung indices "an automaton made for another cost is sound, and costs least, for 
   of_the_index_cost
 rung operations "the rules of the operation files are sound and optimal; the shipped headers give them" \
   "every recolouring of every configuration on explicit graphs, in every world outside" \
-  "C++ compiler, verify/, docs/operation-file.md" \
+  "C++ compiler, verify/, docs/reference/operation-file.md" \
   's/^in all: (.*)$/\1/p' \
   all_operations
 rung reasons "every rule in the certificates is sound and optimal" \
@@ -150,9 +150,9 @@ printf '\nThe rungs that were run, and what each trusts.\n\n'
 printf '%s\n\n' "${ladder[@]}"
 say "writing what they cover"
 scripts/coverage.py record "$logs" "${rungs[@]}"
-scripts/figures.py --bin $bin --only scripts/coverage.py README.md docs/trust.md
+scripts/figures.py --bin $bin --only scripts/coverage.py docs/explanation/what-is-proven.md
 scripts/coverage.py check
 echo
 scripts/coverage.py table
 echo
-echo "All rungs hold, $SECONDS s. What one must still believe: docs/trust.md."
+echo "All rungs hold, $SECONDS s. What one must still believe: docs/explanation/what-is-proven.md."

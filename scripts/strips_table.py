@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Replays meshes and prints a table of one of the documents.
 
-levels:     strips, indices and times of each mesh under every policy (docs/strips.md)
-indices:    indices and times of each mesh where indices are the cost (docs/strips.md)
+levels:     strips, indices and times of each mesh under every policy (docs/reference/policies.md)
+indices:    indices and times of each mesh where indices are the cost (docs/reference/policies.md)
 brief:      the same of one mesh in a few columns (README.md)
-cycles:     strips at the top of one mesh after many ways down and up (docs/strips.md)
-baked:      what baked strips cost (docs/baked.md)
-baked-indices:  the same where indices are the cost (docs/baked.md)
-gltf:       the sizes of strips as glTF files (docs/own-mesh.md)
-isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/paper.md)
+cycles:     strips at the top of one mesh after many ways down and up (docs/reference/policies.md)
+baked:      what baked strips cost (docs/how-to/baked-strips.md)
+baked-indices:  the same where indices are the cost (docs/how-to/baked-strips.md)
+gltf:       the sizes of strips as glTF files (docs/how-to/own-mesh.md)
+isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/explanation/paper.md)
 """
 import argparse
 import csv

@@ -87,7 +87,7 @@ if [ -n "$all" ]; then
     leave_out "the format of the sources: clang-format $style_version is not there, and other versions disagree"
   fi
 else
-  # A compiler that we have not seen may warn of something: that is no fault of this machine.
+  # A compiler that we have not seen may warn of something: that is not a fault of this machine.
   cmake --preset test "${options[@]}" -DRESTRIP_WARNINGS_AS_ERRORS=OFF -DRESTRIP_LONG_TESTS=OFF -DRESTRIP_BUILD_BENCH=OFF >"$logs/configure"
 fi
 part "building" cmake --build --preset test

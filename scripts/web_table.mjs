@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// The figures of docs/web.md, as tables:  scripts/web_table.mjs sizes | speed | bytes
+// The figures of docs/how-to/browser.md, as tables:  scripts/web_table.mjs sizes | speed | bytes
 // Build the targets `web` and `restrip_program` of the preset release first. `speed` and `bytes` are measured in headless
 // Chromium ($CHROMIUM, else chromium).
 import { execFileSync } from 'node:child_process';

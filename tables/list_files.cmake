@@ -1,5 +1,5 @@
 # Adds to the MANIFEST of a folder of tables what lies there and was not written with the rules: the descriptions, the
-# headers written by hand, and the operations with tables of their own. Lines of these that are there are made anew.
+# headers written by hand, and the operations with tables of their own. Lines of these that are there are made from scratch.
 #   cmake -DTABLES=FOLDER -P list_files.cmake
 cmake_policy(SET CMP0057 NEW)
 get_filename_component(TABLES ${TABLES} ABSOLUTE)

@@ -1,5 +1,6 @@
-// restrip-verify: proves certificates by exhaustion. Those of the families from docs/notation.md and
-// docs/certificate.md alone, those of an operation of a user's own from its file and docs/operation-file.md alone.
+// restrip-verify: proves certificates by exhaustion. Those of the families from docs/reference/notation.md and
+// docs/reference/certificate.md alone, those of an operation of a user's own from its file and
+// docs/reference/operation-file.md alone.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -51,7 +52,7 @@ int main(int argc, char** argv) {
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
       "Example, from the top of the source tree:\n"
       "  build/release/bin/restrip-verify --tables-dir tables\n\n"
-      "An operation of one's own (docs/operation-file.md):\n"
+      "A custom operation (docs/reference/operation-file.md):\n"
       "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
       "    --certificate tables/certificates/operations/bisect.cert");
   CLI::Option* const operation =
@@ -73,7 +74,8 @@ int main(int argc, char** argv) {
   app.add_option("--linked-dump-command", options.linked_dump_command,
                  "A program that prints what the linked look-up picks; all of it is judged");
   app.add_option("--digest-command", options.digest_commands,
-                 "A program that prints digests of the answers of a look-up in another language (docs/languages.md); "
+                 "A program that prints digests of the answers of a look-up in another language "
+                 "(docs/how-to/other-languages.md); "
                  "may be repeated. They are compared with those of what --dump-command prints")
       ->needs(dump_command);
   app.add_flag("--headers", options.headers_only,

@@ -20,7 +20,7 @@
 namespace restrip::verify {
 namespace {
 
-/// How many ports a pairing has in tables up to this k (docs/certificate.md, "Table dump").
+/// How many ports a pairing has in tables up to this k (docs/reference/verifiers.md, "Table dump").
 unsigned pairing_places(unsigned max_k) { return max_k <= 8 ? 8 : 16; }
 
 /// The certificate of a linked family, and for each section what a dump must say.
@@ -243,7 +243,7 @@ class Verification {
     if (comparison.tells_changes) {
       Failures told = listed.told;
       told.add(unlisted.told);
-      report(judged, told, "every answer tells what it changes", "counted before and after");
+      report(judged, told, "every answer reports what it changes", "counted before and after");
     }
     const Compared& lists = comparison.of_lists(Against::certificate);
     report(sum_of(lists.families), lists.differences, "their lists of alternatives are the certificates'",

@@ -35,7 +35,7 @@ Totals verify_tables(const Options& options, const ClaimListener& listener);
 
 /// Verifies the one family, or operation, that the file describes, and the answers of its dump command, whose header is
 /// read before it is run. InputError when the description or a certificate is not well formed. Memory grows with 2 to
-/// the number of inner edges and ports of a side: docs/operation-file.md has figures.
+/// the number of inner edges and ports of a side: docs/reference/operation-file.md has figures.
 Totals verify_operation(const Options& options, const ClaimListener& listener);
 
 /// Whether the operation file describes a family. InputError as above.

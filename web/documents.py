@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes pages of the documents: documents.py ROOT OUT_FOLDER --style FILE…
 
-README.md becomes index.html; CONTRIBUTING.md, CHANGELOG.md and docs/*.md keep their names. Links between them lead from page to
+README.md becomes index.html; CONTRIBUTING.md, CHANGELOG.md and the pages below docs/ keep their names. Links between them lead from page to
 page, to headings as GitHub names them; pictures and data in docs/ come along. A link to another file of the repository, which the
 pages do not have, is left as text with the file's name. A link to a file or heading that does not exist is refused.
 Needs markdown-it-py (package python3-markdown-it)."""
@@ -22,7 +22,7 @@ BUTTONS = ('<p class="buttons"><a class="button" href="viewer.html">See what str
 class Documents:
     def __init__(self, root):
         self.root = root
-        files = [root / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")] + sorted((root / "docs").glob("*.md"))
+        files = [root / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")] + sorted((root / "docs").rglob("*.md"))
         self.tokens = {file: MarkdownIt("commonmark").enable("table").parse(file.read_text(encoding="utf-8")) for file in files}
         self.anchors = {file: self.name_headings(tokens) for file, tokens in self.tokens.items()}
         self.copied, self.faults = set(), []
@@ -41,7 +41,7 @@ class Documents:
         return {token.attrGet("id") for token in tokens if token.type == "heading_open"}
 
     def page_of(self, file):
-        return Path("index.html") if file.name == "README.md" else file.relative_to(self.root).with_suffix(".html")
+        return Path("index.html") if file == self.root / "README.md" else file.relative_to(self.root).with_suffix(".html")
 
     def target(self, file, link):
         """Where a page is to link to, or None for a file that the pages do not have."""
@@ -114,13 +114,13 @@ def main():
     bodies = {file: documents.body(file) for file in documents.tokens}
     if documents.faults:
         sys.exit("".join(f"documents.py: {fault}\n" for fault in documents.faults))
-    (given.out / "docs").mkdir(parents=True, exist_ok=True)
     for file, body in bodies.items():
         page = documents.page_of(file)
         title = re.sub(r"<[^>]*>", "", re.search(r"<h1[^>]*>(.*?)</h1>", body)[1])
+        (given.out / page).parent.mkdir(parents=True, exist_ok=True)
         if page.name == "index.html":
             title, body = "restrip: triangle strips kept while the mesh changes", body.replace("</h1>", f"</h1>\n{BUTTONS}", 1)
-        (given.out / page).write_text(whole(title, body, style, "../" if page.parent.name else ""), encoding="utf-8")
+        (given.out / page).write_text(whole(title, body, style, "../" * (len(page.parts) - 1)), encoding="utf-8")
     for name in documents.copied:
         shutil.copyfile(documents.root / name, given.out / name)
 

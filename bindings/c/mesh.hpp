@@ -74,7 +74,7 @@ struct restrip_mesh {
   /// At a level that is baked; false for meshes that are not baked, and under another policy.
   [[nodiscard]] bool in_step() const noexcept { return keeper.baked() != nullptr && keeper.baked()->in_step(); }
 
-  /// Plays at most `most` records towards a level that there is, in step. Returns how many were played.
+  /// Plays at most `most` records towards a level that exists, in step. Returns how many were played.
   std::size_t move(std::size_t level, std::size_t most) {
     std::size_t done = 0;
     for (std::size_t at = keeper.baked()->level(); at != level && done < most; at = keeper.baked()->level(), ++done) {

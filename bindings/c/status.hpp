@@ -83,7 +83,7 @@ constexpr const char* text_of(restrip_status status) noexcept {
     case RESTRIP_UNEXPECTED:
       return "an error in restrip";
     default:
-      return "this is no code of restrip";
+      return "this is not a code of restrip";
   }
 }
 

@@ -45,7 +45,7 @@ export class Restrip {
   /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or no
    * mesh. */
   baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;
-  /** The rule of a configuration, numbered as in docs/notation.md: `edges` are the loop or inner edges before. Any k
+  /** The rule of a configuration, numbered as in docs/reference/notation.md: `edges` are the loop or inner edges before. Any k
    * up to 61. Positions and colours that do not exist are not `valid`. */
   rule(configuration: { family: Family; k?: number; a?: number; i?: number; j?: number;
     edges: number | bigint; ports: number | bigint }): Rule;
@@ -154,7 +154,7 @@ export class StripMesh implements Disposable {
   updateList(options?: { whole?: boolean }): Range[];
   /** That list, 3 indices a triangle. A view, not a copy. */
   readonly listIndices: Uint32Array;
-  /** A copy of the index buffer of strips that are made anew, by the fastest way there is here, in a copy of the mesh as it
+  /** A copy of the index buffer of strips that are made from scratch, by the fastest way there is here, in a copy of the mesh as it
    * is; those that are kept do not change. Linear time. */
   fromScratch(options?: { cost?: Cost }): Uint32Array;
   /** The index buffer in the form that begin() was given. A view, not a copy. */
@@ -171,7 +171,7 @@ export class StripMesh implements Disposable {
   readonly valid: boolean;
 
   /** The triangles, strip by strip and in the order of their strips, 9 numbers each: the triangle, its three corners, the
-   * triangles beyond its three sides (`none` at the boundary), a mask of the sides where its strip goes on, and the strip,
+   * triangles beyond its three sides (`none` at the boundary), a mask of the sides where its strip continues, and the strip,
    * named by its lowest triangle. Side 0 is from the first corner to the second. Linear time. */
   readonly ribbon: Uint32Array;
   /** The same of the strips that fromScratch() made last; empty before. */

@@ -60,7 +60,7 @@ function vertices(what, list, width, count, or = NaN) {
 function weights(cost) {
   const own = typeof cost === 'string' && Object.hasOwn(costs, cost) ? costs[cost] : cost;
   if (typeof own !== 'object' || own === null)
-    throw new RangeError(`there is no cost ${String(cost)}; there are ${Object.keys(costs).join(', ')}, and weights of one's own`);
+    throw new RangeError(`there is no cost ${String(cost)}; there are ${Object.keys(costs).join(', ')}, and custom weights`);
   const { restart, swap, isolated = 0 } = own;
   return Object.entries({ restart, swap, isolated }).map(([name, weight]) => whole(`the weight ${name}`, weight, 1000));
 }

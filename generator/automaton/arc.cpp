@@ -49,9 +49,9 @@ constexpr bool is_swap(Reach link, Reach from) {
   return (link >= Reach::along_ends && from == Reach::through) || (link == Reach::port && from == Reach::port);
 }
 
-/// The tie-break among equal costs (docs/automaton.md, "Ties"): the reach of the link in front of the triangle, by
-/// whether the triangle has a solid port; smaller is preferred. Found by trying all orders without turns: these agree
-/// with the tables' rules most often.
+/// The tie-break among equal costs (docs/explanation/automaton.md, "Ties"): the reach of the link in front of the
+/// triangle, by whether the triangle has a solid port; smaller is preferred. Found by trying all orders without turns:
+/// these agree with the tables' rules most often.
 unsigned rank(Case arc, Case triangle, Letter letter) {
   constexpr std::array<unsigned, 6> in_front_of_no_port{0, 1, 3, 1, 3, 2};
   constexpr std::array<unsigned, 6> in_front_of_port{2, 3, 0, 3, 0, 1};
@@ -91,7 +91,7 @@ std::optional<int> exchange_at(Reach from, Reach to, bool right, const Weights& 
 /// possible.
 std::optional<int> exchange(Case from, Case to, const Weights& weights) {
   if (to == through_case) return {};
-  // A strand that goes through may be cut in two, which both go on along the fan.
+  // A strand that goes through may be cut in two, which both continue along the fan.
   const auto reach_of = [](Reach reach) { return reach == Reach::through ? Reach::along_ends : reach; };
   const auto left = exchange_at(reach_of(left_of(from)), left_of(to), false, weights);
   const auto right = exchange_at(reach_of(right_of(from)), right_of(to), true, weights);

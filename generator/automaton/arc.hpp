@@ -1,4 +1,5 @@
-// Arcs: rows of fan triangles between two cuts, and all that the rest of a patch must know of one (docs/automaton.md).
+// Arcs: rows of fan triangles between two cuts, and all that the rest of a patch must know of one
+// (docs/explanation/automaton.md).
 //
 // An arc has two links, the dual edges over which its first and its last triangle leave it. Inside the arc the solid
 // edges form strands. A strand that enters over a link passes only triangles without a solid port, so it can reach one
@@ -7,7 +8,7 @@
 // recolouring.
 //
 // Where swaps have a price, a reach also says how the strand turns in the triangle at the link, and a letter how the
-// strip turns behind a solid port. Where they have none, turns are not told apart: the same code, fewer letters.
+// strip turns behind a solid port. Where they have none, turns are not distinguished: the same code, fewer letters.
 //
 // Which edges an arc counts: its left link and the edges inside it. The right link is the left link of what follows.
 #pragma once
@@ -29,7 +30,7 @@ struct Weights {
 };
 inline constexpr int largest_weight = 1000;
 /// Fewest strips, and of those fewest isolated triangles: so many of these never meet in one comparison that they
-/// outweigh a strip (docs/automaton.md, "Costs").
+/// outweigh a strip (docs/explanation/automaton.md, "Costs").
 inline constexpr Weights strips_weights{largest_weight, 0, 1};
 /// The length of an index buffer.
 inline constexpr Weights index_weights{3, 1, 0};
@@ -38,11 +39,11 @@ inline constexpr Weights index_weights{3, 1, 0};
 
 /// Where the strand over a link goes, on the side of the arc. The end triangle is the one at the link.
 enum class Reach : unsigned {
-  dashed,      ///< there is none: the link is dashed
-  ends,        ///< it ends in the end triangle; where turns are not told apart, anywhere inside the arc
-  port,        ///< it leaves by the port of the end triangle; where turns are not told apart, by the nearest solid port
-  along_ends,  ///< it goes on along the fan and ends inside the arc
-  along_port,  ///< it goes on along the fan and leaves by the solid port nearest to the link
+  dashed,  ///< none exists: the link is dashed
+  ends,    ///< it ends in the end triangle; where turns are not distinguished, anywhere inside the arc
+  port,    ///< it leaves by the port of the end triangle; where turns are not distinguished, by the nearest solid port
+  along_ends,  ///< it continues along the fan and ends inside the arc
+  along_port,  ///< it continues along the fan and leaves by the solid port nearest to the link
   through      ///< it leaves the arc by the other link; then this is the reach of both
 };
 
@@ -68,11 +69,11 @@ inline constexpr Case through_case = 25;
 [[nodiscard]] std::string text_of(Case c);
 
 /// What may be appended to an arc: a triangle, by its port; or the boundary. `left`, `right`: the strip behind the port
-/// goes on about the corner that the port shares with the triangle's left or right link, so that the port is a swap if
-/// the strip uses this link; only where turns are told apart.
+/// continues about the corner that the port shares with the triangle's left or right link, so that the port is a swap
+/// if the strip uses this link; only where turns are distinguished.
 enum class Letter : unsigned {
-  dashed,  ///< dashed, or there is none
-  ends,    ///< solid, and the strip ends behind it; where turns are not told apart, solid
+  dashed,  ///< dashed, or none exists
+  ends,    ///< solid, and the strip ends behind it; where turns are not distinguished, solid
   left,
   right,
   joined_ends,  ///< as the three before, and joined to the solid port before it
@@ -91,7 +92,7 @@ enum class Letter : unsigned {
 /// A letter as certificates write it: `d`, `s`, `l`, `r`, `S`, `L`, `R` or `b`.
 [[nodiscard]] char text_of(Letter letter);
 
-/// The least cost of each case, up to what all have in common; nothing where there is none. A strip's restart is
+/// The least cost of each case, up to what all have in common; nothing where none exists. A strip's restart is
 /// counted by what it lacks: each solid edge is worth one.
 using Costs = std::array<std::optional<int>, case_codes>;
 
@@ -106,7 +107,8 @@ struct Appended {
 [[nodiscard]] Appended append_to_empty(Letter letter, const Weights& weights);
 [[nodiscard]] Appended append(const Costs& arc, Letter letter, const Weights& weights);
 
-/// Drops every case that can be exchanged for another one without loss, in any patch (docs/automaton.md, "Exchanges").
+/// Drops every case that can be exchanged for another one without loss, in any patch (docs/explanation/automaton.md,
+/// "Exchanges").
 [[nodiscard]] Costs without_dispensable(const Costs& costs, const Weights& weights);
 
 }  // namespace restrip::generator

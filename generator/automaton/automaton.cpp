@@ -47,7 +47,7 @@ struct FullStep {
   std::array<Case, case_codes> before{};
 };
 
-/// All arcs, told apart by what they are: finitely many, found breadth first.
+/// All arcs, distinguished by what they are: finitely many, found breadth first.
 struct Closure {
   Weights weights;
   std::vector<FullArc> arcs;
@@ -88,7 +88,7 @@ struct Closure {
 /// Every two arcs around A and D, and every arc around a fan.
 struct Contexts {
   Meetings all_meetings;
-  std::vector<std::vector<std::uint16_t>> best;  ///< by first and second arc; empty where there are none
+  std::vector<std::vector<std::uint16_t>> best;  ///< by first and second arc; empty where none exist
   std::vector<std::optional<Case>> closings;
 
   explicit Contexts(const Closure& all) : all_meetings(all.weights), best(all.arcs.size()), closings(all.arcs.size()) {
@@ -140,7 +140,7 @@ std::size_t number_for(std::map<Thing, std::size_t>& numbers, const Thing& thing
   return numbers.emplace(thing, numbers.size()).first->second;
 }
 
-/// Moore's algorithm: arcs are kept together as long as nothing tells them apart.
+/// Moore's algorithm: arcs are kept together as long as nothing distinguishes them.
 std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& contexts,
                                          const std::vector<CaseSet>& needed, const std::vector<Costs>& costs) {
   const std::size_t n = all.arcs.size();

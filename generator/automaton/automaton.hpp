@@ -1,4 +1,5 @@
-// Every fan in one finite automaton: arcs fall into finitely many classes, whatever their length (docs/automaton.md).
+// Every fan in one finite automaton: arcs fall into finitely many classes, whatever their length
+// (docs/explanation/automaton.md).
 #pragma once
 
 #include <cstddef>
@@ -27,7 +28,7 @@ struct ArcClass {
   std::vector<std::optional<ArcStep>> steps;  ///< by the place of the letter; nothing for a second boundary
   std::size_t as_first = 0;                   ///< arcs with equal numbers meet every second arc alike
   std::size_t as_second = 0;                  ///< the same the other way round
-  /// As a whole closed fan; with the boundary inside, around A alone, where turns are told apart.
+  /// As a whole closed fan; with the boundary inside, around A alone, where turns are distinguished.
   std::optional<Case> closing;
 
   /// Whether it can lie between A and D; any arc but the empty one can lie between D and A.
@@ -37,7 +38,7 @@ struct ArcClass {
 /// How many there are before and after.
 struct AutomatonCounts {
   std::size_t values = 0;      ///< different sets of relative costs, of arcs without boundary, the empty one left out
-  std::size_t with_ports = 0;  ///< the same, where end ports are told apart as well
+  std::size_t with_ports = 0;  ///< the same, where end ports are distinguished as well
   std::size_t with_boundary = 0;  ///< the same, with arcs that have the boundary inside
 };
 
@@ -48,7 +49,7 @@ struct Automaton {
   /// By as_first and as_second.
   std::vector<std::vector<Meeting>> meets;
 
-  /// The number of a case of a class in headers: four bits, the same for all classes unless turns are told apart
+  /// The number of a case of a class in headers: four bits, the same for all classes unless turns are distinguished
   /// (restrip/tables/automaton_format.hpp). std::invalid_argument when the class has more cases than that.
   [[nodiscard]] unsigned number_of(const ArcClass& arc, Case c) const;
 };

@@ -121,7 +121,8 @@ std::optional<Meetings::Way> Meetings::way_of(const Meeting& meeting, const Weig
   const int isolated = (degree_a == 0 ? 1 : 0) + (degree_d == 0 ? 1 : 0);
   way.cost = weights.swap * swaps + weights.isolated * isolated -
              weights.restart * (solid(first_last) + solid(second_last) + chord);
-  // The tie-break (docs/automaton.md, "Ties"): as much of the tables' own (tie_break.cpp) as can be seen from here.
+  // The tie-break (docs/explanation/automaton.md, "Ties"): as much of the tables' own (tie_break.cpp) as can be seen
+  // from here.
   const auto end = [](Reach r) { return r == Reach::ends || r == Reach::along_ends; };
   way.tie = 64 * (chord + degree_a + degree_d) + 100 * ((degree_a == 1 ? 1 : 0) + (degree_d == 1 ? 1 : 0)) -
             49 * joined - 53 * static_cast<int>(std::count_if(reach.begin(), reach.end(), end));

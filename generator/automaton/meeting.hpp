@@ -1,4 +1,5 @@
-// Two arcs around A and D, or one arc around a fan: the best way to put their cases together (docs/automaton.md).
+// Two arcs around A and D, or one arc around a fan: the best way to put their cases together
+// (docs/explanation/automaton.md).
 #pragma once
 
 #include <compare>
@@ -10,7 +11,7 @@
 
 namespace restrip::generator {
 
-/// What must be known of the solid ports of an arc to tell which pairs of end ports are pairs of the key.
+/// What must be known of the solid ports of an arc to say which pairs of end ports are pairs of the key.
 struct Ports {
   unsigned count = 0;         ///< 3 stands for three or more
   bool first_joined = false;  ///< the first one is joined to the solid port before it, which lies outside the arc
@@ -64,7 +65,7 @@ class Meetings {
 /// The best case of an arc that is a whole closed fan, its two links being one edge.
 [[nodiscard]] Case best_closing(const Arc& arc, const Weights& weights);
 /// The best case of an arc with the boundary inside whose two links meet in A alone: a boundary split. Where turns are
-/// told apart A is no letter, because a strip does not pass it about the hub.
+/// distinguished A is not a letter, because a strip does not pass it about the hub.
 [[nodiscard]] Case best_around_one(const Arc& arc, const Weights& weights);
 
 }  // namespace restrip::generator

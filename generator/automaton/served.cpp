@@ -53,7 +53,7 @@ Fan fan_of(const Description& family) {
   for (const Position& position : positions) {
     const std::optional<Fan> here = fan_of(make_patch(position).after);
     if (!here || (fan && fan != here))
-      refuse(family, fmt::format("the side after of {} is no fan with one port at each triangle, in their order",
+      refuse(family, fmt::format("the side after of {} is not a fan with one port at each triangle, in their order",
                                  name_of(position)));
     fan = here;
   }
@@ -119,7 +119,7 @@ std::string fan_header(const Description& family) {
   return fmt::format(
       "// {}\n"
       "// Written by `restrip-generate automaton --operation` from the operation file of {}. Do not edit.\n"
-      "// Explained in docs/automaton.md, \"Families of your own\".\n"
+      "// Explained in docs/explanation/automaton.md, \"Custom families\".\n"
       "#pragma once\n\n"
       "#include \"restrip/rules/exact.hpp\"\n\n"
       "namespace restrip::exact {{\n\n"

@@ -1,4 +1,4 @@
-// Families of one's own that the shipped automaton answers: docs/automaton.md, "Families of your own".
+// Custom families that the shipped automaton answers: docs/explanation/automaton.md, "Custom families".
 #pragma once
 
 #include <string>

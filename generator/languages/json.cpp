@@ -1,4 +1,5 @@
-// The tables as JSON; docs/tables.schema.json is the schema. The table of an operation as docs/languages.md says.
+// The tables as JSON; docs/tables.schema.json is the schema. The table of an operation as
+// docs/how-to/other-languages.md says.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,7 +1,7 @@
 // The rule tables in other languages than C++: a file for each, with the data and a look-up, which is the
 // fixed text of a template (templates.hpp); and a program that asks the look-up everything and prints digests. All
 // look-ups offer the same seven functions, one for each operation, from the colours before it, in every position with k
-// <= max_k (docs/languages.md).
+// <= max_k (docs/how-to/other-languages.md).
 #pragma once
 
 #include <map>
@@ -61,7 +61,7 @@ inline constexpr const char* wgsl_array = "const RESTRIP_{}{} = vec2<u32>({}u, {
 [[nodiscard]] std::string json_tables(const TableLayout& layout);
 [[nodiscard]] std::string json_operation(const OperationLayout& layout);
 
-// The table of an operation of one's own, or a family (operation_files.cpp).
+// The table of a custom operation, or a family (operation_files.cpp).
 
 [[nodiscard]] std::string c_operation(const OperationLayout& layout);
 [[nodiscard]] std::string rust_operation(const OperationLayout& layout);

@@ -1,4 +1,4 @@
-// The table of an operation of one's own, or of a family, with its look-up: the fixed text of templates/operation.*.
+// The table of a custom operation, or of a family, with its look-up: the fixed text of templates/operation.*.
 // All languages have the same arrays, with an element for each place. The place of a position is its numbers as the
 // digits of one number. Numbers are called at_k where the operation file says k: a k may be a word of the language.
 #include <fmt/format.h>

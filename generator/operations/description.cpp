@@ -76,7 +76,7 @@ class Numbering {
   unsigned with_index_ = 0;
 };
 
-/// Throws where a side is no graph of triangles: an edge twice, or more than three edges and ports at a triangle.
+/// Throws where a side is not a graph of triangles: an edge twice, or more than three edges and ports at a triangle.
 void expect_triangles(const Side& side) {
   std::vector<unsigned> degree(side.nodes, 0);
   for (std::size_t e = 0; e < side.edges.size(); ++e) {

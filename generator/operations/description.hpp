@@ -1,6 +1,6 @@
-// Descriptions of operations: what docs/operation-file.md says of them. A description with numbers is a family, one
-// operation for each position; the others are single ones, with one position. The shipped families are those of
-// tables/families.json; no other code knows one by its name.
+// Descriptions of operations: what docs/reference/operation-file.md says of them. A description with numbers is a
+// family, one operation for each position; the others are single ones, with one position. The shipped families are
+// those of tables/families.json; no other code knows one by its name.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct Chain {
 struct SidePattern {
   std::vector<Chain> chains;
   std::vector<std::array<Stretch, 2>> chords;
-  std::vector<Stretch> ports;  ///< who owns them; where there are none, each triangle with an index has one
+  std::vector<Stretch> ports;  ///< who owns them; where none exist, each triangle with an index has one
 };
 
 /// A side in one of the forms that a file can give it in: as a graph, as the chains of a pattern, or by its triangles.
@@ -56,7 +56,7 @@ struct Description {
   std::string boundary_in_file;
 
   [[nodiscard]] bool is_pattern() const { return std::holds_alternative<SidePattern>(after); }
-  /// Nothing tells whether it is an operation on a mesh.
+  /// Nothing says whether it is an operation on a mesh.
   [[nodiscard]] bool is_graph_only() const { return !std::holds_alternative<TrianglePatterns>(after); }
 };
 

@@ -1,4 +1,5 @@
-// Files of descriptions, as docs/operation-file.md has them: one description, or a list of them, read and written.
+// Files of descriptions, as docs/reference/operation-file.md has them: one description, or a list of them, read and
+// written.
 #pragma once
 
 #include <cstddef>

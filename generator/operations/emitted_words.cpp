@@ -46,7 +46,7 @@ std::uint32_t taken_code_point(std::string_view& text) {
 }  // namespace
 
 std::string unprintable(std::string_view text) {
-  // Trigraphs have two question marks, and a comment line that ends with a backslash goes on in the next line.
+  // Trigraphs have two question marks, and a comment line that ends with a backslash continues in the next line.
   for (const std::string_view mark : {"\\", "*/", "/*", "??"})
     if (text.find(mark) != std::string_view::npos) return fmt::format("'{}'", mark);
   while (!text.empty()) {

@@ -1,5 +1,5 @@
 // What the words of an operation file may be that go into emitted files: nothing in them may end a comment or a string,
-// or be taken for something else, in any language that is emitted (docs/operation-file.md, "Words").
+// or be taken for something else, in any language that is emitted (docs/reference/operation-file.md, "Words").
 #pragma once
 
 #include <string>

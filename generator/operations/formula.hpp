@@ -1,5 +1,5 @@
 // The little formulas in descriptions of families: sums of numbers, conditions, and triangles by name and index
-// (docs/operation-file.md, "Families").
+// (docs/reference/operation-file.md, "Families").
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ std::string path_of(const std::string& object, const std::string& member) {
 }
 std::string path_of(const std::string& list, std::size_t place) { return fmt::format("{}[{}]", list, place); }
 
-/// Limits of docs/operation-file.md. Without them the paths of a small file would take gigabytes.
+/// Limits of docs/reference/operation-file.md. Without them the paths of a small file would take gigabytes.
 constexpr std::size_t deepest = 8;
 constexpr std::size_t most_members = 64;
 constexpr std::size_t longest_member = 60;

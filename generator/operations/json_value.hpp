@@ -21,7 +21,7 @@ struct JsonFile {
 };
 
 /// Throws std::runtime_error that names file and line where the text is not JSON, has a member twice, or exceeds a
-/// limit of docs/operation-file.md.
+/// limit of docs/reference/operation-file.md.
 [[nodiscard]] JsonFile parse_json(const std::string& file, const std::string& text);
 
 class JsonValue {

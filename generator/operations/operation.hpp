@@ -43,7 +43,7 @@ struct Patch {
   Side after;
 };
 
-/// docs/operation-file.md says what each counts.
+/// docs/reference/operation-file.md says what each counts.
 enum class Count { strips, isolated, given_up, kept, joined, solid, ends, ends_at_port, neighbouring_ends, squares };
 
 struct Term {
@@ -57,7 +57,7 @@ struct Term {
 
 /// A weighted sum.
 using Criterion = std::vector<Term>;
-/// Compared in turn (docs/operation-file.md, "Cost").
+/// Compared in turn (docs/reference/operation-file.md, "Cost").
 using Preference = std::vector<Criterion>;
 
 /// Fewest strips; then fewest isolated triangles, a port given up counting as one; then fewest ports given up.

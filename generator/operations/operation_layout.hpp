@@ -40,7 +40,7 @@ struct OperationLayout {
 /// Of the positions of one description, which stays where it is for as long as the layout is used.
 [[nodiscard]] OperationLayout operation_layout(const std::vector<AnsweredPosition>& positions);
 
-/// The header in C++: docs/operation-file.md, "Table".
+/// The header in C++: docs/reference/operation-file.md, "Table".
 [[nodiscard]] std::string operation_header(const OperationLayout& layout);
 
 /// Where the files of an operation lie in a folder of tables.

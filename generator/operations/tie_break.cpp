@@ -7,11 +7,12 @@ namespace restrip::generator {
 namespace {
 
 /// What is counted, and how much one of it weighs. The weights were found by climbing from a guess, one or a few
-/// weights at a time, with replays of real meshes from 2 % to 100 % as the judge; docs/tables.md has the figures.
+/// weights at a time, with replays of real meshes from 2 % to 100 % as the judge; docs/reference/tables.md has the
+/// figures.
 struct TieWeights {
   int solid_chord;         ///< the chord is solid
   int joined_pair;         ///< two ports are joined inside
-  int end_facing_out;      ///< a strip ends at a fan triangle whose port is dashed: it may go on there one day
+  int end_facing_out;      ///< a strip ends at a fan triangle whose port is dashed: it may continue there one day
   int end_at_port;         ///< a strip enters by a port and ends at once
   int end_at_new;          ///< a strip ends at A or D
   int neighbouring_ends;   ///< an inner edge between two strip ends

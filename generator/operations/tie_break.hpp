@@ -1,5 +1,5 @@
 // What is measured, not proved: the tie-break that keeps strips long over thousands of operations on fans
-// (docs/tables.md, "Tie-break").
+// (docs/reference/tables.md, "Tie-break").
 #pragma once
 
 #include "operations/description.hpp"

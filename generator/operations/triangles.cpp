@@ -259,7 +259,7 @@ std::vector<SurfaceTriangle> walked(const Disc& disc, const std::vector<std::arr
 std::string name_at(const IndexedName& vertex, const PositionNumbers& place, int index = 0) {
   if (!vertex.index) return vertex.name;
   const int value = vertex.index->at(place, index);
-  if (value < 0) throw std::runtime_error(fmt::format("{}[{}] is no vertex", vertex.name, value));
+  if (value < 0) throw std::runtime_error(fmt::format("{}[{}] is not a vertex", vertex.name, value));
   return fmt::format("{}_{}", vertex.name, value);
 }
 

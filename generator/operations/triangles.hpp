@@ -1,5 +1,5 @@
-// A patch given by its triangles: docs/operation-file.md, "Triangles", and "Families" where vertices have indices.
-// Inner edges, ports and their order follow.
+// A patch given by its triangles: docs/reference/operation-file.md, "Triangles", and "Families" where vertices have
+// indices. Inner edges, ports and their order follow.
 #pragma once
 
 #include <array>

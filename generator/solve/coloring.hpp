@@ -27,7 +27,7 @@ struct Coloring {
 /// All legal colorings of the inner edges of a side, in ascending order of their masks.
 [[nodiscard]] std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint = {});
 
-/// The one with these inner edges of all legal ones; null when there is none.
+/// The one with these inner edges of all legal ones; null when none exists.
 [[nodiscard]] const Coloring* coloring_of(const std::vector<Coloring>& legal, Mask inner);
 
 /// A legal coloring together with the colours of the ports.

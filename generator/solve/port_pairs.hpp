@@ -72,7 +72,7 @@ class PortPairs {
 };
 
 /// What a rule needs to know of the colours before: the solid ports, and which pairs of them are joined, of those that
-/// some recolouring could join (docs/operation-file.md, "What a rule must be").
+/// some recolouring could join (docs/reference/operation-file.md, "What a rule must be").
 struct Key {
   Mask ports = 0;
   PortPairs joined;

@@ -121,7 +121,7 @@ class ReasonSearch {
     return {};
   }
 
-  /// A tree of at most so many leaves, of which no tree has fewer; null when there is none, or steps are used up.
+  /// A tree of at most so many leaves, of which no tree has fewer; null when none exists, or steps are used up.
   // It is asked for trees of one leaf first, then two, and of each case for as few as that leaves. So it is never asked
   // for more leaves than the smallest tree has, and what it answers depends on the state alone: it can be kept.
   const Reason* find(EdgeSet solid, EdgeSet dashed, std::size_t leaves) {

@@ -32,7 +32,7 @@ class Candidates {
   /// `colorings` are the legal ones of the side after the operation.
   Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports);
 
-  /// The best recolouring that joins no pair of ports but these, which were joined before; null when there is none. For
+  /// The best recolouring that joins no pair of ports but these, which were joined before; null when none exists. For
   /// fans there always is one: everything dashed inside, and nothing given up.
   [[nodiscard]] const Choice* best(const PortPairs& joined_before) const;
 

@@ -24,7 +24,8 @@ struct Row : Choice {
   int witness = -1;  ///< index of the symmetry that leads to the representative; -1 for the representative itself
 };
 
-/// What certificates claim of the configurations of one operation; the words are those of docs/certificate.md.
+/// What certificates claim of the configurations of one operation; the words are those of
+/// docs/reference/certificate.md.
 struct Claims {
   std::size_t configurations = 0;
   std::size_t valid = 0;

@@ -1,4 +1,4 @@
-// The stage `certify` of the generator's path: the text of certificates (docs/certificate.md).
+// The stage `certify` of the generator's path: the text of certificates (docs/reference/certificate.md).
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct Certificate {
 /// The file, from the texts of its sections.
 [[nodiscard]] std::string certificate_text(const Certificate& certificate);
 
-/// The text with its last line: how many rows, and two sums of its bytes from which a reader can tell which single byte
+/// The text with its last line: how many rows, and two sums of its bytes from which a reader can say which single byte
 /// was altered.
 [[nodiscard]] std::string sealed(std::string text, std::size_t rows);
 

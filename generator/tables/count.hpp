@@ -1,4 +1,4 @@
-// The counts of docs/theory.md section 5, computed, beside the paper's own figures.
+// The counts of docs/explanation/theory.md section 5, computed, beside the paper's own figures.
 #pragma once
 
 #include <string>

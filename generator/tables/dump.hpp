@@ -1,4 +1,4 @@
-// The frozen CSV of docs/theory.md section 8, and its like for the families that came later.
+// The frozen CSV of docs/explanation/theory.md section 8, and its like for the families that came later.
 #pragma once
 
 #include <cstdio>

@@ -38,7 +38,7 @@ struct TableLayout {
   [[nodiscard]] const TableArray* find(const std::string& name) const;
 };
 
-/// An operation that the tables answer: what a look-up is asked, and which rules it reads (docs/notation.md).
+/// An operation that the tables answer: what a look-up is asked, and which rules it reads (docs/reference/notation.md).
 struct LookUp {
   std::string name;
   std::vector<std::string> position;  ///< the numbers that say where, k first; none for the flip

@@ -26,8 +26,8 @@ struct Packings {
 /// Lists of linked rules and flips have none.
 [[nodiscard]] Packings pack(const std::vector<Certificate>& certificates, unsigned max_k);
 
-/// The key as look-ups of fans know it (docs/notation.md, "Key"): bit i of `joined` is set when solid port i is joined
-/// to the solid port before it, cyclic in a closed fan.
+/// The key as look-ups of fans know it (docs/reference/notation.md, "Key"): bit i of `joined` is set when solid port i
+/// is joined to the solid port before it, cyclic in a closed fan.
 struct FanKey {
   Mask ports = 0;
   Mask joined = 0;

@@ -1,5 +1,5 @@
 // Shards: files with the sections that one machine has solved, and the way back from them to the whole
-// (docs/shards.md).
+// (docs/how-to/cluster.md).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A half-edge mesh as a user would write one, from docs/own-mesh.md and the headers that it links alone: a
+// A half-edge mesh as a user would write one, from docs/how-to/own-mesh.md and the headers that it links alone: a
 // record for each halfedge, those on the boundary too, each triangle and each vertex, and free lists, so that numbers
 // are used again. It has none of the optional members.
 #pragma once

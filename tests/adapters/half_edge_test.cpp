@@ -1,4 +1,4 @@
-// docs/own-mesh.md suffices to write an adapter: a mesh that was written from it keeps the contract, has every
+// docs/how-to/own-mesh.md suffices to write an adapter: a mesh that was written from it keeps the contract, has every
 // policy, either cost, strips from scratch and live buffers, and its owner's undo goes with strips.
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of bench/render.py on a small recorded run, and of docs/performance.md: its tables must be of the renderer's make (their
+"""Tests of bench/render.py on a small recorded run, and of docs/results.md: its tables must be of the renderer's make (their
 numbers are those of another machine on another day, and are not looked at)."""
 import json
 import re
@@ -71,7 +71,7 @@ class Render(unittest.TestCase):
                 self.assertEqual(len(row), len(head), row)
 
     def test_docs_have_the_renderers_format(self):
-        docs = (ROOT / "docs/performance.md").read_text()
+        docs = (ROOT / "docs/results.md").read_text()
         page = self.page()
         headings = lambda text: re.findall(r"^#.*", text, re.MULTILINE)
         self.assertEqual(headings(docs), headings(page))

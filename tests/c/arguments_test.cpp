@@ -289,7 +289,7 @@ std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost,
                             << restrip_describe(status);
                         if (status == RESTRIP_OUT_OF_MEMORY) ++short_of;
                         EXPECT_EQ(strip_count(mesh.get()), counted(mesh.get()).strips);
-                        // The next operation is done, and told as it is.
+                        // The next operation is done, and reported as it is.
                         const restrip_halfedge next = restrip_mesh_find(mesh.get(), 21, 22);
                         EXPECT_EQ(restrip_mesh_collapse(mesh.get(), next, nullptr), RESTRIP_OK);
                         const restrip_range* ranges = nullptr;

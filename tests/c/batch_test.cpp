@@ -1,5 +1,5 @@
 // Batches of the C interface do what their operations do one by one on a StripMesh, in their order: the same triangles,
-// colours, and changes told, with any number of threads. One that cannot be done changes nothing and says where it
+// colours, and changes reported, with any number of threads. One that cannot be done changes nothing and says where it
 // failed. What the mesh keeps beside, strips counted and a live buffer, is right afterwards.
 #include "restrip/operations/batch.hpp"
 
@@ -30,17 +30,17 @@ std::vector<Request> apart(const StripMesh& mesh, Draw&& draw) {
 }
 
 /// As it is after the same operations on `mine`.
-void expect_same(restrip_mesh* mesh, const StripMesh& mine, std::span<const restrip_change> told,
+void expect_same(restrip_mesh* mesh, const StripMesh& mine, std::span<const restrip_change> reported,
                  std::span<const Rewrite<Halfedge>> done) {
   ASSERT_EQ(corners_of(mesh), corners_of(mine));
   ASSERT_EQ(colors_of(mesh), colors_of(mine));
   EXPECT_EQ(strip_count(mesh), counted(mesh).strips);
-  ASSERT_EQ(told.size(), done.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    EXPECT_EQ(told[i].halfedge, done[i].halfedge.id);
-    EXPECT_EQ(told[i].valence, done[i].valence);
-    EXPECT_EQ(told[i].strips, done[i].strips);
-    EXPECT_EQ(told[i].isolated, done[i].isolated);
+  ASSERT_EQ(reported.size(), done.size());
+  for (std::size_t i = 0; i < reported.size(); ++i) {
+    EXPECT_EQ(reported[i].halfedge, done[i].halfedge.id);
+    EXPECT_EQ(reported[i].valence, done[i].valence);
+    EXPECT_EQ(reported[i].strips, done[i].strips);
+    EXPECT_EQ(reported[i].isolated, done[i].isolated);
   }
   const restrip_range* ranges = nullptr;
   std::size_t count = 0;
@@ -71,7 +71,7 @@ TEST(CBatch, IsItsOperationsOneByOne) {
       };
       for (int round = 0; round < 4; ++round) {
         std::vector<Rewrite<Halfedge>> done;
-        std::vector<restrip_change> told;
+        std::vector<restrip_change> reported;
         if (round % 2 == 0) {
           const auto chords = apart<Halfedge>(mine, [&]() -> std::optional<Halfedge> {
             const Halfedge h = any();
@@ -82,9 +82,10 @@ TEST(CBatch, IsItsOperationsOneByOne) {
             given.push_back(h.id);
             done.push_back(collapse(mine, h));
           }
-          told.resize(given.size());
-          ASSERT_EQ(restrip_mesh_collapse_batch(mesh.get(), given.data(), given.size(), threads, told.data(), nullptr),
-                    RESTRIP_OK);
+          reported.resize(given.size());
+          ASSERT_EQ(
+              restrip_mesh_collapse_batch(mesh.get(), given.data(), given.size(), threads, reported.data(), nullptr),
+              RESTRIP_OK);
           collapses += given.size();
         } else {
           const auto requests = apart<SplitRequest>(mine, [&]() -> std::optional<SplitRequest> {
@@ -98,12 +99,12 @@ TEST(CBatch, IsItsOperationsOneByOne) {
             given.push_back({request.where.left.id, request.where.right.id, RESTRIP_NONE});
             done.push_back(split(mine, request.where));
           }
-          told.resize(given.size());
-          ASSERT_EQ(restrip_mesh_split_batch(mesh.get(), given.data(), given.size(), threads, told.data(), nullptr),
+          reported.resize(given.size());
+          ASSERT_EQ(restrip_mesh_split_batch(mesh.get(), given.data(), given.size(), threads, reported.data(), nullptr),
                     RESTRIP_OK);
           splits += given.size();
         }
-        expect_same(mesh.get(), mine, told, done);
+        expect_same(mesh.get(), mine, reported, done);
         if (HasFatalFailure()) return;
       }
       EXPECT_EQ(restrip_mesh_policy(mesh.get()), policy);

@@ -346,7 +346,7 @@ void follow_live_buffer(int form, bool list, std::mt19937& random) {
     play(mesh.get(), random, 25, told, [](const Move&, restrip_status, const restrip_change&) {});
     if (testing::Test::HasFatalFailure()) return;
   }
-  Device<Index> other;  // begun anew in the middle
+  Device<Index> other;  // begun again in the middle
   ASSERT_EQ(restrip_live_begin(mesh.get(), form), RESTRIP_OK);
   expect_drawn(other);
 }

@@ -1,4 +1,4 @@
-"""Every claim of docs/trust.md and every guarantee of README.md has a row in docs/coverage.csv, every row a rung of
+"""Every claim of docs/explanation/what-is-proven.md and every guarantee of README.md has a row in docs/coverage.csv, every row a rung of
 scripts/prove.sh, and the tables of both pages are those rows. scripts/coverage.py notices where it is not so, and takes
 no report in which something fails or is missing. Nothing is proved here."""
 import importlib.util
@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = ["docs/trust.md", "docs/coverage.csv", "README.md", "scripts/prove.sh"]
+FILES = ["docs/explanation/what-is-proven.md", "docs/coverage.csv", "README.md", "scripts/prove.sh"]
 spec = importlib.util.spec_from_file_location("coverage", ROOT / "scripts/coverage.py")
 coverage = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(coverage)
@@ -23,7 +23,7 @@ def faults(file=None, alter=None):
     """What there is to say of the tree, or of a copy in which one file was altered."""
     with tempfile.TemporaryDirectory() as folder:
         for name in FILES:
-            (Path(folder) / name).parent.mkdir(exist_ok=True)
+            (Path(folder) / name).parent.mkdir(parents=True, exist_ok=True)
             text = (ROOT / name).read_text(encoding="utf-8")
             if name == file:
                 text, before = alter(text), text
@@ -42,26 +42,26 @@ class Check(unittest.TestCase):
         for claim in coverage.Coverage(ROOT).claims:
             said = faults("docs/coverage.csv", lambda text: "".join(line for line in text.splitlines(True) if not line.startswith(claim + ",")))
             self.assertIn(f"{claim}: a claim without a row in docs/coverage.csv", said)
-        said = faults("docs/trust.md", lambda text: text.replace("11. **Whole mesh.**", "11. **Other mesh.**"))
+        said = faults("docs/explanation/what-is-proven.md", lambda text: text.replace("11. **Whole mesh.**", "11. **Other mesh.**"))
         self.assertEqual(said, ["Other mesh: a claim without a row in docs/coverage.csv",
-                                "Whole mesh: rows of docs/coverage.csv name it, and docs/trust.md does not claim it"])
+                                "Whole mesh: rows of docs/coverage.csv name it, and docs/explanation/what-is-proven.md does not claim it"])
 
     def test_a_guarantee_that_is_no_claim(self):
         self.assertEqual(faults("README.md", lambda text: text.replace("**Bounded.**", "**Cheap.**")),
-                         ["Cheap: a guarantee of README.md that docs/trust.md does not claim"])
+                         ["Cheap: a guarantee of README.md that docs/explanation/what-is-proven.md does not claim"])
 
     def test_a_row_without_a_rung_and_a_rung_without_a_row(self):
         self.assertEqual(faults("scripts/prove.sh", lambda text: text.replace("rung reasons ", "rung causes ")),
                          ["reasons: no rung of scripts/prove.sh", "causes: a rung of scripts/prove.sh without a row"])
 
     def test_lists_that_are_not_found(self):
-        for file in ("docs/trust.md", "README.md"):
-            self.assertIn("docs/trust.md lists no claims, or README.md no guarantees", faults(file, lambda text: text.replace("**", "")))
+        for file in ("docs/explanation/what-is-proven.md", "README.md"):
+            self.assertIn("docs/explanation/what-is-proven.md lists no claims, or README.md no guarantees", faults(file, lambda text: text.replace("**", "")))
 
 
 class Tables(unittest.TestCase):
     def test_a_table_that_was_altered(self):
-        for page in ("docs/trust.md", "README.md"):
+        for page in ("docs/explanation/what-is-proven.md",):
             text = (ROOT / page).read_text(encoding="utf-8")
             altered = text.replace("| Coq ", "| by hand ")
             self.assertNotEqual(altered, text)

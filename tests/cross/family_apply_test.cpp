@@ -1,7 +1,7 @@
 // Claim: the table of a family does the operation on a mesh at every position that it has. examples/own_family.json, by
 // which a vertex of k triangles goes, is applied at every halfedge of meshes with vertices of all valences: it is
 // granted where the triangles, worked out on a bare list, are as good afterwards; they are those of the list; and
-// strips and isolated triangles are as many as told. The table is what `restrip-generate rules` writes.
+// strips and isolated triangles are as many as reported. The table is what `restrip-generate rules` writes.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Claim: for families of one's own that `restrip-generate automaton --operation` takes, the look-up that it writes is
+// Claim: for custom families that `restrip-generate automaton --operation` takes, the look-up that it writes is
 // as good as the family's own table. Every valid configuration of every position up to k = 8: the answer is sound, has
 // as many solid edges as the table's rule, and leaves as many triangles isolated. What is joined is found by following
 // the solid edges of the triangles; nothing is taken from the library's keys.

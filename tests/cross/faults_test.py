@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Claim: a fault of one token in anything that ships is refused by a command that ships, and a run that did not read it
 says so. The faults are in headers of tables, formats, look-ups, automata, tables and look-ups in C,
-Rust, JSON, GLSL and WGSL, families.json and operation files; docs/trust.md lists them by this table. Each is put into a copy alone, or beside
+Rust, JSON, GLSL and WGSL, families.json and operation files; docs/explanation/what-is-proven.md lists them by this table. Each is put into a copy alone, or beside
 others that another run judges, and the command must exit with an error and a sentence that names it. Without a fault
 every command ends with what it has read.
 
@@ -74,7 +74,7 @@ HEADERS = {
         ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers make it"),
     ],
 }
-# Of a single operation, by the command of docs/toolkit.md.
+# Of a single operation, by the command of docs/tutorials/custom-operation.md.
 OPERATION = [
     ("the entry of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("112, 113, 210", "112, 112, 210"), "port 0 is given up and may not be"),
     ("a triangle of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("{0, 64, 65}", "{0, 65, 64}"), "expected the triangles"),
@@ -298,7 +298,7 @@ def check_languages(scratch):
 
 
 def resum(tables, file):
-    """Makes the MANIFEST's line of the file anew."""
+    """Makes the MANIFEST's line of the file again."""
     done = run("sha256sum", tables / file)
     manifest = (tables / "MANIFEST").read_text(encoding="ascii")
     size = (tables / file).stat().st_size

@@ -44,7 +44,7 @@ POSIX = """aio arpa/inet dirent dlfcn fcntl fmtmsg fnmatch ftw glob grp iconv la
 nl_types poll pthread pwd regex sched search semaphore spawn strings sys/ipc sys/mman sys/msg sys/resource sys/select sys/sem sys/shm
 sys/socket sys/stat sys/statvfs sys/time sys/times sys/types sys/uio sys/un sys/utsname sys/wait syslog termios unistd utime utmpx wordexp""".split()
 
-# docs/operation-file.md, "Words": code points that no sentence has, first and last.
+# docs/reference/operation-file.md, "Words": code points that no sentence has, first and last.
 HIDDEN = [(0, 0x1f), (0x7f, 0x9f), (0xad, 0xad), (0x61c, 0x61c), (0x180e, 0x180e), (0x200b, 0x200f), (0x2028, 0x202e), (0x2060, 0x206f),
           (0xfdd0, 0xfdef), (0xfeff, 0xfeff), (0xfff0, 0xfffb), (0xfffe, 0xffff), (0x1fffe, 0x1ffff), (0xdfffe, 0x10ffff)]
 
@@ -197,7 +197,7 @@ def main():
         for code in sorted({code for first, last in HIDDEN for code in (first - 1, first, last, last + 1)} - {-1, 0x110000}):
             file.write_text(json.dumps(dict(PLAIN, about=f"a{chr(code)}b")), encoding="utf-8")
             if refused_alike(programs, file, out) != any(first <= code <= last for first, last in HIDDEN):
-                raise SystemExit(f"U+{code:04X} is not taken as docs/operation-file.md says")
+                raise SystemExit(f"U+{code:04X} is not taken as docs/reference/operation-file.md says")
 
         # A header with code in it: the program that was made of it is not run.
         file.write_text(json.dumps(PLAIN), encoding="utf-8")

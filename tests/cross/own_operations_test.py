@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A family of one's own is taken as an operation of one's own is: the generator solves every position up to --max-k, the
+"""A custom family is taken as a custom operation is: the generator solves every position up to --max-k, the
 verifier proves the certificate, and refuses one that was forged or is for other positions. The shipped families under other
 names get the shipped rules, linked ones included. Files that make no family are refused by both programs with a sentence.
 
-What is no operation on a mesh: where its file gives triangles, both programs refuse it and say where and why; where it gives
+What is not an operation on a mesh: where its file gives triangles, both programs refuse it and say where and why; where it gives
 graphs, both take it and say `graph only`. Operations given by triangles are not called so.
 
   own_operations_test.py GENERATOR VERIFIER CORPUS FAMILIES CERTIFICATES SCRATCH
@@ -75,7 +75,7 @@ REFUSED_TRIANGLES = {
     "an index without end": ({"after": [["u[0]", "u[j]", "u[j+1]", "j"]]}, "expected an index with its values", "expected a range"),
     "five words": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-1)", "j"]]}, "three vertices, and an index", "three vertices, and an index"),
     "an open bracket": ({"after": [["u[0]", "u[j]", "u[j+1", "j[1,k-1)"]]}, 'expected "]"', "expected a vertex as"),
-    "a negative index": ({"before": [["v", "u[j-1]", "u[j]", "j[0,k-1)"], LAST]}, "u[-1] is no vertex (hub-own k 4 i 0)", "no negative index"),
+    "a negative index": ({"before": [["v", "u[j-1]", "u[j]", "j[0,k-1)"], LAST]}, "u[-1] is not a vertex (hub-own k 4 i 0)", "no negative index"),
     "values below 0": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[k-5,k-1)"]]}, "are no indices", "expected numbers from 0 to 16"),
     "a rim that is another": (
         {"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-2)"]]}, "hub-own.json:1: after: u_0 u_1 u_2: u_2 u_0 is an edge of the rim",
@@ -145,7 +145,7 @@ def sealed(lines):
 
 
 def forge(name, change):
-    """Writes the certificate anew with one row changed."""
+    """Writes the certificate again with one row changed."""
     lines = certificate(name).read_text().splitlines()[:-1]
     place = next(i for i in reversed(range(len(lines))) if change(lines[i]) != lines[i])
     lines[place] = change(lines[place])
@@ -209,7 +209,7 @@ def check_shipped_families():
 
 
 def check_ports_given_up():
-    """The shipped splits and collapses may give ports up. How many configurations then cost a strip is what docs/theory.md says of
+    """The shipped splits and collapses may give ports up. How many configurations then cost a strip is what docs/explanation/theory.md says of
     each position; the rules of a collapse serve all positions of a fan, whose keys have not all images under its symmetries."""
     families = json.loads(FAMILIES.read_text())["operations"]
     for name, section, costing in (("split", "k 5 a 2", 4), ("split", "k 4 a 2", 2), ("split", "k 6 a 3", 9), ("collapse", "k 4", 2),
@@ -352,7 +352,7 @@ def check_automaton():
             expect(done.returncode == 0 and done.stdout.split() == [str(header.relative_to(SCRATCH))], f"{name}: {done.stderr}{done.stdout}")
             expect(f" best_{name.replace('-', '_')}(" in header.read_text(), f"{name}: {header.read_text()}")
     for change, sentence in (({"constraint": "forest"}, "its solid edges are not strips"), ({"cost": [[{"count": "isolated"}]]}, "a cost of its own"),
-                             ({"after": FAN["before"], "before": FAN["after"]}, "is no fan with one port at each triangle")):
+                             ({"after": FAN["before"], "before": FAN["after"]}, "is not a fan with one port at each triangle")):
         family = {**FAN, "give_up": "none", "section": "k {k} i {i}", **change}
         file = SCRATCH / "fan-own.json"
         file.write_text(json.dumps(family))

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Runs every command of the README's ```sh blocks, except the scripts that run this test, with our programs on the PATH.
+# Runs every command of the ```sh blocks of a page, except the scripts that run this test, with our programs on the PATH.
 set -euo pipefail
 readme=$1
 export PATH=$2:$PATH
-root=$(cd "$(dirname "$readme")" && pwd)
+root=$(cd "$(dirname "$0")/../.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
@@ -18,4 +18,4 @@ while IFS= read -r command; do
   count=$((count + 1))
 done < <(awk '/^```sh$/ {on = 1; next} /^```/ {on = 0} on' "$readme")
 [ "$count" -ge 4 ] || { echo "only $count commands found in $readme"; exit 1; }
-echo "$count commands of the README succeeded"
+echo "$count commands of the page succeeded"

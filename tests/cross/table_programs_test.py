@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Claim: the programs that make and verify tables do what every option says, or refuse it with a sentence; they tell how
+"""Claim: the programs that make and verify tables do what every option says, or refuse it with a sentence; they say how
 far they are on a terminal, and nothing elsewhere; one thing is not called "1 things".
 
   table_programs_test.py BIN ROOT

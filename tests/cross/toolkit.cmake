@@ -1,5 +1,5 @@
 # The project of a user who generates and verifies tables (toolkit/), built in several WAYs:
-#   ninja         from an installed package: generated, verified, used; nothing is done twice; what changed is made anew
+#   ninja         from an installed package: generated, verified, used; nothing is done twice; what changed is made from scratch
 #   make          the same without the verification
 #   cross         for WebAssembly, by programs of this machine
 #   subdirectory  restrip beside the project: programs built there, or installed ones
@@ -41,7 +41,7 @@ endif()
 file(COPY ${SCRATCH}/runtime/ ${SCRATCH}/generator/ DESTINATION ${SCRATCH}/prefix)
 # The documents came with the library: all of them, with what they speak of. Their links lead elsewhere (references_test.py).
 set(documents ${SCRATCH}/prefix/share/doc/restrip)
-file(GLOB expected RELATIVE ${ROOT} ${ROOT}/docs/*.md ${ROOT}/docs/*.json ${ROOT}/docs/*.svg ${ROOT}/examples/*.cpp ${ROOT}/tables/*.json ${ROOT}/tables/operations/*.json)
+file(GLOB expected RELATIVE ${ROOT} ${ROOT}/docs/*.md ${ROOT}/docs/*/*.md ${ROOT}/docs/*.json ${ROOT}/docs/*.svg ${ROOT}/examples/*.cpp ${ROOT}/tables/*.json ${ROOT}/tables/operations/*.json)
 list(LENGTH expected count)
 if(count LESS 30)
   message(FATAL_ERROR "only ${count} documents")
@@ -94,7 +94,7 @@ if(WAY MATCHES "^(ninja|make)$")
   generations(0)
   file(TIMESTAMP ${tables}/MANIFEST now "%s" UTC)
   if(NOT now STREQUAL made)
-    message(FATAL_ERROR "the tables were written anew")
+    message(FATAL_ERROR "the tables were written again")
   endif()
 
   # A byte added is found, and a file deleted comes back.
@@ -107,7 +107,7 @@ if(WAY MATCHES "^(ninja|make)$")
     generations(1)
   endif()
 
-  # Other options, another generator: made anew, once; and the program that has them.
+  # Other options, another generator: made from scratch, once; and the program that has them.
   run(${configure} -DMAX_K=3)
   if(WAY STREQUAL "ninja")
     run(${build} --target terrain)
@@ -217,8 +217,8 @@ elseif(WAY STREQUAL "errors")
     message(FATAL_ERROR "MAX_K: expected six positions without it, two of four triangles, and tables of fans beside these")
   endif()
   set(verify "restrip_verify_tables: ")
-  wrong("restrip_verify_tables(t)" "${verify}t: is no target that restrip_generate_tables\\(\\) made")
-  wrong("restrip_verify_tables(restrip::restrip)" "${verify}restrip::restrip: is no target that")
+  wrong("restrip_verify_tables(t)" "${verify}t: is not a target that restrip_generate_tables\\(\\) made")
+  wrong("restrip_verify_tables(restrip::restrip)" "${verify}restrip::restrip: is not a target that")
   wrong("restrip_generate_tables(TARGET t) \n restrip_verify_tables(t all)" "${verify}all: unknown")
   wrong("restrip_generate_tables(TARGET t MAX_K 11) \n restrip_verify_tables(t)" "${verify}t: has MAX_K 11, and the verifier judges fans of up to 10")
 

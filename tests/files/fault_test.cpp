@@ -43,7 +43,7 @@ SystemCalls with_faults() {
       .read = [](int file, void* bytes, std::size_t size) { return fails(EIO) ? -1 : ::read(file, bytes, size); },
       .write =
           [](int file, const void* bytes, std::size_t size) {
-            // In pieces, so that there is something half-written.
+            // In pieces, so that something is half-written.
             return fails(ENOSPC) ? -1 : ::write(file, bytes, std::min<std::size_t>(size, 3));
           },
       .fchmod = [](int file, mode_t mode) { return fails(EPERM) ? -1 : ::fchmod(file, mode); },
@@ -85,16 +85,16 @@ class Faults : public tools::ScratchFolder {
 
   using Contents = std::map<std::string, std::string>;
 
-  /// Does the work in a folder that `prepare` fills anew, each time with another failure. `may_be` tells whether the
+  /// Does the work in a folder that `prepare` fills again, each time with another failure. `may_be` says whether the
   /// folder may look so after a failure; without one it looks like `wanted`. Returns the number of system calls.
   int each_in_turn(const std::function<void()>& prepare, const std::function<void()>& work,
                    const std::function<bool(const Contents&)>& may_be, const Contents& wanted) {
-    const auto anew = [&] {
+    const auto start_over = [&] {
       fs::remove_all(folder_);
       fs::create_directories(folder_);
       prepare();
     };
-    anew();
+    start_over();
     const std::size_t descriptors = open_descriptors();
     const auto check = [&](bool refused) {
       EXPECT_EQ(open_descriptors(), descriptors);
@@ -104,12 +104,12 @@ class Faults : public tools::ScratchFolder {
     };
     const std::size_t allocations = testing_support::for_each_allocation(work, [&] {
       check(true);
-      anew();
+      start_over();
     });
     EXPECT_GT(allocations, 0U);
     for (int n = 1;; ++n) {
       SCOPED_TRACE(fmt::format("system call {}", n));
-      anew();
+      start_over();
       hit = hit_closing = false;
       countdown = n;
       bool refused = false;
@@ -210,7 +210,7 @@ TEST_F(Faults, WritingASetWithoutAWayBack) {
       EXPECT_EQ(found, (Contents{{"a", "old a"}, {"c", "old c"}, {"index", "old index"}}));
       continue;
     }
-    // Nothing vouches for a mixture, and nothing old is lost: it has its own name, or one that the message tells.
+    // Nothing vouches for a mixture, and nothing old is lost: it has its own name, or one that the message names.
     EXPECT_FALSE(found.contains("index"));
     for (const std::string bytes : {"old a", "old c", "old index"}) {
       const auto place =

@@ -102,7 +102,7 @@ TEST_F(Outputs, GoThroughLinks) {
 }
 
 TEST_F(Outputs, BystandersStay) {
-  // Whatever name a draft has, somebody may have been there before.
+  // Whatever name a draft has, a file of that name may exist.
   put(at("precious"), "precious");
   for (int i = 0; i < 5; ++i) {
     const fs::path name = folder_ / fmt::format(".restrip-{}-{}", ::getpid(), i);

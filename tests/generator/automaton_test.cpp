@@ -1,6 +1,6 @@
-// Claim: the automaton is minimal and has as many classes as were counted before, its rules are the same whatever an
-// isolated triangle costs, and weights that it cannot serve are refused with a remedy. What its answers are worth is
-// checked by the verifier, for the shipped certificate and for those of other costs.
+// Claim: the automaton is minimal and has the number of classes that was counted before, its rules are the same
+// whatever an isolated triangle costs, and weights that it cannot serve are refused with a remedy. What its answers are
+// worth is checked by the verifier, for the shipped certificate and for other costs.
 #include "automaton/automaton.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ class AutomatonTest : public testing::Test {
   const Automaton automaton = make_automaton(strips_weights);
 };
 
-// Two classes that nothing tells apart would be one.
+// Two classes that nothing distinguishes would be one.
 TEST_F(AutomatonTest, IsMinimal) {
   std::vector<std::size_t> block(automaton.classes.size(), 0);
   std::size_t blocks = 1;

@@ -1,5 +1,5 @@
-// Operation files. The families of docs/notation.md, written as such files and read again, get the rules that are
-// shipped for them; files that are wrong are refused with their line; and symmetries respect what a file asks for.
+// Operation files. The families of docs/reference/notation.md, written as such files and read again, get the rules that
+// are shipped for them; files that are wrong are refused with their line; and symmetries respect what a file asks for.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claim: the rules of splits and collapses are best among the recolourings that keep their ports, and no more than that
-// (docs/theory.md, "Ports given up"). The example of that section, a split with k = 5 and a = 2: by the search of the
-// generator, and by trying all recolourings on the ring with chord as docs/notation.md numbers it, each beside every
-// outside.
+// (docs/explanation/theory.md, "Ports given up"). The example of that section, a split with k = 5 and a = 2: by the
+// search of the generator, and by trying all recolourings on the ring with chord as docs/reference/notation.md numbers
+// it, each beside every outside.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The generator's sections against figures that were counted independently (docs/theory.md section 5), and against
-// properties that any right answer has.
+// The generator's sections against figures that were counted independently (docs/explanation/theory.md section 5), and
+// against properties that any right answer has.
 #include "solve/section.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ TEST(Sections, CopiesAreImagesOfTheirRepresentatives) {
           ++representatives;
           continue;
         }
-        // The witness takes the ports to those of a smaller key whose recolouring is the image of this one.
+        // The witness maps the ports to a smaller key whose recolouring is the image of this one.
         const PatchMap& s = section.symmetry.at(static_cast<std::size_t>(row.witness));
         const Mask ports = permute(row.key.ports, s.port);
         bool found = false;

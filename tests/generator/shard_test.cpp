@@ -55,7 +55,7 @@ class Shards : public testing::Test {
     return "";
   }
 
-  /// What is said when the first shard has one piece of text replaced and is sealed anew.
+  /// What is said when the first shard has one piece of text replaced and is sealed again.
   [[nodiscard]] std::string complaint_after(const std::string& piece, const std::string& by) const {
     std::string text = texts_[0].substr(0, texts_[0].rfind("end "));
     const std::size_t at = text.find(piece);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The commands of docs/shards.md, as they stand there, against the tables that are checked in.
-#   shards.sh restrip-generate TABLES docs/shards.md SCRATCH parallel|mpirun|slurm|loop
+# The commands of docs/how-to/cluster.md, as they stand there, against the tables that are checked in.
+#   shards.sh restrip-generate TABLES docs/how-to/cluster.md SCRATCH parallel|mpirun|slurm|loop
 set -eu
 generate=$1 tables=$2 page=$3 scratch=$4 how=$5
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes the tables up to k = 9, compiles their headers and asks them everything about k = 9. Then asks the same tables in C
-# what those of C++ answer, up to k = 9, but for collapses with a chord, which are most of all questions.
+# what the C++ look-ups answer, up to k = 9, but for collapses with a chord, which are most of all questions.
 #   wide_tables.sh restrip-generate COMPILER RUNTIME_INCLUDE TABLES_INCLUDE wide_tables.cpp C_COMPILER RUNTIME SCRATCH
 set -eu
 generate=$1 compiler=$2 include=$3 format=$4 source=$5 c_compiler=$6 runtime=$7 scratch=$8

@@ -1,4 +1,4 @@
-// Operations of one's own on bare lists of triangles: what apply() is held against.
+// Custom operations on bare lists of triangles: what apply() is compared with.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // long fans; and whichever allocation fails under a keeper.
 //
 // Every operation is begun again and again from the same mesh, and fails at its first call, its second, its third,
-// until it comes to its end. What a mesh must look like then is worked out here from the triangles alone.
+// until it ends. What a mesh must look like then is worked out here from the triangles alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -179,7 +179,7 @@ TEST(Exceptions, OfEveryCallLeaveAValidColoring) {
   EXPECT_GT(failed, 10'000U);
 }
 
-// Fans that go the general way, and those of more than max_word_valence triangles, which take bit strings.
+// Fans that go the general way, and fans of more than max_word_valence triangles, which take bit strings.
 TEST(Exceptions, InLongFansLeaveAValidColoring) {
   std::mt19937 random(2);
   for (const StripMesh& start : {sample::double_cone(20), sample::open_double_cone(20), sample::double_cone(70),

@@ -1,5 +1,5 @@
 #pragma once
-// A mesh that is no StripMesh, for what must work on any.
+// A mesh that is not a StripMesh, for what must work on any.
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@ LIST has a block of four lines for each fault, between blank lines; # begins a c
     text of PREFIX FILE, found there once, with the faulty expression in «»; PREFIX is restrip/ unless it is given
     the expression that takes its place
 
-An expression E becomes `(restrip_mutant(N) ? (F) : (E))`. Blanks and line breaks of the text need not be those of FILE. COPY
+An expression E becomes `(restrip_mutant(N) ? (F) : (E))`. Blanks and line breaks of the text need not match FILE. COPY
 gets two headers more: mutants.hpp with restrip_mutant(), and mutant_names.hpp, which only the main program includes, so that
 an edit of the list recompiles what includes the changed headers. Exit code 1: a block is malformed, or its text is not found
 exactly once.

@@ -1,5 +1,5 @@
-// Patches as graphs, straight from docs/notation.md: lists of nodes and edges, union-find, and nothing clever. The
-// oracle of the tests in this folder; it shares no code with the runtime.
+// Patches as graphs, straight from docs/reference/notation.md: lists of nodes and edges, union-find, and nothing
+// clever. The oracle of the tests in this folder; it shares no code with the runtime.
 #pragma once
 
 #include <cstddef>
@@ -99,7 +99,7 @@ inline Analysis analyze(const Patch& patch, const Bits& inner, const Bits& ports
   return result;
 }
 
-// The solid port before port i, or k when there is none.
+// The solid port before port i, or k if it does not exist.
 inline std::size_t port_before(const Patch& patch, const Bits& ports, std::size_t i) {
   const std::size_t k = patch.port_node.size();
   for (std::size_t step = 1; step < k; ++step) {

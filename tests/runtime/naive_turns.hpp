@@ -1,5 +1,5 @@
-// Patches with the corners of their triangles, straight from docs/notation.md, and the cost of a colouring by its
-// definition: a strip passes a triangle about the corner that its two edges there share, and a solid edge is a swap
+// Patches with the corners of their triangles, straight from docs/reference/notation.md, and the cost of a colouring by
+// its definition: a strip passes a triangle about the corner that its two edges there share, and a solid edge is a swap
 // when the strip passes both of its triangles about the same corner. Shares no code with the runtime.
 #pragma once
 
@@ -23,7 +23,7 @@ struct Weights {
   int isolated = 0;
 };
 
-// What is behind each port: the corner about which the strip goes on there. Only of solid ports.
+// What is behind each port: the corner about which the strip continues there. Only of solid ports.
 using Behind = std::vector<Corner>;
 
 struct TurnPatch {

@@ -1,4 +1,4 @@
-// The best recolouring of a patch beside given strips outside, found on the explicit graph: nodes are the triangles of
+// The best recolouring of a patch with given strips outside, found on the explicit graph: nodes are the triangles of
 // the patch and the strips outside, edges the inner edges and the ports. Edges are decided one after the other; of all
 // decisions that leave the same degrees and the same connected components at the nodes that still have edges to come,
 // the best is kept. Nothing is known of fans, arcs or pairs of neighbours, and strips outside may cross in any way.

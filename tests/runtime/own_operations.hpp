@@ -23,7 +23,7 @@
 
 namespace restrip {
 
-/// Calls visit(table) for every shipped operation whose edges are those of strips, and then for those of pairs.
+/// Calls visit(table) for every shipped operation whose edges are strips, and then for matchings.
 template <class Visit>
 void for_each_operation_of_strips(Visit&& visit) {
   visit(tables::split_face);

@@ -1,5 +1,5 @@
 // Handlers of the user's own take the place of the abort, with NDEBUG as without it, and of the exceptions; they get
-// the sentence, that of a precondition the function as well.
+// the sentence, a precondition names the function as well.
 #include <stdexcept>
 #include <string>
 

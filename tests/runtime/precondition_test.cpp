@@ -1,4 +1,4 @@
-// Whoever breaks a precondition in a debug build is told which one: the function, and the sentence of describe().
+// A broken precondition in a debug build is named: the function, and the sentence of describe().
 //
 // Built without NDEBUG in every preset. Each refusal of split, collapse and flip is provoked, then each other public
 // entry, in a process that must die of it with the sentence on its standard error; and with a limit of a few triangles
@@ -204,10 +204,10 @@ TEST(PreconditionDeathTest, AListThatIsTrusted) {
   const std::vector<Corners> degenerate{{0, 1, 1}};
   const std::vector<Corners> beyond{{0, 1, 4}};
   for (const auto& list : {twice, degenerate, beyond})
-    EXPECT_FAILED((void)strips_of(trusted, list, 4), "strips_of: the list that is trusted is no oriented manifold");
+    EXPECT_FAILED((void)strips_of(trusted, list, 4), "strips_of: the list that is trusted is not an oriented manifold");
   std::vector<std::array<std::uint32_t, 3>> across(2);
   EXPECT_FAILED(find_neighbors(trusted, TriangleList(twice), 4, across),
-                "find_neighbors: the list that is trusted is no oriented manifold");
+                "find_neighbors: the list that is trusted is not an oriented manifold");
   EXPECT_FAILED(find_neighbors(trusted, TriangleList(beyond), 9, across),
                 "find_neighbors: there is not one place for each triangle");
 }
@@ -239,13 +239,13 @@ TEST(PreconditionDeathTest, TheLocatorOfStrips) {
 }
 
 TEST(PreconditionDeathTest, EveryLookUp) {
-  const auto nobody = [](std::size_t) { return strip_ends; };
+  const auto unknown = [](std::size_t) { return strip_ends; };
   const std::string split_position = "the position is out of range: 3 <= k <= max_word_valence, 1 <= a < k";
   for (const SplitPosition at : {SplitPosition{4, 0}, {4, 4}, {2, 1}, {62, 3}}) {
     EXPECT_FAILED((void)split_rule(at, 0, 0), "restrip: split_rule: " + split_position);
     EXPECT_FAILED((void)collapse_rule(at, 0, 0), "restrip: collapse_rule: " + split_position);
-    EXPECT_FAILED((void)linked_split_rule(at, 0, 0, nobody), "restrip: linked_split_rule: " + split_position);
-    EXPECT_FAILED((void)linked_collapse_rule(at, 0, 0, nobody), "restrip: linked_collapse_rule: " + split_position);
+    EXPECT_FAILED((void)linked_split_rule(at, 0, 0, unknown), "restrip: linked_split_rule: " + split_position);
+    EXPECT_FAILED((void)linked_collapse_rule(at, 0, 0, unknown), "restrip: linked_collapse_rule: " + split_position);
   }
   for (const GapPair at : {GapPair{4, 2, 2}, {4, 3, 5}, {62, 1, 2}}) {
     EXPECT_FAILED((void)open_split_rule(at, 0, 0), "open_split_rule: the position is out of range: i < j <= k");
@@ -367,8 +367,8 @@ TEST(StripMeshLimit, AFullMeshSaysSoAndStaysAsItIs) {
   const auto before = state();
   const Where where{mesh.spoke(7), turn_ccw(mesh, mesh.spoke(7))};
   EXPECT_THROW(split(mesh, where), std::length_error);
-  const Where beside{mesh.spoke(0), {}, Where::Spokes::left_only};
-  EXPECT_THROW(split(mesh, beside), std::length_error);
+  const Where one_sided{mesh.spoke(0), {}, Where::Spokes::left_only};
+  EXPECT_THROW(split(mesh, one_sided), std::length_error);
   EXPECT_THROW(apply(mesh, tables::split_face, mesh.spoke(7)), std::length_error);
   EXPECT_EQ(mesh.triangle_count(), 40U);
   EXPECT_EQ(state(), before);

@@ -10,7 +10,7 @@
 
 namespace restrip {
 
-// Colours the mesh anew: dual edges become solid in random order wherever that keeps the colouring valid, with the
+// Colours the mesh again: dual edges become solid in random order wherever that keeps the colouring valid, with the
 // given probability.
 template <class Random>
 void color_at_random(StripMesh& mesh, double share, Random& random) {

@@ -39,7 +39,7 @@ using counter::linear;
 /// through the fan of vertex 0.
 StripMesh zigzag(Vertex k) {
   StripMesh mesh = sample::double_cone(k);
-  // Triangles 2 i and 2 i + 1 are the upper and the lower one beside rim edge i.
+  // Triangles 2 i and 2 i + 1 are the upper and the lower one at rim edge i.
   for (Vertex i = 0; i < k; ++i) {
     mesh.set_solid(StripMesh::halfedge(2 * i, 1), true);
     if (i + 1 < k) mesh.set_solid(i % 2 == 0 ? StripMesh::halfedge(2 * i, 2) : StripMesh::halfedge(2 * i + 1, 0), true);
@@ -83,7 +83,7 @@ TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
 }
 
 /// 2 n triangles in one strip between two rows of vertices.
-StripMesh ladder(Vertex n) {
+StripMesh band(Vertex n) {
   std::vector<sample::Corners> triangles;
   for (Vertex x = 0; x < n; ++x) {
     triangles.push_back({2 * x, 2 * x + 2, 2 * x + 1});
@@ -103,7 +103,7 @@ TEST(Complexity, DividingTheMiddleOfAStripDoesNotDependOnItsLength) {
   Work growing[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 40'000U << size;
-    StripMesh mesh = ladder(n);
+    StripMesh mesh = band(n);
     mesh.reserve(2 * n + 2'000, 2 * n + 2'000);
     StripLocator locator(mesh, 8);
     locator.reserve(2 * n + 2'000);
@@ -150,7 +150,7 @@ TEST(Complexity, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
   Work link[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 50'000U << size;
-    StripMesh mesh = ladder(n);
+    StripMesh mesh = band(n);
     StripLocator locator(mesh);
     locator.reserve(2 * n);
     const Halfedge h = mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n);
@@ -167,12 +167,12 @@ TEST(Complexity, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
   EXPECT_TRUE(grows_at_most(linear, link[0], link[1]));
 }
 
-// The ladder is cut after 100 rungs, and the other strip is twice as long in the second mesh.
+// The band is cut after 100 triangles, and the other strip is twice as long in the second mesh.
 TEST(Complexity, JoiningTwoEndsWalksTheShorterStrip) {
   Work joining[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 10'000U << size;
-    StripMesh mesh = ladder(n);
+    StripMesh mesh = band(n);
     const Halfedge end = mesh.spoke(100, 101).id != none ? mesh.spoke(100, 101) : mesh.spoke(101, 100);
     mesh.set_solid(end, false);
     joining[size] = work_of([&] { join_end(mesh, end); });
@@ -186,7 +186,7 @@ TEST(Complexity, ABufferRewritesTheRunsAroundAChange) {
   Work updating[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 10'000U << size;
-    StripMesh mesh = ladder(n);
+    StripMesh mesh = band(n);
     StripBuffer buffer(mesh);
     std::vector<Triangle> changed;
     mesh.watch(&changed);
@@ -228,7 +228,7 @@ TEST(Complexity, NoUpdateOfABufferTakesLong) {
   EXPECT_TRUE(grows_at_most(1.6, longest[0], longest[1]));
 }
 
-// Searches of twice as many states take little more than twice the steps: chains get longer by a move or two.
+// Searches of twice the states take little more than twice the steps: chains get longer by a move or two.
 TEST(Complexity, SearchesAreLinearInTheirStates) {
   Work searching[2];
   for (const unsigned size : {0U, 1U}) {

@@ -32,7 +32,7 @@ struct Link {
   [[nodiscard]] std::size_t triangles() const { return closed ? around.size() : around.size() - 1; }
 };
 
-// Nothing when the triangles around v are not one fan, each beside the next and turned the same way.
+// Nothing when the triangles around v are not one fan, each next to the following one and turned the same way.
 inline std::optional<Link> link_of(const List& list, Name v) {
   std::map<Name, Name> next;
   std::set<Name> entered;

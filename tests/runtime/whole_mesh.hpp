@@ -53,7 +53,7 @@ inline std::string fault_of(const StripMesh& mesh) {
       const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
       const StripMesh::Halfedge g = mesh.opposite(h);
       if (mesh.from(h) != mesh.to(g) || mesh.to(h) != mesh.from(g)) return "opposite halfedges disagree";
-      if (!(mesh.opposite(g) == h)) return "opposite is no involution";
+      if (!(mesh.opposite(g) == h)) return "opposite is not an involution";
       if (!StripMesh::on_boundary(g) && !mesh.alive(g)) return "a link to a removed triangle";
       if (mesh.solid(h) != mesh.solid(g)) return "a colour differs between the two sides";
       ++corners[mesh.from(h)];

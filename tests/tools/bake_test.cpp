@@ -91,7 +91,7 @@ TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   ASSERT_EQ(of_strips.levels.size(), of_indices.levels.size());
   for (std::size_t i = 0; i < of_strips.levels.size(); ++i)
     EXPECT_LT(of_indices.levels[i].indices * 10, of_strips.levels[i].indices * 9) << i;
-  constexpr std::size_t bytes_a_record = 30;  // what docs/strips.md aims at; here the base counts too
+  constexpr std::size_t bytes_a_record = 30;  // what docs/reference/policies.md aims at; here the base counts too
   EXPECT_LE(baked_bytes(indices).size(), bytes_a_record * indices.records.size());
 }
 

@@ -1,6 +1,6 @@
 // Claims: what is written is read, mesh, strips and all; nothing truncated, altered or of another version is; and what
-// is built to deceive is refused or at least a mesh. A payload of the user's is where docs/baked.md says, and handed
-// out record by record.
+// is built to deceive is refused or at least a mesh. A payload of the user's is where docs/reference/file-formats.md
+// says, and handed out record by record.
 #include "lod/baked_file.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ std::string as_string(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The file with so many bytes for each record: 0, 1, 2, …
+/// The file with N bytes for each record: 0, 1, 2, …
 std::string with_payload(const std::string& bytes, std::size_t each) {
   std::vector<std::byte> payload(records_of(bytes) * each);
   for (std::size_t i = 0; i < payload.size(); ++i) payload[i] = static_cast<std::byte>(i & 255U);
@@ -119,9 +119,9 @@ TEST(BakedFile, APayloadThatDoesNotFitIsRefused) {
                                                                        {0xFFFFFFFF, "promises more"}}) {
     std::string forged = loaded;
     for (std::size_t i = 0; i < 4; ++i) forged[24 + i] = static_cast<char>(said >> (8 * i) & 255U);
-    const std::string told = refusal(with_checksum(forged));
-    EXPECT_TRUE(told.find(text) != std::string::npos || told.find("record") != std::string::npos) << told;
-    EXPECT_NE(told, "");
+    const std::string reported = refusal(with_checksum(forged));
+    EXPECT_TRUE(reported.find(text) != std::string::npos || reported.find("record") != std::string::npos) << reported;
+    EXPECT_NE(reported, "");
   }
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Claims: a baked mesh in a GLB is the baked file, byte by byte, behind a mesh that draws the base as its strips; every
-command that reads baked meshes reads it; a player written in Python after docs/baked.md alone comes from it to the triangles
+command that reads baked meshes reads it; a player written in Python after docs/reference/file-formats.md alone comes from it to the triangles
 and strips that `restrip replay` writes; other commands take the finest level, with its strips; and a file that is damaged, or
 draws another base, is refused with a sentence that names it.
 
@@ -136,7 +136,7 @@ assert "left out: payload" in told, told
 
 # What cannot be done is said.
 for arguments, words in (((glb, "-o", scratch / "never.baked", "--weld"), "is taken as it is"),
-                         ((torus, "-o", scratch / "never.baked"), "is no baked mesh; restrip bake makes one")):
+                         ((torus, "-o", scratch / "never.baked"), "is not a baked mesh; restrip bake makes one")):
     assert words in run("convert", *arguments, code=2).stderr, words
     assert not arguments[2].exists()
 

@@ -1,4 +1,4 @@
-"""A player of baked meshes by docs/baked.md, with no code of restrip's, and the baked mesh in a GLB."""
+"""A player of baked meshes by docs/reference/file-formats.md, with no code of restrip's, and the baked mesh in a GLB."""
 import struct
 
 from strip_readers import parts_of_glb
@@ -27,7 +27,7 @@ def with_payload(data, each):
 
 
 def in_glb(path):
-    """The bytes of the baked mesh in a GLB; and that those of other programs show its base is checked."""
+    """The bytes of the baked mesh in a GLB; and checks that other programs would show its base."""
     doc, _ = parts_of_glb(path)
     assert "RESTRIP_baked_strips" in doc["extensionsUsed"] and "RESTRIP_baked_strips" not in doc.get("extensionsRequired", [])
     (mesh,) = doc["meshes"]
@@ -121,7 +121,7 @@ class Player:
         for f in moved:
             for side in range(3):
                 del self.beyond[self.side(f, side)]
-        # A moved edge keeps its colour; that of an apex is cut, and both halves have it.
+        # A moved edge keeps its colour; the edge of an apex is cut, and both halves have it.
         for w in {w for f in moved for w in self.triangles[f]} - {s}:
             if frozenset((s, w)) in self.solid:
                 self.solid.add(frozenset((t, w)))

@@ -1,5 +1,5 @@
 // Claims: no colouring has fewer strips than are needed; the counts of components follow splits and changes of colours
-// as if they were read anew.
+// as if they were read again.
 #include "lod/component_strips.hpp"
 
 #include <gtest/gtest.h>
@@ -51,9 +51,9 @@ TEST(ComponentStrips, FollowSplits) {
     counts.after_split(mesh, patch);
     counts.add(patch.front(), done.strips);
     const ComponentStrips anew(mesh);
-    ASSERT_EQ(counts.needed(), anew.needed());
+    ASSERT_EQ(counts.needed(), again.needed());
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      ASSERT_EQ(counts.can_spare(t), anew.can_spare(t)) << t;
+      ASSERT_EQ(counts.can_spare(t), again.can_spare(t)) << t;
       spared += counts.can_spare(t) ? 1U : 0U;
     }
   }
@@ -62,7 +62,7 @@ TEST(ComponentStrips, FollowSplits) {
   stripify(mesh, Effort::full, Cost::strips());
   counts.recount(mesh);
   const ComponentStrips anew(mesh);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(counts.can_spare(t), anew.can_spare(t)) << t;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(counts.can_spare(t), again.can_spare(t)) << t;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Claims about `restrip draw`, tested on a level that `restrip replay` writes and by readers that share no code with restrip:
 a PNG is decoded here by zlib alone. Every pixel that is not at an edge shows the nearest triangle in the colour of its strip,
-or the background; strips have different colours, as many as the report says; SVG is XML with a polygon for each triangle that
+or the background; strips have different colours, in the number that the report says; SVG is XML with a polygon for each triangle that
 faces the camera, in an order that shows in 98 % of those pixels what the depth buffer shows; from the other side all other
 triangles are seen; lines go through the centres of triangles and the edges between them. Bad options are refused, and nothing
 is written then.
@@ -128,12 +128,12 @@ def near(a, b):
 def check(azimuth, elevation):
     """From that camera; returns the triangles seen, each as (strip, its number in the strip)."""
     camera = ("--camera", f"{azimuth},{elevation}")
-    told, told_of_svg = draw("a.png", *camera), draw("a.svg", *camera)
+    report, report_of_svg = draw("a.png", *camera), draw("a.svg", *camera)
     places = seen_from(points, azimuth, elevation)
     front = {(s, i): [places[v] for v in t] for s, strip in enumerate(strips) for i, t in enumerate(strip)
              if facing([places[v] for v in t])}
-    assert told["triangles"] == sum(map(len, strips)) and told["strips"] == len(strips), told
-    assert told["triangles_drawn"] == told_of_svg["triangles_drawn"] == len(front), (told, len(front))
+    assert report["triangles"] == sum(map(len, strips)) and report["strips"] == len(strips), report
+    assert report["triangles_drawn"] == report_of_svg["triangles_drawn"] == len(front), (report, len(front))
 
     # SVG: those triangles, each once, in a colour for each strip.
     polygons, _ = svg(scratch / "a.svg")
@@ -146,7 +146,7 @@ def check(azimuth, elevation):
         assert colors.setdefault(found[0][0], rgb(fill)) == rgb(fill)
     assert sorted(order) == sorted(front)
     assert len(set(colors.values()) | {BACKGROUND, EDGE, SURFACE}) == len(colors) + 3
-    assert told_of_svg["strips_shown"] == len(colors) == len({s for s, _ in front})
+    assert report_of_svg["strips_shown"] == len(colors) == len({s for s, _ in front})
 
     # PNG: what is nearest, wherever no outline is near.
     nearest, painted, unclear = {}, {}, set()
@@ -175,10 +175,10 @@ def check(azimuth, elevation):
     assert empty > 2000 and filled > 2000 and covered < filled / 50, (empty, filled, covered)
     used = {pixel for row in picture for pixel in row}
     assert used <= set(colors.values()) | {BACKGROUND, EDGE}
-    assert len(used - {BACKGROUND, EDGE}) == told["strips_shown"], (len(used), told)
+    assert len(used - {BACKGROUND, EDGE}) == report["strips_shown"], (len(used), report)
 
     # Lines: in SVG by the middles of the edges that a strip crosses, in PNG at the centre of what is seen.
-    told = draw("l.png", *camera, "--lines")
+    report = draw("l.png", *camera, "--lines")
     assert draw("l.svg", *camera, "--lines")["strips_shown"] == len(colors)
     polygons, paths = svg(scratch / "l.svg")
     assert len(polygons) == len(paths) == len(front) and {fill for _, fill in polygons} == {"#%02x%02x%02x" % SURFACE}
@@ -201,7 +201,7 @@ def check(azimuth, elevation):
     assert centers > len(front) / 3, centers
     used = {pixel for row in picture for pixel in row}
     assert SURFACE in used and used <= set(colors.values()) | {BACKGROUND, EDGE, SURFACE}
-    assert len(used - {BACKGROUND, EDGE, SURFACE}) == told["strips_shown"]
+    assert len(used - {BACKGROUND, EDGE, SURFACE}) == report["strips_shown"]
     return set(front)
 
 
@@ -233,14 +233,14 @@ for policy in ("local", "quick"):
 
 # A file that has strips is drawn with them, cut nowhere; asked for others it is drawn as one that has none.
 strips_in_file = [sorted(rotated(list(t)) for t in triangles_of_strip(strip)) for _, strip, _ in glb(scratch / "level.glb")[1]]
-told = json.loads(run("draw", scratch / "level.glb", "-o", scratch / "own.json", "--json", "-").stdout)
+report = json.loads(run("draw", scratch / "level.glb", "-o", scratch / "own.json", "--json", "-").stdout)
 shown = json.loads((scratch / "own.json").read_text())["strips"]
-assert sorted(sorted(rotated(t) for t in strip) for strip in shown) == sorted(strips_in_file) and told["strips"] == len(strips_in_file)
+assert sorted(sorted(rotated(t) for t in strip) for strip in shown) == sorted(strips_in_file) and report["strips"] == len(strips_in_file)
 assert json.loads(run("draw", scratch / "level.glb", *size, "--json", "-").stdout)["policy"] == "file"
 run("draw", scratch / "level.glb", "--policy", "local", "-o", scratch / "local.json")
 assert len(json.loads((scratch / "local.json").read_text())["strips"]) != len(strips_in_file)
-told = json.loads(run("draw", "-o", scratch / "torus.png", "--json", "-").stdout)
-assert (told["width"], told["height"]) == (800, 600) and len(png(scratch / "torus.png")) == 600
+report = json.loads(run("draw", "-o", scratch / "torus.png", "--json", "-").stdout)
+assert (report["width"], report["height"]) == (800, 600) and len(png(scratch / "torus.png")) == 600
 
 for arguments, words in (
         ((mesh, "-o", scratch / "x.gif"), "name a file that ends so"),

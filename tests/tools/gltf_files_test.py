@@ -139,10 +139,10 @@ DAMAGED = (
     (set_at("asset", "version", "1.0"), "asset.version is '1.0'"),
     (set_at("asset", {}), "asset.version is missing"),
     (set_at("extensionsRequired", ["KHR_draco_mesh_compression"]), "extensionsRequired[0] is KHR_draco"),
-    (set_at(*PRIMITIVE, "mode", "5"), "meshes[0].primitives[0].mode is no number"),
+    (set_at(*PRIMITIVE, "mode", "5"), "meshes[0].primitives[0].mode is not a number"),
     (set_at(*PRIMITIVE, "mode", 7), "mode is 7"),
     (set_at(*PRIMITIVE, "indices", 9), "accessors has no element 9"),
-    (set_at(*PRIMITIVE, "indices", -1), "indices is no whole number"),
+    (set_at(*PRIMITIVE, "indices", -1), "indices is not a whole number"),
     (set_at(*PRIMITIVE, "indices", 0), "accessors[0].type is not SCALAR"),
     (set_at(*PRIMITIVE, "attributes", {}), "attributes.POSITION is missing"),
     (set_at(*PRIMITIVE, "attributes", "POSITION", 1), "accessors[1].type is not VEC3"),
@@ -152,7 +152,7 @@ DAMAGED = (
     (set_at("accessors", 1, "byteOffset", 2), "which reach beyond"),
     (set_at("accessors", 1, "componentType", 5126), "no type of an index"),
     (set_at("accessors", 0, "componentType", 5125), "no type of positions"),
-    (set_at("accessors", 0, "normalized", 1), "normalized is no truth value"),
+    (set_at("accessors", 0, "normalized", 1), "normalized is not a truth value"),
     (set_at("bufferViews", 0, "byteStride", 4), "byteStride is 4, not 12 to 252"),
     (set_at("bufferViews", 1, "byteLength", 1000), "bufferViews[1] reaches beyond its buffer"),
     (set_at("bufferViews", 1, "buffer", 1), "buffers has no element 1"),
@@ -162,7 +162,7 @@ DAMAGED = (
     (set_at("nodes", 0, "scale", [1, 1]), "nodes[0].scale has 2 numbers, not 3"),
     (set_at("nodes", 0, "matrix", [1] * 16), "matrix has a last row"),
     (set_at("nodes", 0, "translation", [1e39, 0, 0]), "vertex 0 has a coordinate that is infinite"),
-    (set_at("scenes", 0, "nodes", 0), "scenes[0].nodes is no array"),
+    (set_at("scenes", 0, "nodes", 0), "scenes[0].nodes is not an array"),
     (set_at("scene", 1), "scenes has no element 1"),
     (set_at("meshes", [{"primitives": []}]), "no vertices"),
     (lambda made: made.doc.update(extras=json.loads("[" * 80 + "]" * 80)), "nested more than 64 deep"),
@@ -224,7 +224,7 @@ refused("bomb.glb", made.glb(), "more than 256, the limit")
 for uri, words in (("../outside.bin", "only a file in the same folder"), ("/etc/passwd", "only a file in the same folder"),
                    ("https://host/a.bin", "only a file in the same folder"), ("%2e%2e%2fa.bin", "only a file in the same"),
                    ("%zz", "only a file in the same folder"),
-                   ("data:,abc", "is no base64"), ("data:;base64,ab!=", "is no base64"), ("data:;base64,abc", "is no base64")):
+                   ("data:,abc", "is not a base64"), ("data:;base64,ab!=", "is not a base64"), ("data:;base64,abc", "is not a base64")):
     refused("bad.gltf", whole().gltf(uri), words)
 (scratch / "lost.gltf").write_bytes(whole().gltf("none.bin"))
 lost = run("stats", scratch / "lost.gltf", code=2)

@@ -172,7 +172,7 @@ for at, value, words in ((0, struct.pack(">i", 99), "split 1 (counted from 0) na
                          (6, struct.pack(">H", 3), "split 1 (counted from 0) names no corner")):
     begin = good.index(mesh.splits[1]) + at
     refused(good[:begin] + value + good[begin + len(value):], words)
-# Two tetrahedra that share a vertex: no manifold there, so its split is no split of ours.
+# Two tetrahedra that share a vertex: not manifold there, so its split is not supported.
 pinched = Mesh(random.Random(5), TETRAHEDRON + [(3, 4, 5), (3, 5, 6), (3, 6, 4), (4, 6, 5)], 0, 0, 0, 0)
 pinched.splits.append(struct.pack(">iHH6f3f", 1, 2, 2 | 2 << 2 | 0x3F0, *[1] * 9))
 refused(pinched.bytes(), "split 0 (counted from 0) cannot be done", "not a manifold")

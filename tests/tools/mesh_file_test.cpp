@@ -99,16 +99,16 @@ TEST(Obj, Refusals) {
   expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nv 0 0 1e300\nf 1 2 3\n", "infinite or not a number");
   expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 2\n", "2 triangles, each with a corner twice");
   expect_refused(bare_obj, "v 0 0 0\nf 0 1 1\n", "counted from 1");
-  expect_refused(bare_obj, "v 0 0 0\nf -2 1 1\n", "is no vertex");
-  expect_refused(bare_obj, "v 0 0 0\nf 1 1 x\n", "is no vertex");
+  expect_refused(bare_obj, "v 0 0 0\nf -2 1 1\n", "is not a vertex");
+  expect_refused(bare_obj, "v 0 0 0\nf 1 1 x\n", "is not a vertex");
   expect_refused(bare_obj, "v 0 0 0\nf 1 1 2\n", "refers to vertex 1 (counted from 0), but there are 1");
-  expect_refused(bare_obj, "v 0 0 0\nf 1 1 99999999999999999999\n", "is no vertex");
+  expect_refused(bare_obj, "v 0 0 0\nf 1 1 99999999999999999999\n", "is not a vertex");
 }
 
 TEST(Obj, RefusalsOfAttributes) {
   const std::string two = "v 0 0 0\nv 1 0 0\n";
   expect_refused(full_obj, two + "f 1 2 3\n", "refers to vertex 2 (counted from 0), but there are 2");
-  // What comes behind as another vertex is no vertex of the file.
+  // What comes behind as another vertex is not a vertex of the file.
   expect_refused(full_obj, two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", "refers to vertex 2");
   expect_refused(full_obj, two + "vt 0\nf 1/1 2/2 1/1\n", "refers to `vt` 2 (counted from 1), but there are 1");
   expect_refused(full_obj, two + "vn 0 0 1\nf 1//1 2//3 1//1\n", "refers to `vn` 3 (counted from 1), but there are 1");
@@ -119,9 +119,9 @@ TEST(Obj, RefusalsOfAttributes) {
   expect_refused(full_obj, two + "vt 0 x\n", ":3: 'x' is not a number");
   expect_refused(full_obj, "v 0 0 0 1 1 1e99\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n",
                  "vertex 0 has colours that are infinite or not a number");
-  expect_refused(full_obj, two + "vt 0 0\nf 1/0 2/1 1/1\n", "'1/0' is no vertex");
-  expect_refused(full_obj, two + "vt 0 0\nf 1/-2 2/1 1/1\n", "'1/-2' is no vertex");
-  expect_refused(full_obj, two + "vn 0 0 1\nf 1//z 2/1 1/1\n", "'1//z' is no vertex");
+  expect_refused(full_obj, two + "vt 0 0\nf 1/0 2/1 1/1\n", "'1/0' is not a vertex");
+  expect_refused(full_obj, two + "vt 0 0\nf 1/-2 2/1 1/1\n", "'1/-2' is not a vertex");
+  expect_refused(full_obj, two + "vn 0 0 1\nf 1//z 2/1 1/1\n", "'1//z' is not a vertex");
 }
 
 TEST(Off, CommentsAndColoursAreSteppedOver) {
@@ -273,7 +273,7 @@ TEST(Ply, Refusals) {
   expect_refused(bare_ply, with("double z", "double w"), "no property `z`");
   expect_refused(bare_ply, with("list uchar", "list float"), "must be an integer");
   expect_refused(bare_ply, with("7 3 0 1 2", "7 3000 0 1 2"), "a list `vertex_index` of length 3000");
-  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1 -2"), "which is no vertex");
+  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1 -2"), "which is not a vertex");
   expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1 5"), "refers to vertex 5");
   expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1"), "ends among the faces");
   expect_refused(bare_ply, with("comment c", "commend c"), "unknown keyword");
@@ -309,7 +309,7 @@ TEST(Ply, ABodyMayBeginWithTheByteOfALineFeed) {
   }
 }
 
-// A turn the other way is a repeated index; what draws nothing is no triangle.
+// A turn the other way is a repeated index; what draws nothing is not a triangle.
 TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   const auto with = [](std::string_view lists) {
     return fmt::format(
@@ -331,7 +331,7 @@ TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   EXPECT_EQ(triangles("9 7 0 1 2 4294967295 2 1 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
   expect_refused(bare_ply, with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
   expect_refused(bare_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
-  expect_refused(bare_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is no vertex");
+  expect_refused(bare_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is not a vertex");
   expect_refused(bare_ply, with("9 3 0 1\n"), "ends among the strips");
   expect_refused(bare_ply, with("9 2 0 1\n"), "no triangles");
 }

@@ -1,4 +1,4 @@
-// Claims: the counts are those of the definitions on meshes small enough to count by hand, and those of the paper's
+// Claims: the counts follow the definitions on meshes small enough to count by hand, and equal the paper's
 // tables on its own meshes.
 #include "meshes/mesh_report.hpp"
 

@@ -21,7 +21,7 @@ CORPUS = ROOT / "tests/corpus/operations"
 
 
 def area(places):
-    """Twice that of a polygon; positive when it is counter-clockwise as seen, with y pointing down."""
+    """Twice the area of a polygon; positive when it is counter-clockwise as seen, with y pointing down."""
     return sum(y * u - x * v for (x, y), (u, v) in zip(places, places[1:] + places[:1]))
 
 
@@ -54,7 +54,7 @@ class Drawings(unittest.TestCase):
         self.assertEqual(drawn, 2 * (15 + 70 + 24) + 1 + len(list(OPERATIONS.glob("*.json"))))
 
     def test_numbers_are_those_of_the_document(self):
-        position, = positions_of(OPERATIONS / "split-face.json")  # docs/operation-file.md, "Triangles"
+        position, = positions_of(OPERATIONS / "split-face.json")  # docs/reference/operation-file.md, "Triangles"
         (_,), (after,) = drawings([position.before], [position.after])
         name = after["names"][0]
         self.assertEqual([{name[a], name[b]} for *_, a, b in after["edges"]], [set("bm"), set("cm"), set("am")])

@@ -99,7 +99,7 @@ TEST(PmFile, TheOtherOrientationDoesNotFit) {
   EXPECT_GT(replay(Plan("local", mesh), {}, {2, 0, 0}).operations_without_rule, 0U);
 }
 
-// The counts are those of the file's own header.
+// The counts are in the file's own header.
 TEST(PmFile, HoppesIsReadAndReplayed) {
   const auto file = REAL_MESH("hoppe_standingblob.pm");
   const ProgressiveMesh mesh = parse_pm(files::read_whole(file), file.string());

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Claims: on a terminal long commands show how far each of their steps has come, `bake` the strips of the base as well, and
-wipe the line in the end; where standard error is no terminal they show nothing.
+wipe the line in the end; if standard error is not a terminal they show nothing.
 
     progress_test.py restrip SCRATCH
 """

@@ -135,7 +135,7 @@ TEST(Replay, LargeFansCostAsMuchAsTheirTriangles) {
       sum[i] = walked(report);
     }
     EXPECT_GT(sum[0], 0U);
-    EXPECT_LT(sum[1], 6 * sum[0]) << "four times as many triangles";
+    EXPECT_LT(sum[1], 6 * sum[0]) << "four times the triangles";
   }
 }
 

@@ -1,5 +1,5 @@
 // Claims: simplification reaches its target unless no edge that is left may collapse, its splits lead back to exactly
-// the triangles of the soup, what is no manifold is left alone and counted, and its cost grows as the mesh does,
+// the triangles of the soup, what is not manifold is left alone and counted, and its cost grows as the mesh does,
 // whatever the valences.
 #include "lod/simplify.hpp"
 
@@ -173,7 +173,7 @@ TEST_P(LargeFans, CostAsMuchAsTheirTriangles) {
     triangles[i] = soup.triangles.size();
   }
   EXPECT_GT(steps[0], 3 * triangles[0]);
-  EXPECT_LT(steps[1], 6 * steps[0]) << "four times as many triangles";
+  EXPECT_LT(steps[1], 6 * steps[0]) << "four times the triangles";
 }
 
 TEST_P(LargeFans, AreSplitFromSmallOnesOnly) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Claims: `restrip stripify -o` writes, in every format, the oriented triangles of its input, as the strips that it tells of;
+"""Claims: `restrip stripify -o` writes, in every format, the oriented triangles of its input, as the strips that it reports;
 strips come back as they were, also through `restrip convert`; `simplify` and `replay` write the levels that they are asked
 for; --weld and --orient do what they say and nothing else. The files are taken apart here by their formats' definitions,
 with no code of restrip's.

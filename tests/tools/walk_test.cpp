@@ -170,25 +170,25 @@ TEST(Walk, AWitnessTellsWhatTheRulesTell) {
       using Operations::Operations;
       std::string disagreement;
       Witness witness;
-      Rewrite<Halfedge> settle(const Rewrite<Halfedge>& told, const Rewrite<Halfedge>& seen) {
-        if (told.strips != seen.strips || told.isolated != seen.isolated || told.valence != seen.valence)
+      Rewrite<Halfedge> settle(const Rewrite<Halfedge>& reported, const Rewrite<Halfedge>& seen) {
+        if (reported.strips != seen.strips || reported.isolated != seen.isolated || reported.valence != seen.valence)
           disagreement = "the witness disagrees";
-        return told;
+        return reported;
       }
       Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) {
         witness.before_split(mesh, where);
-        const auto told = restrip::split(mesh, where, v_t);
-        return settle(told, witness.after_split(mesh, told.halfedge));
+        const auto reported = restrip::split(mesh, where, v_t);
+        return settle(reported, witness.after_split(mesh, reported.halfedge));
       }
       Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) {
         witness.before_collapse(mesh, chord);
-        const auto told = restrip::collapse(mesh, chord);
-        return settle(told, witness.after_collapse(mesh, told.halfedge));
+        const auto reported = restrip::collapse(mesh, chord);
+        return settle(reported, witness.after_collapse(mesh, reported.halfedge));
       }
       Rewrite<Halfedge> flip(Halfedge h) {
         witness.before_flip(mesh, h);
-        const auto told = restrip::flip(mesh, h);
-        return settle(told, witness.after_flip(mesh, told.halfedge));
+        const auto reported = restrip::flip(mesh, h);
+        return settle(reported, witness.after_flip(mesh, reported.halfedge));
       }
       [[nodiscard]] std::string fault() const { return disagreement; }
     };

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "certificate/certificate.hpp"
+#include "certificate/sums.hpp"
 #include "corpus.hpp"
 #include "linked/linked_certificate.hpp"
 #include "model/input.hpp"
@@ -137,6 +138,19 @@ bool equally_right(const std::string& original, const std::string& text, const S
     if (!right) return false;
   }
   return true;
+}
+
+// The last line may state any numbers: 2^63 divided by -1 once stopped the program.
+TEST(AlteredBytes, SumsMayBeAsFarApartAsNumbersGo) {
+  const Sample sample = certificates(small_tables().string(), corpus_max_k).front();
+  const std::size_t end = sample.text.rfind("end ");
+  const std::string body = sample.text.substr(0, end);
+  const ByteSums sums = sums_of(body);
+  const std::string rows = sample.text.substr(end + 4, sample.text.find(' ', end + 4) - end - 4);
+  for (const std::uint64_t plain : {sums.plain - 1, sums.plain + 1})
+    EXPECT_NE(rejection(sample,
+                        fmt::format("{}end {} {} {}\n", body, rows, plain, sums.weighted + (std::uint64_t{1} << 63U))),
+              "");
 }
 
 TEST(AlteredBytesWithNewSums, AreWrongOrAsRight) {

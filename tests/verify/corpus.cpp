@@ -70,6 +70,8 @@ class Editor {
       write(file_, bytes.substr(0, bytes.size() - std::stoul(what)));
     } else if (verb == "create") {
       write(folder_ / what, "nobody listed me\n");
+    } else if (verb == "link") {
+      fs::create_directory_symlink("certificates", folder_ / what);
     } else if (verb == "delete") {
       fs::remove(file_);
     } else {

@@ -1,5 +1,5 @@
 // The reader of operation files says of each fault where it is and what was expected. What it takes and what it refuses
-// is what docs/operation-file.md says.
+// is what docs/reference/operation-file.md says.
 
 #include "model/description.hpp"
 

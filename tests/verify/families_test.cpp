@@ -1,5 +1,5 @@
-// The families of tables/families.json are those of docs/notation.md: every position of fans up to ten triangles is
-// there, listed or not as that page says, and its patches are those that the tests write down by hand.
+// The families of tables/families.json are those of docs/reference/notation.md: every position of fans up to ten
+// triangles is there, listed or not as that page says, and its patches are those that the tests write down by hand.
 // Files that say something else than a family are refused with their line: Description.OneAlterationIsNamed.
 
 #include <gtest/gtest.h>
@@ -34,7 +34,8 @@ void expect_same(const Operation& found) {
   EXPECT_EQ(found.cost, by_hand.cost) << found.name();
 }
 
-/// All positions of a family of fans of k triangles, as its name says; true for those that docs/notation.md lists.
+/// All positions of a family of fans of k triangles, as its name says; true for those that docs/reference/notation.md
+/// lists.
 std::map<std::vector<int>, bool> positions_by_hand(const std::string& family, int k) {
   std::map<std::vector<int>, bool> positions;
   if (family == "split" || family == "collapse") {

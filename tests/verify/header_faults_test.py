@@ -38,7 +38,7 @@ SITES = [
     (RULES, "fan_collapse_colors(k, ports, joined_path_with_chord(k, i, ", "j", ["k"], "open-collapse"),
     (RULES, "fan_collapse_colors(k, ports, joined_path(k, ", "i", ["k - i"], "boundary-collapse"),
     (RULES, "tables::flip[static_cast<std::size_t>(", "inner", ["!inner"], "flip"),
-    # "false" is no fault: the loop below the line finds the same, later.
+    # "false" is not a fault: the loop below the line finds the same, later.
     (OUTLOOK, "if (", "after == before_ || after == Pairs{}", ["true"], "linked-"),
     (LINKED, "exchange ? ", "arc + 1", ["arc"], "linked-split"),
     (LINKED, "const std::size_t by = exchange ? ", "a", ["k - a"], "linked-split"),
@@ -46,7 +46,7 @@ SITES = [
     (OUTLOOK, "turn(static_cast<std::size_t>(seen) + ", "k_ - by_", ["k_"], "linked-split"),
     (OUTLOOK, "if (port == home) return ", "comes_back", ["strip_ends"], "linked-"),
     (OUTLOOK, "if (one < 0) return ", "one == strip_ends", ["true", "false"], "linked-"),
-    # "true" is no fault: a path that is out of sight from one end does not come back from the other.
+    # "true" is not a fault: a path that is out of sight from one end does not come back from the other.
     (OUTLOOK, "if (two < 0) return ", "two == strip_ends", ["false"], "linked-"),
     (OUTLOOK, "return ", "inside != start &&\n           (inside == static_cast<std::size_t>(two) || follow(before_, inside, start, ignored) == two)",
      ["true", "false", "inside != start", "inside != start && inside == static_cast<std::size_t>(two)"], "linked-"),

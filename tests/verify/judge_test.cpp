@@ -80,7 +80,7 @@ TEST(OperationJudge, GoodCertificatesAndDumpsHold) {
   }
 }
 
-// A family of one's own: every position, those that share a section and those that have no rules included. A fan
+// A custom family: every position, those that share a section and those that have no rules included. A fan
 // without gaps gets one triangle more, or loses it; where it stood does not matter to the collapse.
 TEST(OperationJudge, AFamilyOfOnesOwn) {
   const std::string name = "wedge";
@@ -126,7 +126,7 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
     }
 }
 
-// Linked rules of a family of one's own: the shipped splits under another name.
+// Linked rules of a custom family: the shipped splits under another name.
 TEST(OperationJudge, LinkedRulesOfOnesOwn) {
   const std::string described = R"json({
     "restrip_operation": 1, "name": "cut", "numbers": ["k", "a"], "where": "3 <= k, k <= 4, 1 <= a, 2 a <= k",

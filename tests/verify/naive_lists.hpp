@@ -36,7 +36,7 @@ class NaiveLinked {
   struct Recoloring {
     std::vector<int> merit;  ///< empty when degrees or cycles forbid it
     int joined = 0;
-    std::vector<bool> sound;  ///< beside each world of the ports
+    std::vector<bool> sound;  ///< in each world of the ports
   };
 
   std::vector<bool> soundness(const NaiveOperation& operation, bool after, NaiveColors colors) const;

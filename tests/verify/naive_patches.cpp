@@ -1,4 +1,4 @@
-// The patches of docs/notation.md, written down by hand: triangles t_0 …, then A, then D.
+// The patches of docs/reference/notation.md, written down by hand: triangles t_0 …, then A, then D.
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Certificates for small fans and for operations of a user's own, made in the slowest and most obvious way, and
 // reasons, right and careless ones. Shares nothing with the checker that it tests but the struct that holds an
-// operation; the patches of fans are written down by hand from docs/notation.md.
+// operation; the patches of fans are written down by hand from docs/reference/notation.md.
 
 #include <functional>
 #include <map>
@@ -47,7 +47,7 @@ enum class Careless {
   solid_in_both_cases
 };
 
-/// A reason why nothing is preferred to `after`, as certificates write it; nullopt when there is none.
+/// A reason why nothing is preferred to `after`, as certificates write it; nullopt when none exists.
 std::optional<std::string> naive_reason(const NaiveOperation& operation, NaiveColors before, NaiveColors after,
                                         Careless careless = Careless::not_at_all);
 

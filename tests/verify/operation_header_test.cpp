@@ -1,5 +1,5 @@
-// The header of an operation's table is the text that docs/operation-file.md says, but for its numbers: whatever else
-// is put into it, at whatever place, is found.
+// The header of an operation's table is the text that docs/reference/operation-file.md says, but for its numbers:
+// whatever else is put into it, at whatever place, is found.
 
 #include "judge/operation_header.hpp"
 

@@ -54,7 +54,7 @@ def main():
         "a reason has a set less": lines[:at] + [" ".join(words[:-1])] + lines[at + 1:],
         "a set is larger than it may be": lines[:at] + [" ".join(words[:-2] + ["7ff"])] + lines[at + 1:],
         "a copy by another permutation": lines[:copy] + [lines[copy].split(" by ")[0] + " by 0 1 2 3 4 5 6"] + lines[copy + 1:],
-        "a copy by what is no symmetry": lines[:copy] + [lines[copy].split(" by ")[0] + " by 1 0 2 3 4 5 6"] + lines[copy + 1:],
+        "a copy by what is not a symmetry": lines[:copy] + [lines[copy].split(" by ")[0] + " by 1 0 2 3 4 5 6"] + lines[copy + 1:],
         "another number of keys": [re.sub(r"^(claim keys) \d+$", r"\1 820", line) for line in lines],
     }
     bad = scratch / "bad.cert"

@@ -70,7 +70,7 @@ endforeach()
 operation_program_test(header_of_fewer_positions "expected .*, 18> spoke_flips.*was not run.*NOT verified: " --operation ${corpus}/families/spoke-flips.json
                        --max-k 7 --header ${generated}/include/restrip/tables/operations/spoke_flips.hpp --dump-command
                        "$<TARGET_FILE:print_operations> spoke-flips")
-operation_program_test(other_table "line 2: (expected \"operation merge\", found \"operation bisect\"|\"table bisect\" is no table)" --operation
+operation_program_test(other_table "line 2: (expected \"operation merge\", found \"operation bisect\"|\"table bisect\" is not a table)" --operation
                        ${RESTRIP_TABLES_DIR}/operations/merge.json --header ${tables}/merge.hpp --dump-command "$<TARGET_FILE:print_operations> bisect")
 
 set(small "")

@@ -134,7 +134,7 @@ def main():
     accepted = refused = beyond = 0
     for operation in altered():
         path.write_text(json.dumps(operation), encoding="utf-8")
-        # The reader comes first: that this is no header of a table is another matter, exit code 1.
+        # The reader comes first: that this is not a header of a table is another matter, exit code 1.
         done = subprocess.run([verifier, "--operation", path, "--header", "/dev/null"], capture_output=True, text=True, check=False)
         if done.returncode not in (1, 2):
             raise SystemExit(f"{verifier} ended with {done.returncode}: {done.stderr}")

@@ -129,7 +129,7 @@ function sameAsBaked() {
   assert.equal(compared, 2 * native.levels.length - 1);  // the finest one once
   assert.ok(Math.abs(4 * mesh.figures.indicesWritten / mesh.figures.operations - native.buffer_bytes_written_per_operation) < 1e-6);
 
-  // Out of order the rules go on, with valid strips that are counted; begin() leads back.
+  // Out of order the rules continue, with valid strips that are counted; begin() leads back.
   const wanted = new Uint8Array(mesh.levels).fill(1, 800, 1000);
   mesh.approach(wanted);
   assert.ok(!mesh.figures.baked && !mesh.figures.inOrder && mesh.valid);
@@ -140,9 +140,9 @@ function sameAsBaked() {
   assert.equal(mesh.figures.refused, 0);
   mesh.begin({ policy: 'baked' }).moveTo(mesh.levels);
   // Strips from scratch draw the same triangles, and leave those that are kept; so does the list, whole or by its slots.
-  const anew = mesh.fromScratch({ cost: 'indices' });
-  assert.deepEqual(sorted(drawn(anew)), sorted(mesh.triangles));
-  assert.equal(new Set(Array.from(mesh.scratchRibbon).filter((_, n) => n % 9 === 8)).size, anew.filter((index) => index === restartIndex).length + 1);
+  const again = mesh.fromScratch({ cost: 'indices' });
+  assert.deepEqual(sorted(drawn(again)), sorted(mesh.triangles));
+  assert.equal(new Set(Array.from(mesh.scratchRibbon).filter((_, n) => n % 9 === 8)).size, again.filter((index) => index === restartIndex).length + 1);
   const written = () => mesh.updateList().reduce((sum, { count }) => sum + count, 0);
   mesh.updateList({ whole: true });
   assert.equal(mesh.moveTo(mesh.levels - 1), 1);
@@ -373,7 +373,7 @@ async function simplifies() {
   assert.deepEqual(sorted(mesh.triangles), sorted(soup.triangles));
   assert.ok(mesh.indexBound <= mesh.plainIndices);
   mesh.close();
-  // In steps it comes to the same, and tells how far it is; one may go away in between.
+  // In steps it comes to the same, and says how far it is; one may go away in between.
   const steps = restrip.simplifying(soup, 0.1);
   const shares = [];
   let last;

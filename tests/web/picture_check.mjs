@@ -20,5 +20,5 @@ export async function pictureIsFresh(browser, page, address) {
       : a.data.reduce((sum, n, i) => sum + Math.abs(n - b.data[other(i)]), 0) / a.data.length);
     return [mean((i) => i), mean((i) => a.data.length - 4 - i + 2 * (i % 4))];
   }, pngOf(picture).toString('base64'), readFileSync(fileURLToPath(new URL('../../docs/ribbon.png', import.meta.url))).toString('base64'));
-  assert.ok(near < 1 && far > 5, `docs/ribbon.png: colours differ by ${near}, those of a turned picture by ${far}; scripts/ribbon_picture.mjs makes it anew`);
+  assert.ok(near < 1 && far > 5, `docs/ribbon.png: colours differ by ${near}, those of a turned picture by ${far}; scripts/ribbon_picture.mjs rebuilds it`);
 }

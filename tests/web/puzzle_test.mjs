@@ -30,7 +30,7 @@ function isSound(k, a, loop, ports, inner) {
     return of;
   };
   const before = components(k, Array.from({ length: k }, (_, i) => [i, (i + 1) % k]).filter((_, i) => bit(loop, i)));
-  // In the numbering of docs/notation.md: A, t_0 to t_{a-1}, D, t_a to t_{k-1} in a ring, and the chord.
+  // In the numbering of docs/reference/notation.md: A, t_0 to t_{a-1}, D, t_a to t_{k-1} in a ring, and the chord.
   const order = ['A', ...Array.from({ length: a }, (_, i) => i), 'D', ...Array.from({ length: k - a }, (_, i) => a + i)];
   const edges = [...order.map((name, n) => [name, order[(n + 1) % order.length]]), ['A', 'D']];
   const number = (name) => (name === 'A' ? k : name === 'D' ? k + 1 : name);

@@ -366,7 +366,7 @@ try {
   const own = await agrees(page, 'a mesh of the visitor');
   assert.ok(own.triangles > 500);
   assert.ok(await page.run('document.getElementById("working").hidden'));
-  // Dropped on the panel; the page goes on while the worker is at work, and says how far it is.
+  // Dropped on the panel; the page continues while the worker is at work, and says how far it is.
   await page.run((text) => {
     const files = new DataTransfer();
     files.items.add(new File([text], 'dropped.obj'));
@@ -442,7 +442,7 @@ try {
   await touch('touchEnd');
   assert.notEqual(await phone.run('restripViewer.camera.yaw'), yaw);
   await agrees(phone, 'on a telephone');
-  // Where the mesh is not seen, nothing is drawn for the light, and the mesh is no stop of the Tab key.
+  // Where the mesh is not seen, nothing is drawn for the light, and the mesh is not a stop of the Tab key.
   const drawn = async (part) => {
     await phone.run((name) => { location.hash = `#part=${name}`; }, part);
     await phone.until((name) => restripViewer.part === name && restripViewer.settled, part);

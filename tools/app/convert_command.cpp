@@ -107,7 +107,7 @@ int run(const ConvertCommand& command) {
   const auto* baked = std::get_if<BakedBytes>(&read);
   if (baked != nullptr && writes_baked(format)) return convert_baked(*baked, command, format, out, report);
   if (!writes_mesh(format) && !writes_strips(format))
-    throw BadInput(fmt::format("{}: is no baked mesh; restrip bake makes one", command.mesh.string()));
+    throw BadInput(fmt::format("{}: is not a baked mesh; restrip bake makes one", command.mesh.string()));
   Soup soup = finest_level(std::move(read));
   Mended mended = mend(soup, command.mesh.string(), command.mending);
   note_losses(soup, format, mended);

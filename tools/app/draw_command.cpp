@@ -205,9 +205,10 @@ std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& 
                    const auto angles = two_numbers<double>(word);
                    if (!angles || !(std::abs((*angles)[0]) <= 360) || !(std::abs((*angles)[1]) <= 90))
                      throw CLI::ValidationError(
-                         "--camera", fmt::format("{} is no azimuth from -360 to 360 and elevation from -90 to 90, in "
-                                                 "degrees, with a comma between",
-                                                 word));
+                         "--camera",
+                         fmt::format("{} is not an azimuth from -360 to 360 and elevation from -90 to 90, in "
+                                     "degrees, with a comma between",
+                                     word));
                    command.camera = {(*angles)[0], (*angles)[1]};
                  },
                  "in degrees: from 0,0 one looks along -z, from 90,0 along -x, from 0,90 down along -y")
@@ -219,7 +220,7 @@ std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& 
                    if (!sides || std::min((*sides)[0], (*sides)[1]) < least_picture_side ||
                        std::max((*sides)[0], (*sides)[1]) > most_picture_side)
                      throw CLI::ValidationError(
-                         "--size", fmt::format("{} is no width and height from {} to {}, with a comma between", word,
+                         "--size", fmt::format("{} is not a width and height from {} to {}, with a comma between", word,
                                                least_picture_side, most_picture_side));
                    command.size = {(*sides)[0], (*sides)[1]};
                  },

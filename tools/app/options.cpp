@@ -73,7 +73,7 @@ std::string names_of(const std::set<CLI::Option*>& options) {
 const CLI::Validator& whole_number() {
   static const CLI::Validator validator(
       [](std::string& word) {
-        return parse<std::uint64_t>(word) ? std::string() : fmt::format("{} is no whole number below 2^64", word);
+        return parse<std::uint64_t>(word) ? std::string() : fmt::format("{} is not a whole number below 2^64", word);
       },
       "", "whole number");
   return validator;

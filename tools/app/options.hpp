@@ -60,8 +60,8 @@ class PlainFormatter : public CLI::Formatter {
   [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
 };
 
-/// A sentence about a first argument that is no subcommand, with the one whose name is nearest, if any is near; empty
-/// when it is one, or an option.
+/// A sentence about a first argument that is not a subcommand, with the one whose name is nearest, if any is near;
+/// empty when it is one, or an option.
 [[nodiscard]] std::string wrong_subcommand(const CLI::App& app, const std::string& argument);
 
 }  // namespace restrip::tools

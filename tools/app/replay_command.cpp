@@ -48,7 +48,7 @@ struct ReplayCommand {
   std::string json;
 };
 
-/// In the way of the plan; baked strips go on by the rules where a mesh goes its own ways. `trace`: may be null.
+/// In the way of the plan; baked strips continue by the rules where a mesh goes its own ways. `trace`: may be null.
 WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan, std::optional<Trace>* trace) {
   StripMesh mesh;
   if (source.original.empty()) {

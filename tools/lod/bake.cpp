@@ -233,7 +233,8 @@ class StripBaker final : public Baker {
                   [this](Triangle t) { return counts_->can_spare(t); });
       if (strips() < strips_before) counts_->recount(mesh());
       // Where little is found, the next try can wait, and the longer the more often that was so. Where some of many
-      // strips too many are found, as in components that need more than they are known to, waiting goes on for a while.
+      // strips too many are found, as in components that need more than they are known to, waiting continues for a
+      // while.
       const std::size_t found = strips_before - strips();
       const std::size_t wanted = strips_before - counts_->needed();
       waited_ = 0;

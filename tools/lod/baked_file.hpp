@@ -1,4 +1,5 @@
-// Baked progressive meshes as files: docs/baked.md has the format. Compact, versioned, with a checksum over every byte.
+// Baked progressive meshes as files: docs/reference/file-formats.md has the format. Compact, versioned, with a checksum
+// over every byte.
 #pragma once
 
 #include <string>

@@ -68,7 +68,7 @@ BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, con
       in_order(drawn.triangles) != in_order(mesh.base))
     throw BadInput(
         fmt::format("{}: draws something else than the base of its {}, so the levels do not fit; remove the extension, "
-                    "or write the file anew (restrip bake)",
+                    "or write the file again (restrip bake)",
                     name, baked_strips_extension));
   found.left_out_attributes = std::move(drawn.left_out_attributes);
   return found;

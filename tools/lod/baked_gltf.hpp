@@ -1,5 +1,5 @@
 // Baked meshes in glTF files: the base is an ordinary mesh, and all levels are an extension of it that viewers may
-// leave unknown. docs/baked.md has the extension.
+// leave unknown. docs/reference/file-formats.md has the extension.
 #pragma once
 
 #include <string>

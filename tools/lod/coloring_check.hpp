@@ -25,7 +25,7 @@ namespace restrip::tools {
 [[nodiscard]] std::vector<Corners> decode_strips(std::span<const std::uint32_t> indices);
 
 /// The whole mesh: links lead back, neighbours agree on their vertices, each vertex's first spoke starts its fan, and
-/// the colouring is valid. One sentence for each kind of fault; empty when there is none. Linear time.
+/// the colouring is valid. One sentence for each kind of fault; empty when none exists. Linear time.
 [[nodiscard]] std::vector<std::string> find_faults(const StripMesh& mesh);
 
 /// Looks for faults in the triangles around one vertex; cycles are looked for along the strips that pass it, as far as

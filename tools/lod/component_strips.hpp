@@ -22,7 +22,7 @@ class ComponentStrips {
   void after_split(const StripMesh& mesh, const std::vector<Triangle>& patch);
   /// The component of a triangle has so many strips more than before.
   void add(Triangle t, std::ptrdiff_t strips) { components_[component_[t]].strips += strips; }
-  /// Reads the strips anew, after any change of colours. Linear time.
+  /// Reads the strips again, after any change of colours. Linear time.
   void recount(const StripMesh& mesh);
 
   [[nodiscard]] std::size_t components() const noexcept { return components_.size(); }
@@ -45,7 +45,7 @@ class ComponentStrips {
   std::vector<std::uint32_t> component_;  // of each triangle
   std::vector<Component> components_;
   std::ptrdiff_t needed_ = 0;
-  std::uint32_t split_ = 0;  // the component of the split that is going on
+  std::uint32_t split_ = 0;  // the component of the split that is continuing
 };
 
 /// No colouring has fewer strips. Linear time.

@@ -15,8 +15,8 @@ namespace restrip::tools {
 
 /// Comment lines, and then one that says PM.
 [[nodiscard]] bool is_hoppe_pm(std::string_view bytes);
-/// Throws BadInput where the bytes are damaged or of another version, and names the first record that is no split of a
-/// manifold (checks.hpp). Time linear in the valences of the vertices that are split.
+/// Throws BadInput where the bytes are damaged or of another version, and names the first record that is not a split of
+/// a manifold (checks.hpp). Time linear in the valences of the vertices that are split.
 [[nodiscard]] ProgressiveMesh parse_hoppe_pm(std::string_view bytes, const std::string& name);
 
 }  // namespace restrip::tools

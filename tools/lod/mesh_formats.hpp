@@ -77,7 +77,7 @@ inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& f
 [[nodiscard]] Soup finest_level(ReadMesh mesh);
 [[nodiscard]] Soup finest_level(const ProgressiveMesh& mesh);
 
-/// The bytes of a mesh, or of strips, in the format with this extension. Throws BadInput when there is none.
+/// The bytes of a mesh, or of strips, in the format with this extension. Throws BadInput when none exists.
 [[nodiscard]] std::string mesh_bytes(const Soup& soup, std::string_view extension);
 [[nodiscard]] std::string strip_bytes(std::span<const Point> points, std::span<const std::uint32_t> indices,
                                       std::string_view extension, const StripOptions& options = {},

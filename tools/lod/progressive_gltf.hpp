@@ -22,7 +22,7 @@ namespace restrip::tools {
 inline constexpr std::string_view progressive_extension = "MANYFOLD_mesh_progressive";
 
 /// A .glb whose vertices are numbered in order of appearance. Throws BadInput where a split is not possible or at a
-/// boundary, and where there is none.
+/// boundary, and where none exists.
 [[nodiscard]] std::string progressive_glb_bytes(const ProgressiveMesh& mesh);
 
 /// Every vertex has the place that it has in the finest mesh, rounded to 32 bits. Throws BadInput where the file is

@@ -36,7 +36,7 @@ struct Obstacle {
 /// What no operation touches.
 struct LeftOut {
   std::size_t degenerate_triangles = 0;   ///< they are in no mesh at all
-  std::size_t non_manifold_vertices = 0;  ///< where the soup is no manifold
+  std::size_t non_manifold_vertices = 0;  ///< where the soup is not manifold
   std::size_t frozen_vertices = 0;        ///< regular, but beside a triangle that OpenMesh cannot hold: touched last
   std::size_t large_vertices = 0;         ///< of the base: those with more than most_neighbors neighbours
   /// For each edge of the base why it cannot collapse, most edges first. Empty where the base is as coarse as wanted.

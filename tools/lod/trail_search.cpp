@@ -105,7 +105,7 @@ unsigned TrailSearch::solid_edges_from(Triangle t) const {
 
 // ---- trails
 
-// All trails that go on from `end` with at most that many solid edges more. True with the trail in trail_.
+// All trails that continue from `end` with at most that many solid edges more. True with the trail in trail_.
 bool TrailSearch::walk_on(Triangle end, unsigned solid_left) {
   if (states_ >= last_state_) return false;
   for (unsigned side = 0; side < 3; ++side) {

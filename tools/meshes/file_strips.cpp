@@ -5,7 +5,7 @@
 namespace restrip::tools {
 namespace {
 
-/// The side of a triangle behind which the other one lies; {none} when there is none.
+/// The side of a triangle behind which the other one lies; {none} when none exists.
 StripMesh::Halfedge shared_edge(const StripMesh& mesh, Triangle one, Triangle other) {
   for (unsigned side = 0; side < 3; ++side) {
     const StripMesh::Halfedge h = StripMesh::halfedge(one, side);

@@ -16,7 +16,7 @@ struct FileStrips {
 };
 
 /// Colours a mesh built from the soup as the strips of its file say: triangles that follow each other in a strip are
-/// joined where they share a dual edge. They do not where the mesh is no manifold or not oriented. Where two or more
+/// joined where they share a dual edge. They do not where the mesh is not manifold or not oriented. Where two or more
 /// degenerate triangles stitch strips together, another strip begins. `origin` is that of StripMesh::build. The dual
 /// edges must be dashed; the colouring is valid afterwards. Linear time.
 FileStrips color_as_in_file(StripMesh& mesh, const Soup& soup, std::span<const std::uint32_t> origin);

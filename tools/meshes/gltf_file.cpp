@@ -21,7 +21,7 @@ constexpr std::uint32_t binary_chunk = 0x004E4942;
 
 constexpr unsigned type_float = 5126;
 
-/// Bytes of a component; 0 for what is no type.
+/// Bytes of a component; 0 for what is not a type.
 constexpr unsigned width_of(std::uint64_t type) {
   switch (type) {
     case 5120:
@@ -55,7 +55,7 @@ Scale scale_of(std::uint64_t type, bool normalized) {
 
 unsigned digit_of(char c, std::string_view digits) { return static_cast<unsigned>(digits.find(c)); }
 
-/// Nothing where the text is no base64.
+/// Nothing where the text is not a base64.
 std::optional<std::string> from_base64(std::string_view text) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   if (text.size() % 4 != 0) return std::nullopt;
@@ -159,7 +159,7 @@ std::string GltfFile::load(const JsonPlace& uri) const {
     const bool base64 = comma != std::string_view::npos && text.substr(0, comma).ends_with(";base64");
     std::optional<std::string> bytes;
     if (base64) bytes = from_base64(text.substr(comma + 1));
-    if (!bytes) uri.refuse("is no base64; is it complete?");
+    if (!bytes) uri.refuse("is not a base64; is it complete?");
     return *std::move(bytes);
   }
   const std::optional<std::string> file = percent_decoded(text);
@@ -268,7 +268,7 @@ void GltfFile::fill(const JsonPlace& accessor, unsigned type, std::size_t compon
   const auto replaced = static_cast<std::size_t>(sparse["count"].whole());
   const JsonPlace places = sparse["indices"];
   const std::uint64_t place_type = places["componentType"].whole();
-  if (!is_index_type(place_type)) places["componentType"].refuse("is no type of an index (5121, 5123 or 5125)");
+  if (!is_index_type(place_type)) places["componentType"].refuse("is not a type of an index (5121, 5123 or 5125)");
   const Elements at = elements(places, static_cast<unsigned>(place_type), 1, replaced);
   const Elements others = elements(sparse["values"], type, components, replaced);
   std::size_t least = 0;

@@ -25,7 +25,7 @@ inline constexpr std::string_view baked_strips_extension = "RESTRIP_baked_strips
 class GltfFile {
  public:
   /// Text, or binary (GLB), whichever the bytes are. They, the name and `beside` must outlive it. Throws BadInput when
-  /// the file is damaged, is no glTF 2.0 or requires an extension that changes what it draws and is not known here.
+  /// the file is damaged, is not a glTF 2.0 or requires an extension that changes what it draws and is not known here.
   GltfFile(std::string_view bytes, const std::string& name, const ReadBeside& beside);
 
   [[nodiscard]] JsonPlace root() const { return {json_, name_}; }

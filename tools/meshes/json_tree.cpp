@@ -131,7 +131,7 @@ double JsonPlace::number() const { return as<double>("number"); }
 std::uint64_t JsonPlace::whole() const {
   constexpr double exact = 9007199254740992.0;
   const double value = number();
-  if (!(value >= 0) || value >= exact || value != std::floor(value)) refuse("is no whole number, or too large");
+  if (!(value >= 0) || value >= exact || value != std::floor(value)) refuse("is not a whole number, or too large");
   return static_cast<std::uint64_t>(value);
 }
 

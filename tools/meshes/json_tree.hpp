@@ -27,7 +27,7 @@ struct JsonMember {
 inline constexpr std::size_t most_json_values = 20'000'000;
 inline constexpr std::size_t deepest_json = 64;
 
-/// Throws BadInput where the text is no JSON or beyond the bounds; `name` is the file.
+/// Throws BadInput where the text is not a JSON or beyond the bounds; `name` is the file.
 [[nodiscard]] JsonValue parse_json(std::string_view text, const std::string& name);
 
 /// A value of a tree, or the place where one might stand. The tree and the name of the file must outlive it. Every

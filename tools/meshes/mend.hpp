@@ -51,7 +51,7 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 /// How many of them weld() leaves, because they differ in attributes from each earlier one at their place.
 [[nodiscard]] std::size_t vertices_at_seams(const Soup& soup);
 
-/// One sentence for each thing done or left out, each with a line feed; empty when there is none.
+/// One sentence for each thing done or left out, each with a line feed; empty when none exists.
 [[nodiscard]] std::string as_text(const Mended& mended);
 [[nodiscard]] nlohmann::ordered_json json_of(const Mended& mended);
 /// Adds `mended`, when it was asked for, `left_out_attributes`, when there are some, and `rounded`, when that matters,

@@ -115,7 +115,7 @@ class ObjReader {
     const auto index = parse<long long>(word);
     const long long place = !index ? -1 : *index > 0 ? *index - 1 : static_cast<long long>(size) + *index;
     if (!index || *index == 0 || place < 0 || place > static_cast<long long>(max_vertices))
-      refuse(fmt::format("'{}' is no vertex of the {} before this face; corners are counted from 1",
+      refuse(fmt::format("'{}' is not a vertex of the {} before this face; corners are counted from 1",
                          corner.substr(0, 40), size));
     return static_cast<std::uint32_t>(place);
   }
@@ -226,7 +226,7 @@ class ObjReader {
   bool carry_;
   std::vector<Attribute::Value> places_;
   std::vector<Attribute::Value> normals_;
-  Attribute colors_{"COLOR_0", ComponentType::real, 0};  // no components: there are none
+  Attribute colors_{"COLOR_0", ComponentType::real, 0};  // no components: none exist
   std::vector<ObjCorner> corners_;                       // of all faces
   std::vector<std::size_t> faces_;                       // how many corners each has
   std::vector<std::uint32_t> face_;

@@ -188,7 +188,7 @@ class PlyReader {
       const std::string_view word = cursor_.word_on_any_line();
       if (word.empty()) refuse_truncated(where);
       const auto number = parse<double>(word);
-      if (!number) refuse_header(fmt::format("'{}' is no number", word.substr(0, 40)));
+      if (!number) refuse_header(fmt::format("'{}' is not a number", word.substr(0, 40)));
       return *number;
     }
     if (bytes_.size() < type.bytes) refuse_truncated(where);
@@ -319,7 +319,7 @@ class PlyReader {
 
   std::uint32_t corner_of(double index, const char* kind, std::size_t number) const {
     if (!(index >= 0) || index > static_cast<double>(max_vertices) || index != std::floor(index))
-      refuse(fmt::format("{} {} has a corner {}, which is no vertex", kind, number, index));
+      refuse(fmt::format("{} {} has a corner {}, which is not a vertex", kind, number, index));
     return static_cast<std::uint32_t>(index);
   }
 

@@ -46,7 +46,7 @@ struct Soup {
   std::vector<Point> points;
   std::vector<Corners> triangles;
   /// The strips of a file that has some, as an index buffer with strip_end between them: it draws the triangles above
-  /// that are not degenerate, in their order. What the file lists one by one is a strip each. Empty: there are none.
+  /// that are not degenerate, in their order. What the file lists one by one is a strip each. Empty: none exist.
   std::vector<std::uint32_t> strips = {};
   /// Faces of more than three corners; each became a fan of triangles around its first corner.
   std::size_t polygons = 0;

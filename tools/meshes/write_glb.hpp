@@ -18,7 +18,7 @@ inline constexpr std::string_view restart_extension = "KHR_mesh_primitive_restar
 /// Something more that is known of the mesh, which viewers may leave unknown: bytes in a buffer view of their own. In
 /// the mesh it is `"extensions": {name: {"bufferView": number}}`.
 struct GlbExtension {
-  std::string_view name;  ///< empty: there is none
+  std::string_view name;  ///< empty: none exists
   std::string_view bytes;
 };
 

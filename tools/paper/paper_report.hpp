@@ -11,7 +11,7 @@
 
 namespace restrip::tools {
 
-/// Each has a header line; masks are decimal, numbered as in docs/notation.md. Percentages have two digits.
+/// Each has a header line; masks are decimal, numbered as in docs/reference/notation.md. Percentages have two digits.
 ///   positions.csv      k,a,b                          figure 6
 ///   rules-4.csv        a,loop,ports,inner,strips,isolated,orbit   figure 7, one line for each orbit
 ///   lonely-counts.csv  k,a,valid,lonely,rule_isolates,rule_adds_strip,orbits

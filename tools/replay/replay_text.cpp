@@ -54,7 +54,7 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   if (left.degenerate_triangles != 0)
     fmt::format_to(out, "  left out: {}\n", counted(left.degenerate_triangles, "degenerate triangle"));
   if (left.non_manifold_vertices + left.frozen_vertices != 0)
-    fmt::format_to(out, "  left alone: {} where the mesh is no manifold, {} beside them\n",
+    fmt::format_to(out, "  left alone: {} where the mesh is not manifold, {} beside them\n",
                    counted(left.non_manifold_vertices, "vertex", "vertices"), left.frozen_vertices);
 
   fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17} {:>12} {:>6}   {}\n", "triangles", "strips", "per strip",

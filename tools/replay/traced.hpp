@@ -13,7 +13,7 @@ namespace restrip::tools {
 /// What a trace of that plan claims.
 [[nodiscard]] Trace::Claim claim_of(const Plan& plan);
 
-/// Keeps strips as `kept` does, which began on the mesh. `trace` begins with the mesh as it is now, and anew with each
+/// Keeps strips as `kept` does, which began on the mesh. `trace` begins with the mesh as it is now, and again with each
 /// restart. It has one record for each operation, and another one for what is done between two operations, if that is
 /// anything. Both must outlive the result. Nobody else may watch the mesh meanwhile.
 [[nodiscard]] std::unique_ptr<Upkeep> traced(StripMesh& mesh, std::unique_ptr<Upkeep> kept, Trace::Claim claim,

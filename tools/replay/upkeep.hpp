@@ -62,7 +62,7 @@ class Upkeep {
   /// Each edge is replaced by the turned one.
   virtual void flip_all(std::span<Halfedge> edges) = 0;
 
-  /// The mesh or its colours have been changed by others, to that level of the progressive mesh: reads it anew.
+  /// The mesh or its colours have been changed by others, to that level of the progressive mesh: reads it again.
   virtual void restart(std::size_t level) = 0;
   /// What is wrong with what is kept beside the mesh; empty when nothing is.
   [[nodiscard]] virtual std::string fault() const = 0;
@@ -101,7 +101,8 @@ class Witness {
 
 /// An upkeep by a class of operations on a mesh, which has
 ///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite, or a Halfedge alone, and then
-///     a witness tells the rest; or a Rewrite that tells too little, and then split_and_tell and collapse_and_tell do,
+///     a witness reports the rest; or a Rewrite that tells too little, and then split_and_tell and collapse_and_tell
+///     do,
 /// and where it needs them between(), restart(level), fault() and rule_counts().
 template <class Operations>
 class UpkeepBy final : public Upkeep {

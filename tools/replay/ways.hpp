@@ -36,7 +36,7 @@ struct Way {
   std::string says;  ///< what it does, for a reader
   Kind kind = Kind::ours;
   /// Begins on a mesh with a valid colouring, which must outlive the upkeep. Baked strips are played while the mesh is
-  /// at a level that is baked, and go on by the rules elsewhere.
+  /// at a level that is baked, and continue by the rules elsewhere.
   std::function<std::unique_ptr<Upkeep>(StripMesh&, const Beginning&)> begin;
   Search search{};     ///< its own; one without states does not search, and takes no other
   Search weighed{};    ///< the same under other costs than strips, where `states` counts the strip ends looked at after
@@ -45,7 +45,7 @@ struct Way {
 
   [[nodiscard]] bool searches() const noexcept { return search.states != 0; }
   [[nodiscard]] bool weighs() const noexcept { return weighed.states != 0; }
-  /// What it keeps low unless told otherwise.
+  /// What it keeps low unless set otherwise.
   [[nodiscard]] Cost usual_cost() const noexcept { return weighs() ? default_cost : Cost::strips(); }
   [[nodiscard]] const Search& search_under(const Cost& cost) const noexcept {
     return cost == Cost::strips() ? search : weighed;
@@ -54,7 +54,7 @@ struct Way {
 
 /// All of them: the mesh alone, the rules alone, ours from the least to the most costly, the paper's.
 [[nodiscard]] const std::vector<Way>& ways();
-/// Throws std::invalid_argument when there is none of that name.
+/// Throws std::invalid_argument when none exists of that name.
 [[nodiscard]] const Way& way_named(const std::string& name);
 /// The way for whoever names none.
 [[nodiscard]] const Way& usual_way(bool strips_are_baked);

@@ -150,7 +150,7 @@ AutomatonAnswer AutomatonReader::two_arcs(const FanPlace& place, const FanKey& k
                                ways_.around(meeting.first, meeting.second, meeting.chord).cost};
 }
 
-/// A boundary split where turns are told apart: around A lies an arc with the boundary inside.
+/// A boundary split where turns are distinguished: around A lies an arc with the boundary inside.
 AutomatonAnswer AutomatonReader::around_one(const FanPlace& place, const FanKey& key) const {
   const Walk arc(certificate_, word_of(key, place.a, place.k) + 'b' + word_of(key, 0, place.a));
   const std::size_t arc_case = certificate_.closings[arc.arc_class()].value().arc;

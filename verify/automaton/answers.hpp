@@ -33,7 +33,7 @@ std::vector<FanPlace> all_places(unsigned k);
 struct FanKey {
   Mask ports = 0;
   Mask joined = 0;  ///< to the solid port before it; with two in a closed fan both bits or none
-  Mask left = 0;    ///< solid, and behind it the strip goes on about the corner of the port at the left link
+  Mask left = 0;    ///< solid, and behind it the strip continues about the corner of the port at the left link
   Mask right = 0;   ///< the same at the right link
   std::string text() const;
 };

@@ -1,9 +1,9 @@
 #pragma once
-// Arcs by their definition (docs/automaton.md): triangles with corners in a row, every colouring of the dual edges
-// between them tried, every strand walked. A strip passes a triangle about the corner that its two edges there share; a
-// solid edge is a swap when the strip passes both of its triangles about the same corner.
+// Arcs by their definition (docs/explanation/automaton.md): triangles with corners in a row, every colouring of the
+// dual edges between them tried, every strand walked. A strip passes a triangle about the corner that its two edges
+// there share; a solid edge is a swap when the strip passes both of its triangles about the same corner.
 //
-// Where swaps have no price, turns are not told apart: there are fewer letters, and fewer cases.
+// Where swaps have no price, turns are not distinguished: there are fewer letters, and fewer cases.
 
 #include <array>
 #include <compare>
@@ -29,7 +29,7 @@ inline constexpr Weights strips_weights{1000, 0, 1};
 
 /// The letters of arcs: a triangle whose port is dashed; solid, and the strip ends behind it; solid, and the strip goes
 /// on about the corner of the port at the left or at the right link. Capitals: joined to the solid port before it. And
-/// the boundary of the mesh. Where turns are not told apart, `s` and `S` stand for any solid port.
+/// the boundary of the mesh. Where turns are not distinguished, `s` and `S` stand for any solid port.
 constexpr std::string_view letters_of(const Weights& weights) { return weights.tells_turns() ? "dslrSLRb" : "dsSb"; }
 constexpr bool is_boundary(char letter) { return letter == 'b'; }
 constexpr bool has_port(char letter) { return letter != 'd' && !is_boundary(letter); }
@@ -37,14 +37,14 @@ constexpr bool is_joined(char letter) { return letter >= 'A' && letter <= 'Z'; }
 inline bool has_boundary(std::string_view word) { return word.find('b') != std::string_view::npos; }
 /// The solid ports of an arc, by the letters that do not tell turns.
 std::string ports_in(std::string_view word);
-/// What of the ports of an arc tells which pairs of end ports are joined before, whatever the other arc: how many there
+/// What of the ports of an arc says which pairs of end ports are joined before, whatever the other arc: how many there
 /// are, up to three; whether the first is joined to the one before it; whether there are two and they are joined.
 std::string end_ports(std::string_view word);
 
 /// What the strands over the two links of an arc do, a character for each: `-` dashed; `e` it ends in the end triangle;
-/// `p` it leaves by the port of the end triangle; `f` it goes on along the fan and ends; `q` it goes on along the fan
-/// and leaves by a port; `t` it leaves by the other link. Where turns are not told apart `e` stands for `f` as well,
-/// and `p` for `q`.
+/// `p` it leaves by the port of the end triangle; `f` it continues along the fan and ends; `q` it continues along the
+/// fan and leaves by a port; `t` it leaves by the other link. Where turns are not distinguished `e` stands for `f` as
+/// well, and `p` for `q`.
 struct Case {
   char left = '-';
   char right = '-';

@@ -39,7 +39,7 @@ class ArcJoints {
   }
   void observe(const std::string& word, Mask links, bool may_be_new);
 
-  Weights telling_;  ///< weights that tell apart what a cost is made of
+  Weights telling_;  ///< weights that distinguish what a cost is made of
   std::vector<std::optional<ArcJoint>> joints_;
   std::uint64_t colorings_ = 0;
   Failures failures_;

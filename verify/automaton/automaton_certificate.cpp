@@ -61,7 +61,7 @@ class Parser {
     if (const std::size_t found = result_.rows - section_start_; found != claimed_)
       reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", section_, claimed_, found));
   }
-  /// Counts the row that was read and goes on to the next line.
+  /// Counts the row that was read and continues to the next line.
   void next() {
     ++result_.rows;
     reader_.next("a row, a section or \"end\"");
@@ -89,7 +89,7 @@ class Parser {
   std::size_t case_at(std::size_t word) const {
     const std::string_view text = reader_.words()[word];
     const auto number = text.size() == 2 ? number_of({text[0], text[1]}) : std::nullopt;
-    if (!number) reader_.fail(fmt::format("\"{}\" is no case", text));
+    if (!number) reader_.fail(fmt::format("\"{}\" is not a case", text));
     return *number;
   }
 
@@ -115,7 +115,7 @@ class Parser {
     const std::string_view letters = letters_of(result_.weights);
     if (made.witness.find_first_not_of(letters) != std::string::npos ||
         std::count_if(made.witness.begin(), made.witness.end(), is_boundary) > 1 || made.witness.empty() != (c == 0))
-      reader_.fail(fmt::format("\"{}\" is no witness of class {}", witness, c));
+      reader_.fail(fmt::format("\"{}\" is not a witness of class {}", witness, c));
     made.as_first = line_at(3, c != 0 && !made.has_boundary(), meeting_rows_);
     made.as_second = line_at(4, c != 0, meeting_columns_);
     next();

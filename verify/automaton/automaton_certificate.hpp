@@ -1,6 +1,6 @@
 #pragma once
-// The automaton's certificate in memory, and its parser (docs/automaton.md, "Certificate"). The parser settles form:
-// every row that must be there, in its order, and no other. Whether a row is true is checked elsewhere.
+// The automaton's certificate in memory, and its parser (docs/explanation/automaton.md, "Certificate"). The parser
+// settles form: every row that must be there, in its order, and no other. Whether a row is true is checked elsewhere.
 
 #include <array>
 #include <cstddef>
@@ -62,7 +62,7 @@ struct AutomatonCertificate {
   }
 };
 
-/// InputError when anything is not as docs/automaton.md says.
+/// InputError when anything is not as docs/explanation/automaton.md says.
 AutomatonCertificate parse_automaton(const std::string& file, std::string text);
 
 }  // namespace restrip::verify

@@ -1,6 +1,6 @@
 #pragma once
-// Digests of what an automaton's certificate answers (docs/certificate.md, "Digests of the automaton"), to compare
-// look-ups in other languages with.
+// Digests of what an automaton's certificate answers (docs/reference/verifiers.md, "Digests of the automaton"), to
+// compare look-ups in other languages with.
 
 #include "automaton/automaton_certificate.hpp"
 #include "judge/answer_digests.hpp"

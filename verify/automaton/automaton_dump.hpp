@@ -1,7 +1,7 @@
 #pragma once
-// Checks a compiled automaton, as a program prints its numbers and digests of its answers (docs/certificate.md, "Dump
-// of the automaton"): each number that a look-up can come to must be what the certificate's rows say, and the digests
-// must be those of the certificate's own answers.
+// Checks a compiled automaton, as a program prints its numbers and digests of its answers (docs/reference/verifiers.md,
+// "Dump of the automaton"): each number that a look-up can come to must be what the certificate's rows say, and the
+// digests must be those of the certificate's own answers.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
-// The classes of a certificate against arcs by their definition, for arcs of any length (docs/automaton.md, "What is
-// verified").
+// The classes of a certificate against arcs by their definition, for arcs of any length (docs/explanation/automaton.md,
+// "What is verified").
 
 #include <cstdint>
 #include <map>
@@ -23,9 +23,9 @@ struct AutomatonClaim {
   Failures failures;
 };
 
-/// Arcs told apart by what each case costs at least and by their end ports, together with the class that the
-/// certificate gives them: finitely many, which together are all arcs. Where turns are told apart, a case is left out
-/// where cutting a link or both is no worse in any patch.
+/// Arcs distinguished by what each case costs at least and by their end ports, together with the class that the
+/// certificate gives them: finitely many, which together are all arcs. Where turns are distinguished, a case is left
+/// out where cutting a link or both is no worse in any patch.
 struct ArcKind {
   std::string word;  ///< a shortest one
   std::string ports;

@@ -11,7 +11,7 @@
 
 namespace restrip::verify {
 
-/// A corner of a triangle: the two ends of the new mesh edge, one of which is the hub where there is none, and the
+/// A corner of a triangle: the two ends of the new mesh edge, one of which is the hub where none exists, and the
 /// corners of the rim.
 using CornerNumber = int;
 inline constexpr CornerNumber no_corner = -1;
@@ -64,7 +64,7 @@ class FanSearch {
 
   FanPlace place_;
   Weights weights_;
-  std::vector<std::array<CornerNumber, 3>> triangles_;  ///< in the order of docs/notation.md
+  std::vector<std::array<CornerNumber, 3>> triangles_;  ///< in the order of docs/reference/notation.md
   std::vector<std::optional<unsigned>> port_of_;        ///< of each triangle
   std::vector<MeshEdge> ports_;
   std::vector<Inner> inner_;

@@ -1,5 +1,5 @@
-// restrip-verify-automaton: proves the certificate of an automaton, for fans of any valence, from docs/notation.md and
-// docs/automaton.md alone.
+// restrip-verify-automaton: proves the certificate of an automaton, for fans of any valence, from
+// docs/reference/notation.md and docs/explanation/automaton.md alone.
 
 #include <fmt/format.h>
 
@@ -63,10 +63,10 @@ int main(int argc, char** argv) {
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
   app.add_option("--dump-command", options.dump_command,
                  "A program that prints the compiled automaton; its numbers and answers are compared");
-  CLI::Option* const digest_command =
-      app.add_option("--digest-command", options.digest_commands,
-                     "A program that prints digests of the answers of a look-up in another language "
-                     "(docs/languages.md); may be repeated. They are compared with those of the certificate's answers");
+  CLI::Option* const digest_command = app.add_option(
+      "--digest-command", options.digest_commands,
+      "A program that prints digests of the answers of a look-up in another language "
+      "(docs/how-to/other-languages.md); may be repeated. They are compared with those of the certificate's answers");
   app.add_option("--digest-max-k", options.digest_max_k, "The largest fans of the digests")
       ->capture_default_str()
       ->needs(digest_command)

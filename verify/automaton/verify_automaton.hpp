@@ -28,7 +28,7 @@ struct AutomatonTotals {
   std::uint64_t classes = 0;
   std::uint64_t rows = 0;
   Sources read;
-  std::uint64_t kinds = 0;  ///< of arcs, told apart by what is best for each case, ports and class
+  std::uint64_t kinds = 0;  ///< of arcs, distinguished by what is best for each case, ports and class
 };
 
 /// Checks the certificate; calls the listener for each claim. InputError when a file cannot be read. The rules of the

@@ -1,6 +1,6 @@
 #pragma once
-// A certificate in memory, and its parser (docs/certificate.md). The parser settles form: grammar, sections, claims and
-// rows in order, sums. Whether a row is true is checked elsewhere.
+// A certificate in memory, and its parser (docs/reference/certificate.md). The parser settles form: grammar, sections,
+// claims and rows in order, sums. Whether a row is true is checked elsewhere.
 
 #include <array>
 #include <optional>
@@ -33,7 +33,7 @@ struct SectionRows {
   std::array<StatedClaim, claim_words.size()> claims;
   std::vector<Row> rows;  ///< in ascending order of key
 
-  /// Null when there is none.
+  /// Null when none exists.
   const Row* row_of(Key key) const;
 };
 
@@ -43,7 +43,7 @@ struct Certificate {
   std::size_t rows = 0;
 };
 
-/// InputError when anything is not as docs/certificate.md says.
+/// InputError when anything is not as docs/reference/certificate.md says.
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family);
 
 /// The rows of a section; leaves the reader on the first line behind them. All rules of a certificate have a reason, or

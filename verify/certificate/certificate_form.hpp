@@ -1,6 +1,6 @@
 #pragma once
 // What certificates of all kinds have in common: head, sections, claims, the last line with its sums
-// (docs/certificate.md). Whatever does not fit is an InputError that names file and line.
+// (docs/reference/certificate.md). Whatever does not fit is an InputError that names file and line.
 
 #include <cstdint>
 #include <functional>

@@ -28,7 +28,7 @@ std::size_t natural(const LineReader& reader, std::size_t index) {
   return static_cast<std::size_t>(value);
 }
 
-/// What lies among the tables and is no part of them.
+/// What lies among the tables and is not a part of them.
 bool needs_no_line(const std::string& path) {
   return path == "MANIFEST" || path == "restrip-digests.txt" || path.ends_with("CMakeLists.txt") ||
          path.ends_with(".cmake");
@@ -114,7 +114,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
     faults.push_back(families + ": other families than those that this program was built with");
   std::set<std::string> unlisted;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tables_dir)) {
-    if (entry.is_directory()) continue;
+    if (entry.is_directory() && !entry.is_symlink()) continue;
     const std::string path = fs::relative(entry.path(), tables_dir).generic_string();
     if (!needs_no_line(path) && !listed.contains(path)) unlisted.insert(path);
   }

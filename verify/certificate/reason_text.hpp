@@ -1,5 +1,5 @@
 #pragma once
-// A reason as certificates write it (docs/certificate.md, "Reasons"). Whether it is one is checked elsewhere.
+// A reason as certificates write it (docs/reference/certificate.md, "Reasons"). Whether it is one is checked elsewhere.
 
 #include <string>
 #include <vector>

@@ -30,7 +30,9 @@ std::optional<BytePosition> altered_byte(std::string_view certificate) {
   const ByteSums found = sums_of(body);
   const auto grown = static_cast<std::int64_t>(found.plain - stated.plain);
   const auto weighted = static_cast<std::int64_t>(found.weighted - stated.weighted);
-  if (grown == 0 || grown < -255 || grown > 255 || weighted % grown != 0) return {};
+  const auto most = static_cast<std::int64_t>(255 * body.size());
+  if (grown == 0 || grown < -255 || grown > 255 || weighted < -most || weighted > most || weighted % grown != 0)
+    return {};
   const std::int64_t number = weighted / grown;
   if (number < 1 || number > static_cast<std::int64_t>(body.size())) return {};
   const std::string_view before = body.substr(0, static_cast<std::size_t>(number - 1));

@@ -1,10 +1,10 @@
-(* restrip-check: checks a trace of a run (docs/trace.md). *)
+(* restrip-check: checks a trace of a run (docs/how-to/check-a-run.md). *)
 
 let usage =
-  {|Checks a trace that `restrip replay --trace` or a program of your own has written
+  {|Checks a trace that `restrip replay --trace` or a custom program has written
 (restrip/output/trace.hpp): keeps its own mesh of the raw triangles and colours, and wants
 after each operation valid colours and true numbers of strips and isolated triangles.
-docs/trace.md has the format and says what is proved of this program.
+docs/how-to/check-a-run.md has the format and says what is proved of this program.
 
 usage: restrip-check [--json FILE] TRACE
 

@@ -161,7 +161,7 @@ let onward mesh ((u, v, w) : triangle) =
   | false, false -> None
   | true, true -> refuse "triangle %d %d %d has three solid edges" u v w
 
-(* The strips through the triangles must have ends. Degrees are at most two, so that a strip that comes to an end is a
+(* The strips through the triangles must have ends. Degrees are at most two, so that a strip that ends is a
    path. Both ways are followed by turns, which takes twice as many steps as the nearer end is away; triangles that are
    met on the way need not be looked at again. *)
 let rec expect_paths mesh = function
@@ -192,7 +192,7 @@ let iter_triangles mesh f =
       if u < v && u < w then f (u, v, w))
     mesh.third
 
-(* Counts everything anew, by walking along all strips from their ends. *)
+(* Counts everything again, by walking along all strips from their ends. *)
 let expect_whole mesh =
   Edges.iter (fun key _ -> expect_both_sides mesh (key lsr bits) (key land largest_vertex)) mesh.solid;
   let triangles = ref 0 and isolated = ref 0 and ends = ref 0 and passed = ref 0 in

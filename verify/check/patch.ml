@@ -82,7 +82,7 @@ let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> 
 let smaller s larger = List.map (fun (_, x, y) -> (s, x, y)) (take larger.valence larger.triangles)
 let ports larger = List.map (fun (_, x, y) -> (x, y)) (take larger.valence larger.triangles)
 
-(* In the words of docs/notation.md. *)
+(* In the words of docs/reference/notation.md. *)
 let families = [ "split"; "collapse"; "open split"; "open collapse"; "boundary split"; "boundary collapse"; "flip" ]
 
 let family : Judge.position -> string = function

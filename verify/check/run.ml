@@ -143,7 +143,7 @@ let check reader =
   let account = { splits = 0; collapses = 0; flips = 0; others = 0; judged = Hashtbl.create 8 } in
   let largest = ref 0 in
   let expect_end n =
-    if n <> operations account then refuse "the end tells of %d operations, but there are %d" n (operations account);
+    if n <> operations account then refuse "the end states %d operations, but there are %d" n (operations account);
     if next reader <> None then refuse "there is something after the end"
   in
   let read () =

@@ -1,4 +1,4 @@
-(* Reads a trace line by line (docs/trace.md). Every line is refused that is not exactly of the format. *)
+(* Reads a trace line by line (docs/reference/file-formats.md). Every line is refused that is not exactly of the format. *)
 
 open Mesh
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a sound and best rule is. This is the definition itself (docs/operation-file.md, "What a rule must be"), written
-// with the Boost Graph Library; the keys, reasons and symmetries of certificates are theorems about it.
+// What a sound and best rule is. This is the definition itself (docs/reference/operation-file.md, "What a rule must
+// be"), written with the Boost Graph Library; the keys, reasons and symmetries of certificates are theorems about it.
 //
 //   * A patch in a *world* is a graph. Its nodes are the triangles of a side and the outer ends of its ports, its edges
 //     the inner edges, the ports, and what the world joins: outer ends that are connected outside.
@@ -27,7 +27,7 @@
 namespace restrip::verify {
 
 /// What solid edges do outside: sets of two ports or more that are connected there. Pairs for strips, parts of any size
-/// for forests; nothing for matchings, where no strip goes on.
+/// for forests; nothing for matchings, where no strip continues.
 struct World {
   Mask ports = 0;  ///< all that are in some set
   std::vector<std::vector<unsigned>> connected;

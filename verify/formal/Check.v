@@ -1,6 +1,6 @@
 (** * Checking a run
 
-    What [restrip-check] decides of one operation of a run (docs/trace.md). [judge] and, for flips, [judge_flip] are
+    What [restrip-check] decides of one operation of a run (docs/how-to/check-a-run.md). [judge] and, for flips, [judge_flip] are
     extracted; the reader around them is written by hand. They are given the raw triangles of the patch before and after,
     by their vertices, the mesh edges where the ports are, and what the mesh says of colours and neighbours. They make sure
     that the triangles lie as a patch of [Statements.v], and answer how good a recolouring of that patch can be, and whether the

@@ -1,7 +1,7 @@
 (** * Arcs in a ring
 
     What drawing an arc does to the rest of a patch is known from the books of the arc alone: this is the interface lemma of
-    docs/automaton.md, on the books of [Frontier.v]. *)
+    docs/explanation/automaton.md, on the books of [Frontier.v]. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
 Require Import Statements Checker Frontier Fold Arcs.

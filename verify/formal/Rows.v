@@ -1,6 +1,6 @@
 (** * Reduced tables: rules by key, copies by symmetry
 
-    The rows of a certificate (docs/certificate.md). A rule states its recolouring. Of a copy only the symmetry is
+    The rows of a certificate (docs/reference/certificate.md). A rule states its recolouring. Of a copy only the symmetry is
     kept; its recolouring is worked out here, from the rule that it is a copy of. *)
 Require Import Arith Bool List NArith Lia.
 Import ListNotations.

@@ -3,7 +3,7 @@
     Every definition that the main theorems use, and the theorems themselves, as statements: [Rules_right T] and its like say
     what is claimed of a table [T]. [Main.v] proves each of them, of the shipped tables where it speaks of tables; it
     proves nothing else but comparisons of numbers. This file needs nothing but Coq's library. The numbering is that of
-    docs/notation.md.
+    docs/reference/notation.md.
 
     The parts are: graphs, patches, what a best recolouring is, tables, the families, flips, positions and the rules; then, each
     for itself, the look-up in the automaton, linked rules, sequences of operations, whole meshes, a lower bound, and runs. *)
@@ -137,7 +137,7 @@ Definition reduces_to (p : patch) (closed : bool) (T : table) (R : table) : Prop
   forall s c, length s = ports p -> length c = length (inner (before p)) -> valid (drawing (before p) s c) ->
     exists J, joined p closed s c J /\ T s c = R s J.
 
-(** ** The families of docs/notation.md
+(** ** The families of docs/reference/notation.md
 
     Triangle t_i is number i, A is number k, D is number k + 1. *)
 Definition ring_edges (l : list nat) : list edge := path_edges (l ++ firstn 1 l).
@@ -277,7 +277,7 @@ Definition Flip_right (T : table) : Prop := flip_correct T /\ flip_safe T /\ fli
 (** ** The automaton
 
     What runtime/include/restrip/rules/impl/arc_walk.hpp does with the numbers of automaton.hpp, said in Coq; it is all of that
-    code that the theorems know. docs/automaton.md explains letters, classes and cases. *)
+    code that the theorems know. docs/explanation/automaton.md explains letters, classes and cases. *)
 Inductive letter := Plain | Alone | Joined | Edge.
 
 Module Lookup.
@@ -491,7 +491,7 @@ Definition Strips_counted : Prop := forall M strips, stripped (nodes M) (edges M
 Definition Operation_met (T : position -> table) : Prop := exists M M', sane M /\ valid (edges M) /\ strips_of M = 2%Z /\
   operation (split 3 1) (T (split_at 3 1)) M (-1) M' /\ strips_of M' = 1%Z.
 
-(** ** What holds for the whole mesh: docs/theory.md *)
+(** ** What holds for the whole mesh: docs/explanation/theory.md *)
 Module Whole.
 (** The dual graph of a mesh of finitely many triangles has an edge for each mesh edge that two triangles share, so two edges for two
     triangles that share two. A triangle has three sides; those that no dual edge crosses lie on the boundary. The colours are
@@ -516,7 +516,7 @@ Definition meetings (M : stripification) : graph :=
 Definition both_in (l : list nat) (e : edge) : bool := existsb (Nat.eqb (fst e)) l && existsb (Nat.eqb (snd e)) l.
 Definition same_strip (M : stripification) (e : edge) : bool := existsb (fun l => both_in l e) (strips M).
 
-(** What is counted: T, S, I, C and B of docs/theory.md; and the dashed edges between ends of two strips. *)
+(** What is counted: T, S, I, C and B of docs/explanation/theory.md; and the dashed edges between ends of two strips. *)
 Definition triangle_count (M : stripification) : nat := length (faces M).
 Definition strip_count (M : stripification) : nat := length (strips M).
 Definition isolated_count (M : stripification) : nat := length (filter (fun t => degree (solid_edges M) t =? 0) (faces M)).
@@ -595,7 +595,7 @@ Definition One_strip_would_do : Prop := forall n, 0 < n -> exists G,
   incl (map undirected G) (map undirected (Blocks.dual_edges Blocks.after_splits n)) /\
   exists strip, stripped (Blocks.all_triangles Blocks.after_splits n) G [strip].
 
-(** ** Runs: what [restrip-check] decides of one operation (docs/trace.md)
+(** ** Runs: what [restrip-check] decides of one operation (docs/how-to/check-a-run.md)
 
     It is given the raw triangles of the patch before and after, by their vertices, the mesh edges where the ports are, and what
     the mesh says of colours and neighbours. *)

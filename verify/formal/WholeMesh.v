@@ -1,6 +1,6 @@
 (** * What holds for the whole mesh
 
-    docs/theory.md, "What holds for the whole mesh": the number of strips is bounded by what is counted at the strip ends, if no
+    docs/explanation/theory.md, "What holds for the whole mesh": the number of strips is bounded by what is counted at the strip ends, if no
     dashed dual edge joins ends of two different strips. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.

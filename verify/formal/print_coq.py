@@ -1,6 +1,6 @@
 """Prints what other programs have written as Coq files. Anything unexpected ends the script with a message.
 
-  print_coq.py tables DIRECTORY < dump           a table dump (docs/certificate.md) as Tables_FAMILY.v and Told_FAMILY.v
+  print_coq.py tables DIRECTORY < dump           a table dump (docs/reference/verifiers.md) as Tables_FAMILY.v and Told_FAMILY.v
   print_coq.py rows DIRECTORY < FAMILY.cert      a certificate (there as well) as Rows_FAMILY.v
   print_coq.py automaton DIRECTORY < dump        a dump of the automaton (there as well) as AutomatonNumbers.v
 

@@ -33,7 +33,7 @@ void read_lines(StreamLines& lines, Digests expected, DigestComparison& result) 
     const std::size_t space = std::min(line.rfind(' '), line.size());
     const auto position = expected.find(std::string(line.substr(0, space)));
     if (position == expected.end())
-      lines.fail(fmt::format("\"{}\" is no position that is missing, such as \"{}\"", line, missing));
+      lines.fail(fmt::format("\"{}\" is not a position that is missing, such as \"{}\"", line, missing));
     ++result.positions;
     if (const std::string right = fmt::format("{} {:08x}", position->first, position->second); line != right)
       result.differences.add(

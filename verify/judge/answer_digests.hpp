@@ -1,7 +1,7 @@
 #pragma once
-// Digests of what tables answer (docs/certificate.md, "Digests of answers"): a line for each position. So look-ups in
-// other languages, which answer where no dump of millions of lines can be printed, are compared with answers that were
-// judged.
+// Digests of what tables answer (docs/reference/verifiers.md, "Digests of answers"): a line for each position. So
+// look-ups in other languages, which answer where no dump of millions of lines can be printed, are compared with
+// answers that were judged.
 
 #include <cstdint>
 #include <cstdio>

@@ -175,7 +175,7 @@ class IndexCost {
     int added = 3 * (strips_of(operation_.after, after) - strips_of(operation_.before, before)) +
                 turns_after_.inner_swaps(now) - turns_before_.inner_swaps(old);
     for (unsigned port = 0; port < operation_.ports(); ++port) {
-      if (!is_solid(after.ports, port)) continue;  // what is given up is no swap any more
+      if (!is_solid(after.ports, port)) continue;  // what is given up is not a swap any more
       const unsigned turn = turns_after_.at_port(port, now);
       if (turn != 0 && turn != turns_before_.at_port(port, old)) ++added;  // behind it the strip turns the other way
     }

@@ -7,9 +7,10 @@
 
 namespace restrip::verify {
 
-/// The family's claim "indices" (docs/operation-file.md), if its description makes one. A keeper takes the colours of
-/// the rule or, if these cost more, the colours before, passed on: a strip that an inserted triangle cuts goes through
-/// it, a strip through a triangle that goes closes up. Where no triangle is inserted or goes there is only the rule.
+/// The family's claim "indices" (docs/reference/operation-file.md), if its description makes one. A keeper takes the
+/// colours of the rule or, if these cost more, the colours before, passed on: a strip that an inserted triangle cuts
+/// goes through it, a strip through a triangle that goes closes up. Where no triangle is inserted or goes there is only
+/// the rule.
 void report_index_cost(const Family& family, const Certificate& certificate, unsigned threads,
                        const ClaimListener& listener);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The keys of configurations (docs/operation-file.md), by which certificates list rules. That a key says all that a
-// rule must know is a theorem about the definition; no verdict on a row that is searched depends on it.
+// The keys of configurations (docs/reference/operation-file.md), by which certificates list rules. That a key says all
+// that a rule must know is a theorem about the definition; no verdict on a row that is searched depends on it.
 
 #include <vector>
 

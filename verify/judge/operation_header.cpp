@@ -273,7 +273,7 @@ class HeaderReader {
   }
 
   void fail(const std::string& expected, std::string_view found) {
-    check_.wrong.add(fmt::format("{}:{}: expected {}, found \"{}\"; make the header anew from the operation file",
+    check_.wrong.add(fmt::format("{}:{}: expected {}, found \"{}\"; make the header again from the operation file",
                                  file_, check_.lines, shown(expected), shown(found.substr(0, 200))));
   }
 

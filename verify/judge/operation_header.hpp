@@ -1,6 +1,6 @@
 #pragma once
-// The header of an operation's table, as docs/operation-file.md, "Table", has it. A program that is compiled from it
-// can do whatever its text says, so the text is read before such a program is run.
+// The header of an operation's table, as docs/reference/operation-file.md, "Table", has it. A program that is compiled
+// from it can do whatever its text says, so the text is read before such a program is run.
 
 #include <cstdint>
 #include <string>

@@ -6,7 +6,7 @@
 //   * one in the middle of each inner edge before the operation, coloured solid or dashed.
 // The inner edges after the operation are plain edges: they hold the position fast.
 //
-// nauty's canonical graph does not tell how large the colour classes are: all edges solid and all edges dashed have
+// nauty's canonical graph does not say how large the colour classes are: all edges solid and all edges dashed have
 // the same canonical graph. So the class sizes are part of a configuration's canonical form.
 
 #include "judge/orbits.hpp"

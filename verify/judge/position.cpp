@@ -39,7 +39,7 @@ class RowChecker {
       if (row->copy) continue;
       std::string& fault = check_.reason_faults[index_of(*row)];
       if (row->reason) fault = fault_of_reason(judge_, configuration, row->after, *row->reason);
-      if (!row->reason && !searched(operation_)) fault = "there is none, and more ports than are searched";
+      if (!row->reason && !searched(operation_)) fault = "none exists, and more ports than are searched";
     }
   }
 

@@ -22,7 +22,7 @@ Failures extra_rows(const CheckedSection& checked);
 /// operation and takes key and recolouring to those of the `rule` row.
 Failures wrong_copies(const CheckedSection& checked, const Symmetries& symmetries);
 
-/// The numbers that the section states, counted anew.
+/// The numbers that the section states, counted again.
 Failures wrong_claims(const CheckedSection& checked);
 
 struct ReasonTally {

@@ -90,7 +90,7 @@ class Isomorphisms {
  public:
   explicit Isomorphisms(const Operation& operation) : name_(operation.name()) {}
 
-  /// One that takes the first nodes where `fixed` says, as many as it has; nullopt when there is none.
+  /// One that takes the first nodes where `fixed` says, as many as it has; nullopt when none exists.
   std::optional<Permutation> find(ColoredGraph from, ColoredGraph to, const Permutation& fixed);
 
  private:

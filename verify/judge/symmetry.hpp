@@ -1,6 +1,7 @@
 #pragma once
-// The symmetries of an operation (docs/certificate.md): isomorphisms, found by Boost's VF2, of one graph that has a
-// node for each port, each triangle, each inner edge after and each term of the cost that counts only some of them.
+// The symmetries of an operation (docs/reference/certificate.md): isomorphisms, found by Boost's VF2, of one graph that
+// has a node for each port, each triangle, each inner edge after and each term of the cost that counts only some of
+// them.
 
 #include <map>
 #include <optional>

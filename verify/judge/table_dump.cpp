@@ -150,7 +150,7 @@ class DumpReader {
       const auto table = missing.find(header);
       if (table == missing.end())
         lines_.fail(
-            fmt::format("\"{}\" is no table that is still missing, such as \"{}\"", header, missing.begin()->first));
+            fmt::format("\"{}\" is not a table that is still missing, such as \"{}\"", header, missing.begin()->first));
       table->second();
       missing.erase(table);
     }

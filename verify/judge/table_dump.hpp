@@ -1,7 +1,7 @@
 #pragma once
-// Checks compiled rules, as a program prints their answers (docs/certificate.md, "Table dump"), configuration by
-// configuration: each answer is held against all recolourings of its own patch, and in the positions of a certificate
-// it must be the certificate's row.
+// Checks compiled rules, as a program prints their answers (docs/reference/verifiers.md, "Table dump"), configuration
+// by configuration: each answer is held against all recolourings of its own patch, and in the positions of a
+// certificate it must be the certificate's row.
 
 #include <cstdint>
 #include <cstdio>
@@ -38,13 +38,13 @@ struct ExpectedLists {
 
 struct ExpectedDump {
   bool with_digests = false;   ///< whether digests of the answers are wanted; of shipped operations
-  bool tells_isolated = true;  ///< whether every answer tells the change in isolated triangles, or those that want to
+  bool tells_isolated = true;  ///< whether every answer reports the change in isolated triangles, or those that want to
   std::vector<ExpectedTable> tables;
   std::vector<ExpectedLists> lists;
 };
 
 /// What a table says of a valid configuration: the colours after the operation, and what they change. Compiled tables
-/// tell the change in strips; the shipped headers also tell that in isolated triangles of the patch, and others may.
+/// tell the change in strips; the shipped headers also say that in isolated triangles of the patch, and others may.
 struct Answer {
   Colors colors;
   std::optional<int> strips;

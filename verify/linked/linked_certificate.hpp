@@ -1,5 +1,5 @@
 #pragma once
-// A certificate of linked rules in memory, and its parser (docs/certificate.md, "Linked rules").
+// A certificate of linked rules in memory, and its parser (docs/reference/certificate.md, "Linked rules").
 
 #include <array>
 #include <span>
@@ -39,7 +39,7 @@ struct LinkedCertificate {
   std::size_t rows = 0;
 };
 
-/// InputError when anything is not as docs/certificate.md says.
+/// InputError when anything is not as docs/reference/certificate.md says.
 LinkedCertificate parse_linked_certificate(const std::string& file, std::string text, const LinkedFamily& family);
 
 }  // namespace restrip::verify

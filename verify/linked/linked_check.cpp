@@ -118,8 +118,8 @@ void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const Cla
   report("no alternative is covered by an earlier one", "ports joined compared", sum.rows, 0, of(ListClaim::uncovered));
   report("lists are complete", "all recolourings, ports joined compared", sum.recolorings, sum.listing_seconds,
          of(ListClaim::complete));
-  report("beside any outside nothing beats the first sound one", "definition, all worlds", sum.worlds,
-         sum.world_seconds, sum.best);
+  report("in any outside nothing beats the first sound one", "definition, all worlds", sum.worlds, sum.world_seconds,
+         sum.best);
   report("the stated numbers", "recounted", linked_claim_words.size() * sum.sections, 0, sum.claims);
 }
 

@@ -1,7 +1,8 @@
 #pragma once
-// Judges what the linked look-up picks, as a program prints it (docs/certificate.md, "Dump of linked rules"): for every
-// configuration in every position a tree of questions about the outside. Nothing is taken from the certificates: what a
-// leaf picks is held against all recolourings, beside all strips that may lie outside for all that the leaf knows.
+// Judges what the linked look-up picks, as a program prints it (docs/reference/verifiers.md, "Dump of linked rules"):
+// for every configuration in every position a tree of questions about the outside. Nothing is taken from the
+// certificates: what a leaf picks is held against all recolourings, beside all strips that may lie outside for all that
+// the leaf knows.
 
 #include <cstdio>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// Points 1 to 4 of docs/certificate.md, "Linked rules", for one list of alternatives: what it takes for its first row
-// that is sound to be the best, whatever lies outside.
+// Points 1 to 4 of docs/reference/certificate.md, "Linked rules", for one list of alternatives: what it takes for its
+// first row that is sound to be the best, whatever lies outside.
 
 #include <array>
 #include <string>

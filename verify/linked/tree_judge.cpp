@@ -90,7 +90,7 @@ void TreeJudge::judge_leaf(Mask inner, const Knowledge& known, Verdict& verdict)
                     drawn(after_, {inner, ports_}), what);
   };
   if (inner >= recolorings_.size()) {
-    verdict.fault = fmt::format("picked {:x}, which is no recolouring", inner);
+    verdict.fault = fmt::format("picked {:x}, which is not a recolouring", inner);
     return;
   }
   const Recoloring& own = recolorings_[inner];

@@ -11,7 +11,7 @@
 
 namespace restrip::verify {
 
-/// Where a path of a tree goes on: at a node, or with a recolouring that is picked.
+/// Where a path of a tree continues: at a node, or with a recolouring that is picked.
 struct Branch {
   enum class Kind { none, node, leaf };
   Kind kind = Kind::none;
@@ -33,7 +33,7 @@ class TreeJudge {
 
   struct Verdict {
     std::uint64_t leaves = 0;  ///< those that can be reached
-    std::string fault;         ///< the first; empty when there is none
+    std::string fault;         ///< the first; empty when none exists
   };
   /// The tree that begins at `root`, for a configuration that may stand in these worlds.
   Verdict judge(const std::vector<Question>& questions, Branch root, const std::vector<unsigned>& worlds);

@@ -68,7 +68,7 @@ unsigned isolated_of(const Side& side, Colors colors);
 /// The number of strips that a side counts: its triangles minus its solid edges, ports included.
 int strips_of(const Side& side, Colors colors);
 
-/// What colours amount to where solid edges are strips.
+/// What colours are where solid edges are strips.
 struct Survey {
   bool valid = false;  ///< degrees at most two, no cycle; the rest means something only then
   unsigned isolated = 0;

@@ -207,7 +207,7 @@ Description::Description(std::shared_ptr<const DescriptionSource> source, std::s
       value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
   section = words_of(value, "section", numbers, position);
   if (!numbers.empty() && value.required("before").is_list() && serves_every_position())
-    value.required("section").fail_found("expected all numbers: triangles may be numbered anew at each position");
+    value.required("section").fail_found("expected all numbers: triangles may be numbered again at each position");
   if (const auto flag = value.member("linked")) linked = flag->boolean("whether it has linked rules");
   for (unsigned k = 0; k <= most_searched_ports; ++k)
     if (const std::vector<Numbers> some = positions(k); !some.empty()) {

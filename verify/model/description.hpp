@@ -1,6 +1,6 @@
 #pragma once
-// What an operation file says (docs/operation-file.md): one operation, or one for each position of a family, and the
-// reader of such files.
+// What an operation file says (docs/reference/operation-file.md): one operation, or one for each position of a family,
+// and the reader of such files.
 
 #include <cstddef>
 #include <memory>
@@ -18,7 +18,7 @@ inline constexpr std::size_t most_numbers = 3;
 /// Who wrote a file. Names that restrip's own tables have are for restrip's own families alone.
 enum class Author { user, restrip };
 
-struct DescriptionSource;  ///< the file as it was read: what depends on the position is read from it for each anew
+struct DescriptionSource;  ///< the file as it was read: what depends on the position is read from it for each again
 
 class Description {
  public:
@@ -27,7 +27,7 @@ class Description {
   Description(std::shared_ptr<const DescriptionSource> source, std::size_t place, Author author);
 
   std::string name;
-  std::string about;        ///< a sentence; empty where there is none
+  std::string about;        ///< a sentence; empty where none exists
   std::string certificate;  ///< the name of the certificate that has its rules
   std::vector<std::string> numbers;
   Conditions where;
@@ -54,7 +54,7 @@ class Description {
   std::size_t place_ = 0;  ///< in the list of the file
 };
 
-/// InputError "file:line:column: member: expected …" when anything is not as docs/operation-file.md says.
+/// InputError "file:line:column: member: expected …" when anything is not as docs/reference/operation-file.md says.
 std::vector<Description> parse_descriptions(const std::string& file, std::string_view text,
                                             Author author = Author::user);
 /// Reads a file with one operation at one position.

@@ -11,7 +11,7 @@
 namespace restrip::verify {
 namespace {
 
-// Limits of docs/operation-file.md.
+// Limits of docs/reference/operation-file.md.
 constexpr std::size_t most_terms_of_a_sum = 16;
 constexpr std::size_t most_comparisons = 16;
 

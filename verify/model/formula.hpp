@@ -1,6 +1,6 @@
 #pragma once
 // Sums of the numbers that say where an operation happens, and conditions on them, as operation files write them
-// (docs/operation-file.md, "Families").
+// (docs/reference/operation-file.md, "Families").
 
 #include <cstdint>
 #include <string>
@@ -15,7 +15,7 @@ using Numbers = std::vector<unsigned>;
 /// "2 a + 1", "k - 3".
 class Sum {
  public:
-  /// Throws std::invalid_argument with a sentence when the text is no sum of these numbers.
+  /// Throws std::invalid_argument with a sentence when the text is not a sum of these numbers.
   Sum(std::string_view text, const std::vector<std::string>& names);
   std::int64_t of(const Numbers& numbers) const;
 

@@ -9,12 +9,12 @@
 namespace restrip::verify {
 namespace {
 
-// Limits of docs/operation-file.md.
+// Limits of docs/reference/operation-file.md.
 constexpr std::size_t deepest = 8;
 constexpr std::size_t most_members = 64;
 constexpr std::size_t longest_member = 60;
 
-/// Puts values together as nlohmann's parser tells of them. It tells tokens without their places; but it has read all
+/// Puts values together as nlohmann's parser reports them. It tells tokens without their places; but it has read all
 /// that came before, so the next token is the first thing that is neither space, comma nor colon.
 class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
  public:

@@ -1,6 +1,6 @@
 #pragma once
 // JSON as operation files use it, read by nlohmann's parser: every value knows where it stands, so that errors can name
-// the place. Numbers other than integers are read, and told apart. A member that stands twice is an error.
+// the place. Numbers other than integers are read, and distinguished. A member that stands twice is an error.
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// The key of a configuration (docs/operation-file.md, "What a rule must be"): what a rule needs to know;
+// The key of a configuration (docs/reference/operation-file.md, "What a rule must be"): what a rule needs to know;
 // and permutations of ports, which move keys.
 
 #include <vector>

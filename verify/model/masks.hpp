@@ -57,7 +57,7 @@ struct AnswerBits {
   Mask colors = 0;
   int strips = 0;
 };
-/// Three numbers as docs/certificate.md, "Digests of answers", mixes them.
+/// Three numbers as docs/reference/verifiers.md, "Digests of answers", mixes them.
 constexpr std::uint32_t mixed_number(Mask before, Mask ports, std::uint32_t answer) {
   std::uint32_t h = answer ^ before * 0x9e3779b1U ^ ports * 0x85ebca77U;
   h = (h ^ h >> 16U) * 0x85ebca6bU;

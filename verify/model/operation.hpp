@@ -1,5 +1,6 @@
 #pragma once
-// One operation at one position: the patch before and after it, what is kept, what is best (docs/operation-file.md).
+// One operation at one position: the patch before and after it, what is kept, what is best
+// (docs/reference/operation-file.md).
 
 #include <array>
 #include <compare>

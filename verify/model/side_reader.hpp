@@ -1,5 +1,5 @@
 #pragma once
-// Reads a side of an operation in any of the forms of docs/operation-file.md.
+// Reads a side of an operation in any of the forms of docs/reference/operation-file.md.
 
 #include "model/json_value.hpp"
 #include "model/operation.hpp"
@@ -36,7 +36,8 @@ NamedRange range_of(const std::string& text, const NamedNumbers& numbers);
 /// The sides of a description, at one position.
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers);
 
-/// Where they are given by their triangles (docs/operation-file.md, "Triangles"), which have indices in a family
+/// Where they are given by their triangles (docs/reference/operation-file.md, "Triangles"), which have indices in a
+/// family
 /// ("Families"). InputError when they are no operation on a mesh.
 Sides read_surface(const JsonValue& description, const NamedNumbers& numbers);
 

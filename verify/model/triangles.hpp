@@ -1,6 +1,6 @@
 #pragma once
-// A patch that its file gives by triangles with named vertices (docs/operation-file.md, "Triangles"): whether it is an
-// operation on a mesh, and the dual graphs of its two sides.
+// A patch that its file gives by triangles with named vertices (docs/reference/operation-file.md, "Triangles"): whether
+// it is an operation on a mesh, and the dual graphs of its two sides.
 
 #include <array>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-// Words of an operation file that stand in files made from it: docs/operation-file.md, "Words".
+// Words of an operation file that stand in files made from it: docs/reference/operation-file.md, "Words".
 
 #include <optional>
 #include <string>

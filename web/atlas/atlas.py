@@ -3,8 +3,8 @@
 
   web/atlas/atlas.py FILE… --certificates FOLDER -o OUT
 
-FILE is an operation file (docs/operation-file.md), FOLDER has its certificate (docs/certificate.md), in itself or in its folder
-`operations`. With --met CSV the pages are those of the project: they link to the viewer and the painter, and tell how often
+FILE is an operation file (docs/reference/operation-file.md), FOLDER has its certificate (docs/reference/certificate.md), in itself or in its folder
+`operations`. With --met CSV the pages are those of the project: they link to the viewer and the painter, and say how often
 splits of real meshes meet a rule, which scripts/met_rules.mjs has counted."""
 import argparse
 import csv
@@ -209,7 +209,7 @@ def body_of(page, sides, met):
 
 INTRODUCTION = """<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and
 cut the paths around it. A <em>rule</em> says how the edges of that patch are to be coloured afterwards, solid where a
-strip goes on and dashed where it does not, so that as few strips as possible remain, whatever the rest of the mesh looks
+strip continues and dashed where it does not, so that as few strips as possible remain, whatever the rest of the mesh looks
 like. Each rule here is proved: no recolouring that is safe in every mesh leaves fewer strips, or fewer triangles alone where
 triangles are paired. Most rules keep the <em>ports</em>, the edges that lead out of the patch, and are compared with those that do;
 where a rule may cut a strip at a port, its page says so.</p>
@@ -260,7 +260,7 @@ def pages_of(files, folder, met):
         path = next((path for path in (folder / f"{name}.cert", folder / f"operations/{name}.cert") if path.exists()), folder / f"{name}.cert")
         named, sections = certificate(path)
         if named != name or any(section.text not in by_section for section in sections):
-            raise Refused(f"{path}: is no certificate of {name}")
+            raise Refused(f"{path}: is not a certificate of {name}")
         groups[name] = [Page(section, by_section[section.text], met) for section in sections]
     return groups
 
@@ -272,7 +272,7 @@ def write(given, met):
         raise Refused(f"{names.most_common(1)[0][0]}: is the name of two pages")
     if stray := set(met) - {f"{page.name}-{ports:x}-{joined:x}" for pages in groups.values() for page in pages
                             for ports, joined, *_ in page.section.rules} - {"boundary", "larger"}:
-        raise Refused(f"{given.met}: {min(stray)} is no rule of the certificates; make the file anew")
+        raise Refused(f"{given.met}: {min(stray)} is not a rule of the certificates; make the file again")
     texts, picture = {}, ""
     for pages in groups.values():
         for page in pages:

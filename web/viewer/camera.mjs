@@ -77,7 +77,7 @@ export class Camera {
     from.yaw = to.yaw - (turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI)));  // the shorter way round
     this.#flight = { from, to, start: now, milliseconds };
   }
-  /// Whether the flight goes on after this.
+  /// Whether the flight continues after this.
   step(now) {
     if (!this.#flight) return false;
     const { from, to, start, milliseconds } = this.#flight;

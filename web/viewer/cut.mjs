@@ -15,7 +15,7 @@ const minus = (a, b) => a.map((c, n) => c - b[n]);
 
 export const cornersOf = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => [...flat.subarray(3 * i, 3 * i + 3)]);
 
-/// The triangles of a split's patch in the order of its drawing: t_0 to t_{k-1}, then A and D. Null where the patch is no closed
+/// The triangles of a split's patch in the order of its drawing: t_0 to t_{k-1}, then A and D. Null where the patch is not a closed
 /// fan. With them the vertex that was split and the new one.
 export function facesOf({ kind, closed, k, a, trianglesBefore, trianglesAfter }) {
   if (kind !== 'split' || !closed) return null;
@@ -155,7 +155,7 @@ export class Cut {
     for (const button of this.by('steps').querySelectorAll('button')) button.setAttribute('aria-pressed', String(button.value === step));
     this.viewer.ask();
   }
-  /// Whether the steps go on by themselves after this.
+  /// Whether the steps continue by themselves after this.
   advance(now) {
     if (this.#started === null) return false;
     const passed = now - this.#started;

@@ -1,4 +1,4 @@
-// What a colouring of the patch after a split is worth, and what is wrong with it where it is not sound (docs/notation.md).
+// What a colouring of the patch after a split is worth, and what is wrong with it where it is not sound (docs/reference/notation.md).
 import { has, joinedPairs, pairsMask, ringEdges } from './patch.mjs';
 
 /// The triangles of the patch after a split by name: t0 to t_{k-1}, A and D.
@@ -71,7 +71,7 @@ export class Puzzle {
   }
 }
 
-/// The patch before with the most solid edges of those that have a key (ports, joined pairs; docs/certificate.md).
+/// The patch before with the most solid edges of those that have a key (ports, joined pairs; docs/reference/certificate.md).
 export function fullest(k, ports, joined) {
   const wanted = BigInt(joined);
   const solid = Number(ports);

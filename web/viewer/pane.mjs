@@ -5,7 +5,7 @@ import { Scene } from './scene.mjs';
 const atNight = matchMedia('(prefers-color-scheme: dark)');
 
 export class Pane {
-  /// `changed`: it is to be drawn anew. `lost` and `restored`: the card was taken away; the scene is empty again.
+  /// `changed`: it is to be drawn again. `lost` and `restored`: the card was taken away; the scene is empty again.
   constructor(canvas, camera, { changed, lost, restored }) {
     this.canvas = canvas;
     this.camera = camera;

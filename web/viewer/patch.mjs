@@ -1,4 +1,4 @@
-// Patches of splits as pictures, and their keys; docs/notation.md numbers their edges. The drawing is that of
+// Patches of splits as pictures, and their keys; docs/reference/notation.md numbers their edges. The drawing is that of
 // scripts/pictures.py.
 
 export const middle = (...places) => [0, 1].map((n) => places.reduce((sum, p) => sum + p[n], 0) / places.length);
@@ -136,7 +136,7 @@ export const pairsMask = (pairs) => pairs.reduce((mask, [p, q]) => {
   return mask | 1n << BigInt(j * (j - 1) / 2 + i);
 }, 0n);
 
-/// The smallest key (ports, joined pairs; docs/certificate.md) in the orbit of a closed fan that is split at (k, a), which has
+/// The smallest key (ports, joined pairs; docs/reference/certificate.md) in the orbit of a closed fan that is split at (k, a), which has
 /// a row in the atlas, with the map of triangles that leads there; or the key of the fan itself.
 export function representative(k, a, loop, ports, itself = false) {
   const pairs = joinedPairs(k, loop, ports);

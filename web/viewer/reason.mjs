@@ -1,4 +1,4 @@
-// The reasons of a certificate (docs/certificate.md, "Reasons"): sets of edges of which not all can be solid, under cases.
+// The reasons of a certificate (docs/reference/certificate.md, "Reasons"): sets of edges of which not all can be solid, under cases.
 import { bitsIn } from './judge.mjs';
 
 /// The lists of a reason, each with the edges that its case settles: [{ solid, dashed, sets }], all masks.
@@ -22,7 +22,7 @@ export function casesOf(text) {
     return [{ solid, dashed, sets }];
   };
   const cases = read(0n, 0n);
-  if (words.length > 0) throw new Error(`a reason goes on with ${words[0]}`);
+  if (words.length > 0) throw new Error(`a reason continues with ${words[0]}`);
   return cases;
 }
 

@@ -20,7 +20,7 @@ const isEnd = (corner, side) => side >= 0 && (corner === side || corner === (sid
 const fresh = colorOf(0.12, 1, 0.56);  // triangles that have just come, and are of no strip yet
 
 export class Ribbon {
-  /// `data`: StripMesh.ribbon. `before`: the ribbon whose colours go on.
+  /// `data`: StripMesh.ribbon. `before`: the ribbon whose colours continue.
   constructor(data, before = null) {
     this.data = data;
     this.count = data.length / perTriangle;
@@ -134,7 +134,7 @@ export class Ribbon {
           const place = moved?.get(v);
           for (let n = 0; n < 3; ++n) out[to + n] = place ? place[n] : points[3 * v + n];
           words[to + 3] = word;
-          // Behind at the side where the strip comes in, ahead at the one where it goes on.
+          // Behind at the side where the strip comes in, ahead at the one where it continues.
           out[to + 4] = i - strip.first + (isEnd(corner, leaves) ? 0.5 : 0) - (isEnd(corner, enters) ? 0.5 : 0);
           out[to + 5] = strip.count;
         }

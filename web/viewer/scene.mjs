@@ -25,7 +25,7 @@ void main() {
   pixel = vec4(mix(paint.rgb * shade(seen), paint.rgb, flatness) * paint.a, paint.a);
   if (apart > 0.3) pixel.rgb = vec3(0.05, 0.06, 0.09);
 }`;
-// Ribbons: dark walls at the sides where a strip does not go on, thin edges within it, bright ones around a patch, and a light that
+// Ribbons: dark walls at the sides where a strip does not continue, thin edges within it, bright ones around a patch, and a light that
 // runs along it. Peeled, they leave the mesh one after the other and lie flat in the window.
 const ribbonVertex = `#version 300 es
 uniform mat4 view, projection;

@@ -47,7 +47,7 @@ class Viewer {
       lost: () => this.lost(),
       restored: () => {
         this.painter.scene = this.scene;
-        this.painter.repaint();  // the ribbon goes on
+        this.painter.repaint();  // the ribbon continues
         this.scene.setPoints(this.mesh.points, indexWidth(this.source));
         this.scene.upload(this.mesh.indices, []);
         this.found();

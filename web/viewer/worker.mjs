@@ -1,4 +1,4 @@
-// The worker that prepares one mesh, so that the page goes on meanwhile.
+// The worker that prepares one mesh, so that the page continues meanwhile.
 import { loadReaders } from '../../bindings/js/formats.mjs';
 import { load } from '../../bindings/js/restrip.mjs';
 import { prepared } from './prepare.mjs';

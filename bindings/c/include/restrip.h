@@ -1,7 +1,7 @@
 /* restrip for C: triangle strips kept while the mesh changes, by proven rules.
  *
  * This header is plain C99 and needs no other file of restrip. Link the shared or the static library restrip_c (CMake:
- * restrip::c, restrip::c_static; pkg-config: restrip-c). docs/c.md is the guide, examples/keep_strips.c a whole
+ * restrip::c, restrip::c_static; pkg-config: restrip-c). docs/how-to/c.md is the guide, examples/keep_strips.c a whole
  * program.
  *
  *   restrip_mesh *mesh;
@@ -65,7 +65,7 @@ enum {
   RESTRIP_NO_SUCH_EDGE = 1,        /* the halfedge is not one of the mesh */
   RESTRIP_DIFFERENT_VERTICES = 2,  /* the two spokes of a split do not leave the same vertex */
   RESTRIP_SAME_SPOKE = 3,          /* the two spokes of a split are the same */
-  RESTRIP_NON_MANIFOLD_VERTEX = 4, /* the mesh is no manifold at a vertex of the operation */
+  RESTRIP_NON_MANIFOLD_VERTEX = 4, /* the mesh is not manifold at a vertex of the operation */
   RESTRIP_BOUNDARY_EDGE = 5,       /* a flip needs a triangle on both sides */
   RESTRIP_SPOKE_ON_BOUNDARY = 6,   /* a split with one spoke needs a vertex on the boundary */
   RESTRIP_JOINS_BOUNDARIES = 7,    /* an interior edge between two boundary vertices cannot be collapsed */
@@ -107,7 +107,7 @@ typedef struct restrip_mesh restrip_mesh;
 /* What was found in the triangles given. Nothing is repaired: every triangle is in the mesh or counted as left out. */
 typedef struct restrip_build_report {
   size_t degenerate_triangles;   /* left out: a corner twice */
-  size_t out_of_range_triangles; /* left out: a corner that is no vertex */
+  size_t out_of_range_triangles; /* left out: a corner that is not a vertex */
   size_t boundary_edges;         /* edges of one triangle */
   size_t non_manifold_edges;     /* edges of three triangles or more; strips cross them in pairs */
   size_t inconsistent_edges;     /* edges of two triangles that disagree in orientation: no strip crosses them */
@@ -148,7 +148,7 @@ RESTRIP_API restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, uint32_
 /* Some halfedge that leaves v, or RESTRIP_NONE. On the boundary it is the one from which turning counter-clockwise
  * (opposite of next of next) meets all triangles of v. O(1), as are those below. */
 RESTRIP_API restrip_halfedge restrip_mesh_spoke(const restrip_mesh* mesh, uint32_t v);
-/* RESTRIP_NONE for what is no halfedge of the mesh; and `next` of a halfedge without a triangle. */
+/* RESTRIP_NONE for what is not a halfedge of the mesh; and `next` of a halfedge without a triangle. */
 RESTRIP_API restrip_halfedge restrip_mesh_next(const restrip_mesh* mesh, restrip_halfedge h);
 RESTRIP_API restrip_halfedge restrip_mesh_opposite(const restrip_mesh* mesh, restrip_halfedge h);
 RESTRIP_API uint32_t restrip_mesh_from(const restrip_mesh* mesh, restrip_halfedge h);
@@ -163,7 +163,7 @@ RESTRIP_API int restrip_mesh_solid(const restrip_mesh* mesh, restrip_halfedge h)
 /* Writes the colours of all triangles: bit s of byte t is set when the dual edge over side s of triangle t is solid.
  * The array has restrip_mesh_triangle_bound bytes. O(T). */
 RESTRIP_API restrip_status restrip_mesh_get_colors(const restrip_mesh* mesh, uint8_t* solid_sides, size_t size);
-/* Gives the mesh such colours. They must be those of a valid colouring, with 0 for what is no triangle (else
+/* Gives the mesh such colours. They must be those of a valid colouring, with 0 for what is not a triangle (else
  * RESTRIP_BAD_COLORING), and `size` the bound (else RESTRIP_BAD_ARGUMENT). O(T). */
 RESTRIP_API restrip_status restrip_mesh_set_colors(restrip_mesh* mesh, const uint8_t* solid_sides, size_t size);
 
@@ -201,7 +201,7 @@ enum {
 };
 /* Strips from scratch. The result depends on the mesh and the arguments alone. `limit` bounds the work of the slower
  * efforts, in searched states of a few hundred nanoseconds (fewest strips) or tried moves of some 80 ns; 0: 40 or 100
- * for each triangle. `strips` may be null, or receives their number. A live buffer is written anew by its next update.
+ * for each triangle. `strips` may be null, or receives their number. A live buffer is written again by its next update.
  * After RESTRIP_OUT_OF_MEMORY the colours may be others than before, and are valid. */
 RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t effort, const restrip_cost* cost,
                                                  uint64_t limit, size_t* strips);
@@ -219,8 +219,8 @@ enum {
   RESTRIP_POLICY_BEST = 6,   /* the largest; some five hundred times */
   RESTRIP_POLICY_BAKED = 7   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
 };
-/* From now on operations keep the strips by this policy, for this cost (docs/strips.md has figures). O(T). A baked mesh
- * leaves its levels by it. After an error the policy is what it was. */
+/* From now on operations keep the strips by this policy, for this cost (docs/reference/policies.md has figures). O(T).
+ * A baked mesh leaves its levels by it. After an error the policy is what it was. */
 RESTRIP_API restrip_status restrip_mesh_keep(restrip_mesh* mesh, int32_t policy, const restrip_cost* cost);
 /* The policy in use; RESTRIP_POLICY_BARE for a null mesh. */
 RESTRIP_API int32_t restrip_mesh_policy(const restrip_mesh* mesh);
@@ -293,7 +293,7 @@ typedef struct restrip_split_request {
  * takes the triangles of its vertex, a collapse those of both and its apexes (RESTRIP_OVERLAP). `changes` may be null,
  * or has room for `count` and receives what each did. `fault` may be null, or receives after a refusal the place of the
  * request at fault, and that of the earlier one that it is at odds with (else the same). The mesh is copied: O(T) and
- * what the operations cost. A live buffer is written anew by its next update. After any error nothing has changed. */
+ * what the operations cost. A live buffer is written again by its next update. After any error nothing has changed. */
 RESTRIP_API restrip_status restrip_mesh_split_batch(restrip_mesh* mesh, const restrip_split_request* requests,
                                                     size_t count, uint32_t threads, restrip_change* changes,
                                                     size_t fault[2]);
@@ -388,7 +388,7 @@ RESTRIP_API void restrip_buffer_free(restrip_buffer* buffer);
  * there are at most 1.10 times the indices that the strips need, and up to 1.2 times where strips repeat no index, as
  * in a grid. A list is to be drawn as a triangle list: an update writes less, and the buffer is about twice as long. */
 enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RESTRIP_LIST_U16 = 3 };
-/* Starts a live buffer, in place of the one that there is; the first update writes it. O(1). */
+/* Starts a live buffer, in place of the one that exists; the first update writes it. O(1). */
 RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
 /* The same for any format, without limits of a batch (else RESTRIP_BAD_ARGUMENT). A live buffer stays strips. With 0
  * for index_bits it has 16 bits until a vertex needs 32. */
@@ -419,10 +419,11 @@ RESTRIP_API restrip_status restrip_live_end(restrip_mesh* mesh);
 
 /* ---- Baked meshes ------------------------------------------------------------------------------ */
 
-/* A progressive mesh whose strips `restrip bake` decided for every level (docs/baked.md). Level n is the base with its
- * first n records played. All that is above works on it. An operation of your own (split, collapse, flip, stripify,
- * keep, set_colors) leaves the levels: strips are kept by the policy from then on, the rules of RESTRIP_POLICY_LOCAL
- * unless you choose another, and restrip_baked_move answers RESTRIP_OUT_OF_STEP until restrip_baked_restart. */
+/* A progressive mesh whose strips `restrip bake` decided for every level (docs/how-to/baked-strips.md). Level n is the
+ * base with its first n records played. All that is above works on it. A custom operation (split, collapse, flip,
+ * stripify, keep, set_colors) leaves the levels: strips are kept by the policy from then on, the rules of
+ * RESTRIP_POLICY_LOCAL unless you choose another, and restrip_baked_move answers RESTRIP_OUT_OF_STEP until
+ * restrip_baked_restart. */
 
 /* One vertex split, by vertices: v_t is split off v_s, between v_l and v_r. One of the latter is RESTRIP_NONE on the
  * boundary. Record i makes the triangles whose corners are named there. */
@@ -449,10 +450,11 @@ RESTRIP_API restrip_status restrip_baked_level(const restrip_mesh* mesh, size_t*
 RESTRIP_API restrip_status restrip_baked_move(restrip_mesh* mesh, size_t level, size_t most, size_t* done);
 /* Back to level 0 and to RESTRIP_POLICY_BAKED, from any state. O(T). */
 RESTRIP_API restrip_status restrip_baked_restart(restrip_mesh* mesh);
-/* Record i. RESTRIP_BAD_ARGUMENT when there is none. */
+/* Record i. RESTRIP_BAD_ARGUMENT when none exists. */
 RESTRIP_API restrip_status restrip_baked_record(const restrip_mesh* mesh, size_t i, restrip_record* record);
 /* What the file has for record i beside the mesh, the same number of bytes for every record; 0 when it has nothing
- * (docs/baked.md, "A payload"). Valid as long as the mesh. RESTRIP_BAD_ARGUMENT when there is no such record. */
+ * (docs/how-to/baked-strips.md, "A payload"). Valid as long as the mesh. RESTRIP_BAD_ARGUMENT when there is no such
+ * record. */
 RESTRIP_API restrip_status restrip_baked_payload(const restrip_mesh* mesh, size_t i, const void** bytes, size_t* size);
 /* The places of all vertices, three coordinates each, those of the base first and then one for each record. Valid as
  * long as the mesh. */
@@ -461,10 +463,11 @@ RESTRIP_API restrip_status restrip_baked_points(const restrip_mesh* mesh, const 
 
 /* ---- Rules ------------------------------------------------------------------------------------- */
 
-/* The rules by themselves, for a mesh of your own: from the colours of a patch before an operation to those after it.
- * Masks are numbered as in docs/notation.md: bit i of `loop` or `inner` is inner edge i, bit i of `ports` port i. k is
- * 3 (closed fans) or 1 (open fans) to 61. RESTRIP_BAD_ARGUMENT for a place that does not exist, RESTRIP_BAD_COLORING
- * for colours that no valid colouring has. Constant time up to k = 8, two steps a triangle above. */
+/* The rules by themselves, for a custom mesh: from the colours of a patch before an operation to those after it.
+ * Masks are numbered as in docs/reference/notation.md: bit i of `loop` or `inner` is inner edge i, bit i of `ports`
+ * port i. k is 3 (closed fans) or 1 (open fans) to 61. RESTRIP_BAD_ARGUMENT for a place that does not exist,
+ * RESTRIP_BAD_COLORING for colours that no valid colouring has. Constant time up to k = 8, two steps a triangle above.
+ */
 typedef struct restrip_answer {
   uint64_t colors; /* the inner edges after the operation */
   uint64_t ports;  /* the ports after it: those given, but for a flip, which may give some up */

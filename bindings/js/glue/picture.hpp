@@ -7,7 +7,7 @@
 namespace restrip::web {
 
 /// A triangle as it is painted. `beyond` and `joined` are by its sides, side i from corner i to the next one: the
-/// triangle there, `none` at the boundary, and bit i where the strip goes on to it.
+/// triangle there, `none` at the boundary, and bit i where the strip continues to it.
 struct PaintedTriangle {
   Triangle triangle = none;
   Corners corners{};

@@ -42,7 +42,7 @@ struct Progressive {
   }
 };
 
-/// The halfedge between two vertices, or {none} when there is none or no such vertex.
+/// The halfedge between two vertices, or {none} when none exists or no such vertex.
 [[nodiscard]] inline Halfedge find_edge(const StripMesh& mesh, Vertex from, Vertex to) {
   const bool there = from < mesh.vertex_bound() && to < mesh.vertex_bound() && mesh.spoke(from).id != none;
   return there ? mesh.spoke(from, to) : Halfedge{none};

@@ -29,7 +29,7 @@ struct Figures {
 
 class Session {
  public:
-  /// `points`: three coordinates a vertex. refused() tells whether the records can be played.
+  /// `points`: three coordinates a vertex. refused() says whether the records can be played.
   Session(Progressive source, std::vector<float> points) : source_(std::move(source)), points_(std::move(points)) {
     const std::size_t accepted = hierarchy_.read(source_, base_report_);
     if (accepted < source_.splits.size()) {

@@ -5,9 +5,9 @@
 //
 @operations@
 //
-// Each function takes the key of a patch (restrip's docs/notation.md, "Key") and returns best colours after the operation:
+// Each function takes the key of a patch (restrip's docs/reference/notation.md, "Key") and returns best colours after the operation:
 // sound whatever lies outside the patch, and of the least cost, which is @restart@ for a strip, @swap@ for a swap and
-// @isolated@ for an isolated triangle. Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/notation.md says which bit is
+// @isolated@ for an isolated triangle. Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is
 // which edge. Each takes two table reads for a triangle.
 //
 // Include this file wherever you need the declarations. In exactly one source file write
@@ -30,7 +30,7 @@ extern "C" {
 #define RESTRIP_AUTOMATON_MAX_K @max_k@
 
 // `joined`: bit i is set when port i is joined, before the operation, to the solid port before it. `left` and `right`:
-// where the strip goes on behind port i, over the next dual edge of the triangle there or over the one before, counter-
+// where the strip continues behind port i, over the next dual edge of the triangle there or over the one before, counter-
 // clockwise from the port; neither where it ends there or you do not know. They count only where swaps have a price.
 typedef struct restrip_key {
   uint64_t ports, joined, left, right;

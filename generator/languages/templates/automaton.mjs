@@ -1,5 +1,5 @@
 // A complete reader of restrip_automaton.json: best recolourings of fans of any valence, by their keys (restrip's
-// docs/notation.md, "Key"). It follows tables/include/restrip/tables/automaton_format.hpp. Masks are BigInts of any size.
+// docs/reference/notation.md, "Key"). It follows tables/include/restrip/tables/automaton_format.hpp. Masks are BigInts of any size.
 
 export class Automaton {
   /// `json`: what JSON.parse makes of the file.
@@ -61,7 +61,7 @@ export class Automaton {
   /// The inner edges after an operation as a BigInt; null if there is no such position. `name` and `position`: split
   /// [k, a], collapse [k], open_split [k, i, j], boundary_split [k, i], fan_collapse [k]. `key`: { ports, joined, left,
   /// right }. Bit i of `joined` is set when port i is joined, before the operation, to the solid port before it; `left`
-  /// and `right` say where the strip goes on behind port i, over the next dual edge of the triangle there or over the one
+  /// and `right` say where the strip continues behind port i, over the next dual edge of the triangle there or over the one
   /// before, counter-clockwise from the port, and count only where swaps have a price.
   best(name, [k, p, q], key) {
     const closed = name === 'split' || name === 'collapse';

@@ -5,9 +5,9 @@
 //
 @operations@
 //
-// Each function takes the key of a patch (restrip's docs/notation.md, "Key") and returns best colours after the operation:
+// Each function takes the key of a patch (restrip's docs/reference/notation.md, "Key") and returns best colours after the operation:
 // sound whatever lies outside the patch, and of the least cost, which is @restart@ for a strip, @swap@ for a swap and
-// @isolated@ for an isolated triangle. Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/notation.md says which bit is
+// @isolated@ for an isolated triangle. Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is
 // which edge. Each takes two table reads for a triangle.
 //
 // The data are in restrip_automaton.bin, written by the same command: @words@ words of 32 bits, little-endian, to be
@@ -29,7 +29,7 @@ const RESTRIP_SECONDS = @seconds@u;
 @arrays@
 
 // `joined`: bit i is set when port i is joined, before the operation, to the solid port before it. `left` and `right`:
-// where the strip goes on behind port i, over the next dual edge of the triangle there or over the one before, counter-
+// where the strip continues behind port i, over the next dual edge of the triangle there or over the one before, counter-
 // clockwise from the port; neither where it ends there or you do not know. They count only where swaps have a price.
 struct RestripKey {
   ports: u32,

@@ -4,7 +4,7 @@
 //
 // restrip_rule_of_@name@ takes the colours of the patch before the operation and returns the best ones after it. Colours
 // are masks, bit 0 the lowest, 1 = solid, 0 = dashed: of the inner edges and of the ports, numbered as restrip's
-// docs/operation-file.md says. It takes constant time.
+// docs/reference/operation-file.md says. It takes constant time.
 @note@
 //
 // The data are in restrip_@name@.bin, written by the same command: @words@ words of 32 bits, little-endian, to be copied
@@ -20,7 +20,7 @@
 const uint RESTRIP_CHECKSUM_OF_@capitals@ = @checksum@u;
 
 // For each position its inner edges and ports before the operation, its triangles before and after, and where its entries
-// begin: the word with which the array begins, and how many bits an element has. A place without ports is no position. An
+// begin: the word with which the array begins, and how many bits an element has. A place without ports is not a position. An
 // entry has the inner edges after above the ports that stay solid.
 @arrays@
 

@@ -4,7 +4,7 @@
 //
 // restrip_rule_of_@name@ takes the colours of the patch before the operation and returns the best ones after it. Colours
 // are masks, bit 0 the lowest, 1 = solid, 0 = dashed: of the inner edges and of the ports, numbered as restrip's
-// docs/operation-file.md says. It takes constant time.
+// docs/reference/operation-file.md says. It takes constant time.
 @note@
 //
 // Include this file wherever you need the declaration. In exactly one source file write
@@ -46,7 +46,7 @@ restrip_operation_rule restrip_rule_of_@name@(@parameters@uint32_t inner, uint32
 #undef RESTRIP_@capitals@_IMPLEMENTATION
 
 // For each position its inner edges and ports before the operation, its triangles before and after, and where its entries
-// begin. A place without ports is no position. An entry has the inner edges after above the ports that stay solid.
+// begin. A place without ports is not a position. An entry has the inner edges after above the ports that stay solid.
 @arrays@
 
 static int32_t restrip_count_of_@name@(uint32_t mask) {

@@ -3,7 +3,7 @@
 //! The look-up: SPDX-License-Identifier: MIT, Copyright (c) 2026 The restrip authors
 //!
 //! `rule` takes the colours of the patch before the operation and returns the best ones after it. Colours are masks, bit 0
-//! the lowest, 1 = solid, 0 = dashed: of the inner edges and of the ports, numbered as restrip's docs/operation-file.md
+//! the lowest, 1 = solid, 0 = dashed: of the inner edges and of the ports, numbered as restrip's docs/reference/operation-file.md
 //! says. It takes constant time.
 @note@
 //!
@@ -42,5 +42,5 @@ pub const fn rule(@parameters@inner: u32, ports: u32) -> Option<Rule> {
 }
 
 // For each position its inner edges and ports before the operation, its triangles before and after, and where its entries
-// begin. A place without ports is no position. An entry has the inner edges after above the ports that stay solid.
+// begin. A place without ports is not a position. An entry has the inner edges after above the ports that stay solid.
 @arrays@

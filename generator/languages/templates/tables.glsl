@@ -7,7 +7,7 @@
 //
 // Each function takes the colours of a patch before an operation and returns the best colours after it: sound
 // whatever lies outside the patch, with the fewest strips, and of those with the fewest isolated triangles. Colours
-// are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/notation.md says which bit is which edge. Each
+// are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/reference/notation.md says which bit is which edge. Each
 // takes O(k) steps.
 //
 // The data are in restrip_tables.bin, written by the same command: @words@ words of 32 bits, little-endian, to be

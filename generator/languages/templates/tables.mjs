@@ -1,5 +1,5 @@
 // A complete reader of restrip_tables.json: the rule of any operation, in any position, for any colours, valid or not.
-// It follows docs/notation.md and works with lists of triangles, edges and strands, where the compiled look-ups do sums
+// It follows docs/reference/notation.md and works with lists of triangles, edges and strands, where the compiled look-ups do sums
 // of masks, so that it can check them.
 
 /// A patch before an operation: a row of elements, some without a port, perhaps closed to a ring, perhaps with a chord.

@@ -5,7 +5,7 @@
 mod restrip_tables;
 use restrip_tables::*;
 
-// A rule looked up by the compiler: a strip that passes a fan of three triangles goes on over both new ones.
+// A rule looked up by the compiler: a strip that passes a fan of three triangles continues over both new ones.
 const _: () = assert!(matches!(split(3, 1, 0b011, 0b101), Some(Rule { strips: 0, .. })));
 
 fn packed(colors: u32, strips: i32) -> u32 {

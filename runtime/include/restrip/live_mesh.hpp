@@ -52,7 +52,7 @@ class BasicLiveMesh {
  public:
   using Halfedge = typename Mesh::Halfedge;
 
-  /// `triangles`: what StripMesh::build takes. `report` tells what of them was left out.
+  /// `triangles`: what StripMesh::build takes. `report` reports what of them was left out.
   template <class Triangles>
   BasicLiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
                 BuildReport* report = nullptr)
@@ -80,7 +80,7 @@ class BasicLiveMesh {
   Checked join_faces(Halfedge chord) { return checked_join_faces(keeper_, chord); }
   Checked bisect(Halfedge h) { return checked_bisect(keeper_, h); }
   Checked merge(Halfedge chord) { return checked_merge(keeper_, chord); }
-  /// An operation of your own: see apply.hpp.
+  /// A custom operation: see apply.hpp.
   template <SurfaceTable Table>
   Checked apply(const Table& table, Halfedge where) {
     return checked_apply(keeper_, table, where);

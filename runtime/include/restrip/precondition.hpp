@@ -10,8 +10,8 @@
 // evaluated, and the functions stay what they are without it: constexpr, noexcept, and as fast.
 //
 // To handle failures yourself, define the macro before the first header of restrip, identically in all sources of a
-// program. Your macro is used with NDEBUG as well. If a handler returns, the function goes on with what it was given; a
-// handler that throws must not be used with functions that are noexcept.
+// program. Your macro is used with NDEBUG as well. If a handler returns, the function continues with what it was given;
+// a handler that throws must not be used with functions that are noexcept.
 //
 // A check costs O(valence) at most, so that debug builds stay usable. Do not rely on it for operations from an
 // untrusted source: checks.hpp asks the same questions and answers with a value, in every build.

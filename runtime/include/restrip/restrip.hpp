@@ -2,7 +2,7 @@
 // only.
 //
 // Start with live_mesh.hpp (mesh, strips and index buffer in one object), with search/strips_of.hpp for a mesh that
-// stays as it is, or with search/keeper.hpp and mesh/mesh.hpp for a mesh of your own (what it must offer). The folders
+// stays as it is, or with search/keeper.hpp and mesh/mesh.hpp for a custom mesh (what it must offer). The folders
 // are floors: each includes only those named before it here, and the two of a line do not know each other.
 //
 //   rules/                   look a rule up: constexpr, knows no mesh

@@ -1,7 +1,7 @@
 """The automaton of all valences in another language answers as exact.hpp does, that of the shipped cost and one that tells
 turns apart. Digests of the answers are compared, a line for each position, which the programs print that the generator writes
 beside it: of all keys up to k = 8, or 4 where turns are told, beyond which keys are drawn. That a wrong number shows is tested
-with one altered at a time. The example of docs/languages.md is run and prints what stands there.
+with one altered at a time. The example of docs/how-to/other-languages.md is run and prints what stands there.
 
   automaton_test.py LANGUAGE --dump PROGRAM --other-dump PROGRAM --automata FOLDER --scratch FOLDER --with PROGRAM…
 
@@ -20,7 +20,7 @@ COSTS = ("strips", "1,1,0")
 
 
 class JavaScript(Json):
-    """The reader beside the data in JSON."""
+    """The reader of the data in JSON."""
     block = "js"
 
     def example(self, text, folder, scratch):
@@ -58,7 +58,7 @@ def main():
 
     folder = given.automata / COSTS[0]
     language.expected = lambda max_k: expected(given.dump, max_k)
-    check_example(language, "## Fans of any valence", folder, given.scratch)
+    check_example(language, "## Fans of any size", folder, given.scratch)
     language.more(folder, given.scratch)
 
 

@@ -1,7 +1,7 @@
 """The tables in another language answer as the C++ look-up does: every operation in every position with k <= 8, all
 colours and ports, valid or not. Digests of the answers are compared, a line for each position, which the programs print
-that the generator writes beside the tables. That a wrong rule shows is tested with one number altered at a time: exactly the
-operations that read it must differ. The example of docs/languages.md is run and prints what stands there.
+that the generator writes with the tables. That a wrong rule shows is tested with one number altered at a time: exactly the
+operations that read it must differ. The example of docs/how-to/other-languages.md is run and prints what stands there.
 
   language_test.py LANGUAGE --dump-tables PROGRAM --tables FOLDER --scratch FOLDER --with PROGRAM…
 
@@ -61,12 +61,12 @@ def compare(what, found, expected):
 def must_be_equal(what, found, expected):
     wrong = compare(what, found, expected)
     if wrong:
-        raise SystemExit(f"{what}: other answers than those of C++, in operations {wrong}:\n{found}\nexpected:\n{expected}")
+        raise SystemExit(f"{what}: other answers than C++, in operations {wrong}:\n{found}\nexpected:\n{expected}")
 
 
 class Language:
     """How the programs of a language are made and run. `stem` is what its files begin with; `check` is the program that prints
-    digests; `flags` are those with which all of them are asked; `expected` gives those of C++ up to some k. `rules` finds what is
+    digests; `flags` are used for all of them; `expected` gives the digests of C++ up to some k. `rules` finds what is
     altered for each of `families`."""
     stem = "restrip_tables"
     families = tuple(READERS)
@@ -182,7 +182,7 @@ class Json(Language):
         return run(self.python, "-c", text, cwd=folder)
 
     def more(self, folder, scratch):
-        """The file is as the schema says; files that are not are told apart."""
+        """The file is as the schema says; others are refused."""
         schema, tables = self.as_schema_says(folder, "docs/tables.schema.json")
         for arrays in tables["families"].values():
             del arrays["rules"][5:]  # enough to be spoilt
@@ -215,7 +215,7 @@ class Rust(Language):
         self.rustc = rustc
 
     def program(self, source, folder, scratch, *flags):
-        """The source beside the modules, where `mod` looks for them."""
+        """The source next to the modules, where `mod` looks for them."""
         work = scratch / "crate"
         work.mkdir(exist_ok=True)
         for module in folder.glob("restrip_*.rs"):
@@ -326,14 +326,14 @@ def arguments(doc, *options):
 
 
 def check_example(language, heading, folder, scratch):
-    """The program that docs/languages.md has behind this heading prints what stands there."""
-    page = (ROOT / "docs/languages.md").read_text(encoding="utf-8").split(heading, 1)[1]
+    """The program that docs/how-to/other-languages.md has behind this heading prints what stands there."""
+    page = (ROOT / "docs/how-to/other-languages.md").read_text(encoding="utf-8").split(heading, 1)[1]
     example = re.search(rf"```{language.block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
     if not example:
-        raise SystemExit(f"docs/languages.md has no ```{language.block} block followed by a line that ends with a colon and a ```text block")
+        raise SystemExit(f"docs/how-to/other-languages.md has no ```{language.block} block followed by a line that ends with a colon and a ```text block")
     printed = language.example(example[1], folder, scratch)
     if printed != example[2]:
-        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{example[2]}")
+        raise SystemExit(f"the example of docs/how-to/other-languages.md prints\n{printed}instead of\n{example[2]}")
 
 
 def main():

@@ -1,8 +1,8 @@
 """The tables of operation files in another language: everything that the look-up answers is proved by restrip-verify, as
 the dump of a table; what it says of the number of strips is added up here. Every configuration of shipped operations, of
 matchings and forests, and of families with one to three numbers is asked, with numbers named like words of the languages,
-and what is beside: bits outside the patch, positions that there are not. All look-ups are in one program. With one entry
-altered the verifier refuses the answers. The example of docs/languages.md is run and prints what stands there.
+and what lies outside: bits outside the patch, positions that do not exist. All look-ups are in one program. With one entry
+altered the verifier refuses the answers. The example of docs/how-to/other-languages.md is run and prints what stands there.
 
   operations_test.py LANGUAGE --generate PROGRAM --verify PROGRAM --scratch FOLDER --with PROGRAM…
 """
@@ -35,7 +35,7 @@ class Operation:
         self.identifier = self.name.replace("-", "_")
         self.more = ["--max-k", str(MAX_K)] if "numbers" in json.loads(file.read_text(encoding="utf-8")) else []
         run(generate, "rules", "--operation", file, *self.more, "--out", out, *(f"--language={name}" for name in ("c++", "c", "rust", "json", "glsl", "wgsl")))
-        # Which positions there are the verifier tells from the operation file: a dump must have them all.
+        # The verifier knows the positions from the operation file: a dump must have them all.
         self.table = json.loads((out / f"restrip_{self.identifier}.json").read_text(encoding="utf-8"))
         self.proofs = ["--certificate", out / f"certificates/operations/{self.name}.cert",
                        "--header", out / f"include/restrip/tables/operations/{self.identifier}.hpp"]
@@ -47,7 +47,7 @@ class Operation:
                 for ports in range(1 << at["ports"]):
                     yield at, inner, ports
 
-    def questions_beside(self):
+    def questions_outside(self):
         first, last = self.table["positions"][0], self.table["positions"][-1]
         for at in (first, last):
             yield at, 1 << at["before"]["edges"], 0
@@ -64,11 +64,11 @@ class Operation:
 
     def dump(self, answers):
         """As a program that prints a table, after the answers were looked at where the verifier sees nothing of them."""
-        questions, beside = list(self.questions()), list(self.questions_beside())
-        if len(answers) != len(questions) + len(beside):
-            raise SystemExit(f"{self.name}: {len(answers)} answers to {len(questions)} and {len(beside)} questions")
+        questions, outside = list(self.questions()), list(self.questions_outside())
+        if len(answers) != len(questions) + len(outside):
+            raise SystemExit(f"{self.name}: {len(answers)} answers to {len(questions)} and {len(outside)} questions")
         if any(answer != NONE for answer in answers[len(questions):]):
-            raise SystemExit(f"{self.name}: rules where there are none: {list(zip(beside, answers[len(questions):]))}")
+            raise SystemExit(f"{self.name}: rules where none exist: {list(zip(outside, answers[len(questions):]))}")
         tables, of_matching = [], {}
         for (at, inner, ports), (valid, colors, kept, strips) in zip(questions, answers):
             if not valid and (colors, kept, strips) != (0, 0, 0):
@@ -109,7 +109,7 @@ class Asked:
 
     def asked(self, operation):
         rows = [(at["numbers"], 0, 1 << at["before"]["edges"], 0, 1 << at["ports"]) for at in operation.table["positions"]]
-        rows += [(at["numbers"], inner, 1, ports, 1) for at, inner, ports in operation.questions_beside()]
+        rows += [(at["numbers"], inner, 1, ports, 1) for at, inner, ports in operation.questions_outside()]
         words = [word for numbers, *masks in rows for word in (*numbers, *[0] * (3 - len(numbers)), *masks)]
         at = [f"rows[i + {place}{self.u}]" for place in range(7)]
         call = ", ".join((*at[:len(operation.table["numbers"])], f"{at[3]} + inner", f"{at[5]} + ports"))
@@ -174,11 +174,11 @@ class Json(language_test.Json):
     extension = ".json"
 
     def answers(self, folder, _scratch, operations):
-        """As docs/languages.md says that the file is read."""
+        """As docs/how-to/other-languages.md says that the file is read."""
         found = []
         for operation in operations:
             table = json.loads((folder / f"restrip_{operation.identifier}.json").read_text(encoding="utf-8"))
-            for at, inner, ports in (*operation.questions(), *operation.questions_beside()):
+            for at, inner, ports in (*operation.questions(), *operation.questions_outside()):
                 place = next((one for one in table["positions"] if one["numbers"] == at["numbers"]), None)
                 if place is None or inner >> place["before"]["edges"] or ports >> place["ports"]:
                     found.append(NONE)
@@ -201,7 +201,7 @@ class Shader(Asked):
     def answers(self, folder, scratch, operations):
         jobs = []
         for operation in operations:
-            count = sum(1 for questions in (operation.questions(), operation.questions_beside()) for _ in questions)
+            count = sum(1 for questions in (operation.questions(), operation.questions_outside()) for _ in questions)
             tables = "".join(self.table.format(binding=0 if one is operation else 2 + place, name=one.identifier) for place, one in enumerate(operations))
             *command, shader = self.compiled(tables, self.asked(operation), folder, scratch, operations)
             jobs.append((shader.rename(scratch / f"{operation.identifier}{shader.suffix}"), "words", 2 * count + 1, folder / f"restrip_{operation.identifier}.bin"))
@@ -298,7 +298,7 @@ def main():
     answers = language.answers(folder, given.scratch, operations)
     asked = 0
     for operation in operations:
-        count = len(list(operation.questions())) + len(list(operation.questions_beside()))
+        count = len(list(operation.questions())) + len(list(operation.questions_outside()))
         taken, said = operation.judged(given.verify, answers[asked:asked + count], given.scratch)
         if not taken:
             raise SystemExit(f"{operation.name}: {said}")
@@ -308,11 +308,11 @@ def main():
 
     bisect = [operation for operation in operations if operation.name in ("bisect", "split-face")]
     answers = language.answers(altered(folder, given.scratch, language), given.scratch, bisect)
-    if bisect[0].judged(given.verify, answers[:len(answers) - sum(1 for _ in (*bisect[1].questions(), *bisect[1].questions_beside()))], given.scratch)[0]:
+    if bisect[0].judged(given.verify, answers[:len(answers) - sum(1 for _ in (*bisect[1].questions(), *bisect[1].questions_outside()))], given.scratch)[0]:
         raise SystemExit("the verifier takes an altered table")
 
     if language.block in ("c", "python"):
-        check_example(language, "\n## Operations of your own\n", folder, given.scratch)
+        check_example(language, "\n## Custom operations\n", folder, given.scratch)
     print(f"{len(operations)} operations, {asked} answers proved, an altered one refused")
 
 

@@ -1,6 +1,6 @@
-// Bytes put together by hand from docs/baked.md are read as the page says: the base with its colours, a record with its
-// flips, a payload. Each byte of them that is changed, and each that is missing, is refused. Files that programs write
-// are read by the tests of the tools.
+// Bytes put together by hand from docs/reference/file-formats.md are read as the page says: the base with its colours,
+// a record with its flips, a payload. Each byte of them that is changed, and each that is missing, is refused. Files
+// that programs write are read by the tests of the tools.
 #include "restrip/formats/baked_file.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// The checksum is FNV-1a as its authors give it; the names of apexes and dual edges are those of docs/baked.md.
+// The checksum is FNV-1a as its authors give it; the names of apexes and dual edges are as in
+// docs/reference/file-formats.md.
 #include "restrip/formats/baked_format.hpp"
 
 #include <gtest/gtest.h>

@@ -256,7 +256,7 @@ TEST(Checks, AgreeOnSmallMeshesAndWhatOperationsMakeOfThem) {
     if (HasFailure()) return;
   }
   EXPECT_GT(comparison.granted, 10000U);
-  // Each reason but that of a handle that is none; those have a test of their own.
+  // Each reason except for invalid handles, which have their own test.
   for (const Refusal reason :
        {Refusal::granted, Refusal::different_vertices, Refusal::same_spoke, Refusal::non_manifold_vertex,
         Refusal::boundary_edge, Refusal::spoke_on_boundary, Refusal::joins_boundaries, Refusal::link_condition,
@@ -331,7 +331,7 @@ TEST(Checks, BoundarySplitsInEitherOrderAreUndone) {
 // A condition that does not hold costs nothing in release builds, because it is not evaluated.
 TEST(Preconditions, AreNotEvaluatedWithNdebug) {
   int evaluated = 0;
-  RESTRIP_ASSERT(++evaluated == 0, "nobody", "asks");
+  RESTRIP_ASSERT(++evaluated == 0, "unasked", "never");
   EXPECT_EQ(evaluated, 0);
 }
 #endif

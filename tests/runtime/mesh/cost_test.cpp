@@ -1,4 +1,4 @@
-// A swap is told from four colours where a strip turns around one vertex twice, from either side of the dual edge. The
+// A swap is known from four colours where a strip turns around one vertex twice, from either side of the dual edge. The
 // other count follows each strip by its vertices (coloring_cost.hpp).
 #include "restrip/mesh/cost.hpp"
 

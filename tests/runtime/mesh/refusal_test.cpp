@@ -1,4 +1,4 @@
-// Each refusal has a sentence of its own, and what is no refusal is called unknown.
+// Each refusal has its own sentence, and any other number is called unknown.
 #include "restrip/mesh/refusal.hpp"
 
 #include <gtest/gtest.h>

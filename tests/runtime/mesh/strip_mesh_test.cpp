@@ -22,7 +22,7 @@
 namespace restrip {
 namespace {
 
-// A corner twice, whichever two they are, and a corner that is no vertex: left out and counted, and the others keep
+// A corner twice, whichever two they are, and a corner that is not a vertex: left out and counted, and the others keep
 // their order.
 TEST(StripMesh, BuildCountsWhatItLeavesOut) {
   const std::vector<sample::Corners> triangles{{0, 0, 1}, {0, 1, 2}, {1, 2, 2}, {2, 1, 2},

@@ -1,4 +1,4 @@
-// The neighbours in a triangle list are those that a table of all edges tells, whatever the list is; the report says
+// The neighbours in a triangle list are the ones of a table of all edges, for any list; the report says
 // what is wrong with it, and a list that is trusted has the same neighbours.
 #include "restrip/mesh/triangle_list.hpp"
 

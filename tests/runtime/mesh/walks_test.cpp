@@ -1,4 +1,4 @@
-// What the walks visit is what a look through all triangles finds: those of a vertex, of both ends of an edge, of the
+// What the walks visit is what a look through all triangles finds: of a vertex, of both ends of an edge, of the
 // neighbours, of the component.
 #include "restrip/mesh/walks.hpp"
 

@@ -21,7 +21,7 @@ TEST(Watched, NamesEveryChange) {
   }
 }
 
-/// Forgets what is beside an edge that is turned.
+/// Forgets the neighbours of an edge that is turned.
 struct Forgetful : Watched<StripMesh> {
   using Watched::Watched;
   Halfedge turn_edge(Halfedge h) {

@@ -1,4 +1,4 @@
-// Adoption takes isolated triangles into strips, tells what it changed, and changes nothing where it fails.
+// Adoption takes isolated triangles into strips, reports what it changed, and changes nothing where it fails.
 #include "restrip/operations/adopt.hpp"
 
 #include <gtest/gtest.h>

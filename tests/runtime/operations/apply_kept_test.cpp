@@ -1,4 +1,4 @@
-// Operations of one's own are kept like the shipped ones: strips, swaps and isolated triangles are as many as told
+// Custom operations work like the shipped ones: strips, swaps and isolated triangles change as reported
 // under every policy and either cost, and a mesh that is not ours comes out as a StripMesh does.
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-// Under a keeper told is counted as well, and its locator follows; under every policy and either cost.
+// Under a keeper, reported changes are counted as well, and its locator follows; under every policy and either cost.
 TEST(KeptApply, KeepersFollow) {
   std::mt19937 random(7);
   for (const PolicyRow& row : policies)
@@ -60,7 +60,7 @@ TEST(KeptApply, KeepersFollow) {
             ASSERT_TRUE(agrees(*keeper.locator(), mesh));
           }
           if (row.policy == Policy::local && cost == Cost::strips()) {
-            // No two ends meet: docs/theory.md, "What holds for the whole mesh".
+            // No two ends meet: docs/explanation/theory.md, "What holds for the whole mesh".
             StripMesh copy = mesh;
             ASSERT_EQ(join_all(copy).strips, 0);
           }
@@ -71,7 +71,7 @@ TEST(KeptApply, KeepersFollow) {
 
 // ---- a mesh that is not ours
 
-/// A user's mesh: another type of handles, other numbers, and no function but those of the concepts.
+/// A user's mesh: another type of handles, other numbers, and only the functions of the concepts.
 class Foreign {
  public:
   struct Halfedge {

@@ -350,7 +350,7 @@ std::optional<Overlap> overlap_from_the_corners(const StripMesh& mesh, const std
   return std::nullopt;
 }
 
-/// A bow tie: the open fans of two rectangles meet in one vertex where the mesh is no manifold.
+/// A bow tie: the open fans of two rectangles meet in one vertex where the mesh is not manifold.
 StripMesh bow_tie() {
   auto triangles = sample::grid(4, 3, false, false, 1);
   for (auto corners : sample::grid(4, 3, false, false, 2)) {

@@ -1,6 +1,6 @@
 // Under split_and_join(), collapse_and_join() and flip_and_join(), and so under Policy::local, no dashed edge ever
-// joins ends of two different strips; and wherever none does, the bounds of docs/theory.md, "What holds for the whole
-// mesh", hold. All of it is counted by extracting all strips.
+// joins ends of two different strips; and wherever none does, the bounds of docs/explanation/theory.md, "What holds for
+// the whole mesh", hold. All of it is counted by extracting all strips.
 #include "restrip/operations/join.hpp"
 
 #include <gtest/gtest.h>

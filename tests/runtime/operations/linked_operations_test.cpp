@@ -1,7 +1,7 @@
 // Splits and collapses of large fans on meshes, under the local and the linked rules: the strips stay valid, what is
-// told is what a recount of the whole mesh finds, and of all recolourings of the patch that are valid none is better.
-// Valid in this mesh where the linked rules follow every strip to its end; in every mesh for the local ones. The graph
-// that is searched is made of the triangles of the mesh after the operation, patch and strips outside.
+// reported is what a recount of the whole mesh finds, and of all recolourings of the patch that are valid none is
+// better. Valid in this mesh where the linked rules follow every strip to its end; in every mesh for the local ones.
+// The graph that is searched is made of the triangles of the mesh after the operation, patch and strips outside.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ class PatchInMesh {
     return result;
   }
 
-  /// The best value beside the strips outside.
+  /// The best value with the strips outside.
   long best_here() const {
     naive::UnionFind outside(mesh_->triangle_bound());
     for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
@@ -122,7 +122,7 @@ class PatchInMesh {
     return graph.best([](int, int) { return false; });
   }
 
-  /// The best value beside every outside that allows these pairs inside.
+  /// The best value in every world that allows these pairs inside.
   long best_anywhere(const std::set<std::pair<std::uint32_t, std::uint32_t>>& before) const {
     naive::OutsideFrontier graph = inner_graph();
     std::vector<std::uint32_t> names;
@@ -168,8 +168,8 @@ struct FanTally {
 };
 
 /// One operation on copies of the mesh: by the local rules, by the linked ones that follow strips to their ends, and by
-/// those that follow them three triangles far. `operate(copy, rules)` does it and returns what it told and the vertices
-/// around which the patch lies then; before it lies around `centers`.
+/// the ones that follow them three triangles far. `operate(copy, rules)` does it and returns the reported changes and
+/// the vertices around which the patch lies then; before it lies around `centers`.
 template <class Operate>
 void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const Operate& operate, FanTally& tally) {
   const ColoringReport old = check_coloring(mesh);

@@ -1,6 +1,6 @@
-// Linked rules beyond the tables, and of open fans: sound beside all that may lie outside, and none that is sound is
+// Linked rules beyond the tables, and of open fans: sound in every world, and none that is sound is
 // better. The judges are every recolouring, the tables, and a search on the explicit graph (outside_frontier.hpp); at
-// operations on meshes, that graph is made of the mesh's triangles, and what is told is counted again.
+// operations on meshes, that graph is made of the mesh's triangles, and reported changes are counted again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -170,7 +170,7 @@ OutsideFrontier frontier_of(const LinkedInstance& instance, bool blind) {
   return graph;
 }
 
-/// The value of a recolouring, or -1 if it is not sound beside what is seen. Paths are followed on a graph of ports.
+/// The value of a recolouring, or -1 if it is not sound with what is seen. Paths are followed on a graph of ports.
 long value_beside(const LinkedInstance& instance, Word colors, bool blind) {
   const naive::Patch after = instance.after();
   const naive::Analysis found = naive::analyze(after, naive::bits_of(colors, after.edges.size()), instance.port_bits());

@@ -87,7 +87,7 @@ class Judge {
  public:
   explicit Judge(Case the_case) : case_(std::move(the_case)) {}
 
-  /// Every configuration beside every outside that it allows, and with every set of ports out of sight; of those only
+  /// Every configuration in every world that it allows, and with every set of ports out of sight; of these only
   /// one in `one_in`.
   void all(unsigned one_in) {
     for (Word ports = 0; ports < bit(case_.k); ++ports) {

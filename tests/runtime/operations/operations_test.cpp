@@ -2,8 +2,8 @@
 //
 // After every operation the mesh around it is compared with what the operation promises, and the strips and isolated
 // triangles of the whole mesh with a count from scratch (small meshes) or every few hundred operations (the larger
-// ones): the sum of what all operations told is the change that the count finds. Fans that do not fit into words are
-// compared with a second search for the best recolouring.
+// ones): the sum of what all operations reported is the change that the count finds. Fans that do not fit into words
+// are compared with a second search for the best recolouring.
 #include "restrip/operations/operations.hpp"
 
 #include <gtest/gtest.h>
@@ -263,8 +263,8 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
   }
 }
 
-// A fan of any size under random colours, as docs/notation.md has it: its triangles in order, and what a list of edges
-// and union-find say of them.
+// A fan of any size under random colours, as docs/reference/notation.md has it: its triangles in order, and what a list
+// of edges and union-find say of them.
 class LargeFan {
  public:
   // Counter-clockwise from where the spokes begin; one spoke more than triangles where the fan is open.
@@ -335,14 +335,14 @@ class LargeFan {
   std::vector<Triangle> split_triangles_;
 };
 
-// What an operation told is what a count finds, and the patch is as good as the second search says.
-void expect_best(const ColoringReport& before, const StripMesh& mesh, const Rewrite<Halfedge>& told,
+// What an operation reported is what a count finds, and the patch is as good as the second search says.
+void expect_best(const ColoringReport& before, const StripMesh& mesh, const Rewrite<Halfedge>& reported,
                  const naive::Analysis& outcome, long best) {
   const ColoringReport after = check_coloring(mesh);
   ASSERT_TRUE(after.valid);
   ASSERT_TRUE(outcome.valid);
-  EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + told.strips);
-  EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + told.isolated);
+  EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + reported.strips);
+  EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + reported.isolated);
   EXPECT_EQ(outcome.solid * 1000000L - outcome.isolated, best);
 }
 

@@ -202,7 +202,7 @@ TEST(Refine, InversesUndoEachOther) {
       }
 }
 
-// Under a keeper told is counted as well, and its locator follows.
+// Under a keeper, reported changes are counted as well, and its locator follows.
 TEST(Refine, KeepersFollow) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
     StripMesh mesh = sample::torus(12, 9);

@@ -1,5 +1,6 @@
 // test_adapter(): meshes that keep the contract pass, and every operation they offer was done many times; of meshes
-// that break one line of it, each is told that line. The broken ones are a StripMesh behind members with one fault.
+// that break one line of it, for each that line is reported. The broken ones are a StripMesh behind members with one
+// fault.
 #include "restrip/operations/test_adapter.hpp"
 
 #include <gtest/gtest.h>
@@ -206,7 +207,7 @@ class Faulty {
       }
     return false;
   }
-  /// An edge that has no end in common with that of h, nor with the triangles beside it.
+  /// An edge that has no end in common with that of h, nor with the triangles at it.
   void dash_far_from(Halfedge h) {
     std::set<Vertex> close{mesh_.from(h), mesh_.to(h)};
     for (const Vertex end : {mesh_.from(h), mesh_.to(h)})

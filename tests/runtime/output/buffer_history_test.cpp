@@ -91,7 +91,7 @@ void expect_the_very_looks(Kept& kept, std::mt19937& random, int steps, bool onc
         at += back ? std::size_t(-1) : 1;
         ++undone;
       }
-      // The update that follows changes nothing, and tells what has been written.
+      // The update that follows changes nothing, and reports what has been written.
       if (random() % 2 == 0) kept.upload();
     } else if (once_more && choice == 2 && at + 1 < looks.size()) {
       kept.operate(done[at].first, done[at].second);

@@ -1,4 +1,4 @@
-// A buffer that was not told of a change is found out, and by how many triangles.
+// A buffer that missed a change is detected, with the number of triangles.
 #include "restrip/output/check_buffer.hpp"
 
 #include <gtest/gtest.h>

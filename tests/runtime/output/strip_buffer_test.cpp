@@ -195,7 +195,7 @@ TEST(StripBuffer, SixteenBitIndices) {
   StripMesh does_not = StripMesh::build(beyond, 65'536);
   EXPECT_EQ(triangles_of_strips(StripBuffer16(fits).indices()), sample::triangles_of(fits));
   EXPECT_THROW(StripBuffer16{does_not}, std::length_error);
-  // An update that throws leaves the buffer as it was; the next one writes everything anew.
+  // An update that throws leaves the buffer as it was; the next one writes everything again.
   StripMesh grown = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}}, 65'536);
   grown.watch(&changed);
   StripBuffer16 kept(grown);

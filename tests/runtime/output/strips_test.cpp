@@ -121,8 +121,8 @@ TEST(Strips, EveryStripIsWrittenAsShortAsCanBe) {
   }
 }
 
-// Within each strip the swaps told from four colours are those that the written strip repeats an index for, but for the
-// first turn, which can cost one more.
+// Within each strip the swaps known from four colours are the ones for which the written strip repeats an index, but
+// for the first turn, which can cost one more.
 TEST(Strips, SwapsAreToldFromFourColours) {
   std::mt19937 random(2);
   for (StripMesh& mesh : sample::meshes()) {

@@ -119,7 +119,7 @@ TEST(Trace, LetsAReaderFollowTheMesh) {
   }
 }
 
-// docs/trace.md shows this one.
+// docs/reference/file-formats.md shows this one.
 TEST(Trace, IsWhatTheDocumentShows) {
   StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}, 5);
   Watched watched(mesh);

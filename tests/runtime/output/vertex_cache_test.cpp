@@ -1,4 +1,4 @@
-// Misses are those of a queue of vertices, index by index.
+// Misses are counted with a queue of vertices, index by index.
 #include "restrip/output/vertex_cache.hpp"
 
 #include <gtest/gtest.h>

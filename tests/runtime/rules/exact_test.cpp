@@ -1,7 +1,7 @@
 // Claim: restrip::exact returns a sound recolouring, and none is better. Proved by exhaustion for every key and every
 // position, valence by valence, against graphs with union-find.
 //
-// RESTRIP_EXHAUSTIVE=1 in the environment goes on to k = 12.
+// RESTRIP_EXHAUSTIVE=1 in the environment continues to k = 12.
 #include "restrip/rules/exact.hpp"
 
 #include <gtest/gtest.h>

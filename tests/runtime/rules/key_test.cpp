@@ -77,7 +77,7 @@ TEST(Key, OpenFan) {
 }
 
 TEST(Key, RingWithChord) {
-  // By (k, a), 1 <= a <= k/2: the figures of docs/theory.md for collapses.
+  // By (k, a), 1 <= a <= k/2: the figures of docs/explanation/theory.md for collapses.
   const std::vector<std::vector<int>> valid_of = {
       {278}, {998, 1016}, {3562, 3640}, {12694, 12988, 13032}, {45218, 46280, 46492}};
   for (std::size_t k = 3; k <= largest; ++k) {

@@ -268,7 +268,7 @@ std::size_t check_all_keys(const FanOperation& operation) {
   return keys;
 }
 
-// An unoptimised build stops one earlier. RESTRIP_EXHAUSTIVE=1 in the environment goes on to k = 7.
+// An unoptimised build stops one earlier. RESTRIP_EXHAUSTIVE=1 in the environment continues to k = 7.
 TEST(OtherCost, EveryKeyOfEveryPosition) {
 #ifdef __OPTIMIZE__
   const std::size_t usual = 5;
@@ -291,7 +291,7 @@ void check_one(std::mt19937_64& random, std::size_t k) {
   const auto [ports, joined] = RandomKey(random, k);
   const naive::TurnPatch patch = operation.patch();
   const std::size_t colors = patch.graph.edges.size();
-  // Strips that end or go on.
+  // Strips that end or continue.
   const std::uint64_t left_of_8 = random() % 9;
   naive::Bits left(k);
   naive::Bits right(k);
@@ -339,7 +339,7 @@ TEST(OtherCost, AroundTheWordSize) { check_many(20260112, 250, 55, 70); }
 
 TEST(OtherCost, Thousand) { check_many(20260113, 8, 1000, 1001); }
 
-// A strip that goes on behind the port in the direction that repeats an index is not left to repeat it for nothing.
+// A strip that continues behind the port in the direction that repeats an index is not left to repeat it for nothing.
 TEST(OtherCost, SeesHowStripsTurnBehindPorts) {
   const Word left = best_collapse(4, 0b0001, 0, {0b0001, 0}).colors;
   const Word right = best_collapse(4, 0b0001, 0, {0, 0b0001}).colors;

@@ -12,20 +12,20 @@ namespace {
 static_assert(table_max_k == RESTRIP_SMALL_TABLES, "this program has tables of its own");
 #endif
 
-// At compile time: an empty 4-fan gets five triangles in one strip or two; a solid loop is no stripification.
+// At compile time: an empty 4-fan gets five triangles in one strip or two; a solid loop is not a stripification.
 static_assert(split_rule({4, 2}, 0, 0).valid);
 static_assert(split_rule({4, 2}, 0, 0).strips == 2 - 5);
 static_assert(!split_rule({4, 2}, 0b1111, 0).valid);
 static_assert(!split_rule({4, 2}, 0b0011, 0b0010).valid);
 static_assert(noexcept(split_rule({4, 2}, 0, 0)) && noexcept(collapse_rule({4, 2}, 0, 0)) && noexcept(flip_rule(false,
                                                                                                                 0)));
-// Small tables (docs/tables.md) leave more to it.
+// Small tables (docs/reference/tables.md) leave more to it.
 static_assert(split_rule({12, 5}, 0b100, 0).valid, "beyond the tables the automaton answers, at compile time too");
 static_assert(collapse_rule({3, 1}, 0, 0).valid && open_split_rule({1, 0, 1}, 0, 0).valid &&
               boundary_split_rule({1, 1}, 0, 1).valid && open_collapse_rule({2, 0, 2}, 0, 0).valid &&
               boundary_collapse_rule({2, 1}, 0, 0).valid && flip_rule(true, 0).valid);
 
-/// Solid edges and isolated triangles of the rule equal those of the automaton, which was compared with brute force.
+/// Solid edges and isolated triangles of the rule equal the automaton's, which was compared with brute force.
 void expect_cost(const detail::Layout& after, const Rule& rule, Word ports, const exact::Value& best) {
   EXPECT_EQ(count_bits(rule.colors), best.solid);
   EXPECT_EQ(detail::isolated(after, rule.colors, ports), best.isolated);

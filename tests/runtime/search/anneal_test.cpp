@@ -100,10 +100,10 @@ TEST(Anneal, TellsTheCostOfValidColorsAndNeverRaisesIt) {
           if (!check_coloring(mesh).valid) mesh.set_solid(h, false);
         }
         const std::uint64_t before = recounted(mesh, cost);
-        const std::uint64_t told = anneal(mesh, cost, {moves, 1, random()});
+        const std::uint64_t reported = anneal(mesh, cost, {moves, 1, random()});
         EXPECT_TRUE(check_coloring(mesh).valid);
-        EXPECT_EQ(told, recounted(mesh, cost));
-        EXPECT_LE(told, before);
+        EXPECT_EQ(reported, recounted(mesh, cost));
+        EXPECT_LE(reported, before);
       }
 }
 
@@ -131,7 +131,7 @@ TEST(Anneal, ColdItNeverAcceptsWhatCosts) {
   EXPECT_LE(anneal(mesh, Cost::indices(), {100, 1, 5, 1000}), before);
 }
 
-// Strips of thousands of triangles, whose ends trees know: they are not those of the colours that it goes back to.
+// Strips of thousands of triangles, whose ends trees know: they are not the strips of the colours that it returns to.
 TEST(Anneal, GoesBackToLongStrips) {
   StripMesh mesh = sample::torus(60, 20);
   EXPECT_EQ(stripify(mesh, Effort::best, Cost::strips(), {1, 0, 1}), 1U);
@@ -176,7 +176,7 @@ TEST(Anneal, LeastChangeIsWhatTheRecountSays) {
         for (const unsigned before : {0U, 1U}) {
           const StripMesh::Halfedge out =
               before != 0 ? StripMesh::next(StripMesh::next(there)) : StripMesh::next(there);
-          const std::int64_t told = annealing.least_change(h, before);
+          const std::int64_t reported = annealing.least_change(h, before);
           const std::int64_t was = counted();
           mesh.set_solid(out, false);
           mesh.set_solid(here, true);
@@ -186,9 +186,9 @@ TEST(Anneal, LeastChangeIsWhatTheRecountSays) {
           mesh.set_solid(out, true);
           if (!valid) continue;
           ++all;
-          if (told == std::numeric_limits<std::int64_t>::min()) continue;
+          if (reported == std::numeric_limits<std::int64_t>::min()) continue;
           ++exact;
-          ASSERT_EQ(told, is - was);
+          ASSERT_EQ(reported, is - was);
         }
       }
     }

@@ -1,5 +1,5 @@
 // ChunkLists against lists that are written out: the same neighbours, ranks that grow, the same directions, after any
-// mixture of operations; and with so little room for ranks that they have to be spread anew all the time.
+// mixture of operations; and with so little room for ranks that they have to be spread again all the time.
 #include "restrip/search/impl/chunk_lists.hpp"
 
 #include <gtest/gtest.h>
@@ -114,7 +114,7 @@ class Play {
     written_.emplace_back(written_[l].begin() + static_cast<std::ptrdiff_t>(i), written_[l].end());
     written_[l].resize(i);
   }
-  // After a cut the larger part has the old name: only the smaller one is written anew.
+  // After a cut the larger part has the old name: only the smaller one is written again.
   void expect_kept(std::uint32_t name, const List& one, const List& other) const {
     if (one.size() == other.size()) return;
     EXPECT_EQ(lists_[(one.size() > other.size() ? one : other).front().chunk].list, name);

@@ -107,7 +107,7 @@ std::int32_t best_price(const StripMesh& mesh, const Cost& cost) {
   return best;
 }
 
-// One call goes on from the triangles that it touches; what moves make possible further away, the next call finds.
+// One call continues from the triangles that it touches; what moves make possible further away, the next call finds.
 TEST(Descent, RepeatedEndsWhereNoMoveImproves) {
   std::mt19937 random(11);
   for (StripMesh& mesh : sample::meshes()) {
@@ -117,12 +117,12 @@ TEST(Descent, RepeatedEndsWhereNoMoveImproves) {
         const ColoringChange before = cost_of(mesh);
         Descent descent(cost);
         ColoringChange sum;
-        for (ColoringChange told{-1, -1, -1}; told.price(cost) < 0;) {
-          told = descent.run(mesh, all_triangles(mesh), {.tries = tries, .worse = 1});
+        for (ColoringChange reported{-1, -1, -1}; reported.price(cost) < 0;) {
+          reported = descent.run(mesh, all_triangles(mesh), {.tries = tries, .worse = 1});
           ASSERT_TRUE(check_coloring(mesh).valid);
-          sum += told;
+          sum += reported;
           EXPECT_EQ(sum, cost_of(mesh) - before);
-          EXPECT_LE(told.price(cost), 0);
+          EXPECT_LE(reported.price(cost), 0);
         }
         EXPECT_GE(best_price(mesh, cost), 0);
       }
@@ -140,10 +140,10 @@ TEST(Descent, ChainsFindWhatSingleMovesDoNot) {
       Descent descent(cost);
       descent.run(mesh, all_triangles(mesh));
       const ColoringChange before = cost_of(mesh);
-      const ColoringChange told = descent.run(mesh, all_triangles(mesh), {.tries = 4, .worse = 1});
-      EXPECT_EQ(told, cost_of(mesh) - before);
-      EXPECT_LE(told.price(cost), 0);
-      gained -= told.price(cost);
+      const ColoringChange reported = descent.run(mesh, all_triangles(mesh), {.tries = 4, .worse = 1});
+      EXPECT_EQ(reported, cost_of(mesh) - before);
+      EXPECT_LE(reported.price(cost), 0);
+      gained -= reported.price(cost);
     }
   }
   EXPECT_GT(gained, 20);
@@ -189,7 +189,7 @@ std::vector<Halfedge> ring_of(const StripMesh& mesh) {
   return ring;
 }
 
-// Two strips make a ring: joining their ends is allowed where the walk along the shorter one comes to its end.
+// Two strips make a ring: joining their ends is allowed where the walk along the shorter one ends.
 TEST(Descent, RefusesWhatItCannotSee) {
   const auto keeps_strips = [](Vertex quadrilaterals, std::size_t shorter) {
     StripMesh mesh = sample::tube(quadrilaterals, 1);

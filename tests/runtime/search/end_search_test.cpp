@@ -1,5 +1,5 @@
 // Every move at the end of a strip costs what it says, and no such move is missing; a search never raises the cost,
-// tells what it changed, keeps to its limits, ends where no move at an end pays, and does not report moves that it
+// reports what it changed, keeps to its limits, ends where no move at an end pays, and does not report moves that it
 // takes back. All by the definitions: moves are enumerated, made on a copy of the mesh, and the copy is counted as a
 // whole.
 #include "restrip/search/end_search.hpp"

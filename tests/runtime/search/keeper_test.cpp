@@ -1,4 +1,4 @@
-// A keeper leaves a valid colouring after every operation and tells exactly what each changed; its counts and its
+// A keeper leaves a valid colouring after every operation and reports exactly what each changed; its counts and its
 // locator are right after any mixture of operations; and strips, or the cost, stay few however long it is used. What it
 // tells is compared with counts of the whole mesh.
 #include "restrip/search/keeper.hpp"
@@ -192,7 +192,7 @@ TEST(KeeperByCost, GoesOnInTheBackground) {
   };
   improve_often(50);
   EXPECT_LT(keeper.cost(), before * 4 / 5);
-  // A descent over all triangles comes to an end; windows find more.
+  // A descent over all triangles ends; windows find more.
   StripMesh descended = mesh;
   Descent descent(Cost::indices());
   for (int change = -1; change < 0;)
@@ -230,7 +230,7 @@ TEST(KeeperByCost, OperationsTakeAsLongOnALargerMesh) {
   }
 }
 
-// After a change that is not the keeper's, its counters are right again once it has counted anew.
+// After a change that is not the keeper's, its counters are right again once it has counted again.
 TEST(KeeperByCost, CountsAnewWhereItIsTold) {
   StripMesh mesh = sample::torus(12, 9);
   Keeper keeper(mesh, Policy::quick, Cost::indices());

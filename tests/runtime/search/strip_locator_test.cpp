@@ -122,7 +122,7 @@ TEST_P(StripLocatorOf, AgreesOnALargeMeshAfterEverything) {
   ASSERT_TRUE(check_coloring(mesh).valid);
 }
 
-// Splits at one vertex, over and over: the labels between the two triangles beside its fan come closer until there is
+// Splits at one vertex, over and over: the labels between the two triangles at its fan come closer until there is
 // no room. Some strips have been cut and linked before, so that chunks read in either direction.
 TEST_P(StripLocatorOf, AgreesWhereThereIsNoRoomBetweenLabels) {
   std::mt19937 random(6);

@@ -1,5 +1,5 @@
 // The trees of an annealing know which triangles are of one strip as lists of triangles do that are cut and joined
-// beside them, however often strips turn around; and a set of marked words gives its numbers as a std::set does.
+// next to them, however often strips turn around; and a set of marked words gives its numbers as a std::set does.
 #include "restrip/search/impl/strip_trees.hpp"
 
 #include <gtest/gtest.h>

@@ -87,7 +87,7 @@ std::size_t index_count(const Triangles& list, StripForm form, Effort effort) {
   return buffer.size();
 }
 
-/// Meshes with edges of more than two triangles: strips go on where the sheets do.
+/// Meshes with edges of more than two triangles: strips continue where the sheets do.
 TEST(StripsOf, GoesOnInTheSheetsOfNonManifoldMeshes) {
   const Triangles grid = with_backs(sheet(40, 40, [](Vertex x, Vertex y) { return 41 * x + y; }));
   // Pages that share the column 0, two-sided, in any order; three are one-sided sheets on one edge.

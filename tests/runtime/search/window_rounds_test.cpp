@@ -1,5 +1,6 @@
-// Rounds of windows lower the cost and tell by how much, go on where they stopped, keep to their budget, do the same
-// every time, and end on a mesh without triangles. What is told is compared with the strips as they are written.
+// Rounds of windows lower the cost and report by how much, continue where they stopped, keep to their budget, do the
+// same every time, and end on a mesh without triangles. What is reported is compared with the strips as they are
+// written.
 #include "restrip/search/window_rounds.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // A window finds what exhaustive search finds: on patches small enough to try every colouring of the edges inside, with
-// and without edges that leave them, it has the least price and tells what has changed, and with Ties::fewest_changes
+// and without edges that leave them, it has the least price and reports what has changed, and with Ties::fewest_changes
 // no colouring of that price is nearer to the one before; with limits it says when it may have missed something. It
 // touches no other edge, is never worse than before, and depends on its seed alone. Prices are counted here along the
 // strips and in the index buffer, not by the sums of the search.
@@ -197,7 +197,7 @@ TEST(Window, IsTheLeastOfAllColoringsOfSmallPatches) {
   EXPECT_GT(compared, 15'000U);
 }
 
-// Long strips that leave a window and come back, on larger meshes; every change is told.
+// Long strips that leave a window and come back, on larger meshes; every change is reported.
 TEST(Window, IsNeverWorseThanBefore) {
   std::mt19937 random(3);
   std::vector<StripMesh> meshes = sample::meshes();

@@ -11,8 +11,8 @@
 namespace restrip::verify {
 namespace {
 
-// Costs are strips and isolated triangles in one number. They can be told apart, in the certificate and in sums of a
-// few of its numbers: no cost is further from whole strips than a few isolated triangles.
+// Costs are strips and isolated triangles in one number. They can be reported apart, in the certificate and in sums of
+// a few of its numbers: no cost is further from whole strips than a few isolated triangles.
 TEST(AutomatonCosts, IsolatedTrianglesNeverOutweighAStrip) {
   const std::string file = std::string(RESTRIP_TABLES_DIR) + "/certificates/automaton.cert";
   const AutomatonCertificate certificate = parse_automaton(file, read_file(file));

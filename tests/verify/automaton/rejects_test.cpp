@@ -236,9 +236,9 @@ TEST_P(AutomatonRejects, MalformedFiles) {
   EXPECT_NE(without("claim rows").find("claim rows missing"), std::string::npos);
   EXPECT_NE(with("weights ", "weights 0 1 0").find("expected a number from 1 to 1000"), std::string::npos);
   EXPECT_NE(with("weights ", "weights 3 1001 0").find("expected a number from 0 to 1000"), std::string::npos);
-  EXPECT_NE(with("close 2 ", "close 2 xy").find("is no case"), std::string::npos);
+  EXPECT_NE(with("close 2 ", "close 2 xy").find("is not a case"), std::string::npos);
   EXPECT_NE(with("meet 2 9 ", "meet 2 9 -- -- cord").find("expected \"chord\" or \"-\""), std::string::npos);
-  EXPECT_NE(with("class 2 ", "class 2 sxs 1 1").find("is no witness"), std::string::npos);
+  EXPECT_NE(with("class 2 ", "class 2 sxs 1 1").find("is not a witness"), std::string::npos);
   EXPECT_NE(with("class 2 ", "class 2 s - 1").find("expected"), std::string::npos);
   EXPECT_NE(with("class 2 ", "class 2 s 70 1").find("expected a number from 0 to 1"), std::string::npos);
   EXPECT_NE(with("step 0 d ", "step 0 d 65000 0").find("there is no class 65000"), std::string::npos);

@@ -2,7 +2,7 @@
 """Claims: restrip-check accepts what `restrip replay --trace` records, under every policy, and counts what is there; it refuses
 a trace in which anything was changed, and names the file, the line and what is wrong.
 
-    check_test.py restrip-check restrip docs/trace.md SCRATCH
+    check_test.py restrip-check restrip docs/how-to/check-a-run.md SCRATCH
 """
 import json
 import os
@@ -132,7 +132,7 @@ for number in range(first, len(lines) - 1, 61):
     refused(with_line(number, lines[number + 1] + "\n" + lines[number]), "")
 refused("\n".join(lines[:-1]) + "\n", "ends without its last line")
 refused(whole + "end 0\n", "something after the end")
-refused(with_line(len(lines) - 1, "end 1"), "the end tells of 1 operations")
+refused(with_line(len(lines) - 1, "end 1"), "the end states 1 operations")
 for size in range(0, len(whole) - 1, len(whole) // 40):
     refused(whole[:size], "")
 
@@ -150,7 +150,7 @@ damaged = scratch / "damaged.trace"
 damaged.write_text(with_claim("rules", "no-worse"))
 accepted(damaged)
 for line in (f"split {lines[first].split(' ')[2]} {lines[first].split(' ')[1]} ", "collapse 0 1 ", "split 0 1 "):
-    refused(with_line(first, line + lines[first].split(" ", 3)[3]), "is no split|in the mesh|is not of the patch")
+    refused(with_line(first, line + lines[first].split(" ", 3)[3]), "is not a split|in the mesh|is not of the patch")
 # The rule's last solid edge is left dashed, and the strip and the isolated triangles that this costs are told.
 for name, kind in (("rules", "split"), ("rules", "collapse"), ("walk-rules", "flip")):
     rules = (scratch / f"{name}.trace").read_text().splitlines()

@@ -119,7 +119,7 @@ class LiveMesh:
 
     `faces` has three columns, counter-clockwise; vertices are numbers below `vertex_count` (by default the largest plus
     one). Strips are made from scratch by `effort` ("fast", "full", "best"; None: every triangle is a strip) and kept by
-    `policy` ("bare", "rules", "local", "linked", "quick", "full", "best": docs/strips.md has figures) for `cost`: "strips",
+    `policy` ("bare", "rules", "local", "linked", "quick", "full", "best": docs/reference/policies.md has figures) for `cost`: "strips",
     "indices", or a triple (restart, swap, isolated) of weights. `report` says what was found in the faces; faces that are
     left out give a warning.
 
@@ -333,7 +333,7 @@ class LiveMesh:
     # ---- the index buffer that follows the mesh
 
     def begin_buffer(self, form: str = "restart", index: Index = "auto") -> None:
-        """Starts the index buffer of the mesh, in place of the one that there is, in a form of `indices`. An update of "list"
+        """Starts the index buffer of the mesh, in place of the one that exists, in a form of `indices`. An update of "list"
         writes less. With "auto" it has 16 bits until a vertex needs 32."""
         lib.call("live_begin_format", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1))
 

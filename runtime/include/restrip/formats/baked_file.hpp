@@ -1,4 +1,5 @@
-// Reads baked meshes, the files that `restrip bake` writes (docs/baked.md has the format), from memory.
+// Reads baked meshes, the files that `restrip bake` writes (docs/reference/file-formats.md has the format), from
+// memory.
 //
 //   BakedFile file;
 //   if (const std::string fault = read_baked(bytes, file); !fault.empty()) return report(fault);
@@ -28,7 +29,7 @@ struct BakedSplit {
 };
 
 struct BakedFile {
-  std::vector<std::array<float, 3>> points;  ///< of all vertices, those of the base first, then one for each split
+  std::vector<std::array<float, 3>> points;  ///< of all vertices: the base first, then one for each split
   std::vector<std::array<Vertex, 3>> base;   ///< triangle t of the base has handle t in `mesh`
   std::vector<BakedSplit> splits;            ///< from coarse to fine
   StripMesh mesh;                            ///< the base, in its colours
@@ -42,14 +43,14 @@ struct BakedFile {
 /// Returns an empty string and fills `file`, or says what is wrong with the bytes, in words that follow the name of the
 /// file and a colon; then `file` is as it was. Refused are bytes that are truncated, altered (the checksum covers
 /// each), of another version, or describe splits or colours that no mesh can have. All records are played once: the
-/// time is that of reading and of the finest mesh. Memory is in proportion to the bytes. Throws std::bad_alloc only,
+/// the time is for reading and for the finest mesh. Memory is in proportion to the bytes. Throws std::bad_alloc only,
 /// and std::length_error for more triangles than a StripMesh can hold.
 [[nodiscard]] inline std::string read_baked(std::span<const std::byte> bytes, BakedFile& file);
 
-/// Gives the bytes of a baked mesh this payload, in place of the one they have: as many bytes for the first record as
-/// for every other, in the order of the records. An empty one takes it away. Returns an empty string, or says what is
-/// wrong, as read_baked() does; then `file` is as it was. Read are the checksum and the header alone, in linear time.
-/// Throws std::bad_alloc only.
+/// Gives the bytes of a baked mesh this payload, in place of the one they have: the same number of bytes for the first
+/// record as for every other, in the order of the records. An empty one takes it away. Returns an empty string, or says
+/// what is wrong, as read_baked() does; then `file` is as it was. Read are the checksum and the header alone, in linear
+/// time. Throws std::bad_alloc only.
 [[nodiscard]] inline std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload);
 
 }  // namespace restrip

@@ -1,4 +1,4 @@
-// What the reader and a writer of baked meshes share. docs/baked.md has the format.
+// What the reader and a writer of baked meshes share. docs/reference/file-formats.md has the format.
 #pragma once
 
 #include <algorithm>

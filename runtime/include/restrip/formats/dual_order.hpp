@@ -11,12 +11,12 @@
 namespace restrip {
 
 /// The walk starts with the triangles given, takes each triangle's sides 0, 1, 2, numbers a dual edge when it first
-/// meets it, and goes on with the triangles beyond in the order in which it met them.
+/// meets it, and continues with the triangles beyond in the order in which it met them.
 class DualOrder {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  /// A walk from the triangles beside the chord: left first.
+  /// A walk from the triangles at the chord: left first.
   void start(const StripMesh& mesh, Halfedge chord) {
     mesh_ = &mesh;
     if (met_.size() < mesh.triangle_bound()) met_.resize(mesh.triangle_bound() + mesh.triangle_bound() / 2, 0);

@@ -1,7 +1,7 @@
 // Preconditions of split, collapse and flip on a StripMesh: is this operation legal, and if not, why?
 //
 // A check changes nothing. An operation is granted exactly when all of this holds:
-//  - its halfedges are those of the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are manifold
+//  - its halfedges belong to the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are manifold
 //    (StripMesh::non_manifold), except the new one, which has no triangle yet;
 //  - closed fans that are split have three triangles or more;
 //  - the mesh stays as good as it was: no edge of three triangles, no new non-manifold vertex, three triangles or more

@@ -22,7 +22,7 @@ namespace restrip {
 struct Cost {
   std::uint16_t restart = 1;   ///< of each strip
   std::uint16_t swap = 0;      ///< of each swap
-  std::uint16_t isolated = 0;  ///< of each isolated triangle, beside the restart of the strip that it is
+  std::uint16_t isolated = 0;  ///< of each isolated triangle, in addition to the restart of its strip
 
   [[nodiscard]] static constexpr Cost strips() noexcept { return {1, 0, 0}; }
   [[nodiscard]] static constexpr Cost indices() noexcept { return {3, 1, 0}; }

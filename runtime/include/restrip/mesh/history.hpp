@@ -41,8 +41,8 @@ class History {
   bool frame(const StripMesh& mesh, std::span<const Triangle> changed);
 
   /// Gives the mesh back as it was before the last frame, or after the one that was undone last. False when there is
-  /// none. Call after frame() alone: what has changed since is lost. The watch of the mesh is told. Keepers of the mesh
-  /// must be rebuilt, buffers updated.
+  /// none. Call after frame() alone: what has changed since is lost. The watch of the mesh is notified. Keepers of the
+  /// mesh must be rebuilt, buffers updated.
   bool undo(StripMesh& mesh);
   bool redo(StripMesh& mesh);
 

@@ -6,11 +6,11 @@
 //
 // Exceptions. Any function of a mesh may throw, and the exception leaves the operation that called it. If the mesh
 // keeps two promises, its colouring is valid after an exception, though perhaps not optimal: some dual edges may be
-// dashed that could be solid, and the next operations go on from there.
+// dashed that could be solid, and the next operations continue from there.
 //  - insert_vertex, remove_vertex and turn_edge do their work, or throw and leave the mesh and its colours as they
 //    were; set_solid changes one dual edge, for both its halfedges, or none.
-//  - insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex those of merged edges.
-// The Rewrite is lost, so count the strips anew after an exception.
+//  - insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex the dual edges of merged edges.
+// The Rewrite is lost, so count the strips again after an exception.
 // restrip keeps its part as follows: it first reads everything it needs, then dashes edges, then changes the mesh, then
 // makes edges solid. So at every moment the colouring is the old or the new one, perhaps with fewer solid
 // edges.
@@ -30,7 +30,7 @@ namespace restrip {
 /// The *colour of a halfedge* is the colour of the dual edge that crosses its mesh edge: a halfedge and its opposite
 /// always answer the same, and a boundary edge answers false (dashed). A mesh that knows in constant time whether the
 /// vertex that a halfedge leaves is on the boundary may offer `bool leaves_boundary(h)`; otherwise restrip turns around
-/// the vertex. A mesh that can tell whether a handle is one of its own, for any handle, may offer `bool alive(h)`;
+/// the vertex. A mesh that can say whether a handle is one of its own, for any handle, may offer `bool alive(h)`;
 /// debug builds ask it before each operation.
 template <class Mesh>
 concept ColoredMesh = std::regular<typename Mesh::Halfedge> &&
@@ -52,7 +52,8 @@ concept ColoredMesh = std::regular<typename Mesh::Halfedge> &&
 /// order of the two spokes says which of the two vertices stays there. Turning counter-clockwise from one boundary edge
 /// of the fan to the other,
 ///  - where `right` comes first, v_t takes the triangles between the spokes and is interior; v_s is on the boundary;
-///  - where `left` comes first, the turn from `right` to `left` goes on across the boundary: v_t takes the triangles at
+///  - where `left` comes first, the turn from `right` to `left` continues across the boundary: v_t takes the triangles
+///  at
 ///    both ends of the fan and is on the boundary; v_s keeps those between the spokes and is interior.
 /// Both make the same mesh but for the names, and both are needed: each undoes a collapse of an edge with one end on
 /// the boundary, the first into that end, the second into the interior one.
@@ -71,9 +72,9 @@ struct VertexSplit {
 
 /// A mesh that can split a vertex: insert the triangles described at VertexSplit and return the halfedge v_s -> v_t
 /// (the chord). Where it takes the new vertex from its caller, of a type Mesh::Vertex, and has no other insert_vertex,
-/// operations that insert a vertex must be given one. Other halfedges around the vertex, except those of the two
-/// spokes, stay valid handles of the same mesh edges. The dual edges of the new triangles are dashed; all others keep
-/// their colours.
+/// operations that insert a vertex must be given one. Other halfedges around the vertex, except the halfedges of the
+/// two spokes, stay valid handles of the same mesh edges. The dual edges of the new triangles are dashed; all others
+/// keep their colours.
 template <class Mesh>
 concept NamesNewVertices = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
   { mesh.insert_vertex(where) } -> std::same_as<typename Mesh::Halfedge>;
@@ -84,18 +85,18 @@ concept SplittableMesh = NamesNewVertices<Mesh> ||
       { mesh.insert_vertex(where, name) } -> std::same_as<typename Mesh::Halfedge>;
     });
 
-/// A mesh that can collapse the mesh edge of the halfedge v_s -> v_t: remove v_t and the triangles beside the edge, and
-/// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or where there is none the
-/// one to v_r. Other halfedges around the two vertices, except those of the removed triangles and of the edges that
-/// are merged, stay valid handles of the same mesh edges. The dual edges of merged edges are dashed; all others keep
-/// their colours.
+/// A mesh that can collapse the mesh edge of the halfedge v_s -> v_t: remove v_t and the triangles at the edge, and
+/// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or if it does not exist the
+/// one to v_r. Other halfedges around the two vertices, except the halfedges of the removed triangles and of the edges
+/// that are merged, stay valid handles of the same mesh edges. The dual edges of merged edges are dashed; all others
+/// keep their colours.
 template <class Mesh>
 concept CollapsibleMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge chord) {
   { mesh.remove_vertex(chord) } -> std::same_as<typename Mesh::Halfedge>;
 };
 
-/// A mesh that can flip an interior mesh edge: the edge of u -> v, with apexes l (left) and r (right), becomes that of
-/// r -> l, which is returned. All dual edges keep their colours.
+/// A mesh that can flip an interior mesh edge: the edge of u -> v, with apexes l (left) and r (right), becomes the edge
+/// of r -> l, which is returned. All dual edges keep their colours.
 template <class Mesh>
 concept FlippableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge h) {
   { mesh.turn_edge(h) } -> std::same_as<typename Mesh::Halfedge>;
@@ -131,7 +132,7 @@ template <ColoredMesh Mesh>
   return {mesh.solid(port), mesh.solid(edge), mesh.opposite(edge)};
 }
 
-/// One triangle of a strip, entered over the dual edge of a halfedge of it: does the strip go on, and over which
+/// One triangle of a strip, entered over the dual edge of a halfedge of it: does the strip continue, and over which
 /// halfedge of the next triangle?
 template <class Halfedge>
 struct StripStep {

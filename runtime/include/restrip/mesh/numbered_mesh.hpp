@@ -1,6 +1,6 @@
 // What index buffers ask of a mesh beyond walking and colours: numbers for its triangles and vertices.
 //
-// | function | answers | StripMesh | a mesh of your own |
+// | function | answers | StripMesh | a custom mesh |
 // | --- | --- | --- | --- |
 // | `triangle(h)` | the number of the triangle of h | has it | the face index of h |
 // | `halfedge(t)` | a halfedge of triangle t | has it (side 0) | the first halfedge of the face |

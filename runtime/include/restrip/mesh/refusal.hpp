@@ -10,7 +10,7 @@ enum class Refusal {
   no_such_edge,         ///< the halfedge is not one of the mesh
   different_vertices,   ///< the two spokes of a split do not leave the same vertex
   same_spoke,           ///< the two spokes of a split are the same
-  non_manifold_vertex,  ///< a vertex of the operation is one where the mesh is no manifold
+  non_manifold_vertex,  ///< a vertex of the operation is one where the mesh is not manifold
                         ///< (BuildReport::non_manifold_vertices)
   boundary_edge,        ///< a flip needs a triangle on both sides
   spoke_on_boundary,    ///< a one-sided split needs a boundary vertex

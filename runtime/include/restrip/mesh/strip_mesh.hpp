@@ -341,7 +341,7 @@ class StripMesh {
 [[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
 [[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
 /// May the triangles `in` take the place of `out` (StripMesh::replace)? By the rules of checks.hpp, with these
-/// differences: all vertices must be different, and no mesh edge may be made that there is already. Quadratic in the
+/// differences: all vertices must be different, and no mesh edge may be made that exists already. Quadratic in the
 /// triangles, and linear in the valence of the vertices between which there are new edges.
 [[nodiscard]] inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                            std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);

@@ -33,7 +33,7 @@ inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// counted here as left out.
 struct BuildReport {
   std::size_t degenerate_triangles = 0;    ///< left out: a corner twice
-  std::size_t out_of_range_triangles = 0;  ///< left out: a corner that is no vertex
+  std::size_t out_of_range_triangles = 0;  ///< left out: a corner that is not a vertex
   std::size_t boundary_edges = 0;          ///< edges of one triangle
   /// Edges of three triangles or more. Strips cross them in pairs of triangles wound alike, so that the sheets of a
   /// two-sided mesh keep their strips; operations there are refused.

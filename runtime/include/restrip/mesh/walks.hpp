@@ -1,6 +1,6 @@
 // Walks over a mesh, for programs that keep more than colours: which triangles an operation touches and which lie
-// beside them, on any mesh that numbers its triangles; which halfedges leave a vertex, on a StripMesh. The single steps
-// (turn_ccw, turn_cw, fan_step, strip_step) are in mesh.hpp and work on every mesh.
+// next to them, on any mesh that numbers its triangles; which halfedges leave a vertex, on a StripMesh. The single
+// steps (turn_ccw, turn_cw, fan_step, strip_step) are in mesh.hpp and work on every mesh.
 #pragma once
 
 #include <cstddef>

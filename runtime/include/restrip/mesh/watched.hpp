@@ -1,10 +1,10 @@
 // Watched: any mesh, with a list of the triangles that change.
 //
-// Buffers that are kept in step with a mesh (output/) must be told which triangles changed; one that is forgotten is
-// drawn wrongly, and nothing tells. A StripMesh makes the list itself (StripMesh::watch). For every other mesh Watched
+// Buffers that are kept in step with a mesh (output/) must know which triangles changed; one that is forgotten is
+// drawn wrongly, without a warning. A StripMesh makes the list itself (StripMesh::watch). For every other mesh Watched
 // derives it from the calls that change the mesh, so that nothing can be forgotten:
 //
-//   Watched watched(mesh);                             // a NumberedMesh of your own
+//   Watched watched(mesh);                             // a custom NumberedMesh
 //   Keeper keeper(watched, Policy::quick);
 //   StripBuffer buffer(watched);
 //   keeper.collapse(chord);
@@ -24,7 +24,7 @@
 namespace restrip {
 
 /// Models what the mesh models. Refers to the mesh, which must outlive it. Each call takes the time of the mesh's own,
-/// and that of a walk around the vertices whose triangles change. Room in the list is made before anything changes;
+/// and of a walk around the vertices whose triangles change. Room in the list is made before anything changes;
 /// after std::bad_alloc nothing has.
 template <NumberedMesh Mesh>
 class Watched {
@@ -74,7 +74,7 @@ class Watched {
   }
   Halfedge remove_vertex(Halfedge chord) requires requires(Mesh& m) { m.remove_vertex(chord); }
   {
-    // The triangles that stay beside the two that go lie around one of its ends.
+    // The remaining neighbours of the two removed triangles lie around one of its ends.
     name_fan(mesh_->opposite(chord));
     name_fan(chord);
     return mesh_->remove_vertex(chord);

@@ -1,7 +1,7 @@
-// apply: an operation of your own, with strips kept.
+// apply: a custom operation that maintains strips.
 //
 // `restrip-generate rules` makes a header from a file that names the triangles before and after the operation
-// (docs/operation-file.md, "Triangles"). With the header, the operation can be done at any place of a mesh:
+// (docs/reference/operation-file.md, "Triangles"). With the header, the operation can be done at any place of a mesh:
 //
 //   #include "restrip/tables/operations/refine_face.hpp"
 //   const auto done = restrip::apply(mesh, restrip::tables::refine_face, h);
@@ -9,8 +9,8 @@
 // h is a side of the first triangle that the file names under `before`: the one from its first vertex to its second,
 // with the triangle to the left of it. All other triangles are found from there.
 //
-// The header of a family has one table for each of its positions. With hub-goes.json of docs/toolkit.md, at a vertex of
-// k triangles:
+// The header of a family has one table for each of its positions. With hub-goes.json of
+// docs/tutorials/custom-operation.md, at a vertex of k triangles:
 //
 //   apply(mesh, position_of(restrip::tables::hub_goes, {k}), h);
 //
@@ -24,10 +24,10 @@
 // What holds of insert_vertex and its like (mesh.hpp) must hold of that function: it does its work, or throws and
 // leaves the mesh as it was; the dual edges of new triangles, and of mesh edges that it merges, are dashed; all others
 // keep their colours. When it is called all dual edges inside the patch are dashed. The two halves do the same for code
-// that cannot be called in between (hooks.hpp has those of split, collapse and flip).
+// that cannot be called in between (hooks.hpp has the halves of split, collapse and flip).
 //
 // Nothing outside the patch is read or written, except that a rule may give a port up, which dashes an edge of the
-// triangle behind it. There is no state beside the colours, and no allocation but that of the mesh. Linear in the
+// triangle behind it. The only state is the colours, and only the mesh allocates. Linear in the
 // triangles of the patch, quadratic where a StripMesh changes itself.
 //
 // Preconditions are checked in debug builds: that the triangles are there, and are different ones; on a StripMesh what
@@ -60,7 +60,7 @@ concept SurfaceTable = requires(const Table& table, std::uint32_t colors) {
   { table.vertices } -> std::convertible_to<unsigned>;
 };
 
-/// The triangles of a patch where it is in a mesh: as many as Extent says, or std::dynamic_extent.
+/// The triangles of a patch in a mesh: Extent of them, or std::dynamic_extent.
 template <class Halfedge, std::size_t Extent>
 struct PatchSides {
   explicit PatchSides(std::span<const tables::PatchTriangle, Extent> of) : triangles(of) {}

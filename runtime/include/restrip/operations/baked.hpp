@@ -97,12 +97,12 @@ struct FallingEdge {
 }  // namespace detail
 
 /// Splits a vertex, colours the mesh plainly and flips `flips`, halfedges of the mesh after the split. Preconditions:
-/// those of split(), and the mesh in the state for which the flips were baked; of the latter, debug builds check only
-/// that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. The time
-/// is that of the mesh operation and of the flips. Nothing is allocated beyond what the mesh allocates to grow, and one
-/// bit for each flip of a record with more than 512. After an exception the colouring is valid (mesh.hpp), but it is
-/// not the one for which later flips were baked. `valence` and `isolated` of the result are 0, because counting them
-/// would take longer than the flips.
+/// the ones of split(), and the mesh in the state for which the flips were baked; of the latter, debug builds check
+/// only that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. The
+/// time is the complexity of the mesh operation and of the flips. Nothing is allocated beyond what the mesh allocates
+/// to grow, and one bit for each flip of a record with more than 512. After an exception the colouring is valid
+/// (mesh.hpp), but it is not the one for which later flips were baked. `valence` and `isolated` of the result are 0,
+/// because counting them would take longer than the flips.
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                              std::span<const typename Mesh::Halfedge> flips, Name... name) {
@@ -195,7 +195,7 @@ class BakedPlayer {
 
   /// Call before changing the mesh or its colours in any other way.
   void leave_step() noexcept { in_step_ = false; }
-  /// The mesh and its colours are again those of this baked level.
+  /// The mesh and its colours are at this baked level again.
   void restart(std::size_t level = 0) noexcept {
     level_ = level;
     in_step_ = true;

@@ -1,10 +1,11 @@
 // Batches: many splits or many collapses of a StripMesh at the same time.
 //
-// A rule reads and writes nothing outside its patch, so operations on disjoint patches commute (docs/theory.md, the
-// locality lemma). A batch is a list of such operations. The result is the same as when they are done one by one in the
-// order of the list, byte for byte: the same triangle and vertex handles, links, colours and first spokes, for any
-// number of threads and whichever operation happens to run first. Only handles depend on an order, so one thread takes
-// them before the parallel part (splits) or gives them back after it (collapses), in the order of the list.
+// A rule reads and writes nothing outside its patch, so operations on disjoint patches commute
+// (docs/explanation/theory.md, the locality lemma). A batch is a list of such operations. The result is the same as
+// when they are done one by one in the order of the list, byte for byte: the same triangle and vertex handles, links,
+// colours and first spokes, for any number of threads and whichever operation happens to run first. Only handles depend
+// on an order, so one thread takes them before the parallel part (splits) or gives them back after it (collapses), in
+// the order of the list.
 //
 // Threads are std::jthread, or oneTBB when RESTRIP_USE_TBB is defined (then link TBB::tbb, and define it in the same
 // way in all sources of a program). With one thread, the default, none is started.
@@ -30,7 +31,7 @@ struct SplitRequest {
 };
 
 struct BatchOptions {
-  /// 1: only this thread; 0: as many as the machine runs. Batches of a few operations stay in this thread.
+  /// 1: only this thread; 0: one for each processor. Batches of a few operations stay in this thread.
   unsigned threads = 1;
   /// True: the caller knows that every operation is granted and that no two overlap (PatchClaims); nothing is checked
   /// except in debug builds (precondition.hpp).
@@ -100,7 +101,7 @@ struct Overlap {
 [[nodiscard]] std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
                                                             std::span<const StripMesh::Halfedge> chords);
 
-/// Which operation owns which part of a mesh: to choose operations for a batch, or to tell which ones conflict.
+/// Which operation owns which part of a mesh: to choose operations for a batch, or to say which ones conflict.
 ///
 /// Two operations overlap when they claim the same triangle or the same vertex:
 ///  - a split claims the triangles around v_s. It reads the colour of a port in its own triangle and writes no link of

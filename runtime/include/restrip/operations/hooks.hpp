@@ -14,12 +14,12 @@
 // dashes them. Nothing else may change the patch between the two halves.
 //
 // Between the halves the colouring is valid, with fewer solid edges perhaps, and it stays so if the library gives up
-// its change: then drop the pending object, and count the strips anew. The result is that of split(), collapse() and
-// flip(), which are made of the same halves, and takes the same time. A pending object allocates only for fans of more
-// than max_word_valence triangles.
+// its change: then drop the pending object, and count the strips again. The result is the one of split(), collapse()
+// and flip(), which are made of the same halves, and takes the same time. A pending object allocates only for fans of
+// more than max_word_valence triangles.
 //
 // Debug builds check the preconditions of the operation before, and after it that the mesh has the patch that the
-// operation makes. On meshes other than StripMesh every operation also checks that the colours it reads can be those of
+// operation makes. On meshes other than StripMesh every operation also checks that the colours it reads can belong to
 // a valid colouring (Refusal::colors_not_valid), so that changes past restrip do not go unnoticed for long;
 // check_coloring (output/strips.hpp) looks at the whole mesh. Linked rules: linked_hooks.hpp. Ready for use:
 // operations/adapters/openmesh_decimater.hpp and operations/adapters/cgal_edge_collapse.hpp.
@@ -76,8 +76,8 @@ struct HookTally {
   std::size_t operations = 0;
   long strips = 0;    ///< change in the number of strips
   long isolated = 0;  ///< change in the number of isolated triangles
-  /// Operations that the library made without telling before. The colouring is valid, but count its strips anew: the
-  /// change that these made is not in `strips` and `isolated`.
+  /// Operations that the library made without a callback before. The colouring is valid, but count its strips again:
+  /// the change that these made is not in `strips` and `isolated`.
   std::size_t untold = 0;
 
   template <class Halfedge>

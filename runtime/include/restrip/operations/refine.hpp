@@ -1,17 +1,17 @@
 // split_face, bisect and their inverses: operations on two to four triangles, with strips kept.
 //
 // A new vertex inside a triangle or on an edge could be made by split() as well, which recolours the whole fan around a
-// vertex. Here the patch is the triangles beside the new vertex and nothing else, so time does not depend on valences
+// vertex. Here the patch is the triangles around the new vertex and nothing else, so time does not depend on valences
 // (a StripMesh moves a vertex of its own choice, and never one that has more triangles than the patch). Longest-edge
 // bisection of terrains and of finite elements refines and coarsens so. The rules come from operation files,
-// tables/operations/*.json; docs/toolkit.md shows how to add one of your own.
+// tables/operations/*.json; docs/tutorials/custom-operation.md shows how to add a custom one.
 //
 //     split_face   one triangle becomes three         join_faces   and back
-//     bisect       the triangles beside an edge       merge        and back
+//     bisect       the triangles at an edge           merge        and back
 //                  become two each
 //
 // Nothing outside the patch is read or written, except that the inverses may give a port up, which dashes an edge of
-// the triangle behind it. Preconditions and exceptions are as in operations.hpp: preconditions are those of the mesh
+// the triangle behind it. Preconditions and exceptions are as in operations.hpp: preconditions come from the mesh
 // operation, checked in debug builds; exceptions of the mesh leave the colouring valid.
 #pragma once
 

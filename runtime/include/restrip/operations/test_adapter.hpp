@@ -1,5 +1,5 @@
-// Does a mesh of your own keep the contract of mesh/mesh.hpp? One call drives it through random operations, looks at
-// the whole of it after each, and tells the first line of the contract that it breaks.
+// Does your mesh keep the contract of mesh/mesh.hpp? One call drives it through random operations, looks at
+// the whole of it after each, and reports the first line of the contract that it breaks.
 //
 //   MyMesh mesh = a_small_mesh();                       // some 50 to 200 triangles, with and without boundary
 //   const restrip::AdapterReport report = restrip::test_adapter(mesh, any_halfedge);
@@ -24,14 +24,14 @@
 
 namespace restrip {
 
-/// The lines of the contract. docs/own-mesh.md has a picture.
+/// The lines of the contract. docs/how-to/own-mesh.md has a picture.
 enum class Contract {
   kept,                      ///< all of them
   opposite_is_involution,    ///< opposite(opposite(h)) is h, and opposite(h) is not h
   triangle_of_three,         ///< next leads around a triangle in three steps over three halfedges
   triangle_has_no_boundary,  ///< the halfedges of a triangle are not on the boundary
   edge_has_triangle,         ///< of a halfedge and its opposite one has a triangle
-  walk_ends,                 ///< as many halfedges are met as there are
+  walk_ends,                 ///< the walk meets every halfedge once
   same_color_on_both_sides,  ///< solid(h) is solid(opposite(h))
   boundary_is_dashed,        ///< solid is false on boundary edges
   set_solid_sets,            ///< after set_solid(h, c) solid(h) and solid(opposite(h)) are c
@@ -68,9 +68,9 @@ struct AdapterReport {
   Contract broken = Contract::kept;                ///< the first line that the mesh broke
   const char* during = "the mesh as it is given";  ///< or the function that was called last
   std::size_t operations = 0;                      ///< how many were done
-  std::size_t splits = 0;                          ///< of which insert_vertex served so many,
-  std::size_t collapses = 0;                       ///< remove_vertex so many,
-  std::size_t flips = 0;                           ///< and turn_edge so many
+  std::size_t splits = 0;                          ///< calls of insert_vertex
+  std::size_t collapses = 0;                       ///< calls of remove_vertex
+  std::size_t flips = 0;                           ///< calls of turn_edge
 
   [[nodiscard]] constexpr bool kept() const noexcept { return broken == Contract::kept; }
 };

@@ -1,4 +1,4 @@
-// Does an index buffer draw the triangles of a mesh, each once? For tests and debug builds: a buffer that was not told
+// Does an index buffer draw the triangles of a mesh, each once? For tests and debug builds: a buffer that does not know
 // of a change draws a wrong picture and does not know.
 #pragma once
 

@@ -2,12 +2,12 @@
 //
 //   const IndexBound bound = strip_index_lower_bound(mesh);
 //   bound.indices                       // no index buffer of these triangles has fewer
-//   bound.cuts                          // why: docs/theory.md, "No buffer has fewer indices"
+//   bound.cuts                          // why: docs/explanation/theory.md, "Lower bound on indices"
 //
 // An index serves at most three consecutive triangles. Where one serves fewer, at the ends of a strip and at swaps, two
 // are missing at one vertex and one at a neighbour: an arrow along a mesh edge. What is missing at a vertex of n
 // triangles is -n modulo 3, so the arrows are a flow modulo 3, and the border of every set of vertices whose triangles
-// do not add up to a multiple of three is crossed by arrows. As many sets as fit beside each other are searched for.
+// do not add up to a multiple of three is crossed by arrows. A largest packing of such sets is searched for.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct IndexBound {
 
   std::size_t triangles = 0;
   std::size_t components = 0;  ///< of the mesh, where triangles that share a vertex are connected
-  std::size_t arrows = 0;      ///< at least so many: the sum of all multipliers over the denominator, rounded up
+  std::size_t arrows = 0;      ///< a lower bound: the sum of all multipliers over the denominator, rounded up
   std::size_t indices = 0;     ///< triangles + arrows + components - 1; 0 without triangles
   std::vector<VertexCut> cuts;
 };

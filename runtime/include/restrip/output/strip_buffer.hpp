@@ -2,7 +2,7 @@
 //
 // A renderer that draws strips while the level of detail moves does not want to write its whole index buffer again
 // after every few operations. Here strips are cut into *runs* of at most 36 triangles, each in a place of its own. When
-// triangles change, the runs that they are in are written anew, and little else.
+// triangles change, the runs that they are in are written again, and little else.
 //
 //   std::vector<Triangle> changed;
 //   mesh.watch(&changed);
@@ -83,9 +83,9 @@ class BasicStripBuffer {
     rebuild(mesh);
   }
 
-  /// Writes everything anew, without gaps. Triangles on solid cycles, which no valid colouring has, are left out.
+  /// Writes everything again, without gaps. Triangles on solid cycles, which no valid colouring has, are left out.
   /// Throws std::length_error when the number of a vertex does not fit into an index (the restart index is none), or
-  /// std::bad_alloc, or what the mesh throws; then the buffer is incomplete, and the next update writes it anew.
+  /// std::bad_alloc, or what the mesh throws; then the buffer is incomplete, and the next update writes it again.
   template <NumberedMesh Mesh>
   void rebuild(const Mesh& mesh);
 
@@ -93,7 +93,7 @@ class BasicStripBuffer {
   /// changed since the last call, and those inserted and removed, as StripMesh::watch does; repetitions do no harm.
   /// Returns the ranges whose indices may have changed, ascending and apart from each other; the buffer may have grown
   /// or shrunk, by multiples of four bytes. Valid until the next call. Throws as rebuild() does; then indices() is as
-  /// it was before, unless everything was to be written, and the next update writes everything anew.
+  /// it was before, unless everything was to be written, and the next update writes everything again.
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
                                 const RangeOptions& ranges = {});
@@ -186,7 +186,7 @@ class BasicStripBuffer {
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
   bool stitched_ = false;
-  bool stale_ = true;    // an update was interrupted: the next one writes everything anew
+  bool stale_ = true;    // an update was interrupted: the next one writes everything again
   bool rebuilt_ = true;  // the last one did
   bool told_ = true;     // what is in written_
   std::vector<Range> written_;

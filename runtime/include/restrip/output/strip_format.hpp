@@ -59,7 +59,7 @@ struct RangeOptions {
   std::size_t align = 4;
 };
 
-/// The highest index of 16 bits restarts strips, or is forbidden as in glTF; so is no vertex in any form.
+/// The highest index of 16 bits restarts strips, or is forbidden as in glTF; so is not a vertex in any form.
 inline constexpr std::uint32_t highest_index16 = 0xFFFE;
 
 struct IndexBuffer {

@@ -5,8 +5,8 @@
 //   const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
 //
 // Greedy: next comes the strip that the vertices in the cache spare the largest share of the misses of its beginning,
-// counted by simulating the cache; where none spares any, a strip beside those written last. (The way back to what was
-// left behind is that of Sander, Nehab, Barczak, "Fast triangle reordering for vertex locality and reduced overdraw",
+// counted by simulating the cache; where none spares any, a strip next to the last written ones. (The way back to what
+// was left behind follows Sander, Nehab, Barczak, "Fast triangle reordering for vertex locality and reduced overdraw",
 // 2007; their unit is the triangle.)
 #pragma once
 
@@ -27,8 +27,8 @@ struct StripOrderCounts {
 /// many indices and draws the same triangles, and a cache of `cache_size` vertices, first in, first out, misses less
 /// often (vertex_cache.hpp counts that). A strip is turned only where that takes no index more. `strips` must be those
 /// of the mesh as it is now. Linear time: at most 64 beginnings of at most 2 * cache_size indices are compared for each
-/// strip. Deterministic. About 60 bytes a triangle for the time of the call. A `cache_size` of 0 is no cache: nothing
-/// changes.
+/// strip. Deterministic. About 60 bytes a triangle for the time of the call. A `cache_size` of 0 means no cache:
+/// nothing changes.
 template <NumberedMesh Mesh>
 [[nodiscard]] Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_t cache_size = 16,
                                             StripOrderCounts* counts = nullptr);

@@ -1,7 +1,7 @@
 // From colours to strips: check a colouring, list the triangles of each strip, write the index buffer.
 //
 // Everything here is computed from scratch in linear time and is the same on every machine, for any mesh that numbers
-// its triangles and vertices (mesh/numbered_mesh.hpp); what a mesh of your own throws leaves these functions. The index
+// its triangles and vertices (mesh/numbered_mesh.hpp); what your mesh throws leaves these functions. The index
 // buffer is the plain triangle strip of OpenGL, Vulkan, Direct3D and WebGPU with primitive restart: after the first two
 // indices of a strip each index v_{i+2} draws the triangle (v_i, v_{i+1}, v_{i+2}) when i is even and (v_{i+1}, v_i,
 // v_{i+2}) when i is odd. A strip that turns twice the same way repeats one index there (a *swap*; Evans, Skiena,
@@ -69,7 +69,8 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 /// The index buffer of the strips, in their order, restart_index between them and neither before nor after. It draws
 /// each triangle exactly once, with its winding in the mesh; indices are vertex numbers. Each strip is written from the
 /// end that needs fewer indices: a strip of n triangles takes n + 2 and one for each swap. `strips` must be
-/// those of the mesh as it is now: debug builds check that triangles that follow each other share a solid dual edge.
+/// the strips of the mesh as it is now: debug builds check that triangles that follow each other share a solid dual
+/// edge.
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips);
 

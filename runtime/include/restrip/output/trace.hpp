@@ -1,5 +1,5 @@
 // Trace: a record of what happened to a mesh and its strips, which a program that shares no code with this library can
-// check (restrip-check; docs/trace.md has the format).
+// check (restrip-check; docs/reference/file-formats.md has the format).
 //
 // The trace begins with all triangles and solid dual edges of the mesh. Each operation adds one line: the triangles
 // that went and came, by vertex number, the dual edges that became dashed and solid, anywhere in the mesh, and what was
@@ -35,19 +35,20 @@
 
 namespace restrip {
 
-/// One operation as a trace tells it.
+/// One operation as a trace records it.
 struct Traced {
   enum class Kind : std::uint8_t {
     split,     ///< `from` has been split, `to` is the new vertex
     collapse,  ///< `to` has been collapsed into `from`
     flip,      ///< the mesh edge between `from` and `to` has been turned
-    other      ///< anything else, several operations together included; nothing is claimed of it but what is told
+    other      ///< anything else, several operations together included; nothing is claimed of it except the reported
+               ///< changes
   };
   Kind kind = Kind::other;
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  int strips = 0;    ///< told: the change in the number of strips of the whole mesh
-  int isolated = 0;  ///< told: the change in the number of isolated triangles
+  int strips = 0;    ///< reported: the change in the number of strips of the whole mesh
+  int isolated = 0;  ///< reported: the change in the number of isolated triangles
 };
 
 /// Keeps a copy of the triangles and their colours, 16 bytes a triangle, and the text until it is taken.

@@ -11,7 +11,7 @@
 // Of 16 bits a buffer with an odd number of triangles has one index more at its end, which draws nothing: its length is
 // a multiple of four bytes.
 //
-// Every triangle has a slot. One that is removed leaves its slot to a new one or, if there is none, to the last
+// Every triangle has a slot. One that is removed leaves its slot to a new one or, if none exists, to the last
 // triangle of the buffer, so that there are no gaps. Slots are given in the order of the triangle numbers: numbers in
 // an order that suits the vertex cache make a buffer that does.
 //
@@ -51,9 +51,9 @@ class BasicTriangleListBuffer {
     rebuild(mesh);
   }
 
-  /// Writes everything anew. Throws std::length_error when the number of a vertex does not fit into an index (the one
-  /// with all bits set restarts strips and is no vertex), or std::bad_alloc, or what the mesh throws; then the buffer
-  /// is incomplete, and the next update writes it anew.
+  /// Writes everything again. Throws std::length_error when the number of a vertex does not fit into an index (the one
+  /// with all bits set restarts strips and is not a vertex), or std::bad_alloc, or what the mesh throws; then the
+  /// buffer is incomplete, and the next update writes it again.
   template <NumberedMesh Mesh>
   void rebuild(const Mesh& mesh) {
     stale_ = true;
@@ -71,7 +71,7 @@ class BasicTriangleListBuffer {
   /// call, and those inserted and removed; others and repetitions do no harm. Returns the ranges whose indices may have
   /// changed, ascending and apart from each other; valid until the next call. Time linear in `changed`, but for a
   /// logarithm and the growth of its arrays (reserve()). Throws as rebuild() does; what is drawn is not known then, and
-  /// the next update writes everything anew.
+  /// the next update writes everything again.
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
                                 const RangeOptions& ranges = {.merge_gap = 0}) {

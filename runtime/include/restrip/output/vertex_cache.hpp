@@ -18,7 +18,7 @@
 namespace restrip {
 
 /// Misses of a cache of `cache_size` vertices, empty at first, that reads the indices of triangle lists or strips in
-/// their order. 0xFFFFFFFF restarts a strip and is no vertex. Linear time; 8 bytes for each vertex up to the largest
+/// their order. 0xFFFFFFFF restarts a strip and is not a vertex. Linear time; 8 bytes for each vertex up to the largest
 /// index. Without a cache, `cache_size` 0, each index is a miss.
 [[nodiscard]] inline std::size_t vertex_cache_misses(std::span<const std::uint32_t> indices, std::size_t cache_size) {
   constexpr std::uint32_t restart = 0xFFFFFFFFU;
@@ -33,7 +33,7 @@ namespace restrip {
   return misses;
 }
 
-/// The average of vertex_cache_misses() for each of `triangles`, those that the indices draw; 0 when there are none.
+/// The average of vertex_cache_misses() for each of `triangles`, which the indices draw; 0 if there are no triangles.
 [[nodiscard]] inline double acmr(std::span<const std::uint32_t> indices, std::size_t cache_size,
                                  std::size_t triangles) {
   if (triangles == 0) return 0;

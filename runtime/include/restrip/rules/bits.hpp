@@ -1,7 +1,7 @@
 // Colours as bits: masks of one 64-bit word, and views of bit strings of any length.
 //
-// Bit 0 is the lowest bit of the first word, 1 = solid, 0 = dashed, as docs/notation.md counts them. Everything here is
-// constexpr, noexcept and constant time unless it says otherwise, and nothing allocates.
+// Bit 0 is the lowest bit of the first word, 1 = solid, 0 = dashed, as docs/reference/notation.md counts them.
+// Everything here is constexpr, noexcept and constant time unless it says otherwise, and nothing allocates.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
@@ -87,7 +87,7 @@ struct BitSpan {
   }
 };
 
-/// A view through which a result is written. The words must not overlap those of any argument.
+/// A view through which a result is written. The words must not overlap the words of any argument.
 struct MutableBitSpan {
   Word* words = nullptr;
 

@@ -1,25 +1,25 @@
 // Rules for fans of any valence, looked up by their key in the automaton of all valences
-// (restrip/tables/automaton.hpp). They are as good as those of the tables for small k; docs/automaton.md says how they
-// are checked.
+// (restrip/tables/automaton.hpp). They are as good as the rules of the tables for small k;
+// docs/explanation/automaton.md says how they are checked.
 //
 // A recolouring keeps every port. It is sound when every triangle keeps at most two solid edges, nothing inside is a
 // solid cycle, and it joins only ports that were joined before. Among the sound ones these functions return one with
-// the most solid edges, and of those one with the fewest isolated triangles; docs/notation.md has the order of
-// preference, the numbering of all bits, and the proof that (ports, joined) is all that matters. Remaining ties are
+// the most solid edges, and of those one with the fewest isolated triangles; docs/reference/notation.md has the order
+// of preference, the numbering of all bits, and the proof that (ports, joined) is all that matters. Remaining ties are
 // broken in the same way on every machine, but not by the tie-break of the tables: compare counts with them, not
 // colours.
 //
 // Input. `ports` has k bits. `joined` has k bits as restrip/rules/key.hpp computes them; with exactly two solid ports
 // in a closed fan either bit stands for the pair. Bits of `joined` without a solid port are ignored. Any pair of masks
 // is safe: a key that no valid configuration has still gets the best recolouring that joins no other pairs. Every
-// position is served (1 <= a < k, gaps i < j), not only those listed in docs/notation.md. A position out of range is a
-// programming error, found in debug builds (precondition.hpp). k is less than 2^26.
+// position is served (1 <= a < k, gaps i < j), not only those listed in docs/reference/notation.md. A position out of
+// range is a programming error, found in debug builds (precondition.hpp). k is less than 2^26.
 //
 // Another cost. An automaton of another cost (`restrip-generate automaton --cost R,S,I`) is used when its folder comes
 // before the library's on the include path; then these functions return a sound recolouring of the least cost restart *
 // strips + swap * swaps + isolated * isolated triangles. Whether a port is a swap depends on how its strip turns in the
 // triangle behind it, which the caller tells: with h the halfedge of triangle t_i whose dual edge is port p_i, bit i of
-// `left` is set when the strip behind the port goes on over the dual edge of next(opposite(h)), bit i of `right` when
+// `left` is set when the strip behind the port continues over the dual edge of next(opposite(h)), bit i of `right` when
 // over that of next(next(opposite(h))). A caller that does not know sets neither, and swaps at this port are not
 // counted. Where swaps have no price `turns` is ignored. restrip/rules/rules.hpp reads the automaton, too, so such an
 // include path is for programs that want these functions and no others.
@@ -53,7 +53,7 @@ struct Recoloring {
   Value value;
 };
 
-/// How strips go on behind the ports, for automata that tell turns apart (see above).
+/// How strips continue behind the ports, for automata that distinguishes turns (see above).
 using Turns = restrip::detail::PortTurns<Word>;
 /// Turns as bit strings; where a view is empty no bit is set.
 using LongTurns = restrip::detail::PortTurns<BitSpan>;
@@ -146,7 +146,7 @@ constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined, T
 
 // ---- Bit strings: any k ----
 //
-// The colours go to the last argument; the words that hold them are overwritten and must not be those of the key.
+// The colours go to the last argument; the words that hold them are overwritten and must not be the words of the key.
 
 /// `inner` has k + 3 bits.
 inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner,

@@ -1,5 +1,5 @@
 // The key of a configuration: from the colours of a patch to what its rule needs to know, and whether the colours are
-// valid in the first place. docs/notation.md defines patches, numbering and key.
+// valid in the first place. docs/reference/notation.md defines patches, numbering and key.
 //
 //   joined_PATCH   the mask `joined`: bit i is set when port i is solid and a solid path inside the patch leads from
 //                  it to the solid port before it (the nearest in descending order; cyclic in a closed fan and in a
@@ -41,7 +41,7 @@ constexpr std::size_t strand_end(const Layout& patch, Word edges, std::size_t at
   return at - static_cast<std::size_t>(std::countl_one(edges << (word_bits - at)));
 }
 
-/// The two solid ports that a path over the chord joins, as a mask over elements; zero when there is none.
+/// The two solid ports that a path over the chord joins, as a mask over elements; zero if no such path exists.
 constexpr Word ends_over_chord(const Layout& patch, Word edges, Word ports) noexcept {
   const std::size_t a = patch.inserted;
   const std::size_t d = patch.opposite;
@@ -52,7 +52,7 @@ constexpr Word ends_over_chord(const Layout& patch, Word edges, Word ports) noex
   return one != two && has(ports, one) && has(ports, two) ? bit(one) | bit(two) : 0;
 }
 
-/// The bit that names a joined pair in a key; zero when there is none, or none that a key can name. (Without ends all
+/// The bit that names a joined pair in a key; zero if no pair is joined, or none that a key can name. (Without ends all
 /// of these masks are zero.)
 constexpr Word name_of_pair(const Layout& patch, Word ends, Word ports) noexcept {
   const Word high = std::bit_floor(ends);
@@ -63,7 +63,7 @@ constexpr Word name_of_pair(const Layout& patch, Word ends, Word ports) noexcept
 }
 
 /// What a patch joins: the pairs that a key names, and the two ports that a path over the chord joins, which need not
-/// be neighbours; zero when there are none.
+/// be neighbours; zero if none exist.
 struct InnerPairs {
   Word joined = 0;
   Word over_chord = 0;
@@ -76,7 +76,7 @@ struct InnerPairs {
 };
 
 /// A strand starts upwards where a solid port meets the solid edge above it. Adding that start to the edges sends a
-/// carry through the run of solid edges, which are ones, and it comes to rest on the element where the run ends. Valid
+/// carry through the run of solid edges, which are ones, and it stops at the element where the run ends. Valid
 /// colours have at most one start in a run, and it sits at the run's lower end.
 constexpr InnerPairs inner_pairs(const Layout& patch, Word inner, Word fan_ports) noexcept {
   RESTRIP_ASSERT(patch.k <= max_word_valence, "key of a mask", no_such_fan);

@@ -4,12 +4,12 @@
 // the colours, no allocation, constexpr. For larger fans it is read from the automaton of all valences (exact.hpp), two
 // table reads for each triangle. In both cases the answer is sound whatever lies outside the patch, has the most solid
 // edges of all sound recolourings, and of those the fewest isolated triangles in the patch. Recolourings of splits and
-// collapses keep every port; those of flips may give ports up, and that would sometimes save a strip in the others as
-// well (docs/theory.md, "Ports given up"). docs/trust.md says what is proved for which k. Source of the idea: Porcu,
-// Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits are numbered in
-// docs/notation.md.
+// collapses keep every port; rules of flips may give ports up, and that would sometimes save a strip in the others as
+// well (docs/explanation/theory.md, "Ports given up"). docs/explanation/what-is-proven.md says what is proved for which
+// k. Source of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits
+// are numbered in docs/reference/notation.md.
 //
-// Positions: those of SplitPosition, GapPair and Gap, k <= max_word_valence; others are a programming error, found in
+// Positions: SplitPosition, GapPair and Gap, k <= max_word_valence; others are a programming error, found in
 // debug builds (precondition.hpp). Colours that no valid stripification has (a triangle with three solid edges, a solid
 // cycle) get `valid = false` and all edges dashed, which is always sound to apply.
 #pragma once
@@ -30,8 +30,8 @@
 
 namespace restrip {
 
-/// The largest valence that has tables: 8 in those that are shipped, or what `restrip-generate tables --max-k` was told
-/// (docs/tables.md).
+/// The largest valence that has tables: 8 in the shipped tables, or the --max-k of `restrip-generate tables`
+/// (docs/reference/tables.md).
 inline constexpr unsigned table_max_k = tables::split.first.size() - 1;
 
 /// The place of a split or collapse in a closed fan of k >= 3 triangles: A before t_0, D before t_a, 1 <= a < k.

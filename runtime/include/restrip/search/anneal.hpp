@@ -28,7 +28,7 @@ struct AnnealOptions {
                              ///< with 0 no change is made that costs something
 };
 
-/// Lowers the cost of a valid colouring. The cost is that of cost.hpp, with one addition: where swaps have a weight, a
+/// Lowers the cost of a valid colouring. The cost is as in cost.hpp, with one addition: where swaps have a weight, a
 /// strip that begins with the wrong turn from both ends counts as one more swap, as in a written index buffer. So with
 /// Cost::indices() it is the length of strip_indices() less T - 1.
 ///

@@ -17,7 +17,7 @@
 //
 // Everything is deterministic. After warm-up nothing is allocated. Single moves of this kind are the neighbourhood of
 // the searches for Hamiltonian paths by rotation (Pósa, "Hamiltonian circuits in random graphs", 1976); chains of them
-// are those of Lin and Kernighan (1973).
+// are due to Lin and Kernighan (1973).
 #pragma once
 
 #include <array>
@@ -107,7 +107,7 @@ class Descent {
   /// six. Constant time.
   template <SidedMesh Mesh>
   [[nodiscard]] std::span<const StripMove> moves_at(const Mesh& mesh, Triangle t, std::int32_t highest);
-  /// True when the move closes no solid cycle. Walks along the strip; false as well when neither walk comes to an end.
+  /// True when the move closes no solid cycle. Walks along the strip; false as well when neither walk ends.
   template <SidedMesh Mesh>
   [[nodiscard]] bool keeps_strips(const Mesh& mesh, const StripMove& move);
   /// Makes the move, which must keep strips.

@@ -18,7 +18,7 @@
 //
 // Everything is deterministic. Nothing is allocated, but for what a watched mesh reports. The moves are the rotations
 // of Pósa ("Hamiltonian circuits in random graphs", 1976), and those by which strips are tunnelled (Stewart, "Tunneling
-// for triangle strips in continuous level-of-detail meshes", 2001), here with a price; chains of them are those of Lin
+// for triangle strips in continuous level-of-detail meshes", 2001), here with a price; chains of them are due to Lin
 // and Kernighan (1973).
 #pragma once
 
@@ -44,7 +44,7 @@ struct EndLimits {
 /// Sums over all calls.
 struct EndCounts {
   std::uint64_t looked = 0;  ///< ends looked at
-  std::uint64_t priced = 0;  ///< edges beside them whose moves were priced
+  std::uint64_t priced = 0;  ///< adjacent edges whose moves were priced
   std::uint64_t made = 0;    ///< moves made for good
 };
 

@@ -4,7 +4,7 @@
 // *open*; one after another is made solid or dropped. A triangle with no more open edges than it still has room for is
 // *forced*: all its open edges become solid, which loses nothing as long as the rest can be completed. Only when
 // nothing is forced is an edge chosen freely, at the strip end that has waited longest. Strips then grow around each
-// other in rings, and few triangles are left between them (on the Stanford bunny there are a third as many strips as
+// other in rings, and few triangles are left between them (on the Stanford bunny there are a third of the strips
 // when the newest end is preferred). This is Karp and Sipser's rule for matchings (1981), applied to paths as in the
 // 2GREEDY algorithm of Bohman and Frieze ("Hamilton cycles in random graphs with minimum degree at least 3", 2013).
 //
@@ -19,7 +19,7 @@
 
 namespace restrip {
 
-/// Colours the whole mesh anew: every dual edge that was solid before is forgotten. One pass, linear time, 12 bytes a
+/// Colours the whole mesh again: every dual edge that was solid before is forgotten. One pass, linear time, 12 bytes a
 /// triangle while it runs; the same on every machine. Returns the number of strips.
 template <NumberedMesh Mesh>
 std::size_t stripify_fast(Mesh& mesh);

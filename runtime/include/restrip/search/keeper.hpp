@@ -2,7 +2,7 @@
 //
 // Every operation begins with its proven rule (operations.hpp), which sees one patch. A policy (policy.hpp) says how
 // much more an operation looks at, and what comes after the rule only lowers the cost. So what a rule adds at most, an
-// operation adds at most (docs/theory.md, "What an operation adds").
+// operation adds at most (docs/explanation/theory.md, "What an operation adds").
 //
 // Under the cost of strips the policies join ends of strips that meet (join.hpp), follow the strips around the patch
 // (linked.hpp), or search everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch, which
@@ -17,7 +17,7 @@
 //
 //   Keeper keeper(mesh);                               // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
-//   keeper.apply(table, h);                            // an operation of your own
+//   keeper.apply(table, h);                            // a custom operation
 //   keeper.improve(10'000);                            // in idle time
 //
 // Complexity. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
@@ -28,7 +28,7 @@
 // Exceptions (std::bad_alloc, and what the mesh throws). The mesh and its colouring are valid after one: the operation,
 // or the repair that follows it, is done as a whole, in part or not at all. What the keeper knows beside the mesh is
 // then out of date: up_to_date() is false, locator() is null and the counts are stale until rebuild(), which the next
-// operation calls itself. Under a cost that weighs swaps or isolated triangles, set_solid of a mesh of your own must
+// operation calls itself. Under a cost that weighs swaps or isolated triangles, set_solid of a custom mesh must
 // not throw: searches try colours and take them back.
 #pragma once
 
@@ -79,7 +79,7 @@ struct PlayerOf<Mesh> {
 
 /// Keeps the strips of one mesh. While a keeper is in use, colour and change the mesh through it alone; after any other
 /// change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is one;
-/// check_coloring in strips.hpp tells). Where the keeper reads the whole mesh anew, it throws std::invalid_argument
+/// check_coloring in strips.hpp tells). Where the keeper reads the whole mesh again, it throws std::invalid_argument
 /// when the colouring is not valid. An operation is there if the mesh can do it (mesh.hpp).
 template <class Mesh>
 class Keeper {
@@ -152,13 +152,13 @@ class Keeper {
   [[nodiscard]] Player* baked() noexcept { return baked_ ? &*baked_ : nullptr; }
   [[nodiscard]] const Player* baked() const noexcept { return baked_ ? &*baked_ : nullptr; }
 
-  /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states; where
+  /// Background work: continues with rounds over all strip ends (rounds.hpp), looking at about `budget` states; where
   /// swaps or isolated triangles cost something, with a descent by chains over all triangles (descent.hpp), and once
   /// that has ended, until the next operation, with windows around all strip ends and swaps (window_rounds.hpp), trying
   /// about `budget` moves and colourings, some 60 ns each. Returns the cost it saved.
   std::size_t improve(std::size_t budget);
 
-  /// Reads the mesh anew. Linear time. Throws std::invalid_argument when its colouring is not valid; the keeper must
+  /// Reads the mesh again. Linear time. Throws std::invalid_argument when its colouring is not valid; the keeper must
   /// not be used then until rebuild() succeeds.
   void rebuild();
   void reserve(std::size_t triangles) { locator_.reserve(triangles); }

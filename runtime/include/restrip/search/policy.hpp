@@ -37,9 +37,9 @@ struct IndexPlan {
   std::uint32_t window = 0;      ///< triangles of an exact window that is laid around the operation last; 0: none
 };
 
-/// The most that an operation adds, whatever the mesh, its valences and its history (docs/theory.md, "What an operation
-/// adds"). The cost of strips: one strip. That of indices, 3 strips + swaps: this much, under the policies that search;
-/// under `rules` it grows with the valence, by about half of it.
+/// The most that an operation adds, whatever the mesh, its valences and its history (docs/explanation/theory.md, "What
+/// an operation adds"). The cost of strips: one strip. That of indices, 3 strips + swaps: this much, under the policies
+/// that search; under `rules` it grows with the valence, by about half of it.
 inline constexpr int most_strips_added = 1;
 inline constexpr int most_indices_added = 6;
 
@@ -49,7 +49,7 @@ struct PolicyRow {
   const char* name;
   const char* says;          ///< what follows the rule, under the cost of strips
   const char* says_indices;  ///< and under that of indices: first the choice between the rule and the colours before
-  const char* state;         ///< beside the colours, under the cost of strips; under that of indices there is none
+  const char* state;         ///< beside the colours, under the cost of strips; under that of indices none exists
   const char* price;         ///< times the mesh update alone, under either cost, on meshes of some 50,000 triangles
   Search search;
   IndexPlan plan;
@@ -104,7 +104,7 @@ inline constexpr std::array policies{
 [[nodiscard]] constexpr const PolicyRow& row_of(Policy policy) noexcept {
   return policies[static_cast<std::size_t>(policy)];
 }
-/// Null when there is none of that name.
+/// Null when none exists of that name.
 [[nodiscard]] constexpr const PolicyRow* policy_named(std::string_view name) noexcept {
   for (const PolicyRow& row : policies)
     if (name == row.name) return &row;

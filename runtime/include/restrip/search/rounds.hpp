@@ -17,14 +17,14 @@ namespace restrip {
 /// largest size, ends whose search finds nothing wander, so that every round starts from other places.
 class TunnelRounds {
  public:
-  /// The sizes of the searches: from `first_states` to `last_states`, four times as many after a poor round.
+  /// The sizes of the searches: from `first_states` to `last_states`, four times larger after a poor round.
   explicit TunnelRounds(std::uint32_t first_states = 64, std::uint32_t last_states = 4096)
       : first_(first_states), last_(last_states), states_(first_states) {}
 
   /// Goes on where the last call stopped, until about `budget` states have been looked at (one search may go beyond) or
   /// there are no more than `enough` strips. Returns the number of states looked at. One state of the largest searches
   /// costs a few hundred nanoseconds; walking past triangles inside strips counts as one state for every 64.
-  /// Deterministic: the same calls on the same mesh do the same. `worth(t)` tells whether to search from the end in t;
+  /// Deterministic: the same calls on the same mesh do the same. `worth(t)` says whether to search from the end in t;
   /// from all ends if it is not given.
   template <SidedMesh Mesh, std::predicate<Triangle> Worth>
   std::size_t run(Mesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough,

@@ -3,10 +3,10 @@
 // A search looks at thousands of dual edges around an operation, and keeps them in tables. So it names one by a
 // triangle and one of its sides 0, 1, 2, counter-clockwise, with the handles that StripMesh has: StripMesh::Halfedge is
 // such a pair of numbers. A StripMesh is a sided mesh. SideView makes one of any other NumberedMesh: side 0 of triangle
-// t is that of mesh.halfedge(t).
+// t is the side of mesh.halfedge(t).
 //
 // A handle of a view means the same as long as mesh.halfedge(t) does, for its triangle. Searches keep none for longer
-// than one call; StripLocator keeps some of triangles beside a patch while the patch is rewritten.
+// than one call; StripLocator keeps some of triangles next to a patch while the patch is rewritten.
 #pragma once
 
 #include <bit>

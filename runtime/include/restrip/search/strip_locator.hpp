@@ -55,7 +55,7 @@ class StripLocator {
   explicit StripLocator(const Mesh& mesh, std::uint32_t chunk_limit = default_chunk_limit) : StripLocator(chunk_limit) {
     rebuild(mesh);
   }
-  /// Reads the whole colouring anew, as the constructor does. After an exception the locator must not be used until
+  /// Reads the whole colouring again, as the constructor does. After an exception the locator must not be used until
   /// rebuild() succeeds.
   template <SidedMesh Mesh>
   void rebuild(const Mesh& mesh);
@@ -79,7 +79,7 @@ class StripLocator {
   /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
   /// with the triangles that are there now. Colours outside, and of the dual edges between outside and patch, may
   /// only change from solid to dashed, and solid paths through the patch may only join dual edges into it that were
-  /// joined before (docs/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
+  /// joined before (docs/explanation/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
   template <SidedMesh Mesh>
   void before_patch(const Mesh& mesh, std::span<const Triangle> patch);
   template <SidedMesh Mesh>
@@ -152,7 +152,7 @@ class StripLocator {
   std::uint32_t chunk_limit_;
   std::vector<Triangle> moving_;
   std::vector<Triangle> renumbered_;
-  std::vector<std::uint32_t> marks_;  // of a patch and its ends: values above those of all earlier patches
+  std::vector<std::uint32_t> marks_;  // of a patch and its ends: values above the ones of all earlier patches
   std::uint32_t mark_ = 0;
   std::uint32_t first_end_ = 0;  // marks_ of the triangle of ends_[i] is first_end_ + i, for the first of a triangle
   std::vector<Strand> strands_before_;

@@ -42,7 +42,7 @@ class Tunnel {
   };
 
   /// Tries to join the strip that ends at `end` with another one, looking at no more than `max_states` states. Returns
-  /// true when the mesh has one strip less. `locator` must be that of the mesh. Deterministic.
+  /// true when the mesh has one strip less. `locator` must belong to the mesh. Deterministic.
   ///
   /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
   /// this one could only just reach.
@@ -84,7 +84,7 @@ class Tunnel {
   struct State {
     std::uint32_t parent;
     Halfedge join;  // the last move made the dual edge of `join` solid
-    Halfedge cut;   // and that of `cut`, a halfedge of the new end, dashed
+    Halfedge cut;   // and the index of `cut`, a halfedge of the new end, dashed
     Order x;        // of the last move
     Order y;
     std::uint32_t where;        // the piece of the parent that x is in, or the name of its strip if no move touched it

@@ -6,17 +6,17 @@
 // to other colourings, of which other windows may find cheaper ones; or, where each changed colour has to be written
 // somewhere, one that changes the fewest (Ties).
 //
-// Method. The triangles are coloured one by one. What has been coloured tells the rest of the window no more than this,
-// for each edge on its frontier: dashed, or else how the strip turns in front of it, and where it comes from: from
-// another edge of the frontier, or from a strip's end, and whether a strip written from there would begin with the
-// wrong turn. Of all colourings that agree in this the cheapest is kept (a dynamic program over a path decomposition).
-// Walks along the strips outside tell which edges out of the window they join, so a window sees solid cycles wherever
-// they would close.
+// Method. The triangles are coloured one by one. The rest of the window needs to know no more of what has been coloured
+// than this, for each edge on its frontier: dashed, or else how the strip turns in front of it, and where it comes
+// from: from another edge of the frontier, or from a strip's end, and whether a strip written from there would begin
+// with the wrong turn. Of all colourings that agree in this the cheapest is kept (a dynamic program over a path
+// decomposition). Walks along the strips outside say which edges out of the window they join, so a window sees solid
+// cycles wherever they would close.
 //
 //   Window window(Cost::indices(), 1);
 //   const WindowChange change = window.around(mesh, triangle, {.triangles = 40});
 //
-// The price of a colouring is that of cost.hpp. With Windings::priced a strip that begins with the wrong turn from both
+// The price of a colouring is as in cost.hpp. With Windings::priced a strip that begins with the wrong turn from both
 // ends counts as one more swap, as in a written index buffer.
 #pragma once
 
@@ -40,7 +40,7 @@ struct WindowLimits {
   /// Of a ball, at most Window::max_triangles; fewer where the connected component has fewer.
   std::uint32_t triangles = 40;
   /// Colourings of a part that cost so much more than the cheapest of the same part are not followed, but for the
-  /// colouring that there is. Measured in thirds of a strip, or in swaps if these cost more. With no_limit the result
+  /// present colouring. Measured in thirds of a strip, or in swaps if these cost more. With no_limit the result
   /// is a cheapest colouring for sure; 2 miss one now and then, in a fraction of the time.
   std::uint32_t slack = 2;
   /// Different frontiers of one part that are followed, the cheapest ones. As above.
@@ -51,7 +51,7 @@ struct WindowLimits {
 struct WindowChange {
   ColoringChange change;
   int windings = 0;     ///< strips that begin with the wrong turn from both ends
-  bool proven = false;  ///< no limit mattered: there is no cheaper colouring of the window
+  bool proven = false;  ///< no limit mattered: no cheaper colouring of the window exists
 };
 
 /// What whole strips that begin with the wrong turn from both ends cost.
@@ -82,7 +82,7 @@ class Window {
       : cost_(cost), random_(seed), search_(cost, windings == Windings::priced, ties == Ties::fewest_changes) {}
 
   /// A ball around a triangle, which must be alive. The mesh must have a valid colouring, and has one after each single
-  /// change of a colour. The price of the whole mesh never rises. Time: that of the search, which depends on the limits
+  /// change of a colour. The price of the whole mesh never rises. Time: the search, which depends on the limits
   /// alone, and walks along the strips that leave the window, of up to 10,000 triangles each; beyond that the window is
   /// refused and nothing changes. After warm-up nothing is allocated, but for what a watched mesh reports.
   ///

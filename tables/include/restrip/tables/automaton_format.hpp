@@ -1,5 +1,5 @@
 // How the generated automaton (restrip/tables/automaton.hpp) is laid out: the rules of every fan, whatever its valence,
-// in one finite automaton. docs/automaton.md says why it exists and how it is checked; docs/notation.md numbers the
+// in one finite automaton. docs/explanation/automaton.md says why it exists and how it is checked; docs/reference/notation.md numbers the
 // bits. What follows is all that a look-up needs.
 //
 // The shipped automaton is that of fewest strips. One of another cost (`restrip-generate automaton --cost R,S,I`) has
@@ -46,7 +46,7 @@
 //
 // - *Split*, position (k, a). The first arc is t_0 … t_{a-1}, the second t_a … t_{k-1}, in letters from the key of the
 //   whole closed fan. With exactly two solid ports the key has both bits of `joined` or none, as
-//   docs/notation.md says; here one bit does not stand for both. With x and y
+//   docs/reference/notation.md says; here one bit does not stand for both. With x and y
 //   the classes of the two arcs
 //
 //       meeting = meetings[meet[seconds * first[x] + second[y]]]

@@ -85,7 +85,7 @@ struct DumpText {
   }
 };
 
-/// docs/certificate.md, "Table dump". 0, or 1 when standard output takes no more.
+/// docs/reference/verifiers.md, "Table dump". 0, or 1 when standard output takes no more.
 template <class Entry, std::size_t Size>
 int print_dump(const char* name, const OperationTable<Entry, Size>& table) {
   return DumpText::print_table(name, table, [](PatchEdges, PatchEdges) {});

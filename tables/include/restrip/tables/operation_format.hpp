@@ -1,4 +1,4 @@
-// How the table of an operation file is laid out (docs/operation-file.md), and its look-up.
+// How the table of an operation file is laid out (docs/reference/operation-file.md), and its look-up.
 //
 // A configuration is a mask of the inner edges before the operation and a mask of the ports, 1 = solid; the rule is a
 // mask of the inner edges after it and a mask of the ports that stay solid. The entry of a configuration is

@@ -25,7 +25,7 @@ inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const B
 
 namespace detail {
 
-/// Every function that reads returns false when it cannot go on; fault() then says why.
+/// Every function that reads returns false when it cannot continue; fault() then says why.
 class BakedReader {
  public:
   using Halfedge = StripMesh::Halfedge;
@@ -72,7 +72,7 @@ class BakedReader {
     for (record_ = 0; record_ < splits; ++record_)
       if (!read_record()) return false;
     record_ = outside;
-    if (!rest_.empty()) return fail("it goes on behind its last record");
+    if (!rest_.empty()) return fail("it continues behind its last record");
     if (!check_coloring(now_).valid) return fail("the colours of its finest level are not valid");
     file_.payload = {payload_bytes, {payload.begin(), payload.end()}};
     return true;
@@ -95,7 +95,7 @@ class BakedReader {
     using namespace baked_format;
     for (std::size_t i = 0; i < magic.size(); ++i)
       if (i >= rest_.size() || std::to_integer<char>(rest_[i]) != magic[i])
-        return fail("this is no baked mesh: it does not begin with '" + std::string(magic) + "'");
+        return fail("this is not a baked mesh: it does not begin with '" + std::string(magic) + "'");
     if (rest_.size() < header_bytes + checksum_bytes)
       return fail("it ends inside its header: the file is not complete");
     const auto body = rest_.first(rest_.size() - checksum_bytes);

@@ -88,8 +88,8 @@ class SurfaceMeshStrips {
     const Halfedge back = mesh_.opposite(chord);
     const bool has_left = !mesh_.is_border(chord);
     const bool has_right = !mesh_.is_border(back);
-    // To the left the edge of v_t goes, to the right that of v_s, so that neither end loses its last triangle on the
-    // way; at the boundary the one that has a triangle beyond.
+    // To the left the edge of v_t is removed, to the right the edge of v_s, so that neither end loses its last triangle
+    // on the way; at the boundary the one that has a triangle beyond.
     const auto open = [&](Halfedge h) { return mesh_.is_border(mesh_.opposite(h)); };
     Halfedge left;
     Halfedge right;

@@ -19,13 +19,13 @@ namespace detail {
 /// Finds for each side the one of the neighbour. Sides are named as halfedges are, 4 * triangle + side. Each side gets
 /// on the list of the smaller of its two vertices, whose links are the places where the neighbours go later. A vertex
 /// then reads its list, and an edge of it is known by the larger vertex. Which side is the second of its edge is as
-/// good as random, so that is no branch. O(triangles + vertices), however many triangles a vertex has; 12 bytes a
+/// good as random, so that is not a branch. O(triangles + vertices), however many triangles a vertex has; 12 bytes a
 /// vertex while it runs, 4 more when there are odd edges, and 16 for each side of one.
 ///
 /// Edges of three sides or more, and of two that run the same way, are *odd*. Each side that runs one way is joined to
 /// one that runs the other way, as far as there are any, so that windings stay right. First those that close the fan
-/// around one of their ends, so that sheets go on; then any, but for a triangle and its own back (the same corners the
-/// other way round), which are joined only when no other choice is left.
+/// around one of their ends, so that sheets continue; then any, but for a triangle and its own back (the same corners
+/// the other way round), which are joined only when no other choice is left.
 ///
 /// `Sides`: triangle_bound(); takes(t), are there sides of t?; corner(h), the vertex that h leaves; link(h), a place
 /// for a number of 32 bits, written before it is read; joined(h), what stands there when h is across, or not_joined;
@@ -275,7 +275,7 @@ void find_neighbors(Trusted /*trust*/, const TriangleList<Element>& list, std::s
   RESTRIP_ASSERT(across.size() == list.size(), "find_neighbors", "there is not one place for each triangle");
   detail::expect_vertices(vertex_count);
   RESTRIP_ASSERT(detail::is_oriented_manifold(list, vertex_count), "find_neighbors",
-                 "the list that is trusted is no oriented manifold");
+                 "the list that is trusted is not an oriented manifold");
   BuildReport report;
   const detail::ListedSides<false, Element> sides(list, vertex_count, across, report);
   detail::JoinSides<false, detail::ListedSides<false, Element>>(sides, vertex_count, report).run();

@@ -322,7 +322,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<co
   return merged;
 }
 
-/// Joins what lies on both sides of the triangles beside the chord, and empties these.
+/// Joins what lies on both sides of the triangles at the chord, and empties these.
 inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
                                              Room& freed) noexcept {
   freed.left = freed.right = none;

@@ -8,7 +8,7 @@
 //   tally.strips;                                               // change in the number of strips
 //
 // StripVisitor(strips, tally, restrip::HookRules::linked) keeps longer strips. Without it edge_collapse leaves colours
-// that are not valid. Before anything else CGAL collapses mesh edges of length zero and tells a visitor only
+// that are not valid. Before anything else CGAL collapses mesh edges of length zero and notifies a visitor only
 // afterwards; the strips there are cut where it is necessary, and HookTally::untold counts these collapses. Include
 // this header only where you have CGAL 5.4 or later.
 #pragma once
@@ -24,7 +24,7 @@
 
 namespace restrip {
 
-/// `Base`: another visitor of yours, which is told everything as well. CGAL copies visitors; the copies are one. The
+/// `Base`: another visitor of yours, which is called, too. CGAL copies visitors; the copies are one. The
 /// strips and the tally must outlive the work.
 template <class Point,
           class Base = CGAL::Surface_mesh_simplification::Edge_collapse_visitor_base<CGAL::Surface_mesh<Point>>>

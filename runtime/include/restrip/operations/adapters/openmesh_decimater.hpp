@@ -1,4 +1,4 @@
-// Strips kept while OpenMesh's decimaters simplify the mesh: a module beside those that choose the collapses.
+// Strips kept while OpenMesh's decimaters simplify the mesh: a module next to the ones that choose the collapses.
 //
 //   restrip::OpenMeshStrips strips(mesh);                       // and its colours, e.g. from stripify()
 //   OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);

@@ -63,7 +63,7 @@ class TwoSteps {
   [[nodiscard]] static Room take(StripMesh& mesh, VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none) {
     return mesh.take_room(spokes, new_vertex);
   }
-  /// Does not throw for as many as were expected.
+  /// Does not throw for the number that was expected.
   static void give_back(StripMesh& mesh, const Room& room) { mesh.give_back(room); }
   static void expect_back(StripMesh& mesh, std::size_t removals) { mesh.expect_back(removals); }
 
@@ -93,7 +93,7 @@ struct Verdict {
   Refusal refusal = Refusal::granted;
 };
 
-/// What stands in the way of request i, whatever the others do; but its name must go with that of the first one.
+/// What stands in the way of request i, whatever the others do; but its name must match the first one.
 template <class Request>
 Verdict judge_alone(const StripMesh& mesh, std::span<const Request> requests, std::size_t i) {
   if (const Refusal refusal = check_request(mesh, requests[i]); refusal != Refusal::granted)

@@ -182,7 +182,7 @@ PendingFlip<typename Mesh::Halfedge> before_flip(Mesh& mesh, typename Mesh::Half
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "before_flip",
                  describe(detail::refusal_of_flip(mesh, h)));
   PendingFlip<typename Mesh::Halfedge> pending(detail::begin_flip(mesh, h));
-  detail::dash_if_solid(mesh, h);  // the library may make the turned edge anew
+  detail::dash_if_solid(mesh, h);  // the library may make the turned edge again
   return pending;
 }
 

@@ -13,12 +13,12 @@ namespace restrip::detail {
 /// Larger fans go the general way (patch_walk.hpp).
 inline constexpr std::size_t max_interior_valence = 16;
 
-/// The closed fan of a vertex before a split or after a collapse, numbered as in docs/notation.md.
+/// The closed fan of a vertex before a split or after a collapse, numbered as in docs/reference/notation.md.
 template <class Halfedge>
 struct InteriorFan {
   std::size_t k = 0;
   std::size_t a = 0;
-  Word loop = 0;  ///< colours of the loop; before a collapse, those of the edges that it keeps
+  Word loop = 0;  ///< colours of the loop; before a collapse, of the edges that it keeps
   Word ports = 0;
   Halfedge spokes[max_interior_valence];  ///< the mesh edge that loop edge i crosses, seen from the vertex; not those
                                           ///< next to A and D, which an operation makes or removes
@@ -108,7 +108,7 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   }
   fan.k = i;
   inner |= Word{mesh.solid(chord)} << edge;
-  // Fewer than one triangle on a side is no patch of ours; the general way reports it.
+  // Fewer than one triangle on a side is not such a patch; the general code reports it.
   if (fan.a == 0 || fan.a == fan.k) return false;
   fan.loop = kept_loop(fan.k, fan.a, inner);
   return true;

@@ -55,7 +55,7 @@ class StripWalker {
 };
 
 /// Step 1 of join.hpp: the far ends of strips that have been cut. Of two ends that a cut has parted it is enough to
-/// find one, so all strips are followed at once until at most one goes on. There are few of them; of more than `most`
+/// find one, so all strips are followed at once until at most one continues. There are few of them; of more than `most`
 /// the others are followed one by one.
 template <class Mesh>
 class FarEnds {
@@ -225,7 +225,7 @@ Mending join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
   });
 }
 
-// ---- Around an interior vertex bits tell which triangles are strip ends, and which ports were joined and are no
+// ---- Around an interior vertex bits say which triangles are strip ends, and which ports were joined and are no
 // longer.
 
 /// The triangles of a ring with chord that `elements` names, each by its halfedge that leaves the vertex of the fan,

@@ -1,4 +1,4 @@
-// The best recolouring beside what is known of the strips outside, for fans that have no table of linked rules: any
+// The best recolouring given what is known of the strips outside, for fans that have no table of linked rules: any
 // closed or open fan whose colours fit one word. Included by linked.hpp.
 //
 // The automaton (exact.hpp) answers which recolouring is best of those that join none but given pairs of neighbouring
@@ -7,7 +7,7 @@
 // sound answer so far is cut off. A pair that the chord joins over ports between them has no name in a key; then all
 // edges from one port over the chord to the other are given, and the rest are open fans.
 //
-// Only pairs beside ports that are joined outside, or out of sight, are ever taken away. So for a given number of such
+// Only pairs next to ports that are joined outside, or out of sight, are ever taken away. So for a given number of such
 // ports the automaton is asked a bounded number of times, and never more than max_answers times. Where that is too few,
 // which takes many cycles at once, the answer is the best one found, at least as good as the local rule, and sound.
 #pragma once
@@ -51,7 +51,7 @@ class LinkedSearch {
 
  private:
   /// The ports at the two ends of a path over the chord, if there is to be one, as elements of the row, and whether it
-  /// comes to A and to D from below.
+  /// reaches A and D from below.
   struct Bridge {
     std::size_t at_a = nowhere;
     std::size_t at_d = nowhere;

@@ -1,8 +1,8 @@
-// Which recolourings are sound beside the strips outside, as far as these have been followed. Included by linked.hpp.
+// Which recolourings are sound with the strips outside, as far as these have been followed. Included by linked.hpp.
 //
 // Let Q be the pairs of ports that strips outside join, and P' those that a recolouring joins inside. The strips stay
-// paths exactly when P' and Q together close no cycle (docs/theory.md). A cycle must use a pair of P' that was not
-// joined before, so from each such pair P' and Q are followed alternately until the path ends.
+// paths exactly when P' and Q together close no cycle (docs/explanation/theory.md). A cycle must use a pair of P' that
+// was not joined before, so from each such pair P' and Q are followed alternately until the path ends.
 #pragma once
 
 #include <bit>
@@ -27,7 +27,7 @@ using PackedPairing = std::remove_cv_t<decltype(tables::pairings)>::value_type;
 static_assert(tables::linked_split.first.size() == table_max_k + 1 &&
               std::size_t{4} * table_max_k <= 8 * sizeof(PackedPairing));
 
-/// Ports in pairs, those of fans that have tables.
+/// Ports in pairs, of fans that have tables.
 struct TablePairs {
   static constexpr std::size_t max_ports = table_max_k;
   PackedPairing bits = static_cast<PackedPairing>(0xfedcba9876543210U);
@@ -67,7 +67,7 @@ constexpr Pairs pairs_of(Word ports, Word joined, Word pair) {
   if (pair != 0)
     add(static_cast<std::size_t>(std::countr_zero(pair)), static_cast<std::size_t>(std::bit_width(pair)) - 1);
   if (joined == 0) return pairs;
-  // The other pairs are those of neighbours among the solid ports.
+  // The other pairs are neighbours among the solid ports.
   std::size_t previous = word_bits - 1 - static_cast<std::size_t>(std::countl_zero(ports));
   for (Word rest = ports; rest != 0; rest &= rest - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(rest));

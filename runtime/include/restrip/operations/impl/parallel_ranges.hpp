@@ -18,7 +18,7 @@
 namespace restrip::detail {
 
 /// Calls body(begin, end) for ranges that together are [0, n), each number once. `threads`: 1 calls in this thread
-/// alone and starts none, 0 takes as many threads as the machine runs. The first exception of a range is thrown again
+/// alone and starts none, 0 takes one thread for each processor. The first exception of a range is thrown again
 /// here, after all ranges have ended. In a program without exceptions a thread that cannot be started ends the program.
 template <class Body>
 void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {

@@ -1,5 +1,5 @@
-// Walks around the vertices of an operation, in the order in which docs/notation.md numbers edges and ports. The same
-// walk reads the colours before and writes them after.
+// Walks around the vertices of an operation, in the order in which docs/reference/notation.md numbers edges and ports.
+// The same walk reads the colours before and writes them after.
 #pragma once
 
 #include <cstddef>
@@ -132,11 +132,11 @@ struct PatchPlace {
   std::size_t a = 0;     ///< ring
   std::size_t i = 0;     ///< path: the gap; path with chord: the lower gap
   std::size_t j = 0;     ///< path with chord: the upper gap
-  std::size_t left = 0;  ///< open fans: the gap of the spoke to v_l, or where there is none to v_r
+  std::size_t left = 0;  ///< open fans: the gap of the spoke to v_l, or if v_l does not exist to v_r
 };
 
 /// Visits spokes counter-clockwise from the one after `from`, until the boundary or `from` again; edge number
-/// `edge_index` counts up. Returns the number of fan triangles met (not those beside `from`).
+/// `edge_index` counts up. Returns the number of fan triangles met (not the ones at `from`).
 template <ColoredMesh Mesh, class Edge, class Port>
 std::size_t walk_up(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t edge_index, std::size_t port_index,
                     Edge&& edge, Port&& port) {
@@ -165,7 +165,7 @@ void walk_down(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t top, 
   }
 }
 
-/// Fan triangles clockwise of `from`, not counting the one beside it.
+/// Fan triangles clockwise of `from`, not counting the one at it.
 template <ColoredMesh Mesh>
 std::size_t count_down(const Mesh& mesh, typename Mesh::Halfedge from) {
   std::size_t count = 0;

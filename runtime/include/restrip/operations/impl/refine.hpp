@@ -1,4 +1,4 @@
-// Included by refine.hpp. First sides are those of tables/operations/*.json.
+// Included by refine.hpp. First sides are as in tables/operations/*.json.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@
 namespace restrip {
 namespace detail {
 
-/// apply() for a change() that returns what is told as Rewrite::halfedge, and the first side after it.
+/// apply() for a change() that returns Rewrite::halfedge, and the first side after it.
 template <class Mesh, class Table, class Change>
 Rewrite<typename Mesh::Halfedge> rewrite_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
                                                Change&& change) {
-  typename Mesh::Halfedge told{};
+  typename Mesh::Halfedge reported{};
   auto done = apply_unchecked(mesh, table, where, [&](const auto& /*patch*/) {
     const auto [halfedge, first] = change();
-    told = halfedge;
+    reported = halfedge;
     return first;
   });
-  done.halfedge = told;
+  done.halfedge = reported;
   return done;
 }
 
@@ -60,7 +60,7 @@ VertexSplit<Halfedge> split_on_edge(const Mesh& mesh, Halfedge h) {
   return {left, mesh.next(mesh.opposite(h))};
 }
 
-/// Does v_t of the chord v_s -> v_t have this many triangles, if it is interior, and at most so many otherwise?
+/// Does v_t of the chord v_s -> v_t have this many triangles, if it is interior, and at most this many otherwise?
 template <class Mesh, class Halfedge = typename Mesh::Halfedge>
 bool head_has(const Mesh& mesh, Halfedge chord, std::size_t interior, std::size_t boundary) {
   const Halfedge first = mesh.opposite(chord);

@@ -334,7 +334,7 @@ class CutCandidates {
 [[nodiscard]] inline IndexBound strip_index_lower_bound(std::span<const std::array<Vertex, 3>> triangles,
                                                         std::size_t vertex_count, unsigned rounds) {
   RESTRIP_ASSERT(detail::are_triangles(triangles, vertex_count), "strip_index_lower_bound",
-                 "a triangle has a corner twice, or one that is no vertex");
+                 "a triangle has a corner twice, or one that is not a vertex");
   IndexBound bound;
   if (triangles.empty()) return bound;
   const detail::ArrowGraph graph(triangles, vertex_count);

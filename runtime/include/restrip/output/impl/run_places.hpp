@@ -22,7 +22,7 @@ struct Run {
   std::uint32_t first = 0;
   std::uint32_t length = 0;
   std::uint32_t triangles = 0;
-  std::uint32_t cuts = 0;  ///< its ends where the strip goes on in another run
+  std::uint32_t cuts = 0;  ///< its ends where the strip continues in another run
   [[nodiscard]] std::uint32_t end() const noexcept { return first + length; }
   friend bool operator==(const Run&, const Run&) = default;
 };
@@ -34,7 +34,7 @@ class RunPlaces {
  public:
   static constexpr std::uint32_t head = 0;
   static constexpr std::uint32_t no_place = 0xFFFFFFFFU;
-  static constexpr std::uint32_t largest_gap = 127;  ///< gaps of this size and above are not told apart
+  static constexpr std::uint32_t largest_gap = 127;  ///< gaps of this size and above are not distinguished
   enum class State : std::uint8_t { settled, dirty, claimed };
 
   RunPlaces() { totals_.first_of.fill(no_place); }
@@ -63,7 +63,7 @@ class RunPlaces {
   [[nodiscard]] std::uint32_t used() const noexcept { return totals_.used; }
   [[nodiscard]] std::uint32_t cuts() const noexcept { return totals_.cuts; }
   [[nodiscard]] std::uint32_t last() const noexcept { return previous(head); }
-  /// The place with the smallest gap of at least `cells`; where there is none, that with the largest gap, or no_place.
+  /// The place with the smallest gap of at least `cells`; where none exists, that with the largest gap, or no_place.
   [[nodiscard]] std::uint32_t find_gap(std::uint32_t cells) const noexcept {
     const std::size_t size = std::min(cells, largest_gap);
     std::size_t word = size / 64;
@@ -168,7 +168,7 @@ class RunPlaces {
     std::uint32_t cuts = 0;
     std::size_t runs = 0;
     std::array<std::uint32_t, largest_gap + 1> first_of{};      // by size of a gap
-    std::array<std::uint64_t, (largest_gap + 1) / 64> sizes{};  // that there are, a bit each
+    std::array<std::uint64_t, (largest_gap + 1) / 64> sizes{};  // that exist, a bit each
   };
 
   Place& change(std::uint32_t p) noexcept {

@@ -13,14 +13,14 @@
 
 namespace restrip::detail {
 
-// What writing a strip from one end tells.
+// What is known after writing a strip from one end.
 struct WrittenStrip {
   Triangle other_end;
   bool wrong;  // it began with a turn to the right
   bool wrong_backwards;
 };
 
-// Writes all strips, as strip_indices() promises, of a mesh that tells turns as StripMesh::solid_beside does. Strips
+// Writes all strips, as strip_indices() promises, of a mesh that returns turns as StripMesh::solid_beside does. Strips
 // turn at random, so no turn is a branch.
 template <class Mesh>
 class SidedWriter {
@@ -74,7 +74,7 @@ class SidedWriter {
     unsigned last_turn = 0;
     unsigned free_turn = left;
     Halfedge entry = solid == 0 ? Halfedge{} : mesh_.opposite(side_of(t, first));
-    unsigned turn = solid;  // not 0 as long as the strip goes on
+    unsigned turn = solid;  // not 0 as long as the strip continues
     while (turn != 0) {
       written = indices(size);
       t = StripMesh::triangle(entry);

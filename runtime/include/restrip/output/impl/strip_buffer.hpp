@@ -127,7 +127,7 @@ void BasicStripBuffer<Index>::touch(std::uint32_t place) {
 
 // Reads from the triangle of the halfedge `in` on. An edge that a triangle is entered over belongs to the link that the
 // triangle has, or to the one before. The strip, from link `begin` on, will have `least` triangles at least. True if it
-// goes on in a run that stays as it is.
+// continues in a run that stays as it is.
 template <class Index>
 template <class Mesh>
 bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin,
@@ -163,7 +163,7 @@ bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge i
   return stays;
 }
 
-// Reads the strip through t as far as it is to be written anew, and writes it as runs that are not too long.
+// Reads the strip through t as far as it is to be written again, and writes it as runs that are not too long.
 template <class Index>
 template <class Mesh>
 void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {

@@ -195,7 +195,7 @@ void BasicStripBuffer<Index>::close_gaps() noexcept {
   for (std::uint32_t moved = 0;;) {
     const std::uint32_t last = places_.last();
     const detail::Run run = places_.run(last);
-    // A gap at the end is no part of the buffer.
+    // A gap at the end is not a part of the buffer.
     if (const std::uint32_t length = even(run.end()); length < cells_.size()) {
       cells_.resize(length);
       places_.set_length(length);

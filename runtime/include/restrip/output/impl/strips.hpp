@@ -59,7 +59,7 @@ typename Mesh::Halfedge first_exit(const Mesh& mesh, Triangle t) {
   if (!mesh.solid(h)) h = mesh.next(h);
   return mesh.solid(h) ? h : mesh.next(h);
 }
-// The halfedge over which the strip that comes in over `entry` goes on; `entry` where it ends.
+// The halfedge over which the strip that comes in over `entry` continues; `entry` where it ends.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge exit_behind(const Mesh& mesh, typename Mesh::Halfedge entry) {
   const auto right = mesh.next(entry);

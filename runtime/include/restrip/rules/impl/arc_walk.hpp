@@ -11,7 +11,7 @@
 
 namespace restrip::detail {
 
-/// How strips go on behind the solid ports of a fan, a bit for each port: about the corner that the port shares with
+/// How strips continue behind the solid ports of a fan, a bit for each port: about the corner that the port shares with
 /// the link to the triangle before it, or behind it. Where neither bit is set the strip ends behind the port.
 /// `Bits` is a Word or a BitSpan.
 template <class Bits>
@@ -21,7 +21,7 @@ struct PortTurns {
 };
 
 /// The letter of a port: 0 not solid, 1 solid, 2 solid and may be joined to the solid port before it; with what lies
-/// behind it where the automaton tells turns apart.
+/// behind it where the automaton distinguishes turns.
 template <class Bits, class At>
 constexpr unsigned letter_of(unsigned port, const PortTurns<Bits>& turns, At&& at) noexcept {
   if constexpr (tables::automaton.tells_turns) {
@@ -80,7 +80,7 @@ struct LongLetters {
 /// A letter behind a class, as a number.
 using ArcEntry = std::uint16_t;
 
-/// An arc with up to as many letters as there is room for.
+/// An arc with as many letters as fit.
 template <const auto& automaton = tables::automaton>
 class ArcWalk {
  public:

@@ -48,7 +48,7 @@ class Annealing : private ColoringCopy {
     return *this;
   }
 
-  /// Colours it anew: strips of few indices in one pass.
+  /// Colours it again: strips of few indices in one pass.
   void grow() {
     Growing(across_, solid_).run();
     trees_kept_ = false;
@@ -69,7 +69,7 @@ class Annealing : private ColoringCopy {
     trees_kept_ = false;
   }
 
-  /// Tries about so many moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
+  /// Tries about N moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
   /// 45 % of the moves each, and then to 0. At a temperature of 1 a change for the worse by a third of a strip (or a
   /// swap, if that weighs more) is as likely as 1 / e.
   void cool(std::uint64_t moves, std::uint32_t heat) {
@@ -109,8 +109,8 @@ class Annealing : private ColoringCopy {
   }
 
   /// The dashed h is made solid, and in the triangle across, which has two solid edges, the one before it is taken out
-  /// (`before` 1) or the one after it (0): what this adds to the cost, or the least number where triangles beside these
-  /// are the same one. The triangle of h must have room. Most moves that are tried come to nothing, and this says so
+  /// (`before` 1) or the one after it (0): what this adds to the cost, or the least number where triangles at these
+  /// are the same one. The triangle of h must have room. Most moves that are tried gain nothing, and this says so
   /// without a change of colours.
   [[nodiscard]] std::int64_t least_change(std::uint32_t h, unsigned before) const noexcept {
     const std::uint32_t g = across(h);
@@ -183,8 +183,8 @@ class Annealing : private ColoringCopy {
   // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know.
   static constexpr unsigned longest_walk = 512;
 
-  // The trees are made when they are asked for the first time. From then on they are told of changes, but only before
-  // they are asked again; after too many changes they are made anew.
+  // The trees are made when they are asked for the first time. From then on they learn of changes, but only before
+  // they are asked again; after too many changes they are rebuilt.
   void tell_trees(std::uint32_t h) noexcept {
     if (!untold_.empty() && untold_.back() >> 1 == h)
       untold_.pop_back();  // taken back

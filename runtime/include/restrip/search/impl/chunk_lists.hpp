@@ -2,12 +2,12 @@
 //
 // A chunk knows its list, its rank in it, its two neighbours and whether it reads backwards, so a look costs one memory
 // read. Cutting and joining rewrite the smaller part, which two walkers that start at the cut at the same time find;
-// and now and then, when they have drifted far, the ranks of the larger one, once for at least half as many chunks
-// joined to it. A chunk added in the middle takes the rank between those of its neighbours; where there is none, the
+// and now and then, when they have drifted far, the ranks of the larger one, once for at least half the number of
+// chunks joined to it. A chunk added in the middle takes the rank between its neighbours; if no rank is free, the
 // smallest stretch of the list with room is spread out: amortised O(log n) ranks for each chunk added. (Bender, Cole,
 // Demaine, Farach-Colton, Zito, "Two simplified algorithms for maintaining order in a list", 2002. The upper level of
 // the two-level lists of Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling salesmen", 1995. They
-// reverse a list by one bit; here the smaller part is written anew in any case. The smaller half is the rule of Even
+// reverse a list by one bit; here the smaller part is written again in any case. The smaller half is the rule of Even
 // and Shiloach, "An on-line edge-deletion problem", 1981.)
 #pragma once
 
@@ -35,7 +35,7 @@ class ChunkLists {
     bool crowded = false;           // for the owner's use, too
   };
 
-  /// Joining and adding spread the ranks of a list anew when they would be further than `reach` from the middle of
+  /// Joining and adding spread the ranks of a list again when they would be further than `reach` from the middle of
   /// their range. A power of two; smaller values are for tests.
   explicit ChunkLists(std::uint32_t reach = middle / 2) : reach_(reach) {}
 
@@ -67,7 +67,7 @@ class ChunkLists {
     chunks_[c].list = new_list(1);
     return c;
   }
-  /// A new chunk beside c, in the same list, that reads as c does. Amortised O(log(chunks of the list)).
+  /// A new chunk next to c, in the same list, that reads as c does. Amortised O(log(chunks of the list)).
   Id add_beside(Id c, bool after) {
     const Id fresh = new_chunk();
     Chunk& chunk = chunks_[fresh];
@@ -172,7 +172,7 @@ class ChunkLists {
   [[nodiscard]] static std::uint32_t from_middle(std::uint32_t rank) noexcept {
     return rank < middle ? middle - rank : rank - middle;
   }
-  // Between ranks at an end of a list of so many chunks, or in all of it after spread(): then half the reach is left at
+  // Between ranks at an end of a list of N chunks, or in all of it after spread(): then half the reach is left at
   // both ends.
   [[nodiscard]] std::uint32_t stride(std::uint32_t chunks) const noexcept {
     return std::clamp(reach_ / (chunks + 1), 1U, 1U << 16);
@@ -184,7 +184,7 @@ class ChunkLists {
     std::uint32_t rank = middle - sizes_[chunks_[c].list] / 2 * step;
     for (; c != no_chunk; c = chunks_[c].after, rank += step) chunks_[c].rank = rank;
   }
-  // Gives c, whose rank is that of a neighbour, one of its own: the ranks of the smallest aligned range around it that
+  // Gives c, which has the rank of a neighbour, another rank: the ranks of the smallest aligned range around it that
   // is sparse enough are spaced evenly. A range of 2^i ranks is sparse when it holds no more than (2 / 1.25)^i chunks.
   void make_room(Id c) noexcept {
     const std::uint64_t rank = chunks_[c].rank;

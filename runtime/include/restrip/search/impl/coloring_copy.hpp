@@ -122,7 +122,8 @@ class ColoringCopy {
     const auto rest = static_cast<std::uint8_t>(solid_[h >> 2] & ~(1U << (h & 3U)));
     return rest == 0 ? none : (h & ~3U) | static_cast<std::uint32_t>(std::countr_zero(rest));
   }
-  // How the strip goes on in the triangle of h, seen from h: 0 not at all, 1 over the next side, 2 over the one before.
+  // How the strip continues in the triangle of h, seen from h: 0 not at all, 1 over the next side, 2 over the one
+  // before.
   [[nodiscard]] unsigned turn(std::uint32_t h) const noexcept {
     return solid_[h >> 2] * 0b1001U >> ((h & 3U) + 1) & 3U;
   }

@@ -12,7 +12,7 @@ namespace restrip {
 namespace detail {
 
 /// The solid sides of a triangle other than `side`: bit 0 the next one, bit 1 the one before. So for a side of a strip
-/// it tells how the strip turns there: 0 it ends, 1 or 2.
+/// it says how the strip turns there: 0 it ends, 1 or 2.
 constexpr unsigned other_sides(unsigned solid, unsigned side) noexcept {
   return (solid | solid << 3) >> (side + 1) & 3U;
 }
@@ -294,7 +294,7 @@ bool Descent::keeps_strips(const Mesh& mesh, const StripMove& move) {
     from_t = next_t.in;
     from_u = next_u.in;
   }
-  return false;  // neither walk has come to an end
+  return false;  // neither walk has ended
 }
 
 template <SidedMesh Mesh>

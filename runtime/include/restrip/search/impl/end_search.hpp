@@ -129,7 +129,7 @@ std::span<const StripMove> EndSearch::moves_at(const Mesh& mesh, Triangle end, s
 
 // ---- the ends that are to be looked at
 
-// An end that has been looked at comes to the end of the queue.
+// An end that has been looked at moves to the end of the queue.
 inline void EndSearch::look_later(Triangle end) noexcept {
   for (std::size_t i = 0; i < end_count_; ++i) {
     if (ends_[i].triangle != end || ends_[i].tried == done_with) continue;
@@ -159,7 +159,7 @@ void EndSearch::make(Mesh& mesh, const StripMove& move) {
   mesh.set_solid(move.edge, true);
   done_ += move.change;
   ++counts_.made;
-  // After an exchange the triangle behind the edge is beside the new end.
+  // After an exchange the triangle behind the edge is next to the new end.
   if (!joins) look_later(StripMesh::triangle(move.given_up[1]));
   consider(mesh, StripMesh::triangle(move.edge));
   if (joins) consider(mesh, StripMesh::triangle(mesh.opposite(move.edge)));

@@ -14,12 +14,12 @@ namespace restrip::detail {
 
 /// Strips grow one after the other, first from one end, then from the other, until no neighbour is left. A strip goes
 /// on to the neighbour with the fewest neighbours left, and between equals to the one that needs no swap. The next
-/// strip begins at a triangle with the fewest neighbours left, the one that came to be so last: strips grow beside each
+/// strip begins at a triangle with the fewest neighbours left, the most recent one of these: strips grow next to each
 /// other, and few triangles are left behind between them (Akeley, Haeberli, Burns, "tomesh.c", 1990; swaps as Evans,
 /// Skiena, Varshney, "Optimizing triangle strips for fast rendering", 1996).
 ///
 /// Linear time; memory: 13 bytes a triangle. What a neighbour is like is as good as random, and a branch on it would
-/// mispredict: there is none at a step.
+/// mispredict: a step has none.
 class Growing {
  public:
   /// `across`: for each triangle the opposite halfedges, 4 * triangle + side, or none; three times none where there is
@@ -57,7 +57,7 @@ class Growing {
   };
   static constexpr unsigned taken = 16;  // stays above 3 while three neighbours are taken
 
-  // A triangle that is not taken, with the fewest neighbours left; none when there is no more.
+  // A triangle that is not taken, with the fewest neighbours left; none when all are taken.
   Triangle first() noexcept {
     for (unsigned neighbors = 0; neighbors < 3; ++neighbors)
       while (count_[neighbors] != 0) {
@@ -106,7 +106,7 @@ class Growing {
   }
 
   // Goes on over the halfedge, as far as it gets. Returns the first turn. Of the neighbours of a triangle the one
-  // before is taken and the next is going to be, so only the third has to be told.
+  // before is taken and the next is going to be, so only the third has to be updated.
   Turn grow(std::uint32_t out, Turn last) noexcept {
     Turn first_turn = Turn::none;
     solid_[out >> 2] = static_cast<std::uint8_t>(solid_[out >> 2] | 1U << (out & 3U));

@@ -202,7 +202,7 @@ struct RemoveStep : CollapseStep<Mesh> {
   }
 };
 
-/// An operation of one's own; change(patch) changes the mesh and returns the first side after it.
+/// A custom operation; change(patch) changes the mesh and returns the first side after it.
 template <class Mesh, class Table, class Change>
 struct ApplyStep {
   using Halfedge = typename Mesh::Halfedge;

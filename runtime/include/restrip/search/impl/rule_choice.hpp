@@ -31,13 +31,13 @@ struct RuleCounts {
 namespace detail {
 
 /// The edges of a closed fan that are swaps. Two triangles that follow each other along the loop turn the same way when
-/// both go on along the loop, or both leave it by their ports.
+/// both continue along the loop, or both leave it by their ports.
 constexpr Word fan_swaps(std::size_t k, Word loop, Word ports) noexcept {
   return loop & ((turned_down(loop, 1, k) & turned_down(loop, k - 1, k)) | (ports & turned_down(ports, 1, k)));
 }
 
-/// The number of swaps on the inner edges of a ring with chord. A and D lie the other way round: where a strip goes on
-/// along the ring they turn outwards, as fan triangles do by their ports.
+/// The number of swaps on the inner edges of a ring with chord. A and D lie the other way round: where a strip
+/// continues along the ring they turn outwards, as fan triangles do by their ports.
 constexpr int ring_swaps(std::size_t k, std::size_t a, Word inner, Word fan_ports) noexcept {
   const std::size_t n = k + 2;
   const Word ring = inner & low_bits(n);

@@ -169,7 +169,7 @@ void StripLocator::divide(const Mesh& mesh, Triangle member) {
   }
 }
 
-// Makes one chunk of the two beside the solid edge of h when they are small: h's triangle's takes in the other.
+// Makes one chunk of the two at the solid edge of h when they are small: h's triangle's takes in the other.
 template <SidedMesh Mesh>
 void StripLocator::join_chunks(const Mesh& mesh, Halfedge h) {
   const Halfedge back = mesh.opposite(h);

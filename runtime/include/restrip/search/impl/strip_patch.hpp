@@ -1,9 +1,9 @@
 // StripLocator: local rewrites. Included by strip_locator.hpp.
 //
 // Outside the patch nothing moves, and a rewrite joins nothing there that was not joined before. So a strip that passed
-// through keeps its order, and the triangles it now has inside the patch get labels between those of its two outside
-// neighbours; a strip that is interrupted is cut between them; what ends in the patch is appended to its strip; and
-// what lies in the patch altogether is a new strip.
+// through keeps its order, and the triangles it now has inside the patch get labels between the labels of its two
+// outside neighbours; a strip that is interrupted is cut between them; what ends in the patch is appended to its strip;
+// and what lies in the patch altogether is a new strip.
 #pragma once
 
 #include <algorithm>

@@ -12,12 +12,12 @@
 
 namespace restrip::detail {
 
-/// The strips of a colouring, each as a splay tree whose order is that of its triangles; a bit turns a whole tree
+/// The strips of a colouring, each as a splay tree in the order of its triangles; a bit turns a whole tree
 /// around (Sleator, Tarjan, "Self-adjusting binary search trees", 1985). Each function takes amortised O(log n) steps,
 /// but for the rebuilding. 13 bytes a triangle.
 class StripTrees {
  public:
-  /// Begins anew with a tree for each of so many triangles.
+  /// Begins again with a tree for each of N triangles.
   void reset(std::size_t triangles) {
     nodes_.assign(triangles, {});
     turned_.assign(triangles, 0);

@@ -52,7 +52,7 @@ class Surroundings {
   void add(Triangle t) {
     if (std::find(triangles_.begin(), triangles_.end(), t) == triangles_.end()) triangles_.push_back(t);
   }
-  // `strips` is the number of triangles less that of solid edges.
+  // `strips` is the number of triangles minus the number of solid edges.
   [[nodiscard]] ColoringChange counted(const Mesh& mesh) const {
     ColoringChange count;
     count.strips = static_cast<int>(triangles_.size());

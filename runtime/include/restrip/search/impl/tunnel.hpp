@@ -58,8 +58,8 @@ inline StripMesh::Halfedge Tunnel::lowest(Triangle t, unsigned sides) noexcept {
   return StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(sides)));
 }
 
-// Adds a state, unless its end has been one before. True when the new end lies beside the end of another strip, and the
-// two have been joined: most searches end here, so looking ahead spares expanding half of all states.
+// Adds a state, unless its end has been one before. True when the new end lies next to the end of another strip, and
+// the two have been joined: most searches end here, so looking ahead spares expanding half of all states.
 template <SidedMesh Mesh>
 bool Tunnel::reach(Mesh& mesh, StripLocator& locator, const State& state) {
   const Triangle y = StripMesh::triangle(state.cut);
@@ -146,7 +146,7 @@ bool Tunnel::move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge j
   return false;
 }
 
-// Works out the paths of a state from those of its parent.
+// Works out the paths of a state from the paths of its parent.
 inline void Tunnel::lay_out(std::uint32_t s) {
   const State& state = states_[s];
   if (state.total != 0) return;

@@ -74,7 +74,7 @@ class WindowPlan {
   /// Triangles that a walk along a strip outside passes before the window is given up.
   static constexpr std::uint32_t max_walk = 10'000;
 
-  /// False where a frontier gets too wide or a strip outside too long; then there is no plan. `triangles` are different
+  /// False if a frontier gets too wide or a strip outside too long; then no plan exists. `triangles` are different
   /// ones, alive, at most 128.
   template <SidedMesh Mesh>
   [[nodiscard]] bool make(const Mesh& mesh, std::span<const Triangle> triangles);
@@ -92,7 +92,7 @@ class WindowPlan {
 
  private:
   using Halfedge = StripMesh::Halfedge;
-  using Neighbors = std::array<std::uint8_t, 3>;  // local numbers, absent where there is none
+  using Neighbors = std::array<std::uint8_t, 3>;  // local numbers, absent if none exists
   static constexpr std::uint8_t no_slot = 255;
 
   template <SidedMesh Mesh>

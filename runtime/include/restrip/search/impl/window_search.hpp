@@ -87,7 +87,7 @@ class WindowSearch {
   [[nodiscard]] std::uint64_t tried() const noexcept { return tried_; }
 
  private:
-  // Of price(), in the price of a state; with `stays_` a changed edge counts 1, and no window has so many edges.
+  // Of price(), in the price of a state; with `stays_` a changed edge counts 1, and no window has that many edges.
   static constexpr std::int64_t unit = 1024;
 
   struct State {
@@ -95,13 +95,13 @@ class WindowSearch {
     std::int64_t price = 0;
     std::uint32_t node = 0;
     std::uint16_t ties = 1;  // colourings of this price that came to this frontier
-    bool present = false;    // the present colours come to this frontier, at this price or a higher one
+    bool present = false;    // the present colours reach this frontier, at this price or a higher one
   };
   struct Node {
     std::uint32_t before;
     std::uint8_t opened;
   };
-  // What a frontier tells apart. What has no price is left out, so that there are fewer of them.
+  // What a frontier distinguishes. What has no price is left out, which makes them fewer.
   struct Marks {
     bool turns = true;
     bool windings = true;
