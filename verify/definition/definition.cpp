@@ -10,7 +10,20 @@
 #include <boost/graph/incremental_components.hpp>
 
 namespace restrip::verify {
+
+// Not in the unnamed namespace: PatchInWorlds::Graphs, which is declared in the header, has them as members.
+namespace worlds {
+constexpr unsigned outside = most_colors;
+struct DualEdge {
+  unsigned number = 0;  ///< inner edges, then ports; `outside` for all edges of a world
+};
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, DualEdge>;
+}  // namespace worlds
+
 namespace {
+
+using worlds::Graph;
+using worlds::outside;
 
 /// Adds the worlds that extend `world` by what happens to `port` and the ports after it.
 void extend(Constraint constraint, unsigned ports, unsigned port, const World& world, std::vector<World>& all) {
@@ -29,12 +42,6 @@ void extend(Constraint constraint, unsigned ports, unsigned port, const World& w
     extend(constraint, ports, port + 1, more, all);
   }
 }
-
-constexpr unsigned outside = most_colors;
-struct DualEdge {
-  unsigned number = 0;  ///< inner edges, then ports; `outside` for all edges of a world
-};
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, DualEdge>;
 
 /// Which edges are solid.
 struct Solid {
