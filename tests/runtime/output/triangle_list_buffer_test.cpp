@@ -44,8 +44,9 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
         }
         std::sort(listed.begin(), listed.end());
         ASSERT_EQ(listed, sample::triangles_of(mesh));
-        ASSERT_TRUE(std::equal(narrow.indices().begin(), narrow.indices().end(), buffer.indices().begin(),
-                               buffer.indices().end()));
+        // With 16 bits an index more, if need be, makes a multiple of four bytes.
+        ASSERT_EQ(narrow.indices().size(), (buffer.indices().size() + 1) / 2 * 2);
+        ASSERT_TRUE(std::equal(buffer.indices().begin(), buffer.indices().end(), narrow.indices().begin()));
         if (HasFatalFailure()) return;
       }
       mesh.watch(nullptr);
