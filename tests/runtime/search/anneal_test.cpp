@@ -134,7 +134,7 @@ TEST(Anneal, ColdItNeverAcceptsWhatCosts) {
 // Strips of thousands of triangles, whose ends trees know: they are not the strips of the colours that it returns to.
 TEST(Anneal, GoesBackToLongStrips) {
   StripMesh mesh = sample::torus(60, 20);
-  EXPECT_EQ(stripify(mesh, Effort::best, Cost::strips(), {1, 0, 1}), 1U);
+  EXPECT_EQ(stripify(mesh, Effort::best, Cost{1, 0, 1}), 1U);
   EXPECT_TRUE(check_coloring(mesh).valid);
 }
 
