@@ -10,7 +10,7 @@ A document marks each table with figures by the command that prints it:
 "figures" are the same on every machine and take seconds (CTest compares them), "long figures" are the same too but need
 minutes or real meshes, "timed figures" depend on the machine or the compiler. COMMAND runs in the project's folder; ${MESHES}
 in it stands for the folder of real meshes (RESTRIP_MESHES). A document that one command writes as a whole names it in its
-first line: <!-- page: COMMAND -->
+first line: <!-- page: COMMAND -->. A table that a test compares with the program names the test: <!-- tested: TEST -->.
 """
 import argparse
 import os
@@ -23,6 +23,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 BIN = "build/release/bin"
 BLOCK = re.compile(r"(<!-- (?:(?P<kind>long|timed) )?figures: (?P<command>.+?) -->\n)(?P<table>.*?)(<!-- /figures -->)", re.S)
+TESTED = re.compile(r"<!-- tested: [\w.]+ -->\n.*?<!-- /tested -->", re.S)
 PAGE = re.compile(r"<!-- page: (?P<command>.+?) -->\n")
 RULER = re.compile(r"^\|(?: *:?-+:? *\|)+$")
 FIGURE = re.compile(r" *\d")
@@ -55,7 +56,8 @@ def list_bare(document, text, folder):
         if reason:
             faults += 1
             print(f"{document}: {reason}: {match['command']}")
-    lines = [] if page else BLOCK.sub(lambda block: "\n" * block[0].count("\n"), text).splitlines()
+    blank = lambda block: "\n" * block[0].count("\n")
+    lines = [] if page else TESTED.sub(blank, BLOCK.sub(blank, text)).splitlines()
     for number, line in enumerate(lines):
         if not RULER.match(line):
             continue
