@@ -195,12 +195,13 @@ TEST_F(FormatsInFolder, AFileIsOpenedOnce) {
   }
 }
 
-/// README's rows of formats: what is read and what is written, by extension; several rows of one are joined.
-std::map<std::string, std::array<std::string, 2>> table_of_readme() {
-  std::ifstream readme(RESTRIP_README);
+/// The rows of docs/reference/file-formats.md: what is read and what is written, by extension; several rows of one are
+/// joined.
+std::map<std::string, std::array<std::string, 2>> table_of_formats() {
+  std::ifstream page(RESTRIP_FORMATS);
   std::map<std::string, std::array<std::string, 2>> rows;
   bool inside = false;
-  for (std::string line; std::getline(readme, line);) {
+  for (std::string line; std::getline(page, line);) {
     if (line == "| file | read | written |") inside = true;
     if (!inside || line.starts_with("| file") || line.starts_with("| ---")) continue;
     if (line.empty()) break;
@@ -221,8 +222,8 @@ std::map<std::string, std::array<std::string, 2>> table_of_readme() {
   return rows;
 }
 
-TEST(MeshFormats, AreThoseOfReadme) {
-  const auto rows = table_of_readme();
+TEST(MeshFormats, AreThoseOfTheDocuments) {
+  const auto rows = table_of_formats();
   EXPECT_EQ(rows.size(), mesh_formats().size());
   const auto says = [](const std::string& cell, const char* word) { return cell.find(word) != std::string::npos; };
   for (const MeshFormat& format : mesh_formats()) {
