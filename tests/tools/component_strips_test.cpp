@@ -50,7 +50,7 @@ TEST(ComponentStrips, FollowSplits) {
     edge_triangles(mesh, done.halfedge, patch);
     counts.after_split(mesh, patch);
     counts.add(patch.front(), done.strips);
-    const ComponentStrips anew(mesh);
+    const ComponentStrips again(mesh);
     ASSERT_EQ(counts.needed(), again.needed());
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
       ASSERT_EQ(counts.can_spare(t), again.can_spare(t)) << t;
@@ -61,7 +61,7 @@ TEST(ComponentStrips, FollowSplits) {
   EXPECT_GT(spared, 0U);
   stripify(mesh, Effort::full, Cost::strips());
   counts.recount(mesh);
-  const ComponentStrips anew(mesh);
+  const ComponentStrips again(mesh);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(counts.can_spare(t), again.can_spare(t)) << t;
 }
 
