@@ -115,7 +115,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
   std::set<std::string> unlisted;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tables_dir)) {
     if (entry.is_directory() && !entry.is_symlink()) continue;
-    const std::string path = fs::relative(entry.path(), tables_dir).generic_string();
+    const std::string path = entry.path().lexically_relative(tables_dir).generic_string();
     if (!needs_no_line(path) && !listed.contains(path)) unlisted.insert(path);
   }
   for (const std::string& path : unlisted)
