@@ -141,7 +141,7 @@ bool equally_right(const std::string& original, const std::string& text, const S
 }
 
 // The last line may state any numbers: 2^63 divided by -1 once stopped the program.
-TEST(AlteredBytes, SumsMayBeAsFarApartAsNumbersGo) {
+TEST(StatedSums, MayBeAsFarApartAsNumbersGo) {
   const Sample sample = certificates(small_tables().string(), corpus_max_k).front();
   const std::size_t end = sample.text.rfind("end ");
   const std::string body = sample.text.substr(0, end);
