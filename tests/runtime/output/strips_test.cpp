@@ -122,14 +122,26 @@ TEST(Strips, EveryStripIsWrittenAsShortAsCanBe) {
 }
 
 // Within each strip the swaps known from four colours are the ones for which the written strip repeats an index, but
-// for the first turn, which can cost one more.
-TEST(Strips, SwapsAreToldFromFourColours) {
+// for the first turn, which can cost one more. A triangle and its own back share three corners, so between these a
+// strip has a choice of edges; strips with such neighbours are left out.
+TEST(Strips, SwapsAreKnownFromFourColours) {
+  const auto backs = [](const StripMesh& mesh, Triangle one, Triangle other) {
+    auto a = mesh.corners(one), b = mesh.corners(other);
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    return a == b;
+  };
+  std::size_t compared = 0;
   std::mt19937 random(2);
   for (StripMesh& mesh : sample::meshes()) {
     color_at_random(mesh, 0.8, random);
     const Strips strips = extract_strips(mesh);
     for (std::size_t s = 0; s < strips.size(); ++s) {
       if (strips[s].size() > 12) continue;  // the shortest is found by trying everything
+      bool with_backs = false;
+      for (std::size_t i = 0; i + 1 < strips[s].size(); ++i) with_backs |= backs(mesh, strips[s][i], strips[s][i + 1]);
+      if (with_backs) continue;
+      ++compared;
       std::size_t swaps = 0;
       for (std::size_t i = 0; i + 1 < strips[s].size(); ++i)
         for (unsigned side = 0; side < 3; ++side) {
@@ -143,6 +155,7 @@ TEST(Strips, SwapsAreToldFromFourColours) {
       EXPECT_LE(repeated, swaps + 1);
     }
   }
+  EXPECT_GT(compared, 100U);
 }
 
 TEST(Strips, AreWrittenFromColorsAsFromAList) {
