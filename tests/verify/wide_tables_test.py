@@ -72,7 +72,7 @@ def forge(folder, family, section, old, new):
 
 
 code, failed, printed = verdict(TABLES, ["boundary-split", "linked-collapse"])
-assert code == 0 and not failed and "search of all recolourings, k <= 8" in printed, printed
+assert code == 0 and not failed and "definition, k <= 8" in printed, printed
 for family, section, old, new, claim in FORGERIES:
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "tables"

@@ -16,5 +16,5 @@ struct Mesh {
 
 int main() {
   Mesh mesh;
-  restrip::Keeper keeper(mesh, Policy::quick, Cost::strips());
+  restrip::Keeper keeper(mesh, restrip::Policy::quick, restrip::Cost::strips());
 }
