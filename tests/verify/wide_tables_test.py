@@ -80,5 +80,5 @@ for family, section, old, new, claim in FORGERIES:
         forge(folder, family, section, old, new)
         code, failed, printed = verdict(folder, [family])
         assert code == 1 and any(claim in line for line in failed), f"{old!r} -> {new!r}: {code}\n{printed}"
-        assert all(claim in line or "the stated numbers" in line or "every row has" in line for line in failed), printed
+        assert all(claim in line or "the stated numbers" in line or "every row has" in line or "nothing beats" in line for line in failed), printed
 print(f"{len(FORGERIES)} forgeries refused")
