@@ -30,7 +30,7 @@ class RuleReason {
   std::string fault(const Reason& reason, Mask solid, Mask dashed) const {
     if (reason.cases.empty()) return fault_of_leaf(reason.sets, solid, dashed);
     const Mask edge = single(reason.edge);
-    if (!is_subset(edge, edges_)) return fmt::format("edge {} is no matter of choice", reason.edge);
+    if (!is_subset(edge, edges_)) return fmt::format("edge {} is fixed", reason.edge);
     const std::string first = fault(reason.cases[0], solid | edge, dashed);
     return first.empty() ? fault(reason.cases[1], solid, dashed | edge) : first;
   }
@@ -45,7 +45,7 @@ class RuleReason {
     Mask taken = solid | dashed;
     Mask surely_dashed = dashed;
     for (const Mask set : sets) {
-      if (!is_subset(set, edges_)) return fmt::format("the set {:x} has an edge that is no matter of choice", set);
+      if (!is_subset(set, edges_)) return fmt::format("the set {:x} has an edge that is fixed", set);
       if ((set & taken) != 0)
         return fmt::format("the set {:x} has an edge that another set has or a case settles", set);
       if (judge_.is_sound(configuration_, colors_of(set | solid)))
