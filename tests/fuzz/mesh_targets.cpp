@@ -223,6 +223,9 @@ std::vector<Target> mesh_targets() {
   std::vector<std::string> bakeds{baked_bytes(bake(moved, {})), baked_bytes(bake(locked, {})), baked_bytes(loaded)};
   std::string binary_stl(84 + 50, '\0');
   binary_stl[80] = 1;
+  const float one = 1;  // of the second corner x, of the third y
+  std::memcpy(binary_stl.data() + 84 + 24, &one, sizeof one);
+  std::memcpy(binary_stl.data() + 84 + 40, &one, sizeof one);
   const auto soup = [](auto read) {
     return refusing([read](std::string_view bytes) { return play(read(bytes, "f")); });
   };

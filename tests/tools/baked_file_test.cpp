@@ -200,7 +200,7 @@ TEST(BakedFile, EveryAlterationIsRefused) {
   std::string other_version = whole;
   other_version[8] = 3;
   EXPECT_NE(refusal(with_checksum(other_version)).find("version 3"), std::string::npos);
-  EXPECT_NE(refusal("ProgMesh").find("no baked mesh"), std::string::npos);
+  EXPECT_NE(refusal("ProgMesh").find("not a baked mesh"), std::string::npos);
 }
 
 TEST(BakedFile, ADeceiverIsRefusedOrAtLeastAMesh) {

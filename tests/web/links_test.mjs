@@ -6,7 +6,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join, posix } from 'node:path';
 
 const [folder] = process.argv.slice(2);
-const pages = new Map(['', 'docs', 'atlas'].flatMap((below) => readdirSync(join(folder, below)).filter((name) => name.endsWith('.html'))
+const pages = new Map(['', 'docs', 'docs/tutorials', 'docs/how-to', 'docs/reference', 'docs/explanation', 'atlas'].flatMap((below) => readdirSync(join(folder, below)).filter((name) => name.endsWith('.html'))
   .map((name) => posix.join(below, name))).map((name) => [name, readFileSync(join(folder, name), 'utf8')]));
 
 /// The links of a page that lead nowhere, and how many it has.

@@ -92,7 +92,7 @@ template <class Kind>
 const Kind& JsonPlace::as(const char* kind) const {
   if (!there()) refuse("is missing");
   const Kind* value = std::get_if<Kind>(&value_->is);
-  if (value == nullptr) refuse(fmt::format("is no {}", kind));
+  if (value == nullptr) refuse(fmt::format("is not a {}", kind));
   return *value;
 }
 
