@@ -1,6 +1,8 @@
 // Meshes and progressive meshes. Of an accepted mesh strips are made; an accepted baked one is written and read again.
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "common/bad_input.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
