@@ -47,7 +47,8 @@ std::map<std::string, std::string> lines_of(const fs::path& record) {
 
 }  // namespace
 
-MadeBefore::MadeBefore(fs::path folder, const std::vector<std::string>& inputs) : folder_(std::move(folder)) {
+MadeBefore::MadeBefore(fs::path folder, const std::vector<std::string>& inputs)
+    : folder_(std::move(folder)), lines_(lines_of(folder_ / file_name)) {
   std::string all = program_digest();
   for (const std::string& input : inputs) all += ' ' + sha256(input);
   inputs_ = sha256(all);
@@ -55,11 +56,10 @@ MadeBefore::MadeBefore(fs::path folder, const std::vector<std::string>& inputs) 
 
 bool MadeBefore::has(const std::vector<fs::path>& files) const {
   const fs::path record = folder_ / file_name;
-  const std::map<std::string, std::string> lines = lines_of(record);
   const bool all = std::all_of(files.begin(), files.end(), [&](const fs::path& file) {
-    const auto line = lines.find(file.generic_string());
+    const auto line = lines_.find(file.generic_string());
     try {
-      return line != lines.end() && line->second == inputs_ + ' ' + sha256(files::read_whole(folder_ / file));
+      return line != lines_.end() && line->second == inputs_ + ' ' + sha256(files::read_whole(folder_ / file));
     } catch (const std::exception&) {
       return false;
     }
@@ -69,7 +69,7 @@ bool MadeBefore::has(const std::vector<fs::path>& files) const {
 }
 
 files::NamedBytes MadeBefore::with(const std::vector<files::NamedBytes>& made) const {
-  std::map<std::string, std::string> lines = lines_of(folder_ / file_name);
+  std::map<std::string, std::string> lines = lines_;
   for (const files::NamedBytes& file : made) lines[file.name.generic_string()] = inputs_ + ' ' + sha256(file.bytes);
   std::string text = fmt::format("{}\n", first_line);
   for (const auto& [path, digests] : lines) text += fmt::format("{} {}\n", digests, path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ class MadeBefore {
  private:
   std::filesystem::path folder_;
   std::string inputs_;
+  std::map<std::string, std::string> lines_;  ///< of the record: by path, its two digests
 };
 
 }  // namespace restrip::generator
