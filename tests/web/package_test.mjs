@@ -207,7 +207,7 @@ function refusesDamage() {
     }
   }
   refused(Buffer.concat([whole, Buffer.alloc(1)]), /checksum/);
-  refused(Buffer.from('ProgMesh'), /no baked mesh/);
+  refused(Buffer.from('ProgMesh'), /not a baked mesh/);
   // With a checksum that fits: refused by what is wrong, or at least a mesh that can be played.
   const said = new Set();
   let played = 0;
