@@ -76,7 +76,7 @@ HEADERS = {
 }
 # Of a single operation, by the command of docs/tutorials/custom-operation.md.
 OPERATION = [
-    ("the entry of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("112, 113, 210", "112, 112, 210"), "port 0 is given up and may not be"),
+    ("the entry of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
     ("a triangle of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("{0, 64, 65}", "{0, 65, 64}"), "expected the triangles"),
     ("the format of operations", "include/restrip/tables/operation_format.hpp", token("strips_after - strips_before", "strips_before - strips_after"), "the table tells "),
     ("the certificate of an operation", "certificates/operations/bisect.cert", token("rule 0 0 7 0", "rule 0 0 6 0"), "was altered"),
@@ -94,7 +94,7 @@ FILES = [
 ]
 # Of its look-up in C, which prints its answers as a dump.
 OPERATION_IN_C = [
-    ("an entry in C", "restrip_bisect.h", token("112, 113, 210", "112, 112, 210"), "port 0 is given up and may not be"),
+    ("an entry in C", "restrip_bisect.h", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
     ("a token in C", "restrip_bisect.h", token("rule.colors = entry >> port_count", "rule.colors = entry << port_count"), "line 3: table bisect: expected"),
     ("what an answer in C tells", "restrip_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table tells "),
 ]
