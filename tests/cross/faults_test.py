@@ -80,7 +80,7 @@ OPERATION = [
     ("a triangle of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("{0, 64, 65}", "{0, 65, 64}"), "expected the triangles"),
     ("the format of operations", "include/restrip/tables/operation_format.hpp", token("strips_after - strips_before", "strips_before - strips_after"), "the table tells "),
     ("the certificate of an operation", "certificates/operations/bisect.cert", token("rule 0 0 7 0", "rule 0 0 6 0"), "was altered"),
-    ("an operation file", "operations/bisect.json", token('["b", "a", "d"]', '["a", "b", "d"]'), "expected the triangles at the edge"),
+    ("an operation file", "operations/bisect.json", token('["b", "a", "d"]', '["a", "b", "d"]'), "is an operation of restrip"),
     ("what an operation file asks for", "operations/bisect.json", token('"strips"', '"matching"'), ""),
 ]
 # Of the files as they lie there: these are refused by their sums, and families also where the sums fit.
