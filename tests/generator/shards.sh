@@ -33,7 +33,7 @@ case $how in
     for task in 1 2 3; do SLURM_ARRAY_TASK_ID=$task SLURM_ARRAY_TASK_COUNT=3 sh -c "$command"; done ;;
   loop)
     restrip-generate tables --shard 1/1 --threads 2 --out shards
-    restrip-generate tables --max-k 4 --out whole
+    restrip-generate tables --max-k 4 --force --out whole
     for i in $(seq 50); do restrip-generate tables --max-k 4 --shard "$i/50" --out more; done
     restrip-generate merge --in more --out merged
     same merged whole

@@ -92,7 +92,9 @@ template <class Kind>
 const Kind& JsonPlace::as(const char* kind) const {
   if (!there()) refuse("is missing");
   const Kind* value = std::get_if<Kind>(&value_->is);
-  if (value == nullptr) refuse(fmt::format("is not a {}", kind));
+  if (value == nullptr)
+    refuse(fmt::format("is not {} {}", std::string_view("aeiou").find(kind[0]) == std::string_view::npos ? "a" : "an",
+                       kind));
   return *value;
 }
 
