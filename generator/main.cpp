@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "automaton/served.hpp"
-#include "files/report_output.hpp"
-#include "files/system_calls.hpp"
+#include "common/report_output.hpp"
+#include "common/system_calls.hpp"
 #include "languages/languages.hpp"
 #include "operations/description_file.hpp"
 #include "operations/operation_words.hpp"

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "files/report_output.hpp"
+#include "common/report_output.hpp"
 #include "model/input.hpp"
 #include "model/program.hpp"
 #include "verify.hpp"

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "files/output.hpp"
+#include "common/output.hpp"
 #include "operations/description_file.hpp"
 #include "tables/emit.hpp"
 

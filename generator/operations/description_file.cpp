@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 #include "operations/emitted_words.hpp"
 #include "operations/families_text.hpp"
 #include "operations/json_value.hpp"

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "common/counted.hpp"
-#include "files/output.hpp"
-#include "files/report_output.hpp"
+#include "common/output.hpp"
+#include "common/report_output.hpp"
 #include "languages/languages.hpp"
 #include "operations/description_file.hpp"
 #include "operations/operation_layout.hpp"

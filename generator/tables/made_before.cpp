@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "common/digest.hpp"
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 
 namespace restrip::generator {
 namespace {

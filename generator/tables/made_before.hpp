@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "files/output.hpp"
+#include "common/output.hpp"
 
 namespace restrip::generator {
 

@@ -13,7 +13,7 @@
 #include <tuple>
 
 #include "common/digest.hpp"
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 #include "tables/certificate_text.hpp"
 
 namespace restrip::generator {

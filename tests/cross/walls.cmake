@@ -1,24 +1,23 @@
 # Who may include whom (docs: CONTRIBUTING.md). Reads the include lines of every room; what is not allowed is forbidden.
 # Allowed everywhere: standard headers, and quoted files that lie in the room itself.
 set(std "<[a-z_0-9]+>")
-set(allowed_in_files "${std}|\"files/.*\"|<fmt/.*>|<(fcntl|signal|unistd|sys/stat|sys/types).h>")
-set(allowed_in_common "${std}|<(fmt|openssl)/.*>|<unistd.h>")
-set(allowed_in_generator "${std}|\"(common|files)/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
+set(allowed_in_common "${std}|\"common/.*\"|<(fmt|openssl)/.*>|<(fcntl|signal|unistd|sys/stat|sys/types).h>")
+set(allowed_in_generator "${std}|\"common/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
 set(allowed_in_verify "${std}|\"common/(counted|digest|share).hpp\"|<(boost|fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
-set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<(png|unistd).h>")
+set(allowed_in_tools "${std}|\"(restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<(png|unistd).h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<boost/graph/.*>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_bindings/js "${allowed_in_web}")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
-string(APPEND allowed_in_bench "|\"(files|common|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
+string(APPEND allowed_in_bench "|\"(common|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
 set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
 # The verifying programs write files as the others do. What the verifier reads, it reads by itself.
-set(door_reports "\"files/(output|report_output|system_calls).hpp\"")
+set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
@@ -32,8 +31,8 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify common|files model definition certificate judge linked automaton)
-set(floors_tools files|restrip common meshes pictures lod replay paper app)
+set(floors_verify common model definition certificate judge linked automaton)
+set(floors_tools restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
 function(floor_of room folder out)
@@ -110,7 +109,7 @@ function(judge room source line out)
 endfunction()
 
 set(seen 0)
-foreach(room IN ITEMS common files generator verify runtime tables tools examples bench web bindings/c bindings/js)
+foreach(room IN ITEMS common generator verify runtime tables tools examples bench web bindings/c bindings/js)
   file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp ${ROOT}/${room}/*.h ${ROOT}/${room}/*.c)
   list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # printers of their own, compiled by its script
   foreach(source IN LISTS sources)
@@ -147,9 +146,9 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "runtime/include/restrip/mesh/any.hpp|<boost/graph/graph_traits.hpp>"
                        "runtime/include/restrip/mesh/any.hpp|<OpenMesh/Core/Mesh/Handles.hh>"
                        "tables/include/restrip/tables/any.hpp|<fmt/format.h>" "tables/include/restrip/tables/any.hpp|\"restrip/rules/rules.hpp\""
-                       "verify/any.cpp|\"files/output.hpp\"" "verify/model/any.hpp|\"judge/worlds.hpp\""
-                       "verify/certificate/any.hpp|\"judge/report.hpp\"" "verify/judge/any.hpp|\"linked/list_check.hpp\"" "files/any.cpp|\"restrip/rules/rules.hpp\""
-                       "files/any.cpp|\"meshes/soup.hpp\"" "tools/app/any.cpp|\"restrip/tables/split.hpp\""
+                       "verify/any.cpp|\"common/output.hpp\"" "verify/model/any.hpp|\"judge/worlds.hpp\""
+                       "verify/certificate/any.hpp|\"judge/report.hpp\"" "verify/judge/any.hpp|\"linked/list_check.hpp\"" "common/any.cpp|\"restrip/rules/rules.hpp\""
+                       "common/any.cpp|\"meshes/soup.hpp\"" "tools/app/any.cpp|\"restrip/tables/split.hpp\""
                        "tools/app/any.cpp|\"section.hpp\"" "bench/any.cpp|\"judgment.hpp\"" "examples/any.cpp|\"meshes/soup.hpp\""
                        "runtime/include/restrip/rules/any.hpp|\"restrip/mesh/mesh.hpp\""
                        "runtime/include/restrip/mesh/any.hpp|\"restrip/rules/rules.hpp\""

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "common/bad_input.hpp"
-#include "files/output.hpp"
-#include "files/reading.hpp"
+#include "common/output.hpp"
+#include "common/reading.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 #include "scratch_folder.hpp"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "common/bad_input.hpp"
-#include "files/output.hpp"
+#include "common/output.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"

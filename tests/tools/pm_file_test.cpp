@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bad_input.hpp"
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"

@@ -15,8 +15,8 @@
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "files/output.hpp"
-#include "files/report_output.hpp"
+#include "common/output.hpp"
+#include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "restrip/output/strips.hpp"
 

@@ -13,10 +13,10 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
-#include "files/printable.hpp"
-#include "files/reading.hpp"
-#include "files/size_in_words.hpp"
-#include "files/system_calls.hpp"
+#include "common/printable.hpp"
+#include "common/reading.hpp"
+#include "common/size_in_words.hpp"
+#include "common/system_calls.hpp"
 #include "meshes/soup_builder.hpp"
 
 namespace {

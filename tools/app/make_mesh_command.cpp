@@ -9,8 +9,8 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/counted.hpp"
-#include "files/output.hpp"
-#include "files/report_output.hpp"
+#include "common/output.hpp"
+#include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 

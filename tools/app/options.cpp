@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 #include "lod/mesh_formats.hpp"
 #include "meshes/text_cursor.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "files/output.hpp"
-#include "files/report_output.hpp"
+#include "common/output.hpp"
+#include "common/report_output.hpp"
 #include "lod/simplify.hpp"
 #include "paper/paper_report.hpp"
 

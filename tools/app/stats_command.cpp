@@ -9,7 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "files/report_output.hpp"
+#include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/mesh_report.hpp"
 

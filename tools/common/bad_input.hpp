@@ -2,7 +2,7 @@
 // remedy.
 #pragma once
 
-#include "files/file_error.hpp"
+#include "common/file_error.hpp"
 
 namespace restrip::tools {
 

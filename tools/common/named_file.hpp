@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 
 namespace restrip::tools {
 

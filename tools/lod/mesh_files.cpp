@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/bad_input.hpp"
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 
 namespace restrip::tools {
 

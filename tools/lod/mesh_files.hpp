@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/named_file.hpp"
-#include "files/output.hpp"
+#include "common/output.hpp"
 #include "lod/mesh_formats.hpp"
 #include "meshes/mend.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "files/size_in_words.hpp"
+#include "common/size_in_words.hpp"
 
 namespace restrip::tools {
 

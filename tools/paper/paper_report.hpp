@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "files/output.hpp"
+#include "common/output.hpp"
 #include "paper/paper.hpp"
 #include "paper/paper_rules.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "automaton/automaton_digests.hpp"
 #include "automaton/verify_automaton.hpp"
-#include "files/report_output.hpp"
+#include "common/report_output.hpp"
 #include "model/program.hpp"
 #include "model/quantity.hpp"
 

@@ -1,4 +1,4 @@
-#include "files/printable.hpp"
+#include "common/printable.hpp"
 
 #include <fmt/format.h>
 

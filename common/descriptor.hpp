@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "files/system_calls.hpp"
+#include "common/system_calls.hpp"
 
 namespace restrip::files {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "files/output.hpp"
+#include "common/output.hpp"
 
 namespace restrip::files {
 

@@ -1,4 +1,4 @@
-#include "files/size_in_words.hpp"
+#include "common/size_in_words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,10 +9,10 @@
 #include <cerrno>
 #include <cstring>
 
-#include "files/claim.hpp"
-#include "files/descriptor.hpp"
-#include "files/file_error.hpp"
-#include "files/size_in_words.hpp"
+#include "common/claim.hpp"
+#include "common/descriptor.hpp"
+#include "common/file_error.hpp"
+#include "common/size_in_words.hpp"
 
 namespace restrip::files {
 

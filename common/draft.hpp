@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "files/descriptor.hpp"
+#include "common/descriptor.hpp"
 
 namespace restrip::files {
 

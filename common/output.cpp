@@ -1,4 +1,4 @@
-#include "files/output.hpp"
+#include "common/output.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 #include <cstring>
 #include <optional>
 
-#include "files/file_error.hpp"
-#include "files/reading.hpp"
+#include "common/file_error.hpp"
+#include "common/reading.hpp"
 
 namespace restrip::files {
 

@@ -1,4 +1,4 @@
-#include "files/system_calls.hpp"
+#include "common/system_calls.hpp"
 
 #include <fcntl.h>
 #include <signal.h>  // NOLINT: the names below are POSIX

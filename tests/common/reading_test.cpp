@@ -1,13 +1,13 @@
 // Claims: a file is read as it is, whatever its kind; what is too large or has no end is refused with the limit named,
 // after no more than the limit was read; and what cannot be read is named with a remedy.
-#include "files/reading.hpp"
+#include "common/reading.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <thread>
 
-#include "files/file_error.hpp"
+#include "common/file_error.hpp"
 #include "folder_contents.hpp"
 #include "tools/scratch_folder.hpp"
 

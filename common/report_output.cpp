@@ -1,4 +1,4 @@
-#include "files/report_output.hpp"
+#include "common/report_output.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "files/printable.hpp"
+#include "common/printable.hpp"
 
 namespace restrip::files {
 

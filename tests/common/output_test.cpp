@@ -1,6 +1,6 @@
 // Claims: an output appears whole under the name that was meant, through links, with the right permissions, and beside
 // it nothing changes; what cannot or must not be written is refused before the work, in one line with a remedy.
-#include "files/output.hpp"
+#include "common/output.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "files/file_error.hpp"
-#include "files/system_calls.hpp"
+#include "common/file_error.hpp"
+#include "common/system_calls.hpp"
 #include "folder_contents.hpp"
 #include "tools/scratch_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "files/draft.hpp"
+#include "common/draft.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "files/file_error.hpp"
+#include "common/file_error.hpp"
 
 namespace restrip::files {
 

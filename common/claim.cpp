@@ -1,4 +1,4 @@
-#include "files/claim.hpp"
+#include "common/claim.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "files/file_error.hpp"
+#include "common/file_error.hpp"
 
 namespace restrip::files {
 namespace {

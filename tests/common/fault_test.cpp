@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include "files/file_error.hpp"
-#include "files/output.hpp"
-#include "files/reading.hpp"
-#include "files/system_calls.hpp"
+#include "common/file_error.hpp"
+#include "common/output.hpp"
+#include "common/reading.hpp"
+#include "common/system_calls.hpp"
 #include "folder_contents.hpp"
 #include "support/failing_new.hpp"
 #include "tools/scratch_folder.hpp"

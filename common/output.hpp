@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "files/claim.hpp"
-#include "files/draft.hpp"
+#include "common/claim.hpp"
+#include "common/draft.hpp"
 
 namespace restrip::files {
 
