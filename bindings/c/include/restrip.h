@@ -52,7 +52,7 @@ extern "C" {
 
 /* RESTRIP_ABI_VERSION as the library was compiled: for programs that load it at run time. */
 RESTRIP_API uint32_t restrip_abi_version(void);
-/* Version of restrip, such as "0.2.0". */
+/* Version of restrip, such as "1.0.0". */
 RESTRIP_API const char* restrip_version(void);
 
 /* ---- Errors ------------------------------------------------------------------------------------ */
