@@ -1,13 +1,13 @@
-// LiveMesh: a mesh, its strips and the index buffer that draws them, in one object. What most engines need:
+// LiveMesh: a mesh, its strips and the index buffer that draws them, in one object. Most engines need only this:
 //
 //   LiveMesh live(triangles, vertex_count);            // upload live.bytes(), with room for live.room() indices
 //   live.collapse(live.edge(v_s, v_t));                // and split, flip, as often as the frame wants
 //   const auto ranges = live.update();
 //   if (ranges.outgrown) make_buffer(live.room());     // then there is one range: everything
 //   for (const auto& range : ranges) upload(range);
-//   live.undo();                                       // the last frame, if there is to be a history
+//   live.undo();                                       // the last frame, if a history is kept
 //
-// The parts can be had one by one: StripMesh, Keeper, StripBuffer, History.
+// The parts can also be used separately: StripMesh, Keeper, StripBuffer, History.
 #pragma once
 
 #include <cstddef>
@@ -36,28 +36,28 @@ namespace restrip {
 struct LiveOptions {
   Policy policy = default_policy;
   Cost cost = default_cost;
-  Effort effort = default_effort;  ///< of the strips that it begins with
-  /// The budget of undo: a frame counts the triangles that changed in it, each once, some 100 bytes; when all frames
-  /// kept count more, the oldest are forgotten, but for the last one. 0: no history.
+  Effort effort = default_effort;  ///< for the initial strips
+  /// The budget of undo, in changed triangles of all frames together, some 100 bytes each. Beyond it the oldest frames
+  /// are dropped, but never the last one. 0: no history.
   std::size_t history = 0;
-  /// Of the buffer; without limits of a batch.
+  /// The format of the buffer; limits of batches are not supported.
   StripFormat format = {.width = IndexWidth::bits32};
 };
 
-/// Stays where it is: neither copied nor moved. Each call throws what its parts throw; after an exception of update(),
-/// undo() or redo() the frames before cannot be undone. `Mesh` is StripMesh: this is a template so that searches and
-/// buffers are compiled where a LiveMesh is used, not wherever this header is included.
+/// Can be neither copied nor moved. Each call throws what its parts throw; after an exception of update(), undo() or
+/// redo() earlier frames cannot be undone. `Mesh` is StripMesh: this is a template so that searches and buffers are
+/// compiled where a LiveMesh is used, not wherever this header is included.
 template <class Mesh>
 class BasicLiveMesh {
  public:
   using Halfedge = typename Mesh::Halfedge;
 
-  /// `triangles`: what StripMesh::build takes. `report` reports what of them was left out.
+  /// `triangles`: as for StripMesh::build. `report` receives the counts of triangles left out.
   template <class Triangles>
   BasicLiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
                 BuildReport* report = nullptr)
       : BasicLiveMesh(Mesh::build(triangles, vertex_count, report), options, true) {}
-  /// A mesh with the colours that it has.
+  /// Takes a mesh with its colours.
   explicit BasicLiveMesh(Mesh mesh, LiveOptions options = {}) : BasicLiveMesh(std::move(mesh), options, false) {}
   BasicLiveMesh(const BasicLiveMesh&) = delete;
   BasicLiveMesh& operator=(const BasicLiveMesh&) = delete;
@@ -69,13 +69,13 @@ class BasicLiveMesh {
     return there ? mesh_.spoke(v, w) : Halfedge{};
   }
 
-  /// Done under the policy, or refused with the reason.
+  /// Does the operation under the policy, or refuses it with a reason.
   Checked split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
     return checked_split(keeper_, where, new_vertex);
   }
   Checked collapse(Halfedge chord) { return checked_collapse(keeper_, chord); }
   Checked flip(Halfedge h) { return checked_flip(keeper_, h); }
-  /// Those of refine.hpp, in the same way.
+  /// The operations of refine.hpp, in the same way.
   Checked split_face(Halfedge h) { return checked_split_face(keeper_, h); }
   Checked join_faces(Halfedge chord) { return checked_join_faces(keeper_, chord); }
   Checked bisect(Halfedge h) { return checked_bisect(keeper_, h); }
@@ -85,11 +85,11 @@ class BasicLiveMesh {
   Checked apply(const Table& table, Halfedge where) {
     return checked_apply(keeper_, table, where);
   }
-  /// In idle time: see Keeper::improve. Returns the cost saved.
+  /// For idle time: see Keeper::improve. Returns the cost saved.
   std::size_t improve(std::size_t budget) { return keeper_.improve(budget); }
 
-  /// Ends a frame: the ranges of the buffer that must be uploaded, ascending; valid until the next call. Reports when
-  /// the buffer has outgrown the one on the device.
+  /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
+  /// Upload::outgrown says that the buffer on the device is too small.
   Upload update(const RangeOptions& ranges = {}) {
     if (std::exchange(interrupted_, false)) {
       history_.reset();
@@ -113,10 +113,9 @@ class BasicLiveMesh {
     changed_.clear();
     return upload;
   }
-  /// Takes back the last frame, or does it again; what has not been ended by update() counts as a frame. Triangles,
-  /// handles and colours are those there were, one for one; so are the indices of strips, unless their width has
-  /// changed since. False when there is nothing to take back. Then update(), which returns what is to be uploaded.
-  /// Linear time in the mesh.
+  /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
+  /// restored exactly, and so are the indices of strips, unless their width has changed since. False when there is
+  /// nothing to undo or redo. Call update() next, which returns the ranges to upload. Linear time in the mesh.
   bool undo() {
     return stepped([this] { return history_->undo(mesh_); },
                    [](auto& buffers, auto& strips) { return buffers.undo(strips); });
@@ -126,7 +125,7 @@ class BasicLiveMesh {
                    [](auto& buffers, auto& strips) { return buffers.redo(strips); });
   }
 
-  /// How many frames can be taken back, and done again; update() ends a frame first.
+  /// The number of frames that can be undone and redone; update() ends a frame first.
   [[nodiscard]] std::size_t undoable() const noexcept { return history_ ? history_->undoable() : 0; }
   [[nodiscard]] std::size_t redoable() const noexcept { return history_ ? history_->redoable() : 0; }
 
@@ -135,12 +134,12 @@ class BasicLiveMesh {
   [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return buffer_.indices16(); }
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return buffer_.bytes(); }
   [[nodiscard]] std::size_t index_bytes() const noexcept { return buffer_.index_bytes(); }
-  /// How many indices the buffer on the device should have room for.
+  /// The number of indices that the buffer on the device should have room for.
   [[nodiscard]] std::size_t room() const noexcept { return buffer_.room(); }
   [[nodiscard]] const LiveBuffer& buffer() const noexcept { return buffer_; }
   [[nodiscard]] const Mesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] Keeper<Mesh>& keeper() noexcept { return keeper_; }
-  /// What became of the rules of all operations so far.
+  /// Counts of rules used and not used in all operations so far.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return keeper_.rule_counts(); }
 
  private:
@@ -160,7 +159,8 @@ class BasicLiveMesh {
     if (from_scratch) stripify(mesh, options.effort, options.cost);
     return mesh;
   }
-  /// Calls use(history, buffer) for the two that belong together; false when the buffer has no history.
+  /// Calls use(history, buffer) for the history and the buffer of one index width; false without a history of the
+  /// buffer.
   template <class Use>
   bool with_history(Use&& use) {
     const auto of_width = [&](auto* buffers) {
@@ -173,13 +173,13 @@ class BasicLiveMesh {
   template <class StepMesh, class StepBuffer>
   bool stepped(StepMesh&& step_mesh, StepBuffer&& step_buffer) {
     if (history_) update();
-    if (!history_) return false;  // it does not exist, or an exception ended it
+    if (!history_) return false;  // never begun, or ended by an exception
     buffer_.keep_upload();
     interrupted_ = true;
     const bool exact = with_history([](auto&, auto&) { return true; });
     const bool done = (!exact || with_history(step_buffer)) && step_mesh();
     if (exact)
-      changed_.clear();  // the buffer has it already
+      changed_.clear();  // the buffer is up to date already
     else if (done)
       buffer_.forget();
     if (done) keeper_.rebuild();

@@ -4,27 +4,27 @@
 //
 //   RESTRIP_ASSERT(condition, function, sentence)
 //
-// `function` and `sentence` are C strings: the public function that was called, and what is wrong in one sentence
-// (describe() of a Refusal, where there is one). They are evaluated only when the condition is false. Without NDEBUG a
+// `function` and `sentence` are C strings: the public function that was called, and one sentence that says what is
+// wrong (describe() of the Refusal, if any). They are evaluated only when the condition is false. Without NDEBUG a
 // false condition prints "restrip: function: sentence" with the source line and aborts. With NDEBUG nothing is
-// evaluated, and the functions stay what they are without it: constexpr, noexcept, and as fast.
+// evaluated, so functions stay constexpr and noexcept, and lose no speed.
 //
 // To handle failures yourself, define the macro before the first header of restrip, identically in all sources of a
-// program. Your macro is used with NDEBUG as well. If a handler returns, the function continues with what it was given;
-// a handler that throws must not be used with functions that are noexcept.
+// program. Your macro is used with NDEBUG as well. If a handler returns, the function continues with its arguments as
+// they are. A handler that throws must not be used with functions that are noexcept.
 //
 // A check costs O(valence) at most, so that debug builds stay usable. Do not rely on it for operations from an
-// untrusted source: checks.hpp asks the same questions and answers with a value, in every build.
+// untrusted source: checks.hpp has the same checks as functions that return a value, in every build.
 //
-// Some inputs are found to be wrong only while they are read: a colouring that is not valid, more triangles than a
-// StripMesh can hold. That is an error in every build, and goes through a second macro:
+// Some inputs turn out to be wrong only while they are read: a colouring that is not valid, more triangles than a
+// StripMesh can hold. These are errors in every build, and use a second macro:
 //
 //   RESTRIP_THROW(exception, sentence)
 //
 // It throws exception(sentence), a class of <stdexcept>. In a program compiled without exceptions (-fno-exceptions) it
-// prints the sentence and aborts. This is what the comments of the headers mean by "throws"; what happens instead of
-// std::bad_alloc is then up to the standard library. You may define this macro too, but your definition must not
-// return.
+// prints the sentence and aborts. This is what the comments of the headers mean by "throws". Without exceptions, the
+// standard library decides what happens instead of std::bad_alloc. You may define this macro too, but your definition
+// must not return.
 #pragma once
 
 #include <cstdio>

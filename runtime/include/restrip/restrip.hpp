@@ -1,20 +1,19 @@
-// restrip: triangle strips kept while the mesh changes, by proven rules. Header-only, C++20, standard library
-// only.
+// restrip: maintains triangle strips while a mesh changes, by proven rules. Header-only, C++20, standard library only.
 //
 // Start with live_mesh.hpp (mesh, strips and index buffer in one object), with search/strips_of.hpp for a mesh that
-// stays as it is, or with search/keeper.hpp and mesh/mesh.hpp for a custom mesh (what it must offer). The folders
-// are floors: each includes only those named before it here, and the two of a line do not know each other.
+// does not change, or with mesh/mesh.hpp (the interface of a custom mesh) and search/keeper.hpp. Each folder includes
+// only folders named before it in this list; the two folders of a line do not include each other.
 //
 //   rules/                   look a rule up: constexpr, knows no mesh
 //   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
 //   operations/, output/     operations with strips kept; strips and index buffers out
-//   search/, formats/        what looks further than a patch: strips from scratch, keepers with a policy; files read
+//   search/, formats/        searches beyond a patch: strips from scratch, keepers with a policy; reading files
 //   live_mesh.hpp            all of it in one object
 //
 // Not included here: operations/batch.hpp (needs threads), mesh/adapters/ and operations/adapters/ (need OpenMesh or
 // CGAL), operations/test_adapter.hpp (for tests).
 //
-// scripts/amalgamate.py makes one file of all this.
+// scripts/amalgamate.py makes a single header of all this.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L

@@ -1,12 +1,11 @@
-// Preconditions of split, collapse and flip on a StripMesh: is this operation legal, and if not, why?
+// Preconditions of split, collapse and flip on a StripMesh: whether an operation is legal, and if not, why.
 //
 // A check changes nothing. An operation is granted exactly when all of this holds:
-//  - its halfedges belong to the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are manifold
-//    (StripMesh::non_manifold), except the new one, which has no triangle yet;
+//  - its halfedges belong to the mesh, and its vertices v_h, v_s, v_t, v_l, v_r are manifold (StripMesh::non_manifold),
+//    except the new one, which is not part of a triangle yet;
 //  - closed fans that are split have three triangles or more;
-//  - the mesh stays as good as it was: no edge of three triangles, no new non-manifold vertex, three triangles or more
-//    at every interior vertex of the operation, no vertex lost except the one that a collapse removes, the same
-//    topology.
+//  - the mesh keeps its properties: no edge of three triangles, no new non-manifold vertex, three triangles or more at
+//    every interior vertex of the operation, no vertex lost except the one that a collapse removes, the same topology.
 //
 // In debug builds (precondition.hpp) operations call these and abort on a refusal; with NDEBUG they check nothing. For
 // operations from an untrusted source call these first, or checked_split() and its siblings (checked.hpp).
@@ -26,7 +25,7 @@ namespace restrip {
 
 namespace detail {
 
-/// The number of spokes of v, or `most` if there are more: O(most), so that a fan of any size can be asked.
+/// The number of spokes of v, or `most` if there are more. O(most), whatever the size of the fan.
 inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t most) {
   const StripMesh::Halfedge first = mesh.spoke(v);
   StripMesh::Halfedge h = first;
@@ -38,14 +37,14 @@ inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t mos
   return most;
 }
 
-/// Are there still at least three triangles around the vertex that h leaves when `fewer` of them are removed, or is the
-/// vertex on the boundary? Constant time.
+/// Whether at least three triangles remain around the vertex that h leaves when `fewer` are removed, or the vertex is
+/// on the boundary. Constant time.
 inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size_t fewer) {
   return mesh.leaves_boundary(h) || spokes_up_to(mesh, mesh.from(h), 3 + fewer) == 3 + fewer;
 }
 
-/// Is a vertex other than v_l and v_r a neighbour of both v_s and v_t? O(sum of their valences), times the logarithm of
-/// the smaller one where both exceed `few`; it allocates only then.
+/// Whether a vertex other than v_l and v_r is a neighbour of both v_s and v_t. O(sum of their valences); if both exceed
+/// `few`, times the logarithm of the smaller one, and then it allocates.
 inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
   constexpr std::size_t few = 32;
   const auto other = [=](Vertex w) { return w != v_s && w != v_t && w != v_l && w != v_r; };
@@ -71,7 +70,7 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
 
 namespace detail {
 
-/// May a new vertex be named so, or `none`? O(1).
+/// Whether a new vertex may have this name, or `none`. O(1).
 [[nodiscard]] inline Refusal refusal_of_name(const StripMesh& mesh, Vertex name) {
   if (name == none) return Refusal::granted;
   if (name < mesh.vertex_bound()) return mesh.spoke(name).id != none ? Refusal::vertex_in_use : Refusal::granted;
@@ -81,8 +80,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// May the vertex be split there? `new_vertex`: what the caller names the vertex to be made, or `none` for the next
-/// free one. O(1).
+/// Whether the vertex may be split there. `new_vertex`: the name of the new vertex, or `none` for the next free one.
+/// O(1).
 [[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
                                          Vertex new_vertex = none) {
   using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
@@ -104,8 +103,8 @@ namespace detail {
 
 namespace detail {
 
-/// check_collapse for callers with an answer of their own to "is a vertex other than v_l and v_r a neighbour of both
-/// v_s and v_t?": shared(v_s, v_t, v_l, v_r). It is asked last; all the rest takes constant time.
+/// check_collapse for callers with a custom test whether a vertex other than v_l and v_r is a neighbour of both v_s and
+/// v_t: shared(v_s, v_t, v_l, v_r). It is called last; everything else takes constant time.
 template <class Shared>
 [[nodiscard]] Refusal check_collapse_with(const StripMesh& mesh, StripMesh::Halfedge chord, Shared&& shared) {
   if (!mesh.alive(chord)) return Refusal::no_such_edge;
@@ -131,22 +130,22 @@ template <class Shared>
     if (mesh.non_manifold(*apex)) return Refusal::non_manifold_vertex;
     if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
   }
-  // The fan has three triangles or more: in the one other case, a tetrahedron, the apexes have too few.
+  // The fan has three triangles or more: in the only other case, a tetrahedron, the apexes have too few.
   return shared(v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
 }
 
 }  // namespace detail
 
-/// May the edge of `chord` be collapsed (link condition: Dey, Edelsbrunner, Guha, Nekhayev 1999)? A few steps on
-/// ordinary meshes; at worst O(n log n) for n = the sum of the valences of its two ends. Allocates only where both of
-/// them exceed 32.
+/// Whether the edge of `chord` may be collapsed (link condition: Dey, Edelsbrunner, Guha, Nekhayev 1999). A few steps
+/// on ordinary meshes; at worst O(n log n) for n = the sum of the valences of its two ends. Allocates only if both
+/// exceed 32.
 [[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
   return detail::check_collapse_with(mesh, chord, [&mesh](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
     return detail::share_neighbor(mesh, v_s, v_t, v_l, v_r);
   });
 }
 
-/// May the edge of h be flipped? O(valence).
+/// Whether the edge of h may be flipped. O(valence).
 [[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h) {
   if (!mesh.alive(h)) return Refusal::no_such_edge;
   const StripMesh::Halfedge back = mesh.opposite(h);
@@ -155,7 +154,7 @@ template <class Shared>
   const Vertex r = mesh.to(StripMesh::next(back));
   for (const Vertex v : {mesh.from(h), mesh.to(h), l, r})
     if (mesh.non_manifold(v)) return Refusal::non_manifold_vertex;
-  // The ends of the edge keep enough triangles: where one has three, l and r are neighbours; where it has two, l is r.
+  // The ends of the edge keep enough triangles: if one has three, l and r are neighbours; if it has two, l is r.
   return l == r || mesh.spoke(l, r).id != none ? Refusal::edge_exists : Refusal::granted;
 }
 

@@ -1,8 +1,8 @@
 // History: undo and redo of whole frames of a StripMesh, colours included.
 //
-// The inverse operations give a mesh back, but not its strips: rules and searches colour the way back as they find it.
-// A history keeps, for each frame, what the triangles that changed were before and after it. So undo gives back the
-// very mesh there was: triangles, handles and colours, bit by bit.
+// Inverse operations restore a mesh, but not its strips: rules and searches choose new colours on the way back. A
+// history keeps the changed triangles of each frame as they were before and after it. So undo restores triangles,
+// handles and colours bit for bit.
 //
 //   std::vector<Triangle> changed;
 //   mesh.watch(&changed);
@@ -11,8 +11,8 @@
 //   history.frame(mesh, changed);                      // the frame ends here
 //   history.undo(mesh);  keeper.rebuild();             // changed names what undo changed
 //
-// A frame takes time and memory linear in the triangles that changed in it, some 100 bytes each; besides, there is one
-// copy of the mesh.
+// A frame takes time and memory linear in the triangles that changed in it, some 100 bytes each. The history also holds
+// one copy of the mesh.
 #pragma once
 
 #include <algorithm>
@@ -30,19 +30,19 @@ namespace restrip {
 
 class History {
  public:
-  /// Begins with the mesh as it is. Linear time. `most_triangles`: of all frames that are kept; when there are more,
-  /// the oldest frames are forgotten, but for the last one.
+  /// Begins with the mesh as it is. Linear time. `most_triangles` limits the changed triangles of all frames together:
+  /// beyond it the oldest frames are dropped, but never the last one.
   explicit History(const StripMesh& mesh, std::size_t most_triangles = std::numeric_limits<std::size_t>::max())
       : last_(mesh), most_(most_triangles) {}
 
-  /// Ends a frame. `changed`: as the watch of the mesh made it since the frame before; not cleared. Frames that were
-  /// undone and not redone are forgotten. False, and not a frame, when the mesh is as it was; free handles in another
-  /// order are a change. After std::bad_alloc the history must not be used any more.
+  /// Ends a frame. `changed`: the list made by the watch of the mesh since the previous frame; not cleared. Frames that
+  /// were undone and not redone are dropped. Returns false and adds no frame when the mesh has not changed; free
+  /// handles in another order are a change. After std::bad_alloc the history must not be used any more.
   bool frame(const StripMesh& mesh, std::span<const Triangle> changed);
 
-  /// Gives the mesh back as it was before the last frame, or after the one that was undone last. False when there is
-  /// none. Call after frame() alone: what has changed since is lost. The watch of the mesh is notified. Keepers of the
-  /// mesh must be rebuilt, buffers updated.
+  /// undo() restores the mesh as it was before the last frame, redo() as it was after the frame undone last. Both
+  /// return false when no such frame exists. Call them right after frame(): later changes are lost. The watch of the
+  /// mesh is notified. Keepers of the mesh must be rebuilt, buffers updated.
   bool undo(StripMesh& mesh);
   bool redo(StripMesh& mesh);
 
@@ -56,7 +56,7 @@ class History {
     Value before;
     Value after;
   };
-  /// The end of a list, where it has changed.
+  /// The end of a list, from the first change on.
   template <class Value>
   struct Tail {
     std::size_t kept = 0;  // of the beginning
@@ -74,14 +74,14 @@ class History {
     std::size_t vertices_before = 0;
     std::size_t vertices_after = 0;
 
-    /// What it takes in memory, in triangles; 0: the mesh is as it was, its free handles included.
+    /// Its memory, in triangles; 0: neither the mesh nor its free handles have changed.
     [[nodiscard]] std::size_t size() const noexcept {
       const bool grown = triangles_before != triangles_after || vertices_before != vertices_after;
       return std::max({triangles.size(), spokes.size(), free.size(), free_vertices.size(), std::size_t{grown}});
     }
   };
 
-  /// Also of a handle that a frame took and gave back, of which it knows nothing else.
+  /// Also used for a handle that a frame took and gave back.
   static constexpr StripMesh::Record removed{
       {none, none, none}, {StripMesh::edge_of_mesh, StripMesh::edge_of_mesh, StripMesh::edge_of_mesh}};
 
@@ -104,7 +104,7 @@ class History {
 template <class Value>
 History::Tail<Value> History::tail_of(const std::vector<Value>& before, const std::vector<Value>& after,
                                       std::size_t changes) {
-  // Each change takes one from the end or puts one there.
+  // Each change removes an element from the end or appends one.
   Tail<Value> tail;
   tail.kept = std::min(before.size(), after.size());
   tail.kept -= std::min(tail.kept, changes);

@@ -1,4 +1,4 @@
-// What is thrown where a whole colouring is read and is not valid.
+// The exceptions for colourings that turn out not to be valid while they are read.
 #pragma once
 
 #include <stdexcept>

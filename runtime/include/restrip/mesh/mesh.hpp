@@ -1,19 +1,19 @@
-// What restrip asks of a mesh: five small functions to walk it and colour its dual edges, one more for each operation.
+// The interface that a mesh must have: five small functions to walk it and colour its dual edges, one more for each
+// operation.
 //
 // You need not use StripMesh. Write an adapter with the members below around your own structure
 // (adapters/openmesh.hpp and adapters/cgal.hpp are two, StripMesh models the concepts directly) and hand it to split(),
-// collapse() and flip(). Whether an adapter keeps the contract below is what operations/test_adapter.hpp tests.
+// collapse() and flip(). operations/test_adapter.hpp tests whether an adapter keeps the contract below.
 //
 // Exceptions. Any function of a mesh may throw, and the exception leaves the operation that called it. If the mesh
 // keeps two promises, its colouring is valid after an exception, though perhaps not optimal: some dual edges may be
-// dashed that could be solid, and the next operations continue from there.
+// dashed that could be solid. Later operations can continue from there.
 //  - insert_vertex, remove_vertex and turn_edge do their work, or throw and leave the mesh and its colours as they
 //    were; set_solid changes one dual edge, for both its halfedges, or none.
 //  - insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex the dual edges of merged edges.
 // The Rewrite is lost, so count the strips again after an exception.
-// restrip keeps its part as follows: it first reads everything it needs, then dashes edges, then changes the mesh, then
-// makes edges solid. So at every moment the colouring is the old or the new one, perhaps with fewer solid
-// edges.
+// restrip first reads everything it needs, then clears edges, then changes the mesh, then sets edges. So at every
+// moment the colouring is the old or the new one, perhaps with fewer solid edges.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
@@ -26,22 +26,22 @@ namespace restrip {
 
 /// A mesh whose dual edges carry a colour.
 ///
-/// A *halfedge* is a directed mesh edge; its triangle lies to its left. On the boundary a halfedge has no triangle.
-/// The *colour of a halfedge* is the colour of the dual edge that crosses its mesh edge: a halfedge and its opposite
-/// always answer the same, and a boundary edge answers false (dashed). A mesh that knows in constant time whether the
-/// vertex that a halfedge leaves is on the boundary may offer `bool leaves_boundary(h)`; otherwise restrip turns around
-/// the vertex. A mesh that can say whether a handle is one of its own, for any handle, may offer `bool alive(h)`;
-/// debug builds ask it before each operation.
+/// A *halfedge* is a directed mesh edge; its triangle lies to its left. A boundary halfedge lacks a triangle. The
+/// *colour of a halfedge* is the colour of the dual edge that crosses its mesh edge: it is the same for a halfedge and
+/// its opposite, and false (dashed) for a boundary edge. A mesh that knows in constant time whether the vertex that a
+/// halfedge leaves is on the boundary may offer `bool leaves_boundary(h)`; otherwise restrip turns around the vertex. A
+/// mesh that can check whether any given handle belongs to it may offer `bool alive(h)`; debug builds call it before
+/// each operation.
 template <class Mesh>
 concept ColoredMesh = std::regular<typename Mesh::Halfedge> &&
     requires(const Mesh& mesh, Mesh& writable, typename Mesh::Halfedge h, bool solid) {
-  /// The next halfedge around the triangle of h. Asked only when h has a triangle.
+  /// The next halfedge around the triangle of h. Called only when h has a triangle.
   { mesh.next(h) } -> std::same_as<typename Mesh::Halfedge>;
   { mesh.opposite(h) } -> std::same_as<typename Mesh::Halfedge>;
-  /// True when h has no triangle.
+  /// True when h lies on the boundary: it lacks a triangle.
   { mesh.on_boundary(h) } -> std::convertible_to<bool>;
   { mesh.solid(h) } -> std::convertible_to<bool>;
-  /// Colours the dual edge of h (and of its opposite). Never asked for a boundary edge.
+  /// Colours the dual edge of h (and of its opposite). Never called for a boundary edge.
   {writable.set_solid(h, solid)};
 };
 
@@ -51,15 +51,14 @@ concept ColoredMesh = std::regular<typename Mesh::Halfedge> &&
 /// With both spokes, two triangles A = (v_s, v_t, v_l) and D = (v_t, v_s, v_r) are inserted. On a boundary vertex the
 /// order of the two spokes says which of the two vertices stays there. Turning counter-clockwise from one boundary edge
 /// of the fan to the other,
-///  - where `right` comes first, v_t takes the triangles between the spokes and is interior; v_s is on the boundary;
-///  - where `left` comes first, the turn from `right` to `left` continues across the boundary: v_t takes the triangles
-///  at
-///    both ends of the fan and is on the boundary; v_s keeps those between the spokes and is interior.
-/// Both make the same mesh but for the names, and both are needed: each undoes a collapse of an edge with one end on
-/// the boundary, the first into that end, the second into the interior one.
+///  - if `right` comes first, v_t takes the triangles between the spokes and is interior; v_s is on the boundary;
+///  - if `left` comes first, the turn from `right` to `left` continues across the boundary: v_t takes the triangles at
+///    both ends of the fan and is on the boundary; v_s keeps the triangles between the spokes and is interior.
+/// Both make the same mesh except for the names. Both are needed to undo collapses of an edge with one end on the
+/// boundary: the first undoes a collapse into that end, the second a collapse into the interior end.
 ///
 /// On the boundary one spoke may be missing; then the new mesh edge is itself on the boundary, one triangle is
-/// inserted, and the other spoke is not looked at:
+/// inserted, and the other spoke is ignored:
 ///  - left only: v_t takes the triangles clockwise of `left`, A is inserted;
 ///  - right only: v_t takes the triangles counter-clockwise of `right`, D is inserted.
 template <class Halfedge>
@@ -71,10 +70,9 @@ struct VertexSplit {
 };
 
 /// A mesh that can split a vertex: insert the triangles described at VertexSplit and return the halfedge v_s -> v_t
-/// (the chord). Where it takes the new vertex from its caller, of a type Mesh::Vertex, and has no other insert_vertex,
-/// operations that insert a vertex must be given one. Other halfedges around the vertex, except the halfedges of the
-/// two spokes, stay valid handles of the same mesh edges. The dual edges of the new triangles are dashed; all others
-/// keep their colours.
+/// (the chord). If its only insert_vertex takes the new vertex from the caller, as a Mesh::Vertex, operations that
+/// insert a vertex must be given one. Other halfedges around the vertex, except the halfedges of the two spokes, stay
+/// valid handles of the same mesh edges. The dual edges of the new triangles are dashed; all others keep their colours.
 template <class Mesh>
 concept NamesNewVertices = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
   { mesh.insert_vertex(where) } -> std::same_as<typename Mesh::Halfedge>;
@@ -86,10 +84,10 @@ concept SplittableMesh = NamesNewVertices<Mesh> ||
     });
 
 /// A mesh that can collapse the mesh edge of the halfedge v_s -> v_t: remove v_t and the triangles at the edge, and
-/// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or if it does not exist the
-/// one to v_r. Other halfedges around the two vertices, except the halfedges of the removed triangles and of the edges
-/// that are merged, stay valid handles of the same mesh edges. The dual edges of merged edges are dashed; all others
-/// keep their colours.
+/// return a halfedge that leaves v_s: to v_l, the apex of the triangle to the left, or if that triangle does not exist,
+/// to v_r. Other halfedges around the two vertices, except the halfedges of the removed triangles and of the edges that
+/// are merged, stay valid handles of the same mesh edges. The dual edges of merged edges are dashed; all others keep
+/// their colours.
 template <class Mesh>
 concept CollapsibleMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge chord) {
   { mesh.remove_vertex(chord) } -> std::same_as<typename Mesh::Halfedge>;
@@ -132,15 +130,15 @@ template <ColoredMesh Mesh>
   return {mesh.solid(port), mesh.solid(edge), mesh.opposite(edge)};
 }
 
-/// One triangle of a strip, entered over the dual edge of a halfedge of it: does the strip continue, and over which
-/// halfedge of the next triangle?
+/// One triangle of a strip, entered over the dual edge of one of its halfedges: whether the strip continues, and over
+/// which halfedge of the next triangle.
 template <class Halfedge>
 struct StripStep {
   bool goes_on = false;
   Halfedge in{};
 };
 
-/// A mesh may offer `StripStep<Halfedge> strip_step(in)` where it can do this without a branch for each side.
+/// A mesh may offer `StripStep<Halfedge> strip_step(in)` if it can do this without a branch for each side.
 template <ColoredMesh Mesh>
 [[nodiscard]] constexpr StripStep<typename Mesh::Halfedge> strip_step(const Mesh& mesh, typename Mesh::Halfedge in) {
   if constexpr (requires { mesh.strip_step(in); }) return mesh.strip_step(in);

@@ -1,4 +1,4 @@
-// What index buffers ask of a mesh beyond walking and colours: numbers for its triangles and vertices.
+// The numbers of triangles and vertices that index buffers need in addition to mesh.hpp.
 //
 // | function | answers | StripMesh | a custom mesh |
 // | --- | --- | --- | --- |
@@ -9,8 +9,8 @@
 // | `from(h)` | the number of the vertex that h leaves, as the index buffer names it | has it | the vertex index |
 //
 // Numbers should be dense: memory is taken for every number below the bound. A number keeps its meaning until its
-// triangle is removed, and may then be given to another one. `halfedge(t)` is the same each time, and stays for
-// triangles that an operation does not touch: searches name sides by it.
+// triangle is removed, and may then be reused. `halfedge(t)` returns the same halfedge each time, and an operation does
+// not change it for triangles that it does not touch: searches name sides by it.
 #pragma once
 
 #include <concepts>
@@ -21,8 +21,8 @@
 
 namespace restrip {
 
-/// A mesh that numbers its triangles and vertices. `triangle` and `from` are asked for halfedges with a triangle only,
-/// `halfedge` for triangles of the mesh only, `has_triangle` for numbers below the bound only.
+/// A mesh that numbers its triangles and vertices. `triangle` and `from` are called only for halfedges with a triangle,
+/// `halfedge` only for triangles of the mesh, `has_triangle` only for numbers below the bound.
 template <class Mesh>
 concept NumberedMesh = ColoredMesh<Mesh> && requires(const Mesh& mesh, typename Mesh::Halfedge h, std::uint32_t t) {
   { mesh.triangle(h) } -> std::convertible_to<std::uint32_t>;

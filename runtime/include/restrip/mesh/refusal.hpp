@@ -10,7 +10,7 @@ enum class Refusal {
   no_such_edge,         ///< the halfedge is not one of the mesh
   different_vertices,   ///< the two spokes of a split do not leave the same vertex
   same_spoke,           ///< the two spokes of a split are the same
-  non_manifold_vertex,  ///< a vertex of the operation is one where the mesh is not manifold
+  non_manifold_vertex,  ///< the mesh is not manifold at a vertex of the operation
                         ///< (BuildReport::non_manifold_vertices)
   boundary_edge,        ///< a flip needs a triangle on both sides
   spoke_on_boundary,    ///< a one-sided split needs a boundary vertex
@@ -18,18 +18,18 @@ enum class Refusal {
   link_condition,    ///< the ends of the edge have a common neighbour besides the apexes: the collapse would fold the
                      ///< mesh
   too_few_triangles,  ///< a closed fan of fewer than three triangles would remain
-  dangling_edge,      ///< a triangle to be removed has no other neighbour than across the collapsed edge
+  dangling_edge,      ///< a triangle to be removed has its only neighbour across the collapsed edge
   edge_exists,        ///< the flipped edge is in the mesh already
   vertex_in_use,      ///< the vertex named for a split has triangles already
   vertex_too_far,     ///< the vertex named for a split is far beyond all others (StripMesh::max_vertex_gap)
-  other_valence,      ///< the vertex to be removed does not have as many triangles as this operation takes away
-  other_patch,        ///< the triangles there are not those that the operation takes away, or not those that it makes
-  same_vertex,        ///< two vertices of the operation are one vertex of the mesh
-  colors_not_valid    ///< debug builds, on meshes other than StripMesh: a triangle at the operation has three solid
-                      ///< edges, or a boundary edge is solid
+  other_valence,      ///< the vertex to be removed does not have the number of triangles that this operation removes
+  other_patch,      ///< the triangles there are not the ones that the operation removes, or not the ones that it makes
+  same_vertex,      ///< two vertices of the operation are one vertex of the mesh
+  colors_not_valid  ///< debug builds, on meshes other than StripMesh: a triangle at the operation has three solid
+                    ///< edges, or a boundary edge is solid
 };
 
-/// One sentence for a person.
+/// One human-readable sentence.
 [[nodiscard]] constexpr const char* describe(Refusal refusal) noexcept {
   switch (refusal) {
     case Refusal::granted:

@@ -1,5 +1,5 @@
-// StripMesh: a compact triangle mesh whose dual edges carry a colour, for replays and for users who have no mesh of
-// their own.
+// StripMesh: a compact triangle mesh whose dual edges carry a colour, for replays and for users without a mesh
+// structure.
 //
 // Flat arrays: 12 bytes a triangle for adjacency and colours, 12 for its corners, 5 a vertex. The data structure is the
 // corner table with explicit links (Rossignac, "Edgebreaker", 1999; Campagna, Kobbelt, Seidel, "Directed edges", 1998).
@@ -29,15 +29,15 @@ class TrialColors;
 
 /// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
 ///
-/// Triangle handles are stable until the triangle is removed. The handle removed last is used by the next insertion,
-/// so that coarsening and refining again gives the same handles. At most `max_triangles` triangles.
+/// Triangle handles are stable until the triangle is removed. The handle removed last is used by the next insertion, so
+/// coarsening and refining again gives the same handles. At most `max_triangles` triangles.
 ///
-/// Preconditions. Handles given to a function must be those of the mesh as it is now, unless the function says
+/// Preconditions. Handles passed to a function must belong to the mesh as it is now, unless the function says
 /// otherwise; debug builds check that (precondition.hpp).
 class StripMesh {
  public:
-  /// A directed mesh edge: side s of triangle t runs from corner s to corner s + 1. On the boundary the halfedge
-  /// without triangle is named by the one opposite to it.
+  /// A directed mesh edge: side s of triangle t runs from corner s to corner s + 1. A boundary halfedge without a
+  /// triangle is named by its opposite.
   struct Halfedge {
     std::uint32_t id = none;
     friend constexpr bool operator==(Halfedge, Halfedge) = default;
@@ -50,10 +50,10 @@ class StripMesh {
 
   StripMesh() = default;
 
-  /// Builds adjacency for the triangles of a list, anything that a TriangleList can be made of: 16-bit or 32-bit
-  /// indices, or corner triples, counter-clockwise; all dual edges dashed. Linear time. `vertex_count`: valid corners
-  /// are 0 … vertex_count - 1. `origin`, if given, receives for each triangle of the mesh its index in the list (they
-  /// differ only when some are left out). Throws, before a corner is read, std::length_error when there are more than
+  /// Builds the mesh of a triangle list, counter-clockwise, with all dual edges dashed. The list is anything that a
+  /// TriangleList can be made of: 16-bit or 32-bit indices, or corner triples. Linear time. `vertex_count`: valid
+  /// corners are 0 … vertex_count - 1. `origin`, if given, receives for each triangle of the mesh its index in the list
+  /// (they differ only when some are left out). Throws, before a corner is read, std::length_error for more than
   /// `max_triangles` triangles or more than 2^32 - 1 vertices, and std::invalid_argument when the number of indices is
   /// not a multiple of three.
   template <class Triangles = std::span<const std::array<Vertex, 3>>>
@@ -85,8 +85,8 @@ class StripMesh {
     RESTRIP_ASSERT(is_side(h), "StripMesh::to", describe(Refusal::no_such_edge));
     return on_boundary(h) ? corner_of({h.id & ~outside}, 0) : corner_of(h, 1);
   }
-  /// A halfedge that leaves v, or {none} when v has no triangle. On the boundary it is the one from which turning
-  /// counter-clockwise meets every triangle of v.
+  /// A halfedge that leaves v, or {none} when v belongs to no triangle. On the boundary it is the halfedge from which
+  /// turning counter-clockwise meets every triangle of v.
   [[nodiscard]] Halfedge spoke(Vertex v) const noexcept {
     RESTRIP_ASSERT(v < spoke_.size(), "StripMesh::spoke", no_such_vertex);
     return {spoke_[v]};
@@ -94,7 +94,7 @@ class StripMesh {
   /// The halfedge v -> w, or {none}. O(valence of v). Boundary halfedges are found too.
   [[nodiscard]] Halfedge spoke(Vertex v, Vertex w) const noexcept;
 
-  /// See restrip::fan_step: one look at the triangle's record.
+  /// See restrip::fan_step. One read of the triangle's record.
   [[nodiscard]] FanStep<Halfedge> fan_step(Halfedge h) const noexcept {
     RESTRIP_ASSERT(is_side(h), "StripMesh::fan_step", describe(Refusal::no_such_edge));
     RESTRIP_ASSERT(!on_boundary(h), "StripMesh::fan_step", describe(Refusal::boundary_edge));
@@ -106,7 +106,7 @@ class StripMesh {
     const std::uint32_t spoke = edge == edge_of_mesh ? ((h.id & ~3U) | before | outside) : edge >> 1;
     return {(port & 1U) != 0, (edge & 1U) != 0, {spoke}};
   }
-  /// See restrip::strip_step. From a triangle that is entered from nowhere, halfedge(t, 3), over its lowest solid side.
+  /// See restrip::strip_step. halfedge(t, 3) begins at triangle t and leaves over its lowest solid side.
   [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const noexcept {
     const auto& link = triangles_[triangle(in)].link;
     const unsigned s = side(in);
@@ -153,8 +153,8 @@ class StripMesh {
     const auto& link = triangles_[t].link;
     return (link[0] & 1U) | (link[1] & 1U) << 1 | (link[2] & 1U) << 2;
   }
-  /// The solid sides of the triangle of h other than h: bit 0 for next(h), bit 1 for the one before h. Where the edge
-  /// of h is solid as well, this is how the strip turns: 0 it ends, 1 or 2.
+  /// The solid sides of the triangle of h other than h: bit 0 for next(h), bit 1 for the one before h. If the edge of h
+  /// is solid as well, this is how the strip turns: 1 or 2, or 0 if it ends.
   [[nodiscard]] unsigned solid_beside(Halfedge h) const noexcept {
     RESTRIP_ASSERT(is_side(h), "StripMesh::solid_beside", describe(Refusal::no_such_edge));
     const auto& link = triangles_[triangle(h)].link;
@@ -163,14 +163,14 @@ class StripMesh {
   /// Colours every dual edge dashed.
   void clear_colors() noexcept;
   /// Colours every dual edge: bit s of solid_sides[t] is the colour of side s of triangle t, for all triangles below
-  /// triangle_bound(). Both triangles of an edge must say the same; sides without a neighbour, and triangles that are
-  /// not alive, must say 0. Throws std::bad_alloc only while the mesh is watched; nothing has changed then.
+  /// triangle_bound(). Both triangles of an edge must agree; sides without a neighbour, and triangles that are not
+  /// alive, must be 0. Throws std::bad_alloc only while the mesh is watched; nothing has changed then.
   void set_colors(std::span<const std::uint8_t> solid_sides);
 
-  // ---- operations on the mesh alone (restrip::split and friends keep the strips as well)
+  // ---- operations on the mesh alone (restrip::split and its siblings maintain the strips as well)
   /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given; vertices up to it are
-  /// allocated. Precondition: check_split() grants it. Throws std::length_error when the mesh has no room for another
-  /// triangle or vertex, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
+  /// allocated. Precondition: check_split() grants it. Throws std::length_error when another triangle or vertex does
+  /// not fit, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
   /// Splits an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go to the
   /// new vertex, counter-clockwise from `right`.
@@ -182,26 +182,25 @@ class StripMesh {
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
   /// See FlippableMesh. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
-  /// A triangle by its corners, counter-clockwise, each a place in a list of vertices.
+  /// A triangle by its corners, counter-clockwise, each an index into a list of vertices.
   using Places = std::array<std::uint8_t, 3>;
   static constexpr std::size_t most_replaced = 16;
-  /// Puts the triangles `in` in the place of `out`: two discs of at most `most_replaced` triangles each, with the same
-  /// rim, where it is not on the boundary of the mesh. `vertices` lists the vertices of both, and `none` for each that
-  /// is new, which is made and written there; those that have no triangle afterwards are removed. The dual edges inside
-  /// are dashed, those of the rim keep their colours. `made` receives the new triangles: as far as there are any to
-  /// take over, they have the handles of `out` in its order. Precondition: check_replace() grants it. Time quadratic in
-  /// the triangles.
+  /// Replaces the triangles `out` by `in`: two discs of at most `most_replaced` triangles each, with the same rim
+  /// except on the boundary of the mesh. `vertices` lists the vertices of both, with `none` for each new one, which is
+  /// made and written there; vertices left without triangles are removed. The dual edges inside are dashed, dual edges
+  /// of the rim keep their colours. `made` receives the new triangles, which take over the handles of `out` in order
+  /// while there are any. Precondition: check_replace() grants it. Time quadratic in the triangles.
   void replace(std::span<const Triangle> out, std::span<const Places> in, std::span<Vertex> vertices,
                std::span<Triangle> made);
 
-  // ---- what has changed
+  // ---- list of changes
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
-  /// appended to *changed, some of them more than once. Null ends this. Batches do not report. Room in *changed is made
-  /// before anything changes; after std::bad_alloc nothing has changed.
+  /// appended to *changed, some of them more than once. Null ends this. Batches are not reported. Room in *changed is
+  /// made before anything changes; after std::bad_alloc nothing has changed.
   ///
-  /// A copy of the mesh is not watched. Moving the mesh moves its watch: the new mesh is watched, the one moved from is
-  /// no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The assignment
-  /// itself is not reported, although all triangles may have changed.
+  /// A copy of the mesh is not watched. Moving the mesh moves its watch: the new mesh is watched, the old one no
+  /// longer. A mesh that is assigned to keeps its watch, unless a watched mesh is moved into it. The assignment itself
+  /// is not reported, although all triangles may have changed.
   void watch(std::vector<Triangle>* changed) noexcept { watch_.changed = changed; }
 
   // ---- extent
@@ -212,7 +211,7 @@ class StripMesh {
   [[nodiscard]] bool alive(Triangle t) const noexcept {
     return t < triangles_.size() && triangles_[t].corner[0] != none;
   }
-  /// alive() by the name that NumberedMesh has for it.
+  /// The same as alive(), for NumberedMesh.
   [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   /// Vertices are below this bound.
   [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
@@ -229,7 +228,7 @@ class StripMesh {
     RESTRIP_ASSERT(v < non_manifold_.size(), "StripMesh::non_manifold", no_such_vertex);
     return non_manifold_[v] != 0;
   }
-  /// Room for this many triangles and vertices, so that insertions up to there do not allocate.
+  /// Makes room for this many triangles and vertices, so that insertions up to there do not allocate.
   void reserve(std::size_t triangles, std::size_t vertices);
 
  private:
@@ -260,7 +259,7 @@ class StripMesh {
 
   static constexpr const char* no_such_vertex = "the vertex is not one of this mesh";
   static constexpr const char* no_such_triangle = "the triangle is not one of this mesh";
-  // A side of a triangle alive, seen from either side: alive(h), but while an operation is under way.
+  // A side of a triangle alive, seen from either side: alive(h), also during an operation.
   [[nodiscard]] bool is_side(Halfedge h) const noexcept { return side(h) < 3 && alive(triangle(h)); }
 
   // Sides are as good as random: a branch would mispredict one time in three.
@@ -274,7 +273,7 @@ class StripMesh {
     std::array<std::uint32_t, 3> link;  // opposite halfedge << 1 | solid, or edge_of_mesh
   };
 
-  // A watch stays with the mesh that is watched, wherever that is moved; copies are not watched.
+  // A watch moves with the mesh; copies are not watched.
   struct Watch {
     std::vector<Triangle>* changed = nullptr;
     Watch() = default;
@@ -287,19 +286,19 @@ class StripMesh {
     }
     ~Watch() = default;
   };
-  /// Room for so many calls of touch(), so that they do not throw.
+  /// Makes room for `count` calls of touch(), so that they do not throw.
   void expect_touches(std::size_t count) {
     if (watch_.changed != nullptr) make_room(*watch_.changed, count);
   }
-  /// A flip moves six corners, joins five edges and colours five; insertions and removals do less, but for the corners
-  /// at a vertex.
+  /// A flip moves six corners, joins five edges and colours five; insertions and removals do less, except for the
+  /// corners at a vertex.
   static constexpr std::size_t most_other_touches = 6 + 2 * 5 + 2 * 5;
   /// Makes room for the touches of an operation on the triangles around v.
   void expect_touches_around(Vertex v);
   void touch(Triangle t) noexcept {
     if (watch_.changed != nullptr) watch_.changed->push_back(t);
   }
-  // set_solid() that is not reported to the watch, for moves made for trial (TrialColors of end_search.hpp).
+  // set_solid() that is not reported to the watch, for trial moves (TrialColors of end_search.hpp).
   void color(Halfedge h, bool solid) noexcept {
     std::uint32_t& link = link_of(h);
     link = (link & ~1U) | static_cast<std::uint32_t>(solid);
@@ -335,18 +334,18 @@ class StripMesh {
   Watch watch_;
 };
 
-// What the operations ask first in debug builds; defined in checks.hpp.
+// Preconditions that the operations check in debug builds; defined in checks.hpp.
 [[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
                                          Vertex new_vertex);
 [[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
 [[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
-/// May the triangles `in` take the place of `out` (StripMesh::replace)? By the rules of checks.hpp, with these
+/// Whether the triangles `in` may replace `out` (StripMesh::replace). The rules of checks.hpp hold, with these
 /// differences: all vertices must be different, and no mesh edge may be made that exists already. Quadratic in the
 /// triangles, and linear in the valence of the vertices between which there are new edges.
 [[nodiscard]] inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                            std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
 
-// Defined in walks.hpp, which the checks use; where a program includes that first, it is read after them.
+// Defined in walks.hpp, which the checks use; declared here because walks.hpp may be read after them.
 template <class Visit>
 void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 

@@ -1,4 +1,4 @@
-// Triangle lists: what a mesh is built from, and which triangles of a list are neighbours.
+// Triangle lists, from which meshes are built, and the neighbours of their triangles.
 //
 //   const TriangleList list(indices);                        // or triples of corners
 //   std::vector<std::array<std::uint32_t, 3>> across(list.size());
@@ -29,7 +29,7 @@ inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 #define RESTRIP_MAX_TRIANGLES ((std::size_t{1} << 29) - 1)
 #endif
 
-/// What was found in a triangle list. Nothing is repaired silently: every triangle of the list is either in the mesh or
+/// A report on a triangle list. Nothing is repaired silently: every triangle of the list is either in the mesh or
 /// counted here as left out.
 struct BuildReport {
   std::size_t degenerate_triangles = 0;    ///< left out: a corner twice
@@ -43,15 +43,14 @@ struct BuildReport {
       0;  ///< vertices of several fans, or on one of the edges above: operations refuse them
 };
 
-/// Says of a list that it is known to be an oriented manifold: each corner is a vertex, no triangle has a corner twice,
-/// and each directed edge is in one triangle at most. Then none of this is checked, which saves up to a tenth of the
-/// time of strips_of() with Effort::fast. Debug builds check it; other builds crash or draw wrong strips where it does
-/// not hold.
+/// States that a list is known to be an oriented manifold: each corner is a vertex, no triangle has a corner twice, and
+/// each directed edge is in one triangle at most. This is then not checked, which saves up to a tenth of the time of
+/// strips_of() with Effort::fast. Debug builds check it; other builds crash or draw wrong strips if it does not hold.
 struct Trusted {};
 inline constexpr Trusted trusted;
 
 /// A view of a triangle list, counter-clockwise, three corners for each triangle: `Element` is an unsigned integer of
-/// 16 or 32 bits, or std::array<Vertex, 3>. What it views must outlive it.
+/// 16 or 32 bits, or std::array<Vertex, 3>. The viewed memory must outlive it.
 template <class Element>
 class TriangleList {
   static constexpr bool triples = std::same_as<Element, std::array<Vertex, 3>>;
@@ -61,8 +60,8 @@ class TriangleList {
   static constexpr std::size_t max_triangles = RESTRIP_MAX_TRIANGLES;
   static_assert(max_triangles < std::size_t{1} << 29);
 
-  /// Anything that a std::span of elements can be made of. Throws std::invalid_argument when the number of indices is
-  /// not a multiple of three, std::length_error when there are more than `max_triangles` triangles.
+  /// Takes anything that a std::span of elements can be made of. Throws std::invalid_argument when the number of
+  /// indices is not a multiple of three, std::length_error when there are more than `max_triangles` triangles.
   template <class Elements>
   explicit TriangleList(const Elements& elements) : elements_(elements) {
     if (!triples && elements_.size() % 3 != 0)
@@ -78,7 +77,7 @@ class TriangleList {
     else
       return elements_[h - (h >> 2)];
   }
-  /// Three different corners below `vertex_count`?
+  /// Whether a triangle has three different corners below `vertex_count`.
   [[nodiscard]] bool is_triangle(Triangle t, std::size_t vertex_count) const noexcept {
     return in_range(t, vertex_count) && !degenerate(t);
   }
@@ -100,11 +99,11 @@ template <class Elements>
 TriangleList(const Elements&)
     -> TriangleList<std::remove_cv_t<typename decltype(std::span(std::declval<const Elements&>()))::element_type>>;
 
-/// For each triangle of the list and each of its sides the halfedge across, or none where there is no neighbour: those
-/// of triangles that are left out, of boundary and inconsistent edges, and of a non-manifold edge those that are left
-/// over when sides of opposite directions are joined in pairs. All of the report is written but
-/// non_manifold_vertices. `across` must have list.size() elements. O(triangles + vertices), however many triangles a
-/// vertex has; 12 bytes a vertex while it runs. Throws std::length_error for more than 2^32 - 1 vertices.
+/// Writes the halfedge across each side of each triangle, or none for sides without a neighbour: sides of triangles
+/// that are left out, sides at boundary and inconsistent edges, and at non-manifold edges the sides that remain when
+/// sides of opposite directions are joined in pairs. Writes all of the report except non_manifold_vertices. `across`
+/// must have list.size() elements. O(triangles + vertices), whatever the valences; 12 bytes a vertex while it runs.
+/// Throws std::length_error for more than 2^32 - 1 vertices.
 template <class Element>
 void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
                     std::span<std::array<std::uint32_t, 3>> across, BuildReport& report);

@@ -1,5 +1,5 @@
-// Walks over a mesh, for programs that keep more than colours: which triangles an operation touches and which lie
-// next to them, on any mesh that numbers its triangles; which halfedges leave a vertex, on a StripMesh. The single
+// Walks over a mesh, for programs that keep more than colours: the triangles that an operation touches and their
+// neighbours, on any mesh that numbers its triangles; the halfedges that leave a vertex, on a StripMesh. The single
 // steps (turn_ccw, turn_cw, fan_step, strip_step) are in mesh.hpp and work on every mesh.
 #pragma once
 
@@ -23,7 +23,7 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
   } while (!(h == first));
 }
 
-/// Calls visit(neighbour) for every triangle that shares an edge with t; twice where it shares two edges.
+/// Calls visit(neighbour) for every triangle that shares an edge with t; twice if it shares two edges.
 template <NumberedMesh Mesh, class Visit>
 void for_each_neighbor(const Mesh& mesh, Triangle t, Visit&& visit) {
   auto h = mesh.halfedge(t);
@@ -55,7 +55,7 @@ template <NumberedMesh Mesh>
   return components;
 }
 
-/// The number of halfedges that leave a manifold vertex. Linear in it.
+/// The number of halfedges that leave a manifold vertex. Linear time.
 [[nodiscard]] inline std::size_t spoke_count(const StripMesh& mesh, Vertex v) {
   std::size_t n = 0;
   for_each_spoke(mesh, v, [&n](StripMesh::Halfedge) { ++n; });

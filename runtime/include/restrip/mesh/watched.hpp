@@ -1,7 +1,7 @@
 // Watched: any mesh, with a list of the triangles that change.
 //
-// Buffers that are kept in step with a mesh (output/) must know which triangles changed; one that is forgotten is
-// drawn wrongly, without a warning. A StripMesh makes the list itself (StripMesh::watch). For every other mesh Watched
+// Buffers that are kept in step with a mesh (output/) must know which triangles changed. A forgotten triangle is drawn
+// wrongly, without a warning. A StripMesh makes the list itself (StripMesh::watch). For every other mesh Watched
 // derives it from the calls that change the mesh, so that nothing can be forgotten:
 //
 //   Watched watched(mesh);                             // a custom NumberedMesh
@@ -11,8 +11,8 @@
 //   for (const auto& range : buffer.update(watched, watched.changed())) upload(range);
 //   watched.changed().clear();
 //
-// Change the mesh and its colours through the wrapper alone. Whoever keeps a list by hand can have it tested
-// (operations/test_adapter.hpp), and what a buffer draws can be checked (output/check_buffer.hpp).
+// Change the mesh and its colours only through the wrapper. A list that you keep by hand can be tested
+// (operations/test_adapter.hpp), and so can the triangles that a buffer draws (output/check_buffer.hpp).
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,9 @@
 
 namespace restrip {
 
-/// Models what the mesh models. Refers to the mesh, which must outlive it. Each call takes the time of the mesh's own,
-/// and of a walk around the vertices whose triangles change. Room in the list is made before anything changes;
-/// after std::bad_alloc nothing has.
+/// Models the concepts that the mesh models. Refers to the mesh, which must outlive it. Each call takes the time of the
+/// mesh's call and of a walk around the vertices whose triangles change. Room in the list is made before anything
+/// changes; after std::bad_alloc nothing has changed.
 template <NumberedMesh Mesh>
 class Watched {
  public:
@@ -38,7 +38,7 @@ class Watched {
   [[nodiscard]] std::vector<std::uint32_t>& changed() noexcept { return changed_; }
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
 
-  // ---- as the mesh answers
+  // ---- forwarded to the mesh
   [[nodiscard]] Halfedge next(Halfedge h) const { return mesh_->next(h); }
   [[nodiscard]] Halfedge opposite(Halfedge h) const { return mesh_->opposite(h); }
   [[nodiscard]] bool on_boundary(Halfedge h) const { return mesh_->on_boundary(h); }
@@ -53,7 +53,7 @@ class Watched {
   [[nodiscard]] bool alive(Halfedge h) const requires requires(const Mesh& m) { m.alive(h); }
   { return mesh_->alive(h); }
 
-  // ---- what changes it
+  // ---- changes
   void set_solid(Halfedge h, bool solid) {
     room_for(2);
     name(h);
@@ -74,7 +74,7 @@ class Watched {
   }
   Halfedge remove_vertex(Halfedge chord) requires requires(Mesh& m) { m.remove_vertex(chord); }
   {
-    // The remaining neighbours of the two removed triangles lie around one of its ends.
+    // The remaining neighbours of the two removed triangles lie around either end of the chord.
     name_fan(mesh_->opposite(chord));
     name_fan(chord);
     return mesh_->remove_vertex(chord);

@@ -30,21 +30,21 @@ constexpr Word low_bits(std::size_t n) noexcept { return n < word_bits ? (Word{1
 /// Bit i of a mask; false when i >= 64.
 constexpr bool has(Word mask, std::size_t i) noexcept { return (mask & bit(i)) != 0; }
 
-/// Moves the bits from `position` on one place up and leaves a zero there; the identity when position >= 64. The top
-/// bit is lost.
+/// Moves bit `position` and all higher bits one place up, and leaves a zero at `position`. The top bit is lost. The
+/// identity when position >= 64.
 constexpr Word insert_zero(Word mask, std::size_t position) noexcept {
   const Word below = low_bits(position);
   return (mask & below) | ((mask & ~below) << 1);
 }
 
-/// The inverse of insert_zero: bit `position` goes, the bits above it move one place down.
+/// The inverse of insert_zero: removes bit `position`; the bits above it move one place down.
 constexpr Word remove_bit(Word mask, std::size_t position) noexcept {
   const Word below = low_bits(position);
   return (mask & below) | ((mask >> 1) & ~below);
 }
 
-/// The number of set bits, as an int. Written out because std::popcount is a library call where the processor is not
-/// known to have the instruction, and lookups count bits on their fast path.
+/// The number of set bits, as an int. Written out because lookups count bits on their fast path, and std::popcount is a
+/// library call unless the compiler may assume the instruction.
 constexpr int count_bits(Word mask) noexcept {
   mask -= mask >> 1 & 0x5555555555555555U;
   mask = (mask & 0x3333333333333333U) + (mask >> 2 & 0x3333333333333333U);
@@ -62,7 +62,7 @@ constexpr int count_difference(Word a, Word b) noexcept {
 constexpr std::size_t words_for(std::size_t n) noexcept { return (n + word_bits - 1) / word_bits; }
 
 /// A read-only view of a bit string in consecutive words, little-endian. It does not own the words and does not know
-/// their number: the function that takes it says how many bits it reads. Bits behind those are never looked at.
+/// their number: the function that takes it says how many bits it reads. Later bits are never read.
 struct BitSpan {
   const Word* words = nullptr;
 
@@ -97,7 +97,7 @@ struct MutableBitSpan {
 
   constexpr void set(std::size_t i) const noexcept { words[i / word_bits] |= bit(i % word_bits); }
 
-  /// Zeroes every word that holds one of the first n bits, to its end.
+  /// Zeroes every word that holds one of the first n bits, including its higher bits.
   constexpr void clear(std::size_t n) const noexcept {
     for (std::size_t w = 0; w < words_for(n); ++w) words[w] = 0;
   }

@@ -1,31 +1,30 @@
 // Rules for fans of any valence, looked up by their key in the automaton of all valences
-// (restrip/tables/automaton.hpp). They are as good as the rules of the tables for small k;
+// (restrip/tables/automaton.hpp). For small k they are as good as the rules of the tables.
 // docs/explanation/automaton.md says how they are checked.
 //
 // A recolouring keeps every port. It is sound when every triangle keeps at most two solid edges, nothing inside is a
-// solid cycle, and it joins only ports that were joined before. Among the sound ones these functions return one with
-// the most solid edges, and of those one with the fewest isolated triangles; docs/reference/notation.md has the order
-// of preference, the numbering of all bits, and the proof that (ports, joined) is all that matters. Remaining ties are
-// broken in the same way on every machine, but not by the tie-break of the tables: compare counts with them, not
-// colours.
+// solid cycle, and it joins only ports that were joined before. Of all sound recolourings these functions return one
+// with the most solid edges, and among these one with the fewest isolated triangles. docs/reference/notation.md has the
+// order of preference, the numbering of all bits, and the proof that only (ports, joined) matters. Remaining ties are
+// broken in the same way on every machine, but not as in the tables: compare counts with the tables, not colours.
 //
 // Input. `ports` has k bits. `joined` has k bits as restrip/rules/key.hpp computes them; with exactly two solid ports
 // in a closed fan either bit stands for the pair. Bits of `joined` without a solid port are ignored. Any pair of masks
-// is safe: a key that no valid configuration has still gets the best recolouring that joins no other pairs. Every
-// position is served (1 <= a < k, gaps i < j), not only those listed in docs/reference/notation.md. A position out of
-// range is a programming error, found in debug builds (precondition.hpp). k is less than 2^26.
+// is safe: for a key that no valid configuration has, the result is still the best recolouring that joins no other
+// pairs. All positions are supported (1 <= a < k, gaps i < j), not only the ones listed in docs/reference/notation.md.
+// A position out of range is a programming error, found in debug builds (precondition.hpp). k is less than 2^26.
 //
-// Another cost. An automaton of another cost (`restrip-generate automaton --cost R,S,I`) is used when its folder comes
-// before the library's on the include path; then these functions return a sound recolouring of the least cost restart *
-// strips + swap * swaps + isolated * isolated triangles. Whether a port is a swap depends on how its strip turns in the
-// triangle behind it, which the caller tells: with h the halfedge of triangle t_i whose dual edge is port p_i, bit i of
-// `left` is set when the strip behind the port continues over the dual edge of next(opposite(h)), bit i of `right` when
-// over that of next(next(opposite(h))). A caller that does not know sets neither, and swaps at this port are not
-// counted. Where swaps have no price `turns` is ignored. restrip/rules/rules.hpp reads the automaton, too, so such an
-// include path is for programs that want these functions and no others.
+// Another cost. Put the folder of an automaton of another cost (`restrip-generate automaton --cost R,S,I`) before the
+// library's folder on the include path. These functions then return a sound recolouring of least cost restart * strips
+// + swap * swaps + isolated * isolated triangles. Whether a port is a swap depends on how its strip turns in the
+// triangle outside, which the caller passes as `turns`. Let h be the halfedge of triangle t_i whose dual edge is port
+// p_i. Bit i of `left` is set when the strip continues over the dual edge of next(opposite(h)), bit i of `right` when
+// it continues over the dual edge of next(next(opposite(h))). If neither is set, swaps at this port are not counted.
+// `turns` is ignored if swaps cost nothing. restrip/rules/rules.hpp reads the automaton, too, so use such an include
+// path only in programs that use these functions and no others.
 //
-// Complexity. Two table reads for each triangle: time linear in k. On words, and on bit strings with k <= 64: no
-// allocation, nothing thrown. Longer bit strings: one allocation of two bytes for each triangle.
+// Complexity. Two table reads for each triangle: time linear in k. Words, and bit strings with k <= 64, neither
+// allocate nor throw. Longer bit strings make one allocation of two bytes a triangle.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +38,7 @@
 
 namespace restrip::exact {
 
-/// What is best: solid inner edges, and isolated triangles in the patch, both after the operation.
+/// The value of a recolouring: solid inner edges and isolated triangles in the patch after the operation.
 struct Value {
   int solid = 0;
   int isolated = 0;
@@ -53,9 +52,9 @@ struct Recoloring {
   Value value;
 };
 
-/// How strips continue behind the ports, for automata that distinguishes turns (see above).
+/// How strips continue outside the ports, for automata that distinguish turns (see above).
 using Turns = restrip::detail::PortTurns<Word>;
-/// Turns as bit strings; where a view is empty no bit is set.
+/// Turns as bit strings. An empty view has no bit set.
 using LongTurns = restrip::detail::PortTurns<BitSpan>;
 
 namespace detail {
@@ -64,7 +63,7 @@ using restrip::detail::ArcEntry;
 using restrip::detail::LongLetters;
 using restrip::detail::WordLetters;
 
-/// Up to here a bit string is answered on the stack.
+/// Bit strings of up to this valence are answered on the stack.
 inline constexpr std::size_t max_stack_valence = 64;
 
 /// walk(room, color) as in arc_walk.hpp.
@@ -110,7 +109,7 @@ constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word j
   });
 }
 
-/// Ring with chord to closed fan, k >= 1, whatever the position: `colors` is `loop`, k bits.
+/// Ring with chord to closed fan, k >= 1, at any position: `colors` is `loop`, k bits.
 constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined, Turns turns = {}) noexcept {
   RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", restrip::detail::no_such_fan);
   return detail::on_word(restrip::detail::closed_fan(k), ports, [&](auto* room, auto&& color) {
@@ -136,7 +135,7 @@ constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word port
   });
 }
 
-/// Path, with chord or without, to open fan, k >= 1, whatever the position: `colors` is `loop`, k - 1 bits.
+/// Path, with chord or without, to open fan, k >= 1, at any position: `colors` is `loop`, k - 1 bits.
 constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined, Turns turns = {}) noexcept {
   RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", restrip::detail::no_such_fan);
   return detail::on_word(restrip::detail::open_fan(k), ports, [&](auto* room, auto&& color) {

@@ -1,23 +1,23 @@
-// The key of a configuration: from the colours of a patch to what its rule needs to know, and whether the colours are
-// valid in the first place. docs/reference/notation.md defines patches, numbering and key.
+// The key of a configuration, which is all that its rule depends on, and a test whether colours are valid.
+// docs/reference/notation.md defines patches, numbering and key.
 //
 //   joined_PATCH   the mask `joined`: bit i is set when port i is solid and a solid path inside the patch leads from
 //                  it to the solid port before it (the nearest in descending order; cyclic in a closed fan and in a
 //                  ring with chord).
 //   valid_PATCH    at most two solid edges at every triangle, no solid cycle, no bit outside the patch.
 //
-// PATCH is `closed` and `open` for the fans, `ring` (with chord), `path_with_chord` and `path` for what splits make of
-// them. Together with `ports` the mask `joined` is the key.
+// PATCH is `closed` or `open` for fans, and `ring` (with chord), `path_with_chord` or `path` for the patches that
+// splits make of fans. The key consists of the masks `ports` and `joined`.
 //
 // With exactly two solid ports in a closed fan or a ring, each precedes the other, and the pair has two bits. EITHER
 // BIT STANDS FOR THE PAIR: the functions here may set one of them or both. Call canonical_joined before comparing keys.
 //
-// Each function comes twice. On masks it takes constant time, allocates nothing, and is constexpr; it serves
-// k <= max_word_valence. On bit strings it serves any k in time linear in k and allocates nothing either.
+// Each function has two versions. The one on masks needs k <= max_word_valence, takes constant time and is constexpr.
+// The one on bit strings accepts any k and takes time linear in k. Neither allocates.
 //
 // Bad input. A position out of range or k beyond the limit is a programming error, found in debug builds
-// (precondition.hpp). The joined_ functions need valid colours. For others their result has no meaning, but they return
-// and read and write nothing outside their arguments.
+// (precondition.hpp). The joined_ functions need valid colours. For other colours their result has no meaning, but they
+// return, and read and write nothing outside their arguments.
 #pragma once
 
 #include <bit>
@@ -52,8 +52,8 @@ constexpr Word ends_over_chord(const Layout& patch, Word edges, Word ports) noex
   return one != two && has(ports, one) && has(ports, two) ? bit(one) | bit(two) : 0;
 }
 
-/// The bit that names a joined pair in a key; zero if no pair is joined, or none that a key can name. (Without ends all
-/// of these masks are zero.)
+/// The bit that names a joined pair in a key; zero if no pair is joined that a key can name. (Without ends all of these
+/// masks are zero.)
 constexpr Word name_of_pair(const Layout& patch, Word ends, Word ports) noexcept {
   const Word high = std::bit_floor(ends);
   const Word low = ends ^ high;
@@ -68,8 +68,8 @@ struct InnerPairs {
   Word joined = 0;
   Word over_chord = 0;
 
-  /// How many pairs there are. (A port ends one path; so if the key names the pair over the chord, it does so by a bit
-  /// that names no other.)
+  /// The number of pairs. (A port ends one path; so if the key names the pair over the chord, it does so by a bit that
+  /// names no other.)
   [[nodiscard]] constexpr int count() const noexcept {
     return count_bits(joined) + ((joined & over_chord) == 0 && over_chord != 0 ? 1 : 0);
   }
@@ -100,7 +100,7 @@ constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
   const Word edges = inner & low_bits(patch.edges());
   const Word below = (edges << 1) | (edges >> (patch.size() - 1));  // a path has no edge to bring round
   const bool chord = patch.has_chord() && has(inner, patch.chord());
-  // To A and D the chord is what a port is to the others: the third edge.
+  // The chord is the third edge of A and D, as a port is of the other triangles.
   const Word third = patch.spread(fan_ports) | (chord ? bit(patch.inserted) | bit(patch.opposite) : 0);
   if ((edges & below & third) != 0) return false;
   if (patch.ring && edges == low_bits(patch.edges())) return false;
@@ -114,8 +114,8 @@ constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
 
 // ---- Masks: k <= max_word_valence, constant time ----
 
-/// Closed fans and rings are what an ordinary split or collapse meets, so their formulas are written out; they are the
-// general ones above with the places of A and D put in.
+/// Ordinary splits and collapses use closed fans and rings, so their formulas are written out. They are the
+// general formulas above with the places of A and D put in.
 
 // Closed fan, k >= 3: loop has k bits.
 constexpr Word joined_closed(std::size_t k, Word loop, Word ports) noexcept {
@@ -147,8 +147,8 @@ constexpr Word ring_ports(std::size_t a, Word ports) noexcept {
 
 namespace detail {
 
-/// inner_pairs() of a ring with chord, both in one go. (GCC 12 at -O3 has been seen to get `over_chord` wrong where it
-/// was computed again on its own.)
+/// inner_pairs() of a ring with chord, both at once. (GCC 12 at -O3 gets `over_chord` wrong if it is computed again
+/// separately.)
 constexpr InnerPairs ring_pairs(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
   const Word edges = inner & low_bits(k + 2);
   const Word elements = ring_ports(a, ports);
@@ -201,16 +201,15 @@ constexpr bool valid_path(std::size_t k, std::size_t i, Word inner, Word ports) 
   return detail::valid(detail::path(k, i), inner, ports);
 }
 
-/// The one form of `joined` in which keys are written down, for closed fans and rings: with exactly two solid ports
-/// both bits are set or none. For open fans and paths every `joined` is in that form already; do not call this.
+/// The canonical form of `joined`, for closed fans and rings: with exactly two solid ports either both bits are set or
+/// none. Do not call this for open fans and paths, where every `joined` is canonical.
 constexpr Word canonical_joined(Word ports, Word joined) noexcept {
   return joined != 0 && std::popcount(ports) == 2 ? ports : joined;
 }
 
 // ---- Bit strings: any k, linear time ----
 //
-// `joined` must have room for k bits; the words that hold them are overwritten. Bits behind the patch are not looked
-// at.
+// `joined` must have room for k bits; the words that hold them are overwritten. Bits beyond the patch are not read.
 
 inline void joined_closed(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept;
 inline bool valid_closed(std::size_t k, BitSpan loop, BitSpan ports) noexcept;

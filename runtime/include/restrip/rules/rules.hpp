@@ -1,17 +1,17 @@
 // Rules: from the colours before an operation to the best colours after it.
 //
-// For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on
-// the colours, no allocation, constexpr. For larger fans it is read from the automaton of all valences (exact.hpp), two
-// table reads for each triangle. In both cases the answer is sound whatever lies outside the patch, has the most solid
-// edges of all sound recolourings, and of those the fewest isolated triangles in the patch. Recolourings of splits and
-// collapses keep every port; rules of flips may give ports up, and that would sometimes save a strip in the others as
+// For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on the
+// colours, no allocation, constexpr. For larger fans it is read from the automaton of all valences (exact.hpp), with
+// two table reads for each triangle. In both cases the recolouring is sound for every surrounding mesh, has the most
+// solid edges of all sound recolourings, and among these the fewest isolated triangles in the patch. Splits and
+// collapses keep every port. Flips may clear ports, which would occasionally save a strip in splits and collapses as
 // well (docs/explanation/theory.md, "Ports given up"). docs/explanation/what-is-proven.md says what is proved for which
-// k. Source of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits
-// are numbered in docs/reference/notation.md.
+// k. Source of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh".
+// docs/reference/notation.md numbers the bits.
 //
-// Positions: SplitPosition, GapPair and Gap, k <= max_word_valence; others are a programming error, found in
-// debug builds (precondition.hpp). Colours that no valid stripification has (a triangle with three solid edges, a solid
-// cycle) get `valid = false` and all edges dashed, which is always sound to apply.
+// Positions are SplitPosition, GapPair and Gap, with k <= max_word_valence. A position out of range is a programming
+// error, found in debug builds (precondition.hpp). Colours that no valid stripification has (a triangle with three
+// solid edges, a solid cycle) get `valid = false` and all edges dashed, which is always sound to apply.
 #pragma once
 
 #include <cstddef>
@@ -53,14 +53,14 @@ struct Gap {
   std::size_t i = 0;
 };
 
-/// What a rule says. `colors` are the inner edges after the operation, `strips` the change in the number of strips.
+/// A recolouring: `colors` are the inner edges after the operation, `strips` the change in the number of strips.
 struct Rule {
   Word colors = 0;
   int strips = 0;
   bool valid = false;
 };
 
-/// What the rule of a flip says: the new inner edge, and which ports stay solid (a flip may have to give some up).
+/// The recolouring of a flip: the new inner edge, and the ports that stay solid (a flip may have to clear some).
 struct FlipRule {
   bool inner = false;
   unsigned ports = 0;
@@ -125,8 +125,8 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
 
 /// The table's answer to a key of a closed fan of at most table_max_k triangles.
 constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
-  // The tables begin with the shorter arc. Where the first is the longer one, ask with A and D exchanged and turn the
-  // ring back; without branches, since which arc is shorter is as good as random.
+  // The tables begin with the shorter arc. If the first arc is longer, A and D are exchanged and the ring is turned
+  // back. There are no branches, because which arc is shorter is as good as random.
   const bool exchange = 2 * a > k;
   const std::size_t by = exchange ? a : 0;
   const std::size_t arc = exchange ? k - a : a;
@@ -171,7 +171,7 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
   const std::size_t high = mirrored ? k - i : j;
   const Word seen_loop = mirrored ? detail::reversed(loop, k - 1) : loop;
   const Word seen_ports = mirrored ? detail::reversed(ports, k) : ports;
-  // Places of a valence in ascending order: those with a smaller low gap, then those with a smaller high one.
+  // Places of a valence in ascending order: by the low gap, then by the high gap.
   const std::size_t place = low * (k + 1 - low) + (high - low - 1);
   const Word seen =
       detail::cell(tables::open_split, tables::open_rows, k, place, seen_ports, joined_open(k, seen_loop, seen_ports));

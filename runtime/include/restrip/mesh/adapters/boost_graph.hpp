@@ -11,8 +11,8 @@
 // itself. Models VertexListGraph, EdgeListGraph, BidirectionalGraph and AdjacencyGraph (and so IncidenceGraph). Steps
 // take constant time; `num_edges` is linear in the mesh.
 //
-// `num_vertices` is the mesh's `triangle_bound()`: as many vertex indices as there may be, because algorithms allocate
-// arrays of that size. Where numbers of the mesh are not in use, `vertices` skips them, and there are fewer vertices.
+// `num_vertices` is the mesh's `triangle_bound()`, because algorithms allocate arrays of that size. `vertices` skips
+// numbers that the mesh does not use, so it may visit fewer vertices.
 //
 // Include this header only where you have Boost (1.74 or later; headers alone). Descriptors and iterators are valid as
 // long as the mesh does not change; colours may change.
@@ -34,7 +34,7 @@
 
 namespace restrip {
 
-/// The mesh must outlive it. Of a const mesh colours can be read only.
+/// The mesh must outlive it. The colours of a const mesh are read-only.
 template <class Mesh>
 requires NumberedMesh<std::remove_const_t<Mesh>>
 class DualGraph {
@@ -49,7 +49,7 @@ class DualGraph {
 /// An edge as seen from one of its ends. Equal from either end.
 template <class Mesh>
 struct DualEdge {
-  typename Mesh::Halfedge halfedge{};  ///< of the two, that of the triangle with the lower number
+  typename Mesh::Halfedge halfedge{};  ///< of the two halfedges, the one in the triangle with the lower number
   std::uint32_t source = 0xffffffff;
   std::uint32_t target = 0xffffffff;
   friend bool operator==(const DualEdge& one, const DualEdge& other) { return one.halfedge == other.halfedge; }
@@ -121,7 +121,7 @@ class Iterator
 
 }  // namespace dual_graph
 
-/// Whether edges are solid: a property map that can be read, and written where the mesh is not const.
+/// Whether edges are solid: a property map, writable unless the mesh is const.
 template <class Mesh>
 struct EdgeSolidMap {
   using key_type = DualEdge<std::remove_const_t<Mesh>>;
@@ -191,7 +191,7 @@ struct property_map<restrip::DualGraph<Mesh>, restrip::edge_solid_t> {
   using const_type = type;
 };
 
-// Algorithms ask for those of a const graph as well.
+// Algorithms need the types of a const graph as well.
 template <class Mesh>
 struct property_map<const restrip::DualGraph<Mesh>, vertex_index_t>
     : property_map<restrip::DualGraph<Mesh>, vertex_index_t> {};

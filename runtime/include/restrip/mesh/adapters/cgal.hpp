@@ -1,12 +1,12 @@
-// restrip on a CGAL::Surface_mesh of triangles: CGAL's own Euler operations do the work, the strips are kept.
+// restrip on a CGAL::Surface_mesh of triangles: CGAL's Euler operations change the mesh, and its strips are maintained.
 //
 //   using Mesh = CGAL::Surface_mesh<Point>;
 //   restrip::SurfaceMeshStrips strips(mesh);                    // colours are an edge property map, all dashed
-//   restrip::collapse(strips, halfedge);                        // v_s -> v_t: v_t goes
+//   restrip::collapse(strips, halfedge);                        // v_s -> v_t: v_t is removed
 //   restrip::split(strips, {to_left, to_right}, point);         // point of the new vertex
 //
-// Include this header only where you have CGAL (5.4 or later). For CGAL's edge_collapse there is a visitor,
-// operations/adapters/cgal_edge_collapse.hpp.
+// Include this header only where you have CGAL (5.4 or later). operations/adapters/cgal_edge_collapse.hpp has a visitor
+// for CGAL's edge_collapse.
 #pragma once
 
 #include <CGAL/Surface_mesh.h>
@@ -88,8 +88,8 @@ class SurfaceMeshStrips {
     const Halfedge back = mesh_.opposite(chord);
     const bool has_left = !mesh_.is_border(chord);
     const bool has_right = !mesh_.is_border(back);
-    // To the left the edge of v_t is removed, to the right the edge of v_s, so that neither end loses its last triangle
-    // on the way; at the boundary the one that has a triangle beyond.
+    // On the left the edge of v_t is removed, on the right the edge of v_s, so that neither end loses its last triangle
+    // on the way. At the boundary the edge with a triangle beyond it is removed.
     const auto open = [&](Halfedge h) { return mesh_.is_border(mesh_.opposite(h)); };
     Halfedge left;
     Halfedge right;
@@ -108,7 +108,7 @@ class SurfaceMeshStrips {
       CGAL::Euler::join_face(mesh_.opposite(keep_s ? of_t : of_s), mesh_);
     }
     CGAL::Euler::join_vertex(back, mesh_);
-    // What fell together may lie on the boundary now, where nothing is solid.
+    // The merged edges may lie on the boundary now, where nothing is solid.
     if (has_left) set_solid(left, false);
     if (has_right) set_solid(right, false);
     return has_left ? left : right;
@@ -135,7 +135,7 @@ class SurfaceMeshStrips {
       CGAL::Euler::split_face(tip, side, mesh_);
   }
 
-  /// Both corners are the same one: the new triangle hangs on the boundary edge of `border`.
+  /// Both corners are the same: the new triangle is added at the boundary edge of `border`.
   Halfedge append(Halfedge border, bool fan_stays, const Point& point) {
     const Vertex v_s = mesh_.target(border);
     const Halfedge chord = CGAL::Euler::add_vertex_and_face_to_border(mesh_.prev(border), border, mesh_);

@@ -1,13 +1,13 @@
-// restrip on an OpenMesh triangle mesh: its own vertex_split, collapse and flip do the work, the strips are kept.
+// Strips of an OpenMesh triangle mesh, maintained while OpenMesh's vertex_split, collapse and flip change it.
 //
 //   using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 //   restrip::OpenMeshStrips strips(mesh);                       // colours are an edge property, all dashed
-//   restrip::collapse(strips, halfedge);                        // v_s -> v_t: v_t goes
+//   restrip::collapse(strips, halfedge);                        // v_s -> v_t: v_t is removed
 //   restrip::split(strips, {to_left, to_right}, new_vertex);    // new_vertex: added by you, with its point
 //
 // Needs OpenMesh 8 or later; include this header only where you have it. collapse() wants the status attributes of
-// vertices, edges, halfedges and faces (OpenMesh marks what it removes); the constructor requests them. For OpenMesh's
-// own decimaters there is a module, operations/adapters/openmesh_decimater.hpp.
+// vertices, edges, halfedges and faces (OpenMesh marks what it removes); the constructor requests them.
+// operations/adapters/openmesh_decimater.hpp has a module for OpenMesh's decimaters.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
@@ -100,7 +100,7 @@ class OpenMeshStrips {
     const Vertex v_l = on_boundary(chord) ? Vertex() : mesh_.to_vertex_handle(next(chord));
     const Vertex v_r = on_boundary(back) ? Vertex() : mesh_.to_vertex_handle(next(back));
     mesh_.collapse(back);
-    // What fell together may lie on the boundary now, where nothing is solid.
+    // The merged edges may lie on the boundary now, where nothing is solid.
     const Halfedge left = v_l.is_valid() ? mesh_.find_halfedge(v_s, v_l) : Halfedge();
     const Halfedge right = v_r.is_valid() ? mesh_.find_halfedge(v_s, v_r) : Halfedge();
     if (left.is_valid()) set_solid(left, false);
