@@ -118,7 +118,7 @@ foreach(room IN ITEMS common generator verify runtime tables tools examples benc
       math(EXPR seen "${seen} + 1")
       judge(${room} ${source} "${line}" broken)
       if(broken)
-        message(SEND_ERROR "${source}: ${line}: must not be included here (rooms and floors: CONTRIBUTING.md)")
+        message(SEND_ERROR "${source}: ${line}: must not be included here (CONTRIBUTING.md, \"Folders\")")
       endif()
     endforeach()
   endforeach()
