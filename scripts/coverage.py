@@ -210,7 +210,7 @@ class Coverage:
         return sorted(rows, key=lambda row: wanted.index(row[0].split(", ")[0]))
 
     def table(self):
-        return table_of(["claims", "of", "k", "how it is known", "what was read", "rung"],
+        return table_of(["claims", "operations", "k", "method", "input checked", "check"],
                         [[*cells, f"`{rung}`"] for *cells, rung in self.merged(self.claims)])
 
 

@@ -1,5 +1,5 @@
 // Why no sound recolouring is preferred to a rule's: the reasons that certificates give (docs/reference/certificate.md,
-// "Reasons"). A reason is a case tree; docs/explanation/what-is-proven.md proves that it is one.
+// "Reasons"). A reason is a case tree; docs/reference/verifiers.md proves that it is one.
 #pragma once
 
 #include <cstdint>

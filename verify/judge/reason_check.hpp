@@ -1,7 +1,7 @@
 #pragma once
 // Reasons: why nothing is better than a rule (docs/reference/certificate.md, "Reasons"). Every set and every case that
 // is looked at stands in the file; a set "cannot be all solid" when the colouring in which just it is solid is not
-// sound, by the worlds. docs/explanation/what-is-proven.md proves that a reason that passes is one.
+// sound, by the worlds. docs/reference/verifiers.md proves that a reason that passes is one.
 
 #include <string>
 
