@@ -31,7 +31,7 @@ DRAWN = {
     "rm_tristripper": "from scratch: rm_tristripper",
     "meshopt_list": "from scratch: `meshopt_optimizeVertexCache`, a list",
 }
-WIDTH = 125
+WIDTH = 120
 
 
 class Page:
@@ -51,6 +51,11 @@ class Page:
         caches = [f"{c['size'] // 1024:,} KiB {c['type'].lower()} L{c['level']}" for c in context.get("caches", [])
                   if c["type"] != "Instruction"]
         return f"{context['num_cpus']} processors at {context['mhz_per_cpu'] / 1000:.1f} GHz; caches {', '.join(caches)}"
+
+    def measured(self):
+        """The days on which the programs ran."""
+        days = sorted({c["date"][:10] for c in self.r.context.values() if c.get("date")})
+        return "on " + " and ".join(days) if days else "on a day that was not recorded"
 
     def load(self):
         loads = [c["load_avg"][0] for c in self.r.context.values() if c.get("load_avg")]
@@ -229,7 +234,7 @@ def main():
     page = Page(Results(given.json, PROGRAMS))
     text = fill((Path(__file__).parent / "performance.md.in").read_text(), page)
     given.out.mkdir(parents=True, exist_ok=True)
-    write_whole(given.out / "performance.md", wrapped(text))
+    write_whole(given.out / "results.md", wrapped(text))
 
 
 if __name__ == "__main__":

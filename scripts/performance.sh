@@ -62,4 +62,4 @@ done
 say "writing the page"
 if [ ${#quick[@]} -gt 0 ]; then page=$out; else page=docs; fi
 bench/render.py --json "$out" --out "$page"
-echo "$page/performance.md"
+echo "$page/results.md"

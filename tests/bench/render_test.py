@@ -47,7 +47,7 @@ class Render(unittest.TestCase):
     def page(self):
         done = self.run_renderer()
         self.assertEqual(done.returncode, 0, done.stderr)
-        return (self.folder / "out/performance.md").read_text()
+        return (self.folder / "out/results.md").read_text()
 
     def change(self, program, edit):
         path = self.recorded / f"{program}.json"
@@ -102,7 +102,7 @@ class Render(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("scale.json", done.stderr)
         self.assertIn("--only scale", done.stderr)
-        self.assertFalse((self.folder / "out/performance.md").exists())
+        self.assertFalse((self.folder / "out/results.md").exists())
 
     def test_a_missing_benchmark_is_named(self):
         self.change("replay", lambda runs: [runs.remove(run) for run in list(runs) if run["run_name"].startswith("replay/made/rules")])
