@@ -19,8 +19,8 @@
 
 namespace restrip {
 
-/// One vertex split, by vertices; read backward, a collapse of v_t into v_s. v_l is to the left of v_s -> v_t. Where
-/// the new edge lies on the boundary one of v_l and v_r is `none`.
+/// One vertex split, by vertices; read backward, a collapse of v_t into v_s. v_l is to the left of v_s -> v_t. If the
+/// new edge lies on the boundary, v_l or v_r is `none`.
 struct BakedSplit {
   Vertex v_s = none;
   Vertex v_t = none;
@@ -40,17 +40,16 @@ struct BakedFile {
 /// The spokes of a split of the mesh as it is before that split.
 [[nodiscard]] inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const BakedSplit& split);
 
-/// Returns an empty string and fills `file`, or says what is wrong with the bytes, in words that follow the name of the
-/// file and a colon; then `file` is as it was. Refused are bytes that are truncated, altered (the checksum covers
-/// each), of another version, or describe splits or colours that no mesh can have. All records are played once: the
-/// the time is for reading and for the finest mesh. Memory is in proportion to the bytes. Throws std::bad_alloc only,
-/// and std::length_error for more triangles than a StripMesh can hold.
+/// Fills `file` and returns an empty string, or returns what is wrong with the bytes, phrased to follow the file name
+/// and a colon; then `file` is unchanged. Refuses bytes that are truncated, altered (the checksum covers all of them),
+/// of another version, or that describe splits or colours that no mesh can have. Plays all records once: the time is
+/// linear in the bytes and the finest mesh. Memory is proportional to the bytes. Throws only std::bad_alloc, and
+/// std::length_error for more triangles than a StripMesh can hold.
 [[nodiscard]] inline std::string read_baked(std::span<const std::byte> bytes, BakedFile& file);
 
-/// Gives the bytes of a baked mesh this payload, in place of the one they have: the same number of bytes for the first
-/// record as for every other, in the order of the records. An empty one takes it away. Returns an empty string, or says
-/// what is wrong, as read_baked() does; then `file` is as it was. Read are the checksum and the header alone, in linear
-/// time. Throws std::bad_alloc only.
+/// Replaces the payload of a baked mesh: the same number of bytes for each record, in the order of the records. An
+/// empty payload removes it. Returns an empty string, or what is wrong, as read_baked() does; then `file` is unchanged.
+/// Reads only the checksum and the header. Linear time. Throws only std::bad_alloc.
 [[nodiscard]] inline std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload);
 
 }  // namespace restrip

@@ -1,4 +1,4 @@
-// What the reader and a writer of baked meshes share. docs/reference/file-formats.md has the format.
+// Shared by the reader and the writer of baked meshes. docs/reference/file-formats.md has the format.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace restrip::baked_format {
 
 inline constexpr std::string_view magic = "RestripB";
-/// With a payload, whose size is then part of the header; other files are written as version 1.
+/// Files are written as version 1, or with a payload, whose size is then part of the header, as version 2.
 inline constexpr std::uint32_t version = 1;
 inline constexpr std::uint32_t version_with_payload = 2;
 inline constexpr std::size_t header_bytes = 24;
@@ -25,8 +25,8 @@ inline constexpr std::size_t least_record_bytes = point_bytes + 3;
 /// Flips further away in the walk (dual_order.hpp) are named by the halfedge itself.
 inline constexpr std::size_t near_edges = 2048;
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): every step is a bijection of its state, so no change of a single byte goes
-/// unseen. `Byte`: char or std::byte.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): every step is a bijection of its state, so every change of a single byte is
+/// detected. `Byte`: char or std::byte.
 template <class Byte>
 [[nodiscard]] constexpr std::uint64_t fnv1a(std::span<const Byte> bytes) noexcept {
   std::uint64_t hash = 0xCBF29CE484222325ULL;

@@ -1,4 +1,4 @@
-// What a baked mesh carries for its user.
+// User data of a baked mesh.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace restrip {
 
-/// Bytes of the user's for each record, the same number for all: a texture coordinate, an error bound, a priority.
+/// User data for each record, the same number of bytes for all: a texture coordinate, an error bound, a priority.
 struct BakedPayload {
-  std::size_t bytes = 0;  ///< a record; 0: none
+  std::size_t bytes = 0;  ///< for each record; 0: none
   std::vector<std::byte> all;
 
   [[nodiscard]] std::span<const std::byte> operator[](std::size_t record) const noexcept {

@@ -1,5 +1,5 @@
-// Names for dual edges near a place: their number in a breadth-first walk. Small near by, so that files can name them
-// by few bytes; the same whoever walks.
+// Names for dual edges near a place: their numbers in a breadth-first walk. Nearby numbers are small, so files can
+// store them in few bytes.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class DualOrder {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  /// A walk from the triangles at the chord: left first.
+  /// Starts a walk from the triangles at the chord, left first.
   void start(const StripMesh& mesh, Halfedge chord) {
     mesh_ = &mesh;
     if (met_.size() < mesh.triangle_bound()) met_.resize(mesh.triangle_bound() + mesh.triangle_bound() / 2, 0);
@@ -28,7 +28,7 @@ class DualOrder {
       if (!StripMesh::on_boundary(h)) meet(StripMesh::triangle(h));
   }
 
-  /// Dual edge number n, by the halfedge it was met from; {none} when there are no more than n.
+  /// Dual edge number n, by the halfedge it was met from; {none} if the walk ends earlier.
   [[nodiscard]] Halfedge edge(std::size_t n) {
     while (edges_.size() <= n && done_ < queue_.size()) expand();
     return n < edges_.size() ? edges_[n] : Halfedge{none};
@@ -49,7 +49,7 @@ class DualOrder {
       const Halfedge there = mesh_->opposite(h);
       if (StripMesh::on_boundary(there)) continue;
       const Triangle u = StripMesh::triangle(there);
-      if (met_[u] != 2 * walk_ + 1) edges_.push_back(h);  // else it was met from there
+      if (met_[u] != 2 * walk_ + 1) edges_.push_back(h);  // else it was met from the other side
       meet(u);
     }
   }

@@ -1,13 +1,13 @@
-// Adoption: a triangle that an operation left isolated is taken into the strip of a neighbour that can spare an end.
+// Absorbs a triangle that an operation left isolated into the strip of a neighbour that can spare an end.
 //
 // Splits and collapses inside the mesh never add an isolated triangle (proved for fans of up to eight triangles, tested
 // for larger ones). On its boundary, and in flips, even the optimal rule sometimes must, because it reads and writes
-// only its patch. Looking one triangle further helps: the isolated triangle x takes the edge to a neighbour t, and t
-// gives up one of its two solid edges, to a triangle that has another one. The number of strips stays the same, no
-// other triangle becomes isolated, and no cycle can close, because x had no solid edge.
+// only its patch. Looking one triangle further helps: the edge between the isolated triangle x and a neighbour t is
+// set, and t loses one of its two solid edges, to a triangle that has another solid edge. The number of strips stays
+// the same, no other triangle becomes isolated, and no cycle can close, because x had no solid edge.
 //
-// Call after an operation whose Rewrite says `isolated > 0`, or after any flip. Adoption writes colours outside the
-// patch, so operations that adopt do not commute with their neighbours. Constant time a triangle, and rarely needed.
+// Call it after an operation whose Rewrite has `isolated > 0`, or after any flip. It writes colours outside the patch,
+// so operations that use it do not commute with their neighbours. Constant time a triangle, and rarely needed.
 #pragma once
 
 #include "restrip/mesh/mesh.hpp"
@@ -15,7 +15,7 @@
 
 namespace restrip {
 
-/// What a repair after an operation changed.
+/// The changes of a repair after an operation.
 struct Mending {
   int strips = 0;    ///< change in the number of strips: 0 or less
   int isolated = 0;  ///< change in the number of isolated triangles: 0 or less
@@ -44,8 +44,8 @@ namespace detail {
 
 inline constexpr int default_adoptions = 4;
 
-/// adopt() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is told of each
-/// triangle that has become a strip end, by a halfedge of it.
+/// adopt() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
+/// triangle that has become a strip end, with one of its halfedges.
 template <class Mesh, class Paint, class End>
 Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint, End&& end) {
   if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
@@ -86,8 +86,8 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
 
 }  // namespace detail
 
-/// Adopts the triangle to the left of h if it is isolated and a neighbour can take it. If every neighbour would have to
-/// isolate another triangle, one of them does, and that triangle is adopted in turn, `depth` times at most. If that
+/// Absorbs the triangle to the left of h if it is isolated and a neighbour can take it. If every neighbour would have
+/// to isolate another triangle, one of them does, and that triangle is absorbed in turn, `depth` times at most. If that
 /// fails as well, nothing has changed.
 template <ColoredMesh Mesh>
 Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_adoptions) {

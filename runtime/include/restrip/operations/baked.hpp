@@ -1,21 +1,20 @@
-// Baked strips: strips decided offline, played back at the price of a copy.
+// Baked strips: strips chosen offline, played back at the cost of a copy.
 //
-// A progressive mesh is fixed long before it is shown, so its strips can be fixed beforehand too. `restrip bake`
-// decides the strips of every level with long searches and stores, for each record, the dual edges whose colour it
-// flips. At run time a split flips exactly those, and a collapse flips them back: no rule, no search, no state. A level
-// always has the same strips, bit for bit, however often it is reached and from which side.
+// A progressive mesh is fixed long before it is shown, so its strips can be precomputed too. `restrip bake` chooses the
+// strips of every level with long searches and stores, for each record, the dual edges whose colours change. At run
+// time a split flips exactly these colours, and a collapse flips them back, without rules, searches or state. A level
+// always has the same strips, bit for bit, whether it is reached by splits or by collapses.
 //
 //   BakedPlayer player(mesh, records);                 // mesh: the base, coloured as it was baked
 //   player.split(i, where, v_t);                       // record i, as the level grows
 //   player.collapse(i, chord);                         // and as it shrinks
 //
-// The flips of a record are relative to the *plain* colouring, which is valid by itself: a split gives both halves of
-// an edge that it cuts the colour of that edge, so an inserted triangle is part of the strip on which it lands; all
-// other new dual edges are dashed. For a collapse the same holds in reverse.
+// The flips of a record are relative to the *plain* colouring, which is valid by itself. A split gives both halves of
+// an edge that it cuts the colour of that edge, so that the inserted triangle continues that strip; all other new dual
+// edges are dashed. For a collapse the same holds in reverse.
 //
-// The flips of a record hold for one mesh in one state: all records before it are played, none after it. For records
-// that are played out of order, and after any other change of the mesh, BakedPlayer falls back on the rules of
-// operations.hpp.
+// Play records in order: the flips of a record fit only the state just before it. For records that are played out of
+// order, and after any other change of the mesh, BakedPlayer falls back on the rules of operations.hpp.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +30,8 @@
 
 namespace restrip {
 
-/// The flips of all records, one after the other. Each is a halfedge of the mesh as it is after the split; a dual edge
-/// is named once, by either of its halfedges.
+/// The flips of all records, one after the other. Each is a halfedge of the mesh after the split; a dual edge is named
+/// once, by either of its halfedges.
 template <class Halfedge>
 struct BakedRecords {
   std::vector<Halfedge> flips;
@@ -49,7 +48,7 @@ namespace detail {
 /// Records with more flips allocate a bit for each.
 inline constexpr std::size_t flips_without_allocation = 512;
 
-/// Flips colours, those that become dashed first; returns how many more dual edges are solid.
+/// Flips colours, first the ones that become dashed; returns the increase in solid dual edges.
 template <class Mesh>
 int flip_colors(Mesh& mesh, std::span<const typename Mesh::Halfedge> flips) {
   Word few[flips_without_allocation / word_bits] = {};
@@ -77,7 +76,7 @@ int flip_colors(Mesh& mesh, std::span<const typename Mesh::Halfedge> flips) {
 /// Before a collapse: the two halves of an edge that is merged, on one side of the chord.
 template <class Mesh>
 struct FallingEdge {
-  bool triangle = false;  ///< the chord has one on this side
+  bool triangle = false;  ///< whether the chord has one on this side
   bool solid = false;
   typename Mesh::Halfedge before{};  ///< the halfedge before the joined one, in a triangle that stays
 
@@ -86,7 +85,8 @@ struct FallingEdge {
     triangle = true;
     const auto half = mesh.next(chord);
     solid = mesh.solid(half);
-    // The joined edge keeps the name of one of its halves, and the mesh says which: ask a neighbour that stays.
+    // The joined edge keeps the name of one of its halves, which only the mesh knows: find it from a neighbour that
+    // stays.
     if (solid) before = mesh.next(mesh.next(mesh.opposite(half)));
   }
   void color(Mesh& mesh) const {
@@ -97,12 +97,11 @@ struct FallingEdge {
 }  // namespace detail
 
 /// Splits a vertex, colours the mesh plainly and flips `flips`, halfedges of the mesh after the split. Preconditions:
-/// the ones of split(), and the mesh in the state for which the flips were baked; of the latter, debug builds check
-/// only that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. The
-/// time is the complexity of the mesh operation and of the flips. Nothing is allocated beyond what the mesh allocates
-/// to grow, and one bit for each flip of a record with more than 512. After an exception the colouring is valid
-/// (mesh.hpp), but it is not the one for which later flips were baked. `valence` and `isolated` of the result are 0,
-/// because counting them would take longer than the flips.
+/// as for split(), and the mesh is in the state for which the flips were baked; of the latter, debug builds check only
+/// that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. Takes the
+/// time of the mesh operation, and is linear in the flips. Allocates only what the mesh needs to grow, and one bit for
+/// each flip of a record with more than 512. After an exception the colouring is valid (mesh.hpp), but later flips no
+/// longer fit it. `valence` and `isolated` of the result are 0, because counting them would take longer than the flips.
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                              std::span<const typename Mesh::Halfedge> flips, Name... name) {
@@ -140,13 +139,13 @@ Rewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfe
   return {spoke, 0, int{left.solid} + int{right.solid} - triangles - more, 0};
 }
 
-/// Plays the records of one baked mesh, and knows whether their flips still hold.
+/// Plays the records of one baked mesh, and knows whether their flips still fit.
 ///
 /// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Any other operation is
 /// out of order. It is done by the rules (split_and_join, collapse_and_join), and so is every later one, because
-/// colours and names are then no longer those that were baked. The colouring stays valid, its strips get shorter as
-/// they do under the rules, and the Rewrite is complete. To get back into step, restore the mesh and its colours to a
-/// baked level (most easily the base) and call restart().
+/// colours and names then differ from the baked ones. The colouring stays valid, its strips get shorter as they do
+/// under the rules, and the Rewrite is complete. To get back into step, restore the mesh and its colours to a baked
+/// level (most easily the base) and call restart().
 template <class Mesh>
 requires SplittableMesh<Mesh> && CollapsibleMesh<Mesh>
 class BakedPlayer {
@@ -161,7 +160,7 @@ class BakedPlayer {
   [[nodiscard]] bool in_step() const noexcept { return in_step_; }
   /// Records played so far, while in step.
   [[nodiscard]] std::size_t level() const noexcept { return level_; }
-  /// May this record be split (collapsed) by its flips?
+  /// Whether this record may be split (collapsed) by its flips.
   [[nodiscard]] bool can_split(std::size_t record) const noexcept {
     return in_step_ && record == level_ && record < records_->size();
   }
@@ -195,7 +194,7 @@ class BakedPlayer {
 
   /// Call before changing the mesh or its colours in any other way.
   void leave_step() noexcept { in_step_ = false; }
-  /// The mesh and its colours are at this baked level again.
+  /// Declares that the mesh and its colours are at this baked level again.
   void restart(std::size_t level = 0) noexcept {
     level_ = level;
     in_step_ = true;

@@ -1,12 +1,12 @@
-// split, collapse and flip for operations from an untrusted source: checked in every build, refused with a reason.
+// split, collapse and flip for operations from an untrusted source: checked in every build, and refused with a reason.
 //
 //   if (const auto done = checked_collapse(mesh, chord))
 //     use(done.rewrite.strips);
 //   else
 //     report(describe(done.refusal));
 //
-// Each asks its check (mesh/checks.hpp) and does the operation if it is granted; a refused operation changes nothing.
-// Pass a StripMesh for the rules (operations.hpp), or a Keeper for those of its policy.
+// Each calls its check (mesh/checks.hpp) and does the operation if it is granted; a refused operation changes nothing.
+// Pass a StripMesh for the rules (operations.hpp), or a Keeper for its policy.
 #pragma once
 
 #include <concepts>
@@ -18,11 +18,11 @@
 
 namespace restrip {
 
-/// What a checked operation did, or why it did nothing.
+/// The result of a checked operation, or the reason why it was refused.
 struct Checked {
   Refusal refusal = Refusal::granted;
   Rewrite<StripMesh::Halfedge> rewrite{};  ///< of the operation, if it was granted
-  Vertex new_vertex = none;                ///< of a split, split_face or bisect that was granted
+  Vertex new_vertex = none;                ///< of a split, split_face or bisect, if it was granted
 
   [[nodiscard]] constexpr bool granted() const noexcept { return refusal == Refusal::granted; }
   constexpr explicit operator bool() const noexcept { return granted(); }
@@ -30,13 +30,13 @@ struct Checked {
 
 namespace detail {
 
-/// The operation, if the check before it grants it.
+/// Does the operation if its check grants it.
 template <class Operation>
 Checked done_if_granted(Refusal refusal, Operation&& operation) {
   if (refusal != Refusal::granted) return {refusal};
   return {Refusal::granted, operation()};
 }
-/// The same of one that adds a vertex, to which the halfedge of its Rewrite leads.
+/// The same for an operation that adds a vertex, to which the halfedge of its Rewrite leads.
 template <class Operation>
 Checked vertex_if_granted(Refusal refusal, const StripMesh& mesh, Operation&& operation) {
   Checked done = done_if_granted(refusal, operation);
@@ -46,8 +46,8 @@ Checked vertex_if_granted(Refusal refusal, const StripMesh& mesh, Operation&& op
 
 }  // namespace detail
 
-/// `new_vertex`: see check_split. Complexity: that of the check and of the operation. May throw what the mesh throws to
-/// grow (std::bad_alloc, std::length_error); nothing has changed then.
+/// `new_vertex`: see check_split. Takes the time of the check and of the operation. May throw what the mesh throws when
+/// it grows (std::bad_alloc, std::length_error); nothing has changed then.
 inline Checked checked_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
   return detail::vertex_if_granted(check_split(mesh, where, new_vertex), mesh,
                                    [&] { return split(mesh, where, new_vertex); });
@@ -59,7 +59,7 @@ inline Checked checked_flip(StripMesh& mesh, StripMesh::Halfedge h) {
   return detail::done_if_granted(check_flip(mesh, h), [&] { return flip(mesh, h); });
 }
 
-/// Something that keeps the strips of a StripMesh in its own way: Keeper (search/keeper.hpp), or a class of yours.
+/// A class that maintains the strips of a StripMesh: Keeper (search/keeper.hpp), or a custom one.
 template <class Keeper>
 concept KeepsStrips = requires(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, StripMesh::Halfedge h) {
   { std::as_const(keeper).mesh() } -> std::convertible_to<const StripMesh&>;

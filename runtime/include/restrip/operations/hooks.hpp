@@ -1,27 +1,26 @@
-// Strips kept while another library changes the mesh: a decimater, a remesher, an editor.
+// Maintains strips while another library changes the mesh: a decimater, a remesher, an editor.
 //
-// split(), collapse() and flip() call your mesh to change itself. Where a library insists on changing it, call the two
-// halves around its change: the first reads the colours, looks the rule up and dashes what will be dashed, the second
-// makes solid what will be solid.
+// split(), collapse() and flip() call your mesh to change itself. If a library must change it instead, call the two
+// halves around its change: the first reads the colours, looks the rule up and clears edges, the second sets edges.
 //
-//   auto pending = before_collapse(mesh, chord);                       // chord = v_s -> v_t, v_t will go
+//   auto pending = before_collapse(mesh, chord);                       // chord = v_s -> v_t, v_t is removed
 //   library.collapse(...);
 //   const auto done = after_collapse(mesh, std::move(pending), spoke);  // spoke leaves v_s, as in CollapsibleMesh
 //
-// The mesh needs to model ColoredMesh only, and colours must go with mesh edges: an edge property that is false for new
-// edges will do. What holds of insert_vertex, remove_vertex and turn_edge (mesh.hpp) must hold of the library's change,
-// with one exception: edges that merge and edges of triangles that go may keep any colour, because the first half
-// dashes them. Nothing else may change the patch between the two halves.
+// The mesh needs to model only ColoredMesh. Colours must stay with mesh edges: an edge property that is false for new
+// edges will do. The library's change has the contract of insert_vertex, remove_vertex and turn_edge (mesh.hpp), with
+// one exception: merged edges and edges of removed triangles may keep any colour, because the first half clears them.
+// Nothing else may change the patch between the two halves.
 //
-// Between the halves the colouring is valid, with fewer solid edges perhaps, and it stays so if the library gives up
-// its change: then drop the pending object, and count the strips again. The result is the one of split(), collapse()
-// and flip(), which are made of the same halves, and takes the same time. A pending object allocates only for fans of
-// more than max_word_valence triangles.
+// Between the halves the colouring is valid, perhaps with fewer solid edges. It stays valid if the library gives up its
+// change: then drop the pending object, and count the strips again. The result and the time are the same as for
+// split(), collapse() and flip(), which are made of these halves. A pending object allocates only for fans of more than
+// max_word_valence triangles.
 //
-// Debug builds check the preconditions of the operation before, and after it that the mesh has the patch that the
-// operation makes. On meshes other than StripMesh every operation also checks that the colours it reads can belong to
-// a valid colouring (Refusal::colors_not_valid), so that changes past restrip do not go unnoticed for long;
-// check_coloring (output/strips.hpp) looks at the whole mesh. Linked rules: linked_hooks.hpp. Ready for use:
+// Debug builds check the preconditions before the change, and after it that the mesh has the patch that the operation
+// makes. On meshes other than StripMesh every operation also checks that the colours it reads can belong to a valid
+// colouring (Refusal::colors_not_valid), so changes made without restrip are soon noticed; check_coloring
+// (output/strips.hpp) checks the whole mesh. Linked rules: linked_hooks.hpp. Ready-made adapters:
 // operations/adapters/openmesh_decimater.hpp and operations/adapters/cgal_edge_collapse.hpp.
 #pragma once
 
@@ -37,7 +36,7 @@ template <class Halfedge>
 class PendingFan;
 }
 
-/// A split, collapse or flip whose mesh has not changed yet. Made by before_*(), used up by after_*().
+/// A split, collapse or flip whose mesh has not changed yet. Made by before_*(), consumed by after_*().
 template <class Halfedge>
 class PendingSplit;
 template <class Halfedge>
@@ -45,7 +44,7 @@ class PendingCollapse;
 template <class Halfedge>
 class PendingFlip;
 
-/// The vertex will be split there.
+/// Announces a split.
 template <ColoredMesh Mesh>
 [[nodiscard]] PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh,
                                                                  const VertexSplit<typename Mesh::Halfedge>& where);
@@ -54,16 +53,16 @@ template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_split(Mesh& mesh, PendingSplit<typename Mesh::Halfedge> pending,
                                              typename Mesh::Halfedge chord);
 
-/// The mesh edge of `chord` = v_s -> v_t will be collapsed into v_s.
+/// Announces a collapse of the mesh edge of `chord` = v_s -> v_t into v_s.
 template <ColoredMesh Mesh>
 [[nodiscard]] PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord);
-/// `spoke`: from v_s to v_l, the apex of the triangle that was to the left of the chord, or where there was none to
-/// v_r.
+/// `spoke`: from v_s to v_l, the apex of the triangle that was to the left of the chord, or to v_r if that did not
+/// exist.
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_collapse(Mesh& mesh, PendingCollapse<typename Mesh::Halfedge> pending,
                                                 typename Mesh::Halfedge spoke);
 
-/// The interior mesh edge of h will be flipped.
+/// Announces a flip of the interior mesh edge of h.
 template <ColoredMesh Mesh>
 [[nodiscard]] PendingFlip<typename Mesh::Halfedge> before_flip(Mesh& mesh, typename Mesh::Halfedge h);
 /// h: the turned edge, either of its halfedges.
@@ -71,13 +70,13 @@ template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_flip(Mesh& mesh, PendingFlip<typename Mesh::Halfedge> pending,
                                             typename Mesh::Halfedge h);
 
-/// What the operations of another library changed so far.
+/// Changes by the operations of another library so far.
 struct HookTally {
   std::size_t operations = 0;
   long strips = 0;    ///< change in the number of strips
   long isolated = 0;  ///< change in the number of isolated triangles
-  /// Operations that the library made without a callback before. The colouring is valid, but count its strips again:
-  /// the change that these made is not in `strips` and `isolated`.
+  /// Operations that the library made without a prior callback. The colouring is valid, but count its strips again:
+  /// `strips` and `isolated` do not include these operations.
   std::size_t untold = 0;
 
   template <class Halfedge>

@@ -1,22 +1,22 @@
-// Linked rules: they follow the strips that leave the patch, and join more than local rules may.
+// Linked rules: they follow the strips that leave the patch, and may join more ports than local rules.
 //
-// A local rule must be sound whatever lies outside the patch, so it may only join ports that were joined before.
-// A rule that follows the strips outward for a few triangles finds that most ports are not joined outside, and may join
-// them inside. On real meshes this keeps strips twice as long, at two to three times the time of a local rule.
+// A local rule must be sound for every surrounding mesh, so it may only join ports that were joined before. A rule that
+// follows the strips outward for a few triangles finds that most ports are not joined outside, and may join them
+// inside. On real meshes this keeps strips twice as long, at two to three times the time of a local rule.
 //
 //   split_and_link(mesh, where);  collapse_and_link(mesh, chord);  flip_and_link(mesh, h);
 //
-// do three things. First comes the operation, with the best recolouring that keeps its ports and is sound for what was
-// seen. Then strip ends that lie side by side in the patch or around it are joined, and exchanges made (join.hpp).
-// Adoption (adopt.hpp) comes last. A walk that has not ended after `reach` triangles counts as "may come back
-// anywhere".
+// have three steps. First comes the operation, with the best recolouring that keeps its ports and is sound given the
+// strips followed. Then adjacent strip ends in the patch or around it are joined, and exchanges made (join.hpp). Last,
+// isolated triangles are absorbed (adopt.hpp). A strip that has not ended after `reach` triangles is assumed to return
+// through any port.
 //
 // The recolouring comes from the tables for closed fans of at most table_max_k triangles: a list for each position and
 // port mask, best first. For larger closed fans and for open ones it is searched for by the automaton of all valences
-// (impl/linked_search.hpp), which is asked once or twice for most fans. Flips, and fans of more than max_word_valence
+// (impl/linked_search.hpp), which for most fans is run once or twice. Flips, and fans of more than max_word_valence
 // triangles, take the local rule. Nothing is allocated up to max_word_valence.
 //
-// Why it is sound: impl/outlook.hpp.
+// impl/outlook.hpp says why this is sound.
 #pragma once
 
 #include <bit>
@@ -33,7 +33,7 @@
 
 namespace restrip {
 
-/// How many triangles a strip is followed outward unless the caller says otherwise.
+/// The number of triangles for which a strip is followed outward by default.
 inline constexpr std::size_t default_reach = 24;
 
 namespace detail {
@@ -44,20 +44,20 @@ constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place,
                            Outlook<TablePairs, LookOut> outlook) {
   const std::size_t list = table.first[k] + (place << k) + static_cast<std::size_t>(ports);
   std::size_t at = table.start[list];
-  // The last one joins nothing.
+  // The last recolouring joins nothing.
   while (outlook.may_close(TablePairs{tables::pairings[table.rules[at].pairing]}) != 0) ++at;
   return table.rules[at].recoloring;
 }
 
 }  // namespace detail
 
-/// split_rule() for a fan whose outside can be asked: `look_out(i)` says where the strip goes that leaves through solid
-/// port i: the port it comes back through, strip_ends or out_of_sight. It is asked once for a port at most, and only
-/// for those that matter. The answer is optimal among all recolourings that keep every port and are sound for
-/// everything that look_out might say. Beyond table_max_k it is searched for, as impl/linked_search.hpp says: in time
-/// linear in k, a table read or two for each triangle and each of at most detail::max_answers attempts, few of which
-/// are made in practice. Where they are used up, the answer is sound and no worse than the local rule, but others may
-/// be better.
+/// split_rule() with knowledge of the outside: `look_out(i)` returns where the strip goes that leaves through solid
+/// port i: the port through which it returns, strip_ends or out_of_sight. It is called at most once for a port, and
+/// only if the answer matters. The result is optimal among all recolourings that keep every port and are sound for
+/// every possible result of the calls not made. Beyond table_max_k it is searched for, as impl/linked_search.hpp says:
+/// in time linear in k, with one or two table reads for each triangle and each of at most detail::max_answers attempts,
+/// few of which are made in practice. If the attempts run out, the result is sound and no worse than the local rule,
+/// but better ones may exist.
 template <class LookOut>
 [[nodiscard]] constexpr Rule linked_split_rule(SplitPosition at, Word loop, Word ports, LookOut&& look_out) {
   const auto [k, a] = at;
@@ -103,7 +103,7 @@ class StripWalk {
     int name = 0;
   };
 
-  /// `room` is for the solid ports, and must outlive the walk.
+  /// `room` has space for the solid ports, and must outlive the walk.
   StripWalk(const Mesh& mesh, std::size_t reach, Port* room) : mesh_(&mesh), reach_(reach), ports_(room) {}
   void add(std::size_t i, Halfedge port) { ports_[count_++] = {port, static_cast<int>(i)}; }
 
@@ -128,7 +128,7 @@ class StripWalk {
   Port* ports_;
 };
 
-/// Where split_with() and collapse_with() get their rules from.
+/// The source of rules for split_with() and collapse_with().
 struct LinkedRules {
   std::size_t reach;
 
@@ -170,7 +170,7 @@ struct LinkedRules {
                            at.kind == PatchPlace::Kind::ring ? closed_fan(at.k) : open_fan(at.k), ports.word, walk);
   }
 
-  // Fans whose colours do not fit one word take the local rule.
+  // Fans whose colours do not fit one word use the local rule.
   template <class Mesh, class Halfedge>
   Answer<LongBits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<LongBits>& fan) const {
     return LocalRules{}.answer_split(mesh, where, fan);
@@ -219,7 +219,7 @@ Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Ha
   return detail::collapse_and_join_with(detail::LinkedRules{default_reach}, Exchange::yes, mesh, chord);
 }
 
-/// flip(), then joins and exchanges, which restore a port that the local rule gave up without need.
+/// flip(), then joins and exchanges, which restore a port that the local rule cleared without need.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",

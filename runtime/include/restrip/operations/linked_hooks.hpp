@@ -1,14 +1,14 @@
-// hooks.hpp by linked rules (linked.hpp): strips about twice as long kept while another library changes the mesh, at
-// two to three times the time of the local hooks. No index is needed, as the strips around the patch are walked.
+// The hooks of hooks.hpp with linked rules (linked.hpp): strips about twice as long, at two to three times the time of
+// the local hooks. They walk the strips around the patch, so no index is needed.
 //
 //   auto pending = before_collapse_and_link(mesh, chord);
 //   library.collapse(...);
 //   const auto done = after_collapse_and_link(mesh, std::move(pending), spoke);
 //
-// All that hooks.hpp says holds, with two differences. The first half has looked at the strips outside the patch, so
-// the second half must follow before any other dual edge becomes solid: one operation is pending at a time. And the
-// second half links strip ends around the patch, and adopts, so it may make dual edges solid outside it. The result is
-// that of split_and_link(), collapse_and_link() and flip_and_link().
+// hooks.hpp applies, with two differences. First, the first half reads the strips outside the patch, so the second half
+// must follow before any other dual edge becomes solid: only one operation is pending at a time. Second, the second
+// half links strip ends around the patch and absorbs isolated triangles, so it may set dual edges outside the patch.
+// The result is the same as of split_and_link(), collapse_and_link() and flip_and_link().
 #pragma once
 
 #include <utility>
@@ -19,7 +19,7 @@
 
 namespace restrip {
 
-/// Which rules the hooks of an adapter follow.
+/// The rules that the hooks of an adapter use.
 enum class HookRules {
   local,  ///< hooks.hpp
   linked  ///< this file
@@ -53,7 +53,7 @@ Rewrite<typename Mesh::Halfedge> after_collapse_and_link(Mesh& mesh, PendingColl
   });
 }
 
-/// After before_flip(): flips have no linked rule, and are linked afterwards.
+/// For use after before_flip(): flips use the local rule, and are linked afterwards.
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_flip_and_link(Mesh& mesh, PendingFlip<typename Mesh::Halfedge> pending,
                                                      typename Mesh::Halfedge h) {
@@ -61,7 +61,7 @@ Rewrite<typename Mesh::Halfedge> after_flip_and_link(Mesh& mesh, PendingFlip<typ
   return detail::with(done, join_beside(mesh, done.halfedge, Exchange::yes));
 }
 
-/// The hooks of an adapter, by the rules named.
+/// The hooks of an adapter, with the given rules.
 template <ColoredMesh Mesh>
 [[nodiscard]] PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord,
                                                                        HookRules rules) {

@@ -1,13 +1,13 @@
-// split, collapse, flip: the operations of a dynamic mesh, with its strips kept.
+// split, collapse, flip: the operations of a dynamic mesh, which maintain its strips.
 //
 // Each reads the colours around the operation, looks up its rule (rules.hpp), lets the mesh change, and writes the new
-// colours. Nothing outside the patch is read or written, so operations on disjoint patches commute. There is no state
-// beside the colours, and no allocation for fans of at most max_word_valence triangles; time is linear in the valence.
+// colours. Nothing outside the patch is read or written, so operations on disjoint patches commute. The only state is
+// the colours. Fans of at most max_word_valence triangles need no allocation. Time is linear in the valence.
 //
-// Preconditions are those of the mesh operation itself. Debug builds check them first and abort with the reason
-// (precondition.hpp). For a StripMesh they check all of checks.hpp; for other meshes they check what a walk around the
-// patch tells, and `bool alive(h)` if the mesh has it. A mesh with check_split(mesh, where), check_collapse(mesh,
-// chord) and check_flip(mesh, h) of its own, which return a Refusal, is asked those.
+// Preconditions are the preconditions of the mesh operation. Debug builds check them first and abort with the reason
+// (precondition.hpp). For a StripMesh they check all of checks.hpp. For other meshes they check what a walk around the
+// patch finds, and `bool alive(h)` if the mesh has it. They also call check_split(mesh, where), check_collapse(mesh,
+// chord) and check_flip(mesh, h) for meshes that have them; these return a Refusal.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace restrip {
 
-/// What an operation did. (Baked operations count strips alone, see baked.hpp.)
+/// The result of an operation. (Baked operations count only strips, see baked.hpp.)
 template <class Halfedge>
 struct Rewrite {
   Halfedge halfedge{};  ///< split: the chord v_s -> v_t; collapse: a spoke of v_s (see CollapsibleMesh); flip: the
@@ -26,7 +26,7 @@ struct Rewrite {
   int isolated = 0;           ///< change in the number of isolated triangles of the whole mesh
 };
 
-/// Splits a vertex and recolours the patch (see VertexSplit for what goes where).
+/// Splits a vertex and recolours the patch (VertexSplit describes the new triangles).
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where);
 
@@ -40,8 +40,8 @@ Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Me
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord);
 
-/// Flips the interior mesh edge of h and recolours the patch. A port is given up only if no sound recolouring keeps it.
-/// The triangle behind it may then be isolated, which Rewrite::isolated counts.
+/// Flips the interior mesh edge of h and recolours the patch. A port is cleared only if no sound recolouring keeps it.
+/// The triangle outside may then be isolated, which Rewrite::isolated counts.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h);
 

@@ -1,8 +1,8 @@
 // BufferHistory: undo and redo of whole frames of a StripBuffer, index by index.
 //
-// After History (mesh/history.hpp) has given a mesh back, an update would draw it right, but elsewhere in the buffer.
-// This gives back the very indices there were, in their places, and all that the buffer knows of them: what is done
-// after an undo has the same bytes as if it had been done at once. LiveMesh has both histories in step.
+// After History (mesh/history.hpp) has restored a mesh, an update would draw it correctly, but with indices elsewhere
+// in the buffer. BufferHistory restores the indices in their places and all bookkeeping, so later operations write the
+// same bytes as without the undone frames. LiveMesh keeps both histories in step.
 //
 //   BufferHistory buffers(buffer);
 //   ... operations of a frame ...
@@ -13,8 +13,8 @@
 //   if (history.undo(mesh)) buffers.undo(buffer);      // and changed.clear(): the buffer is in step
 //   for (const auto& range : buffer.update(mesh, changed)) upload(range);
 //
-// A frame takes time and memory linear in what its update read and wrote, but for a logarithm: what has changed is kept
-// once, as it was before or after. Besides, there is one copy of the buffer.
+// A frame takes memory linear in what its update read and wrote, and time linear up to a logarithm. Each change is
+// stored once, with the value before or after it. The history also holds one copy of the buffer.
 #pragma once
 
 #include <algorithm>
@@ -41,21 +41,21 @@ class BasicBufferHistory {
     take(buffer);
   }
 
-  /// After each update, with what it was told, and after each rebuild(). After an exception the history must not be
-  /// used any more; the same holds for frame(), undo() and redo().
+  /// Call it after each update, with the same list of changes, and after each rebuild(). After an exception the history
+  /// must not be used any more; the same holds for frame(), undo() and redo().
   void note(const Buffer& buffer, std::span<const std::uint32_t> changed);
-  /// Ends a frame, of all updates since the frame before. Frames that were undone and not redone are forgotten, and the
-  /// oldest, so that no more than `most` are kept.
+  /// Ends a frame, which contains all updates since the previous frame. Frames that were undone and not redone are
+  /// dropped, and so are the oldest beyond `most`.
   void frame(Buffer& buffer, std::size_t most);
 
-  /// undo() gives the buffer back as it was before the last frame that is not undone, redo() as it was after the frame
-  /// that was undone last. Both first take back what was noted since the last frame, and return false when there is no
-  /// such frame. The next update() returns the ranges that were written.
+  /// undo() restores the buffer as it was before the last frame that is not undone, redo() as it was after the frame
+  /// undone last. Both first undo changes noted since the last frame, and return false when no such frame exists. The
+  /// next update() returns the ranges that were written.
   bool undo(Buffer& buffer);
   bool redo(Buffer& buffer);
 
  private:
-  /// Values of an array that are exchanged with what is there now.
+  /// Values of an array, to be exchanged with the present ones.
   template <class Value>
   struct Values {
     std::vector<std::uint32_t> at;  // ascending
@@ -163,7 +163,7 @@ void BasicBufferHistory<Index>::frame(Buffer& buffer, std::size_t most) {
   done_ = frames_.size();
 }
 
-// What the frame has is told by the next update, and goes into the buffer and the copy.
+// Writes a frame to the buffer and the copy; the next update returns its ranges.
 template <class Index>
 void BasicBufferHistory<Index>::put(Frame& frame, Buffer& buffer) {
   detail::make_buffer_room(buffer.written_, frame.cells.at.size() + 1);
@@ -172,7 +172,7 @@ void BasicBufferHistory<Index>::put(Frame& frame, Buffer& buffer) {
   buffer.keep_ranges();
   Frame copy = frame;
   exchange(copy, last_);
-  const bool stale = std::exchange(buffer.stale_, true);  // should there be no memory
+  const bool stale = std::exchange(buffer.stale_, true);  // in case memory runs out
   exchange(frame, buffer);
   buffer.stale_ = stale;
 }

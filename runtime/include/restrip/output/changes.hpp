@@ -1,4 +1,4 @@
-// What to hand on of a list of changes: triangles added, removed and changed.
+// A list of changes, sorted into triangles added, removed and changed.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace restrip {
 
 /// Sorts a list of changes into triangles added, removed and changed since the last call, each named once and
-/// ascending: for acceleration structures and other feeds that are kept beside a mesh.
+/// ascending: for acceleration structures and other data kept in step with a mesh.
 class ChangeFeed {
  public:
   template <NumberedMesh Mesh>
@@ -21,8 +21,8 @@ class ChangeFeed {
     for (std::uint32_t t = 0; t < known_.size(); ++t) known_[t] = mesh.has_triangle(t);
   }
 
-  /// `changed`: as StripMesh::watch and Watched make it. A number that was removed and given to another triangle counts
-  /// as changed. Time linear in `changed`, but for a logarithm.
+  /// `changed`: as StripMesh::watch and Watched make it. A number that was removed and reused counts as changed. Time
+  /// linear in `changed`, up to a logarithm.
   template <NumberedMesh Mesh>
   void update(const Mesh& mesh, std::span<const std::uint32_t> changed) {
     added_.clear();

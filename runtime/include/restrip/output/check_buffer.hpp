@@ -1,5 +1,5 @@
-// Does an index buffer draw the triangles of a mesh, each once? For tests and debug builds: a buffer that does not know
-// of a change draws a wrong picture and does not know.
+// Checks that an index buffer draws the triangles of a mesh, each once. For tests and debug builds: a buffer that
+// misses a change draws a wrong picture without noticing.
 #pragma once
 
 #include <algorithm>
@@ -21,19 +21,19 @@ namespace restrip {
 using DrawnTriangle = std::array<std::uint32_t, 3>;
 
 /// The triangles that strips with restart indices draw, sorted; degenerate ones left out. `Index`: an unsigned type of
-/// 16 or 32 bits, its highest value restarts. O(n log n).
+/// 16 or 32 bits, whose highest value restarts. O(n log n).
 template <class Index>
 [[nodiscard]] std::vector<DrawnTriangle> triangles_of_strips(std::span<const Index> indices);
-/// The same of a triangle list.
+/// The triangles that a triangle list draws.
 template <class Index>
 [[nodiscard]] std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices);
-/// Those of a mesh.
+/// The triangles of a mesh.
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<DrawnTriangle> triangles_of(const Mesh& mesh);
 
 struct BufferReport {
   std::size_t missing = 0;  ///< triangles of the mesh that the buffer does not draw
-  std::size_t extra = 0;    ///< triangles that it draws and the mesh has not, or draws once too often
+  std::size_t extra = 0;    ///< triangles that it draws but the mesh does not have, or draws more than once
   [[nodiscard]] constexpr bool right() const noexcept { return missing + extra == 0; }
 };
 

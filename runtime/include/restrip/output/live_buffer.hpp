@@ -7,9 +7,8 @@
 //   for (const IndexRange& range : buffer.update(mesh, changed)) upload(range);    // of buffer.bytes()
 //   changed.clear();
 //
-// It is a StripBuffer or a TriangleListBuffer with indices of 16 or 32 bits: their headers say what updates cost. The
-// choice is made when the program runs, and IndexWidth::automatic changes it: 16 bits until a vertex is numbered 65,535
-// or above, then 32.
+// It is a StripBuffer or a TriangleListBuffer with indices of 16 or 32 bits, chosen at run time; their headers say what
+// updates cost. IndexWidth::automatic uses 16 bits until a vertex number is 65,535 or above, then 32.
 #pragma once
 
 #include <algorithm>
@@ -28,24 +27,24 @@
 
 namespace restrip {
 
-/// What an update returns: the ranges to upload, ascending and apart from each other.
+/// The result of an update: the ranges to upload, ascending and disjoint.
 struct Upload : std::span<const IndexRange> {
-  /// The buffer has become longer than LiveBuffer::room() was, or its indices wider: make a new one of room() indices
-  /// on the device. There is one range then, the whole buffer.
+  /// The buffer has become longer than LiveBuffer::room() was, or its indices wider: make a new buffer of room()
+  /// indices on the device. The only range is then the whole buffer.
   bool outgrown = false;
 };
 
 class LiveBuffer {
  public:
-  /// Empty; the first update writes it as a whole. Live buffers have no batches, and stay strips when a list is
-  /// shorter: std::invalid_argument for limits of a batch.
+  /// Empty; the first update writes the whole buffer. Live buffers do not support batches (limits of a batch throw
+  /// std::invalid_argument), and stay strips even if a list is shorter.
   explicit LiveBuffer(const StripFormat& format = {}) : format_(format) {
     if (format.most_vertices + format.most_indices != 0)
       RESTRIP_THROW(std::invalid_argument, "restrip: a live buffer has no batches");
     make(format.width == IndexWidth::bits32);
   }
 
-  /// Writes everything from scratch. Linear time. Throws as the rebuild() of its buffer does.
+  /// Writes the whole buffer. Linear time. Throws as the rebuild() of its buffer does.
   template <NumberedMesh Mesh>
   void rebuild(const Mesh& mesh) {
     if (format_.width == IndexWidth::automatic) make(!fits_16_bits(mesh));
@@ -54,8 +53,8 @@ class LiveBuffer {
     whole_ = false;
     if (size() > room_) room_ = size() + size() / 4;
   }
-  /// Brings the buffer in step with the mesh, as the update() of its buffer does, and throws as that does; then the
-  /// next update writes everything. Valid until the next call.
+  /// Brings the buffer in step with the mesh, like the update() of its buffer, and throws the same; then the next
+  /// update writes everything. The result is valid until the next call.
   template <NumberedMesh Mesh>
   Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {}) {
     const std::size_t old_bytes = index_bytes() * room_;
@@ -79,7 +78,7 @@ class LiveBuffer {
     if (size() == 0) ranges = {};
     return {ranges, outgrown_};
   }
-  /// Makes the next update return what the last one returned as well, for a caller that has not uploaded it.
+  /// Makes the next update also return the ranges of the last one, for a caller that has not uploaded them.
   void keep_upload() noexcept {
     kept_ = true;
     std::visit(
@@ -91,10 +90,10 @@ class LiveBuffer {
         },
         buffer_);
   }
-  /// The next update writes the whole buffer: the mesh has changed without a report.
+  /// Makes the next update write the whole buffer: for meshes that have changed without a list of changes.
   void forget() noexcept { whole_ = true; }
 
-  /// Room for a mesh of this many triangle numbers.
+  /// Makes room for a mesh of this many triangle numbers.
   void reserve(std::size_t triangles) {
     std::visit([triangles](auto& buffer) { buffer.reserve(triangles); }, buffer_);
   }
@@ -105,17 +104,17 @@ class LiveBuffer {
   [[nodiscard]] std::size_t size() const noexcept {
     return std::visit([](const auto& buffer) { return buffer.indices().size(); }, buffer_);
   }
-  /// How many indices the buffer on the device should have room for: a quarter more than there were when it was
-  /// outgrown last.
+  /// The number of indices that the buffer on the device should have room for: a quarter more than when it was last
+  /// outgrown.
   [[nodiscard]] std::size_t room() const noexcept { return room_; }
   /// In the byte order of this machine.
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
     return std::visit([](const auto& buffer) { return std::as_bytes(buffer.indices()); }, buffer_);
   }
-  /// The indices, when they have 32 or 16 bits; else nothing.
+  /// The indices, if they have 32 or 16 bits; else empty.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return indices_of<std::uint32_t>(); }
   [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return indices_of<std::uint16_t>(); }
-  /// What is to be drawn, one draw call or one entry of a multi-draw each: the runs of StripForm::lengths, else the
+  /// The ranges to draw, one draw call or one entry of a multi-draw each: the runs of StripForm::lengths, else the
   /// whole buffer. `draws` is overwritten.
   void draws(std::vector<IndexRange>& draws) const {
     std::visit(
@@ -128,7 +127,7 @@ class LiveBuffer {
   }
 
   using Buffer = std::variant<StripBuffer, StripBuffer16, TriangleListBuffer, TriangleListBuffer16>;
-  /// For what only one of them can do.
+  /// The buffer itself, for members that only one kind has.
   [[nodiscard]] Buffer& buffer() noexcept { return buffer_; }
 
  private:

@@ -1,8 +1,8 @@
 // StripBuffer: an index buffer of strips that is kept in step with a mesh, rewriting only what changed.
 //
-// A renderer that draws strips while the level of detail moves does not want to write its whole index buffer again
-// after every few operations. Here strips are cut into *runs* of at most 36 triangles, each in a place of its own. When
-// triangles change, the runs that they are in are written again, and little else.
+// A renderer that draws strips while the level of detail changes should not have to rewrite its whole index buffer
+// after every few operations. Here strips are cut into *runs* of at most 36 triangles, each in its place in the buffer.
+// When triangles change, little more than their runs is written again.
 //
 //   std::vector<Triangle> changed;
 //   mesh.watch(&changed);
@@ -11,32 +11,32 @@
 //   for (const auto& range : buffer.update(mesh, changed)) upload(range);
 //   changed.clear();
 //
-// Draw the whole buffer as one triangle strip with primitive restart (strips.hpp), or, when it was made with
-// StripForm::stitched, without; with StripForm::lengths draw the runs that draws() lists. StripBuffer has 32-bit
-// indices, StripBuffer16 has 16-bit ones, for meshes whose vertices are numbered below 65,535. Any mesh will do that
-// numbers its triangles and vertices (mesh/numbered_mesh.hpp). When a triangle list is the better choice:
-// triangle_list_buffer.hpp.
+// Draw the whole buffer as one triangle strip with primitive restart (strips.hpp); without restart for
+// StripForm::stitched. With StripForm::lengths draw the runs that draws() lists. StripBuffer has 32-bit indices,
+// StripBuffer16 has 16-bit indices, for meshes whose vertices are numbered below 65,535. The mesh must number its
+// triangles and vertices (mesh/numbered_mesh.hpp). triangle_list_buffer.hpp says when a triangle list is the better
+// choice.
 //
-// How it works. An update follows the strips from the triangles that changed to the ends of their runs and divides what
-// it has read into new runs. It cuts where the strip repeats an index, which the cut saves. A new run takes the place
-// of an old one, so that its beginning or its end stays where it is, and is written from the first index that differs
-// to the last. A run that became longer uses the gaps beside its place; otherwise its neighbours slide, or it moves to
-// the smallest gap that is large enough, or to the end of the buffer.
+// How it works. An update follows the strips from the changed triangles to the ends of their runs and divides the
+// triangles read into new runs. It prefers to cut where the strip repeats an index, which the cut saves. A new run
+// takes the place of an old one, so that its beginning or its end stays where it is, and is written from the first
+// index that differs to the last. A run that became longer uses the gaps next to its place; otherwise its neighbours
+// slide, or it moves to the smallest gap that is large enough, or to the end of the buffer.
 //
 // Stitched runs. Each begins at an even index with its first vertex twice, is wound for an odd place, and ends with its
-// last vertex repeated, to an even length. So whatever lies before and behind it, other runs or gaps filled with one
-// vertex, what leads from one to the other is degenerate, and runs move as others do.
+// last vertex repeated, to an even length. So the triangles between runs, or between a run and a gap filled with one
+// vertex, are always degenerate, and stitched runs can move like others.
 //
-// Length. A cut takes three indices, less those that it saves, and there are gaps. Where cuts and gaps together exceed
-// 9 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer of a scanned mesh
-// has some 1.09 times the indices of strip_indices(), at coarse levels up to 1.13 times. Strips that repeat no index,
-// such as those of a grid, take more: one cut for every 28 triangles is 11 % already. A triangle list has 3 indices a
-// triangle. A stitched run takes two indices and a half where another takes one.
+// Length. A cut takes three indices, less the repeated index that it saves, and the buffer has gaps. When cuts and gaps
+// together exceed 9 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer of
+// a scanned mesh has some 1.09 times the indices of strip_indices(), at coarse levels up to 1.13 times. Strips that
+// repeat no index, such as strips of a grid, take more: one cut for every 28 triangles is already 11 %. A triangle list
+// has 3 indices a triangle. Separating stitched runs takes two and a half indices, other runs one.
 //
-// Time. An update takes time linear in the triangles that changed, but for sorting the ranges that it returns: it reads
-// the runs that they are in and short runs that join them, slides at most 60 indices for each run that grows, and moves
-// at most some 600 to close gaps. No update takes time linear in the mesh, but for the growth of its arrays, which
-// reserve() takes beforehand for the two largest. Memory: 4 bytes a triangle, the indices, and 40 bytes a run.
+// Time. An update takes time linear in the changed triangles, except for sorting the ranges that it returns: it reads
+// their runs and short adjacent runs, slides at most 60 indices for each run that grows, and moves at most some 600 to
+// close gaps. Only the growth of arrays is linear in the mesh; reserve() allocates the two largest in advance. Memory:
+// 4 bytes a triangle, the indices, and 40 bytes a run.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ namespace restrip {
 
 namespace detail {
 
-/// Sorts ranges, widens them to multiples of `unit` indices, cuts them off at `end`, and joins those that are at most
+/// Sorts ranges, widens them to multiples of `unit` indices, cuts them off at `end`, and joins ranges that are at most
 /// `gap` indices apart.
 inline void join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap, std::size_t unit) noexcept;
 
@@ -69,10 +69,10 @@ class BasicStripBuffer {
  public:
   static_assert(std::is_same_v<Index, std::uint16_t> || std::is_same_v<Index, std::uint32_t>);
   using Range = IndexRange;
-  /// The index between two runs, and in gaps: all bits set, as graphics interfaces have it.
+  /// The index between two runs, and in gaps: all bits set, as in graphics interfaces.
   static constexpr Index restart = std::numeric_limits<Index>::max();
 
-  /// Empty; the first update writes it as a whole. `form`: any but a list.
+  /// Empty; the first update writes the whole buffer. `form`: any but a list.
   BasicStripBuffer() = default;
   explicit BasicStripBuffer(StripForm form) noexcept : stitched_(form == StripForm::stitched) {
     RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "a list is the matter of TriangleListBuffer");
@@ -83,34 +83,34 @@ class BasicStripBuffer {
     rebuild(mesh);
   }
 
-  /// Writes everything again, without gaps. Triangles on solid cycles, which no valid colouring has, are left out.
-  /// Throws std::length_error when the number of a vertex does not fit into an index (the restart index is none), or
-  /// std::bad_alloc, or what the mesh throws; then the buffer is incomplete, and the next update writes it again.
+  /// Rewrites the whole buffer, without gaps. Triangles on solid cycles, which no valid colouring has, are left out.
+  /// Throws std::length_error when a vertex number does not fit into an index (the restart index is not available), or
+  /// std::bad_alloc, or what the mesh throws; then the buffer is incomplete, and the next update rewrites it.
   template <NumberedMesh Mesh>
   void rebuild(const Mesh& mesh);
 
   /// Brings the buffer in step with the mesh. `changed` names every triangle whose corners, neighbours or colours have
-  /// changed since the last call, and those inserted and removed, as StripMesh::watch does; repetitions do no harm.
-  /// Returns the ranges whose indices may have changed, ascending and apart from each other; the buffer may have grown
-  /// or shrunk, by multiples of four bytes. Valid until the next call. Throws as rebuild() does; then indices() is as
-  /// it was before, unless everything was to be written, and the next update writes everything again.
+  /// changed since the last call, and every triangle inserted or removed, as StripMesh::watch does; repetitions do no
+  /// harm. Returns the ranges whose indices may have changed, ascending and disjoint; the buffer may have grown or
+  /// shrunk, by multiples of four bytes. Valid until the next call. Throws as rebuild() does. Then indices() is
+  /// unchanged, unless the whole buffer was to be written, and the next update rewrites everything.
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
                                 const RangeOptions& ranges = {});
 
-  /// Makes the next update() return the ranges of the last one again, besides its own, for a caller that has not
-  /// uploaded them; the same for ranges that a BufferHistory has written.
+  /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them; the same
+  /// for ranges that a BufferHistory has written.
   void keep_ranges() noexcept { told_ = false; }
 
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
-  /// The runs in the order of the buffer, without what separates them: for a multi-draw without restart. Linear in the
-  /// runs. `draws` is overwritten.
+  /// The runs in the order of the buffer, without the indices that separate them, for a multi-draw without restart.
+  /// Linear in the runs. `draws` is overwritten.
   void draws(std::vector<Range>& draws) const;
   /// Number of runs.
   [[nodiscard]] std::size_t runs() const noexcept { return places_.runs(); }
-  /// Indices that draw runs, what separates them included; the rest of the buffer is gaps.
+  /// The number of indices of runs, separating indices included; the rest of the buffer is gaps.
   [[nodiscard]] std::size_t used() const noexcept { return places_.used(); }
-  /// Room for a mesh of this many triangle numbers, at 2 indices each.
+  /// Makes room for a mesh of this many triangle numbers, at 2 indices each.
   void reserve(std::size_t triangles) {
     run_of_.reserve(triangles);
     cells_.reserve(2 * triangles);
@@ -124,8 +124,8 @@ class BasicStripBuffer {
   static constexpr std::uint32_t nothing = 0xFFFFFFFFU;  // no run
   static constexpr std::uint32_t reading = nothing - 1;  // run_of_: read by this update
 
-  // A triangle of a strip that is read. Triangles and edges are the exclusive or of their vertices: less an edge, a
-  // triangle is the third corner, from whichever side the strip is read.
+  // A triangle of a strip that is read. Triangles and edges are the exclusive or of their vertices. So the exclusive or
+  // of a triangle and an edge is the third corner, in either direction of reading.
   struct Link {
     std::uint32_t triangle;
     std::uint32_t corners;
@@ -146,7 +146,7 @@ class BasicStripBuffer {
     const Link* link;
     std::ptrdiff_t step;                  // to the next link
     std::ptrdiff_t edge;                  // to the link that has the edge to the next triangle
-    std::array<std::uint32_t, 3> corner;  // the last two are those of that edge
+    std::array<std::uint32_t, 3> corner;  // the last two are the ends of that edge
     bool swaps;                           // the second triangle repeats an index
   };
 
@@ -175,9 +175,9 @@ class BasicStripBuffer {
   std::uint32_t widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing, std::uint32_t most) noexcept;
   void close_gaps() noexcept;
   void mark(std::size_t first, std::size_t end) noexcept;
-  /// What fills gaps. Of stitched strips any vertex will do: all that a gap draws is degenerate.
+  /// The index that fills gaps. For stitched strips any vertex will do: a gap draws only degenerate triangles.
   [[nodiscard]] Index filling() const noexcept { return stitched_ ? Index{0} : restart; }
-  /// A buffer that is long enough: an even number of indices of 16 bits.
+  /// The length of the buffer: an even number of indices of 16 bits.
   [[nodiscard]] static std::uint32_t even(std::uint32_t length) noexcept {
     return sizeof(Index) == 2 ? length + length % 2 : length;
   }
@@ -186,16 +186,16 @@ class BasicStripBuffer {
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
   bool stitched_ = false;
-  bool stale_ = true;    // an update was interrupted: the next one writes everything again
-  bool rebuilt_ = true;  // the last one did
-  bool told_ = true;     // what is in written_
+  bool stale_ = true;    // an update was interrupted: the next one rewrites everything
+  bool rebuilt_ = true;  // the last update rewrote everything
+  bool told_ = true;     // whether written_ has been returned
   std::vector<Range> written_;
-  // What the current update works on.
+  // The state of the current update.
   std::vector<std::uint32_t> dirty_;  // places whose runs are read
   std::vector<Link> strip_;
-  std::uint32_t links_ = 0;  // so many of strip_
+  std::uint32_t links_ = 0;  // the number in use of strip_
   std::vector<Index> text_;
-  std::uint32_t letters_ = 0;  // so many of text_
+  std::uint32_t letters_ = 0;  // the number in use of text_
   std::vector<Text> texts_;
 };
 

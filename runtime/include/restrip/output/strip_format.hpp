@@ -1,11 +1,11 @@
-// The forms of an index buffer that hardware and engines take: StripFormat describes one, format_strips() writes it.
+// The forms of index buffers for hardware and engines: StripFormat describes one, format_strips() writes it.
 //
 //   const IndexBuffer buffer = format_strips(strip_indices(mesh), {.form = StripForm::stitched});
 //   upload(buffer.bytes());                    // 2 or 4 bytes an index: buffer.index_bytes()
 //   for (const IndexRange& batch : buffer.batches) draw(buffer.form, batch);
 //
-// The same description is taken by strips_of() (search/strips_of.hpp), the live buffers (output/live_buffer.hpp,
-// live_mesh.hpp), the programs (--form, --index), the C interface and JavaScript.
+// strips_of() (search/strips_of.hpp), the live buffers (output/live_buffer.hpp, live_mesh.hpp), the programs (--form,
+// --index), the C interface and JavaScript take the same description.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace restrip {
 enum class StripForm : std::uint8_t {
   restart,   ///< one triangle strip; the index with all bits set lies between two strips (primitive restart)
   stitched,  ///< one triangle strip without restart: repeated indices lead from strip to strip. For hardware and
-             ///< formats that know no restart. Two indices for each strip but the first, where restart takes one
+             ///< formats without restart. Two indices for each strip but the first, instead of one
   lengths,   ///< the strips one after the other, and a table of their lengths: one draw call each, or a multi-draw
   list,      ///< a triangle list, three indices a triangle
 };
@@ -33,11 +33,10 @@ enum class IndexWidth : std::uint8_t {
 struct StripFormat {
   StripForm form = StripForm::restart;
   IndexWidth width = IndexWidth::automatic;
-  /// A list is returned instead when it has fewer indices, as with many isolated triangles; IndexBuffer::form reports
-  /// it.
+  /// Return a list instead if it has fewer indices, as with many isolated triangles; IndexBuffer::form says so.
   bool list_if_shorter = true;
   /// At most this many different vertices and this many indices in a batch, at least 3 and 4; 0: no limit. Strips are
-  /// cut where a batch ends. Live buffers have no batches.
+  /// cut where a batch ends. Live buffers do not support batches.
   std::size_t most_vertices = 0;
   std::size_t most_indices = 0;
   friend constexpr bool operator==(const StripFormat&, const StripFormat&) = default;
@@ -52,14 +51,14 @@ struct IndexRange {
 
 /// Which ranges an update of a live buffer returns.
 struct RangeOptions {
-  /// Ranges at most this many indices apart are joined: fewer uploads, of a few indices more.
+  /// Ranges at most this many indices apart are joined: fewer uploads, with a few more indices.
   std::size_t merge_gap = 2;
   /// Ranges begin and end at multiples of this many bytes, 2 or a multiple of 4; the last may end with the buffer,
   /// whose length is a multiple of 4 bytes. WebGPU's writeBuffer asks for 4.
   std::size_t align = 4;
 };
 
-/// The highest index of 16 bits restarts strips, or is forbidden as in glTF; so is not a vertex in any form.
+/// The highest vertex number with 16-bit indices: 0xFFFF restarts strips, or is forbidden as in glTF.
 inline constexpr std::uint32_t highest_index16 = 0xFFFE;
 
 struct IndexBuffer {
@@ -69,7 +68,7 @@ struct IndexBuffer {
   std::vector<IndexRange> batches;     ///< to be drawn one by one: consecutive, without the restarts between; strips
                                        ///< start again in each. One for the whole buffer when there is no limit
   std::size_t triangles = 0;           ///< drawn, degenerate ones left out
-  std::size_t strips = 0;              ///< that they come in, before batches cut them
+  std::size_t strips = 0;              ///< before batches cut them
 
   [[nodiscard]] std::size_t size() const noexcept {
     return std::visit([](const auto& all) { return all.size(); }, indices);
@@ -83,11 +82,11 @@ struct IndexBuffer {
   }
 };
 
-/// `indices`: those of strip_indices(), or any that draw triangle strips with restart_index between them, stitched by
-/// repeated indices or not. Writes them in that format: the same triangles with the same windings, each strip whole
-/// unless a batch ends in it. Strips keep their order, but in the stitched form one of odd length waits for the next
-/// one, so that no index is spent on parity. Linear time. Throws std::invalid_argument for a limit that is too low, and
-/// std::length_error when 16 bits are wanted and an index is too high.
+/// Writes `indices` in this format: the same triangles with the same windings, each strip whole unless a batch ends in
+/// it. `indices` are the result of strip_indices(), or any triangle strips with restart_index between them, stitched by
+/// repeated indices or not. Strips keep their order, except that in the stitched form a strip of odd length waits for
+/// the next such strip, so that no index is spent on parity. Linear time. Throws std::invalid_argument for a limit that
+/// is too low, and std::length_error when 16 bits are wanted and an index is too high.
 [[nodiscard]] inline IndexBuffer format_strips(std::span<const std::uint32_t> indices, const StripFormat& format = {});
 
 }  // namespace restrip

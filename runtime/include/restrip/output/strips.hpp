@@ -1,8 +1,8 @@
 // From colours to strips: check a colouring, list the triangles of each strip, write the index buffer.
 //
 // Everything here is computed from scratch in linear time and is the same on every machine, for any mesh that numbers
-// its triangles and vertices (mesh/numbered_mesh.hpp); what your mesh throws leaves these functions. The index
-// buffer is the plain triangle strip of OpenGL, Vulkan, Direct3D and WebGPU with primitive restart: after the first two
+// its triangles and vertices (mesh/numbered_mesh.hpp). Exceptions of the mesh leave these functions. The index buffer
+// is the plain triangle strip of OpenGL, Vulkan, Direct3D and WebGPU with primitive restart: after the first two
 // indices of a strip each index v_{i+2} draws the triangle (v_i, v_{i+1}, v_{i+2}) when i is even and (v_{i+1}, v_i,
 // v_{i+2}) when i is odd. A strip that turns twice the same way repeats one index there (a *swap*; Evans, Skiena,
 // Varshney, "Optimizing triangle strips for fast rendering", 1996), which draws one degenerate triangle that hardware
@@ -22,9 +22,9 @@
 
 namespace restrip {
 
-/// What check_coloring found. The colouring is valid when the first three counts are zero.
+/// The result of check_coloring(). The colouring is valid when the first three counts are zero.
 struct ColoringReport {
-  std::size_t one_sided = 0;     ///< dual edges that are solid seen from one of their triangles only
+  std::size_t one_sided = 0;     ///< dual edges that are solid in only one of their triangles
   std::size_t over_degree = 0;   ///< triangles with three solid edges
   std::size_t solid_cycles = 0;  ///< independent solid cycles: how many solid edges must be removed to break them all
   std::size_t triangles = 0;
@@ -68,13 +68,12 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 
 /// The index buffer of the strips, in their order, restart_index between them and neither before nor after. It draws
 /// each triangle exactly once, with its winding in the mesh; indices are vertex numbers. Each strip is written from the
-/// end that needs fewer indices: a strip of n triangles takes n + 2 and one for each swap. `strips` must be
-/// the strips of the mesh as it is now: debug builds check that triangles that follow each other share a solid dual
-/// edge.
+/// end that needs fewer indices: a strip of n triangles takes n + 2 indices and one for each swap. `strips` must be the
+/// strips of the mesh as it is now: debug builds check that triangles that follow each other share a solid dual edge.
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips);
 
-/// strip_indices(mesh, extract_strips(mesh)) in one go, in half of the time. The colouring must be valid: debug builds
+/// The same as strip_indices(mesh, extract_strips(mesh)), in half the time. The colouring must be valid; debug builds
 /// check that.
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh);

@@ -1,12 +1,12 @@
-// Trace: a record of what happened to a mesh and its strips, which a program that shares no code with this library can
-// check (restrip-check; docs/reference/file-formats.md has the format).
+// Trace: a record of the changes to a mesh and its strips, which restrip-check checks, a program that shares no code
+// with this library (docs/reference/file-formats.md has the format).
 //
 // The trace begins with all triangles and solid dual edges of the mesh. Each operation adds one line: the triangles
-// that went and came, by vertex number, the dual edges that became dashed and solid, anywhere in the mesh, and what was
-// told of strips and isolated triangles.
+// removed and added, by vertex number, the dual edges that became dashed and solid, anywhere in the mesh, and the
+// reported changes of strips and isolated triangles.
 //
 //   std::vector<Triangle> changed;
-//   mesh.watch(&changed);                              // or a Watched, for other meshes than StripMesh
+//   mesh.watch(&changed);                              // or a Watched, for meshes other than StripMesh
 //   Keeper keeper(mesh, Policy::local);
 //   Trace trace(mesh, Trace::Claim::no_worse);
 //   const auto done = keeper.collapse(chord);          // of v_s -> v_t
@@ -15,8 +15,8 @@
 //   trace.end();
 //   file << trace.text();                              // or piece by piece, clearing the text each time
 //
-// What is written is compared with what was seen before, not with what an operation says it did. So an operation that
-// is traced under a wrong name, or not at all, makes a trace that is refused.
+// A trace records differences between states of the mesh, not what an operation reports. So an operation that is traced
+// under a wrong name, or not at all, makes a trace that is refused.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct Traced {
     split,     ///< `from` has been split, `to` is the new vertex
     collapse,  ///< `to` has been collapsed into `from`
     flip,      ///< the mesh edge between `from` and `to` has been turned
-    other      ///< anything else, several operations together included; nothing is claimed of it except the reported
+    other      ///< anything else, including several operations together; it claims nothing except the reported
                ///< changes
   };
   Kind kind = Kind::other;
@@ -54,12 +54,12 @@ struct Traced {
 /// Keeps a copy of the triangles and their colours, 16 bytes a triangle, and the text until it is taken.
 class Trace {
  public:
-  /// What the checker is to find of every split, collapse and flip, besides valid colours and true numbers.
+  /// The claim to check for every split, collapse and flip, in addition to valid colours and correct numbers.
   enum class Claim : std::uint8_t {
     valid,     ///< nothing more
-    no_worse,  ///< no recolouring of the patch alone that a rule may choose from would have left fewer strips, or as
-               ///< many and fewer isolated triangles (Policy::local and those that look further)
-    best       ///< the recolouring is one of those, and nothing outside the patch has changed (Policy::rules)
+    no_worse,  ///< no recolouring of only the patch that a rule may choose would have left fewer strips, or the
+               ///< same number and fewer isolated triangles (Policy::local and policies that search further)
+    best       ///< the recolouring is such a best one, and nothing outside the patch has changed (Policy::rules)
   };
 
   /// Linear time. Mesh edges must have at most one triangle on either side, or the trace will be refused.
@@ -86,7 +86,7 @@ class Trace {
     }
   }
 
-  /// `changed`: as StripMesh::watch and Watched make it, since the last call. Time linear in `changed`, but for a
+  /// `changed`: as StripMesh::watch and Watched make it, since the last call. Time linear in `changed`, up to a
   /// logarithm.
   template <NumberedMesh Mesh>
   void add(const Mesh& mesh, std::span<const std::uint32_t> changed, const Traced& done) {
@@ -130,7 +130,7 @@ class Trace {
     text_ += '\n';
   }
 
-  /// What has been written; to be cleared by whoever takes it away.
+  /// The text written so far. The caller clears it after taking it.
   [[nodiscard]] std::string& text() noexcept { return text_; }
 
  private:
@@ -173,7 +173,7 @@ class Trace {
       edges.push_back({std::min(from, to), std::max(from, to)});
     }
   }
-  /// Each edge once: it was found from both of its triangles, or from one.
+  /// Leaves each edge once: it was found from both of its triangles, or from one.
   static void settle(std::vector<Edge>& edges) {
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
@@ -203,7 +203,7 @@ class Trace {
   std::string text_;
   std::size_t operations_ = 0;
   std::vector<Seen> seen_;  // by triangle
-  // Of one operation, kept for their memory.
+  // Scratch lists of one operation, kept for their memory.
   std::vector<std::uint32_t> named_;
   std::vector<Edge> before_;
   std::vector<Edge> after_;

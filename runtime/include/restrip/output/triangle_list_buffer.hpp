@@ -8,16 +8,16 @@
 //   for (const auto& range : buffer.update(mesh, changed)) upload(range);
 //   changed.clear();
 //
-// Of 16 bits a buffer with an odd number of triangles has one index more at its end, which draws nothing: its length is
-// a multiple of four bytes.
+// A 16-bit buffer with an odd number of triangles has one more index at its end, which draws nothing, so that its
+// length is a multiple of four bytes.
 //
-// Every triangle has a slot. One that is removed leaves its slot to a new one or, if none exists, to the last
-// triangle of the buffer, so that there are no gaps. Slots are given in the order of the triangle numbers: numbers in
-// an order that suits the vertex cache make a buffer that does.
+// Every triangle has a slot. The slot of a removed triangle goes to a new one, or else to the last triangle of the
+// buffer, so that the buffer has no gaps. Slots are given in the order of the triangle numbers, so numbers in an order
+// for the vertex cache make a buffer in that order.
 //
-// Against StripBuffer. A list is the better choice where bytes written and the time of an update count, or vertices are
-// dear and the triangles come in an order made for the vertex cache; strips take half the memory, and their colours are
-// needed for them. bench/draw.cpp measures both.
+// Compared with StripBuffer. A list is the better choice if bytes written or update times matter most, or if vertices
+// are expensive and the triangles are in an order for the vertex cache. Strips take half the memory, but need a
+// colouring. bench/draw.cpp measures both.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class BasicTriangleListBuffer {
   static_assert(std::is_same_v<Index, std::uint16_t> || std::is_same_v<Index, std::uint32_t>);
   using Range = IndexRange;
 
-  /// Empty; the first update writes it as a whole.
+  /// Empty; the first update writes the whole buffer.
   BasicTriangleListBuffer() = default;
   /// Writes all triangles. Linear time. Throws as rebuild() does.
   template <NumberedMesh Mesh>
@@ -51,9 +51,9 @@ class BasicTriangleListBuffer {
     rebuild(mesh);
   }
 
-  /// Writes everything again. Throws std::length_error when the number of a vertex does not fit into an index (the one
-  /// with all bits set restarts strips and is not a vertex), or std::bad_alloc, or what the mesh throws; then the
-  /// buffer is incomplete, and the next update writes it again.
+  /// Rewrites the whole buffer. Throws std::length_error when a vertex number does not fit into an index (the index
+  /// with all bits set restarts strips and is not available), or std::bad_alloc, or what the mesh throws; then the
+  /// buffer is incomplete, and the next update rewrites it.
   template <NumberedMesh Mesh>
   void rebuild(const Mesh& mesh) {
     stale_ = true;
@@ -68,10 +68,10 @@ class BasicTriangleListBuffer {
   }
 
   /// Brings the buffer in step with the mesh. `changed` names every triangle whose corners have changed since the last
-  /// call, and those inserted and removed; others and repetitions do no harm. Returns the ranges whose indices may have
-  /// changed, ascending and apart from each other; valid until the next call. Time linear in `changed`, but for a
-  /// logarithm and the growth of its arrays (reserve()). Throws as rebuild() does; what is drawn is not known then, and
-  /// the next update writes everything again.
+  /// call, and every triangle inserted or removed; other triangles and repetitions do no harm. Returns the ranges whose
+  /// indices may have changed, ascending and disjoint; valid until the next call. Time linear in `changed`, up to a
+  /// logarithm and the growth of its arrays (reserve()). Throws as rebuild() does. The contents are then undefined, and
+  /// the next update rewrites everything.
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
                                 const RangeOptions& ranges = {.merge_gap = 0}) {
@@ -105,7 +105,7 @@ class BasicTriangleListBuffer {
       }
       write(slot_[t], corners);
     }
-    // The last triangles fill what is left.
+    // The last triangles fill the remaining slots.
     std::sort(free_.begin(), free_.end());
     for (std::size_t filled = 0; filled < free_.size();) {
       const auto last = static_cast<std::uint32_t>(owner_.size() - 1);
@@ -129,7 +129,7 @@ class BasicTriangleListBuffer {
   }
 
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
-  /// Room for a mesh of this many triangles.
+  /// Makes room for a mesh of this many triangles.
   void reserve(std::size_t triangles) {
     cells_.reserve(3 * triangles + 1);
     owner_.reserve(triangles);
@@ -159,7 +159,7 @@ class BasicTriangleListBuffer {
     owner_.push_back(t);
     slot_[t] = static_cast<std::uint32_t>(owner_.size() - 1);
   }
-  /// In the turn that leaves most indices as they are.
+  /// Writes the corners in the rotation that keeps most indices.
   void write(std::uint32_t slot, const std::array<Index, 3>& corners) {
     Index* cell = cells_.data() + std::size_t{3} * slot;
     std::size_t best = 0;

@@ -1,9 +1,9 @@
-// What an index buffer costs in vertex work: misses of a small cache of transformed vertices.
+// The vertex work of an index buffer: misses of a small cache of transformed vertices.
 //
 // The usual measures: ACMR, the average misses per triangle (Hoppe, "Optimization of mesh locality for transparent
-// vertex caching", 1999), and ATVR, misses per vertex, which is 1 at best. The cache is first in, first out, as in
-// meshoptimizer's analyzer with a warp size and a primitive group size of 0: an index that is in the cache changes
-// nothing, and each index is looked up, whether its triangle is degenerate or not.
+// vertex caching", 1999), and ATVR, misses per vertex, which is at best 1. The cache is first in, first out, as in
+// meshoptimizer's analyzer with a warp size and a primitive group size of 0: a hit does not change the order, and each
+// index is looked up, even if its triangle is degenerate.
 //
 //   const std::vector<std::uint32_t> indices = strip_indices(mesh, extract_strips(mesh));
 //   const double misses_per_triangle = acmr(indices, 16, mesh.triangle_count());
@@ -25,15 +25,15 @@ namespace restrip {
   std::size_t vertices = 0;
   for (const std::uint32_t v : indices)
     if (v != restart) vertices = std::max(vertices, v + std::size_t{1});
-  // A vertex is in the cache until `cache_size` others have come in after it.
-  std::vector<std::size_t> came_in(vertices, 0);  // as which miss; 0: never
+  // A vertex is in the cache until `cache_size` others have entered after it.
+  std::vector<std::size_t> came_in(vertices, 0);  // the number of the miss; 0: never
   std::size_t misses = 0;
   for (const std::uint32_t v : indices)
     if (v != restart && (came_in[v] == 0 || misses - came_in[v] >= cache_size)) came_in[v] = ++misses;
   return misses;
 }
 
-/// The average of vertex_cache_misses() for each of `triangles`, which the indices draw; 0 if there are no triangles.
+/// vertex_cache_misses() divided by `triangles`, the number of triangles drawn; 0 if `triangles` is 0.
 [[nodiscard]] inline double acmr(std::span<const std::uint32_t> indices, std::size_t cache_size,
                                  std::size_t triangles) {
   if (triangles == 0) return 0;

@@ -1,4 +1,4 @@
-// Strips kept while CGAL's edge_collapse simplifies the mesh: a visitor.
+// A visitor that maintains strips while CGAL's edge_collapse simplifies the mesh.
 //
 //   namespace SMS = CGAL::Surface_mesh_simplification;
 //   restrip::SurfaceMeshStrips strips(mesh);                    // and its colours, e.g. from stripify()
@@ -7,10 +7,10 @@
 //                      CGAL::parameters::visitor(restrip::StripVisitor(strips, tally)));
 //   tally.strips;                                               // change in the number of strips
 //
-// StripVisitor(strips, tally, restrip::HookRules::linked) keeps longer strips. Without it edge_collapse leaves colours
-// that are not valid. Before anything else CGAL collapses mesh edges of length zero and notifies a visitor only
-// afterwards; the strips there are cut where it is necessary, and HookTally::untold counts these collapses. Include
-// this header only where you have CGAL 5.4 or later.
+// StripVisitor(strips, tally, restrip::HookRules::linked) keeps longer strips. Without a visitor edge_collapse leaves
+// colours that are not valid. CGAL first collapses mesh edges of length zero and notifies a visitor only afterwards;
+// strips are cut there if necessary, and HookTally::untold counts these collapses. Include this header only where you
+// have CGAL 5.4 or later.
 #pragma once
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
@@ -24,8 +24,8 @@
 
 namespace restrip {
 
-/// `Base`: another visitor of yours, which is called, too. CGAL copies visitors; the copies are one. The
-/// strips and the tally must outlive the work.
+/// `Base`: another visitor, which is called too. CGAL copies visitors; the copies share their state. The strips and the
+/// tally must outlive the simplification.
 template <class Point,
           class Base = CGAL::Surface_mesh_simplification::Edge_collapse_visitor_base<CGAL::Surface_mesh<Point>>>
 class StripVisitor : public Base {
@@ -55,7 +55,7 @@ class StripVisitor : public Base {
       tally_->add(after_collapse(*strips_, std::move(**pending_), left.is_valid() ? left : right, rules_));
       pending_->reset();
     } else {
-      // Each is what two edges of a triangle that is gone became. All others have the colours that they had.
+      // Each was merged from two edges of a removed triangle. All other edges keep their colours.
       for (const Halfedge merged : {left, right})
         if (merged.is_valid()) strips_->set_solid(merged, false);
       ++tally_->untold;

@@ -1,4 +1,4 @@
-// Strips kept while OpenMesh's decimaters simplify the mesh: a module next to the ones that choose the collapses.
+// A module for OpenMesh's decimaters that maintains strips while they simplify the mesh.
 //
 //   restrip::OpenMeshStrips strips(mesh);                       // and its colours, e.g. from stripify()
 //   OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
@@ -11,8 +11,8 @@
 //   decimater.decimate_to_faces(0, 2000);
 //   decimater.module(keeping).tally().strips;                   // change in the number of strips
 //
-// It serves DecimaterT, McDecimaterT and MixedDecimaterT and has no say in which collapses are made. Without it a
-// decimater leaves colours that are not valid. Include this header only where you have OpenMesh 8 or later.
+// It works with DecimaterT, McDecimaterT and MixedDecimaterT and does not influence which collapses are made. Without
+// it a decimater leaves colours that are not valid. Include this header only where you have OpenMesh 8 or later.
 #pragma once
 
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
@@ -43,16 +43,16 @@ class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     return strips;
   }
 
-  /// The strips to keep, of the decimater's mesh, and by which rules. They must outlive the decimater's work.
+  /// Sets the strips to maintain, on the decimater's mesh, and the rules. The strips must outlive the decimation.
   void keep(OpenMeshStrips<MeshT>& strips, HookRules rules = HookRules::local) {
     RESTRIP_ASSERT(&strips.mesh() == &this->mesh(), "ModStripsT::keep", "these strips are those of another mesh");
     strips_ = &strips;
     rules_ = rules;
   }
-  /// What the collapses changed since keep().
+  /// Changes by collapses since keep().
   [[nodiscard]] const HookTally& tally() const noexcept { return tally_; }
 
-  /// Called by OpenMesh. Throws std::logic_error where keep() has not been called.
+  /// Called by OpenMesh. Throws std::logic_error if keep() has not been called.
   void initialize() override {
     if (strips_ == nullptr) RESTRIP_THROW(std::logic_error, "restrip: ModStripsT has no strips to keep: call keep()");
   }
