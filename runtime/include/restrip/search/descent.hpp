@@ -1,16 +1,15 @@
-// Descent: fewer indices (or whatever a Cost counts) by small changes of the colouring, best first.
+// Descent: lowers the cost of a colouring by small changes, best first.
 //
-// A *move* changes one dual edge and what has to change with it:
+// A *move* changes one dual edge and the edges that must change with it:
 //  - a solid edge is cut, or
-//  - a dashed edge becomes solid. A triangle that has two solid edges already gives one of them up for it, so a move
-//    exchanges an edge for none, one or two others.
-// The price of a move, the change of the cost, follows from the two triangles of the edge and at most four triangles
-// behind each. Whether a new edge would close a solid cycle is found by walking along the strip from both sides at
-// once, and only for moves that are about to be made.
+//  - a dashed edge becomes solid. A triangle that already has two solid edges loses one of them, so a move exchanges an
+//    edge for none, one or two others.
+// The price of a move is the change of the cost. It follows from the two triangles of the edge and at most four
+// triangles beyond each. A walk along the strip from both sides at once tests moves about to be made for solid cycles.
 //
-// Steepest descent: the triangles given are looked at in turn. Of all moves at the edges of a triangle the best one
-// that lowers the cost is made, and the triangles it touches are looked at again. With *chains*, where no single move
-// pays, a move that costs a little is tried together with the best move after it.
+// Steepest descent: the given triangles are examined in turn. Of all moves at the edges of a triangle the best one that
+// lowers the cost is made, and the triangles it touches are examined again. With *chains*, if no single move lowers the
+// cost, a move that costs a little is tried together with the best move after it.
 //
 //   Descent descent(Cost::indices());
 //   descent.run(mesh, changed_triangles, {.moves = 200});
@@ -32,7 +31,7 @@
 
 namespace restrip {
 
-/// By how much a colouring has changed.
+/// The change of a colouring, in counts.
 struct ColoringChange {
   int strips = 0;
   int swaps = 0;
@@ -53,14 +52,14 @@ struct ColoringChange {
 
 /// One move, as described above.
 struct StripMove {
-  StripMesh::Halfedge edge{};                     ///< cut when it is solid, added when it is dashed
-  std::array<StripMesh::Halfedge, 2> given_up{};  ///< solid edges of its two triangles, {none} where none is
+  StripMesh::Halfedge edge{};                     ///< cleared if it is solid, set if it is dashed
+  std::array<StripMesh::Halfedge, 2> given_up{};  ///< solid edges cleared at its two triangles, or {none}
   ColoringChange change{};
   std::int32_t price = 0;  ///< of that change
 };
 
 namespace detail {
-/// The moves found by one look; at most six.
+/// The moves at one triangle; at most six.
 struct FoundMoves {
   std::array<StripMove, 6> moves{};
   std::size_t count = 0;
@@ -74,18 +73,18 @@ struct FoundMoves {
 };
 }  // namespace detail
 
-/// What one call of Descent::run may do.
+/// The limits of one call of Descent::run.
 struct DescentLimits {
-  std::uint32_t moves = std::numeric_limits<std::uint32_t>::max();  ///< moves priced; the last look may go beyond
-  std::uint32_t tries = 0;  ///< chains: first moves tried at each triangle where no single move pays; 0: no chains
-  std::int32_t worse = 0;   ///< chains: what their first move may cost
+  std::uint32_t moves = std::numeric_limits<std::uint32_t>::max();  ///< moves priced; the last triangle may exceed it
+  std::uint32_t tries = 0;  ///< chains: first moves tried at each triangle without a gainful move; 0: no chains
+  std::int32_t worse = 0;   ///< chains: the highest price of their first move
 };
 
 /// Sums over all calls.
 struct DescentCounts {
-  std::uint64_t priced = 0;  ///< moves whose price was worked out
+  std::uint64_t priced = 0;  ///< moves whose price was computed
   std::uint64_t walked = 0;  ///< triangles walked past to find cycles
-  std::uint64_t made = 0;    ///< moves made, those taken back included
+  std::uint64_t made = 0;    ///< moves made, including moves undone
 };
 
 class Descent {
@@ -94,20 +93,20 @@ class Descent {
 
   explicit Descent(Cost cost = Cost::indices()) noexcept : cost_(cost) {}
 
-  /// Descends from the triangles given, which must be alive; some may be named twice. The mesh must have a valid
-  /// colouring, and has one after each single change of a colour. Returns what has changed; the cost never rises. A
-  /// call for all triangles that changes nothing has found a local minimum: no move in the mesh lowers the cost, but
-  /// for those refused because a walk is too long (max_walk).
+  /// Descends from the given triangles, which must be alive; some may be named twice. The mesh must have a valid
+  /// colouring, and has one after each single change of a colour. Returns the changes in counts; the cost never rises.
+  /// If a call for all triangles changes nothing, the colouring is a local minimum: no move lowers the cost, except
+  /// moves refused because a walk is too long (max_walk).
   ///
-  /// Throws std::bad_alloc; the colouring is valid then, and what has changed is lost.
+  /// Throws std::bad_alloc; the colouring is valid then, but the changes are not reported.
   template <SidedMesh Mesh>
   ColoringChange run(Mesh& mesh, std::span<const Triangle> from, const DescentLimits& limits = {});
 
-  /// The moves at the edges of t whose price is at most `highest`, cycles not looked for, in a fixed order. At most
+  /// The moves at the edges of t whose price is at most `highest`, in a fixed order, without a test for cycles. At most
   /// six. Constant time.
   template <SidedMesh Mesh>
   [[nodiscard]] std::span<const StripMove> moves_at(const Mesh& mesh, Triangle t, std::int32_t highest);
-  /// True when the move closes no solid cycle. Walks along the strip; false as well when neither walk ends.
+  /// True when the move closes no solid cycle. Walks along the strip; also false when neither walk ends.
   template <SidedMesh Mesh>
   [[nodiscard]] bool keeps_strips(const Mesh& mesh, const StripMove& move);
   /// Makes the move, which must keep strips.
@@ -117,7 +116,7 @@ class Descent {
   [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
   [[nodiscard]] const DescentCounts& counts() const noexcept { return counts_; }
 
-  /// Triangles that a walk passes on either side before the move is refused.
+  /// The number of triangles that a walk passes on either side before the move is refused.
   static constexpr std::uint32_t max_walk = 3000;
 
  private:
@@ -146,7 +145,7 @@ class Descent {
   DescentCounts counts_;
   ColoringChange done_;
   detail::FoundMoves found_;
-  // Looked at since the last change of a colour: their edges need no second look, from either side.
+  // Triangles examined since the last change of a colour: their edges need not be examined again, from either side.
   std::array<Triangle, 24> looked_{};
   std::size_t looked_count_ = 0;
   std::vector<Triangle> queue_;

@@ -1,14 +1,14 @@
 // Strips from scratch in one pass.
 //
 // Method. Fewest strips = most solid edges without a cycle and with at most two at each triangle. All dual edges start
-// *open*; one after another is made solid or dropped. A triangle with no more open edges than it still has room for is
-// *forced*: all its open edges become solid, which loses nothing as long as the rest can be completed. Only when
-// nothing is forced is an edge chosen freely, at the strip end that has waited longest. Strips then grow around each
-// other in rings, and few triangles are left between them (on the Stanford bunny there are a third of the strips
-// when the newest end is preferred). This is Karp and Sipser's rule for matchings (1981), applied to paths as in the
-// 2GREEDY algorithm of Bohman and Frieze ("Hamilton cycles in random graphs with minimum degree at least 3", 2013).
+// *open*; one after another is made solid or dropped. A triangle is *forced* if it can still take all of its open
+// edges: they all become solid, which loses nothing as long as the rest can be completed. Only when nothing is forced
+// is an edge chosen freely, at the strip end that has waited longest. Strips then grow around each other in rings, and
+// few triangles are left between them (on the Stanford bunny a third of the strips, compared with preferring the newest
+// end). This is Karp and Sipser's rule for matchings (1981), applied to paths as in the 2GREEDY algorithm of Bohman and
+// Frieze ("Hamilton cycles in random graphs with minimum degree at least 3", 2013).
 //
-// Each end of a growing strip knows the other end, so "would this close a cycle?" takes constant time.
+// Each end of a growing strip knows the other end, so the test for cycles takes constant time.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@
 
 namespace restrip {
 
-/// Colours the whole mesh again: every dual edge that was solid before is forgotten. One pass, linear time, 12 bytes a
-/// triangle while it runs; the same on every machine. Returns the number of strips.
+/// Colours the whole mesh from scratch and returns the number of strips. One pass, linear time, 12 bytes a triangle
+/// while it runs; the result is the same on every machine.
 template <NumberedMesh Mesh>
 std::size_t stripify_fast(Mesh& mesh);
 
@@ -106,7 +106,7 @@ class GreedyStrips {
     if (node.open != 0 && node.solid < 2 && slack(t) <= 0) forced_.push_back(t);
   }
 
-  // Makes an open side solid, or drops it when that would close a cycle.
+  // Makes an open side solid, or drops it if it would close a cycle.
   void take(Triangle t, unsigned s) {
     const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
     const StripMesh::Halfedge back = mesh_.opposite(h);
@@ -137,7 +137,7 @@ class GreedyStrips {
   Mesh& mesh_;
   std::vector<Node> nodes_;
   std::vector<Triangle> forced_;
-  std::vector<Triangle> waiting_;  // every end that ever was, oldest first
+  std::vector<Triangle> waiting_;  // every end so far, oldest first
   std::size_t solid_ = 0;
 };
 

@@ -1,35 +1,35 @@
-// Keeper: the strips of any mesh, kept through every operation under a policy.
+// Keeper: maintains the strips of any mesh through every operation, under a policy.
 //
-// Every operation begins with its proven rule (operations.hpp), which sees one patch. A policy (policy.hpp) says how
-// much more an operation looks at, and what comes after the rule only lowers the cost. So what a rule adds at most, an
-// operation adds at most (docs/explanation/theory.md, "What an operation adds").
+// Every operation begins with its proven rule (operations.hpp), which reads one patch. A policy (policy.hpp) says what
+// follows. The steps after the rule only lower the cost, so an operation adds at most what a rule adds at most
+// (docs/explanation/theory.md, "What an operation adds").
 //
 // Under the cost of strips the policies join ends of strips that meet (join.hpp), follow the strips around the patch
-// (linked.hpp), or search everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch, which
-// needs a locator of the strips beside the mesh (strip_locator.hpp). At the moment when a strip breaks, its ends are
-// known, and ends of other strips are near. (Porcu and Scateni tunnel when isolated triangles exceed a threshold.
-// Tunnelling at once and locally keeps the strips of every level of detail as long as those made from scratch.)
+// (linked.hpp), or search by tunnelling (tunnel.hpp) from every strip end in the patch, which needs a locator of the
+// strips (strip_locator.hpp). When a strip breaks, its ends are known, and ends of other strips are near. (Porcu and
+// Scateni tunnel when isolated triangles exceed a threshold. Immediate local tunnelling keeps the strips of every level
+// of detail as long as strips made from scratch.)
 //
-// Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), a split or collapse keeps the colours
-// before it, passed on, if they cost no more than the rule's. Then a search at the strip ends of the patch
-// (end_search.hpp) changes what lowers the cost; under Policy::best an exact window (window.hpp) comes after it. Fewest
-// strips take 15 to 25 % more indices than the best.
+// Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), a split or collapse keeps the previous
+// colours if they cost no more than the rule's. A search at the strip ends of the patch (end_search.hpp) then lowers
+// the cost; under Policy::best an exact window (window.hpp) follows. Fewest strips take 15 to 25 % more indices than
+// fewest indices.
 //
 //   Keeper keeper(mesh);                               // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.apply(table, h);                            // a custom operation
 //   keeper.improve(10'000);                            // in idle time
 //
-// Complexity. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
-// searches. Their mean number of states depends on the policy, not on the size of the mesh. The same holds for the mean
-// length of the strips, on which the locator depends, once they have the length that the policy keeps. After warm-up
-// nothing is allocated beyond what the mesh itself allocates to grow.
+// Complexity. An operation takes the time of its rule and of the searches and, if the policy tunnels, time linear in
+// the patch for the locator. The mean number of states in a search depends on the policy, not on the size of the mesh.
+// So does the mean length of the strips, on which the locator depends, once strips have the length that the policy
+// keeps. After warm-up nothing is allocated beyond what the mesh itself allocates to grow.
 //
-// Exceptions (std::bad_alloc, and what the mesh throws). The mesh and its colouring are valid after one: the operation,
-// or the repair that follows it, is done as a whole, in part or not at all. What the keeper knows beside the mesh is
-// then out of date: up_to_date() is false, locator() is null and the counts are stale until rebuild(), which the next
-// operation calls itself. Under a cost that weighs swaps or isolated triangles, set_solid of a custom mesh must
-// not throw: searches try colours and take them back.
+// Exceptions (std::bad_alloc, and what the mesh throws). The mesh and its colouring are valid after an exception: the
+// operation, or the repair that follows it, is done completely, in part or not at all. The data of the keeper are then
+// out of date: up_to_date() is false, locator() is null and the counts are stale until rebuild(), which the next
+// operation calls itself. Under a cost that weighs swaps or isolated triangles, set_solid of a custom mesh must not
+// throw: searches try colours and undo them.
 #pragma once
 
 #include <concepts>
@@ -61,7 +61,7 @@ namespace restrip {
 
 namespace detail {
 
-/// What plays baked strips, on a mesh that can split and collapse.
+/// The player of baked strips, on a mesh that can split and collapse.
 template <class Mesh>
 struct PlayerOf {
   struct None {
@@ -77,10 +77,10 @@ struct PlayerOf<Mesh> {
 
 }  // namespace detail
 
-/// Keeps the strips of one mesh. While a keeper is in use, colour and change the mesh through it alone; after any other
-/// change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is one;
-/// check_coloring in strips.hpp tells). Where the keeper reads the whole mesh again, it throws std::invalid_argument
-/// when the colouring is not valid. An operation is there if the mesh can do it (mesh.hpp).
+/// Maintains the strips of one mesh. While a keeper is in use, colour and change the mesh only through it; after any
+/// other change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is valid;
+/// check_coloring() in strips.hpp checks). Whenever the keeper reads the whole mesh, it throws std::invalid_argument if
+/// the colouring is not valid. It has the operations that the mesh has (mesh.hpp).
 template <class Mesh>
 class Keeper {
   static_assert(detail::has_members_of_numbered_mesh<Mesh>());
@@ -108,7 +108,7 @@ class Keeper {
     baked_.emplace(mesh, records, level);
   }
 
-  /// From the next operation on. Linear time when the locator has to be made.
+  /// Takes effect with the next operation. Linear time if the locator has to be made.
   void set_policy(Policy policy) {
     policy_ = policy;
     plan_ = row_of(policy).plan;
@@ -120,18 +120,18 @@ class Keeper {
     search_ = search;
     if (!had_locator && tunnels()) rebuild();
   }
-  /// The same where swaps or isolated triangles cost something.
+  /// The same for costs that weigh swaps or isolated triangles.
   void set_plan(const IndexPlan& plan) noexcept { plan_ = plan; }
 
-  /// The operations of operations.hpp, with the same preconditions. `strips` and `isolated` of the result include what
-  /// searches joined and adoption saved, so `strips` is often negative. `name`: the new vertex, for meshes that let the
+  /// The operations of operations.hpp, with the same preconditions. `strips` and `isolated` of the result include the
+  /// changes by searches and repairs, so `strips` is often negative. `name`: the new vertex, for meshes that let the
   /// caller name it.
   template <class... Name>
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Name... name);
   Rewrite<Halfedge> collapse(Halfedge chord);
   Rewrite<Halfedge> flip(Halfedge h);
-  /// Those of refine.hpp, likewise. Linked rules have none of their own here. Under `bare` they are the split or the
-  /// collapse that changes the mesh in the same way, and `valence` of the result is that operation's.
+  /// The operations of refine.hpp, likewise. Policy::linked uses the same rules for them. Under `bare` they are done as
+  /// the split or collapse that changes the mesh in the same way, with the `valence` of that operation.
   Rewrite<Halfedge> split_face(Halfedge h);
   Rewrite<Halfedge> bisect(Halfedge h);
   Rewrite<Halfedge> join_faces(Halfedge chord);
@@ -144,7 +144,7 @@ class Keeper {
   template <SurfaceTable Table, class Change>
   Rewrite<Halfedge> apply(const Table& table, Halfedge where, Change&& change);
 
-  /// Split and collapse of a record of baked strips; by the rules where the keeper is not in step with it.
+  /// Split and collapse of a record of baked strips; by the rules if the keeper is not in step with it.
   template <class... Name>
   Rewrite<Halfedge> split_record(std::size_t record, const VertexSplit<Halfedge>& where, Name... name);
   Rewrite<Halfedge> collapse_record(std::size_t record, Halfedge chord);
@@ -152,30 +152,30 @@ class Keeper {
   [[nodiscard]] Player* baked() noexcept { return baked_ ? &*baked_ : nullptr; }
   [[nodiscard]] const Player* baked() const noexcept { return baked_ ? &*baked_ : nullptr; }
 
-  /// Background work: continues with rounds over all strip ends (rounds.hpp), looking at about `budget` states; where
-  /// swaps or isolated triangles cost something, with a descent by chains over all triangles (descent.hpp), and once
-  /// that has ended, until the next operation, with windows around all strip ends and swaps (window_rounds.hpp), trying
-  /// about `budget` moves and colourings, some 60 ns each. Returns the cost it saved.
+  /// Background work. Under the cost of strips it continues with rounds over all strip ends (rounds.hpp), of about
+  /// `budget` states. Under other costs it continues with a descent by chains over all triangles (descent.hpp), and
+  /// once that has ended, until the next operation, with windows around all strip ends and swaps (window_rounds.hpp),
+  /// of about `budget` moves and colourings, some 60 ns each. Returns the cost saved.
   std::size_t improve(std::size_t budget);
 
-  /// Reads the mesh again. Linear time. Throws std::invalid_argument when its colouring is not valid; the keeper must
-  /// not be used then until rebuild() succeeds.
+  /// Reads the mesh again. Linear time. Throws std::invalid_argument if its colouring is not valid; the keeper must
+  /// then not be used until rebuild() succeeds.
   void rebuild();
   void reserve(std::size_t triangles) { locator_.reserve(triangles); }
 
   [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
-  /// Not kept while baked strips are played, whose records do not tell it.
+  /// Not maintained while baked strips are played, because their records do not contain it.
   [[nodiscard]] std::size_t isolated() const noexcept { return isolated_; }
-  /// Kept under a cost that weighs swaps or isolated triangles; otherwise counted, in linear time.
+  /// Maintained under a cost that weighs swaps or isolated triangles; otherwise counted, in linear time.
   [[nodiscard]] std::size_t swaps() const { return weighs() ? swaps_ : count_swaps(*mesh_); }
-  /// Of the whole colouring, in the weights of the cost.
+  /// The cost of the whole colouring.
   [[nodiscard]] std::size_t cost() const noexcept {
     const Cost& weights = descent_.cost();
     return weights.restart * strips_ + weights.swap * swaps_ + weights.isolated * isolated_;
   }
-  /// What the last operation changed, under a cost that weighs swaps or isolated triangles.
+  /// The changes by the last operation, under a cost that weighs swaps or isolated triangles.
   [[nodiscard]] const ColoringChange& last_change() const noexcept { return change_; }
-  /// What became of the rules of all operations so far.
+  /// Counts of rules used and not used in all operations so far.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return choice_.counts(); }
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
   [[nodiscard]] Policy policy() const noexcept { return policy_; }
@@ -184,14 +184,14 @@ class Keeper {
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
   /// Null under policies without a locator, and while it is not up to date.
   [[nodiscard]] const StripLocator* locator() const noexcept { return tunnels() && up_to_date_ ? &locator_ : nullptr; }
-  /// Of tunnelling; of the searches at strip ends; what improve() has counted against its budgets where swaps or
-  /// isolated triangles cost something.
+  /// Counts of tunnelling; of the searches at strip ends; the work of improve() under costs that weigh swaps or
+  /// isolated triangles.
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
   [[nodiscard]] const EndSearch& end_search() const noexcept { return ends_; }
   [[nodiscard]] std::uint64_t spent_by_improve() const noexcept { return descent_.counts().priced + windows_.spent(); }
 
  private:
-  /// What is more than strips costs something.
+  /// Whether the cost weighs swaps or isolated triangles.
   [[nodiscard]] bool weighs() const noexcept { return descent_.cost().swap != 0 || descent_.cost().isolated != 0; }
   [[nodiscard]] bool tunnels() const noexcept { return !weighs() && search_.states != 0; }
 
@@ -226,14 +226,14 @@ class Keeper {
   StripLocator locator_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};
-  std::size_t triangles_ = 0;  // while there is a locator
+  std::size_t triangles_ = 0;  // while a locator exists
   std::vector<Triangle> patch_;
   // For other ones.
   EndSearch ends_;  // after an operation
-  // In the background.
+  // For background work.
   Descent descent_;
   Triangle next_ = 0;          // of the descent
-  std::size_t unsettled_ = 0;  // triangles that it has still to pass
+  std::size_t unsettled_ = 0;  // triangles that it still has to pass
   WindowRounds windows_;
   ColoringChange change_;
   Window window_;  // after an operation and its search

@@ -1,6 +1,5 @@
-// Policy: how far a Keeper (keeper.hpp) looks after an operation to keep a colouring good. One row of `policies` says
-// all there is about each: its name on every command line and in every interface, and what it does for either kind of
-// cost.
+// Policy: the effort of a Keeper (keeper.hpp) after an operation to keep a colouring good. Each policy is one row of
+// `policies`: its name on every command line and in every interface, and its steps for either kind of cost.
 #pragma once
 
 #include <array>
@@ -12,19 +11,19 @@
 
 namespace restrip {
 
-/// Each looks further than the one before it.
+/// Each searches further than the one before it.
 enum class Policy : std::uint8_t { bare, rules, local, linked, quick, full, best };
 
-/// What strips are kept with unless the caller says otherwise; for default_cost (mesh/cost.hpp).
+/// The default policy, chosen for default_cost (mesh/cost.hpp).
 inline constexpr Policy default_policy = Policy::quick;
 
-/// The search from each strip end in a patch, where the cost is that of strips.
+/// The search from each strip end in a patch, under the cost of strips.
 struct Search {
   std::uint32_t states = 0;  ///< state limit per search; 0 disables searching
-  std::uint32_t enough = 0;  ///< triangles per strip: searches get smaller while strips are longer on average. 0: never
+  std::uint32_t enough = 0;  ///< triangles per strip: searches are smaller while strips are longer on average. 0: never
 };
 
-/// The search that follows an operation, where swaps or isolated triangles cost something.
+/// The search that follows an operation, under costs that weigh swaps or isolated triangles.
 struct IndexPlan {
   /// Where the search begins.
   enum class From : std::uint8_t {
@@ -33,13 +32,13 @@ struct IndexPlan {
     ring    ///< the same and their neighbours
   };
   From from = From::patch;
-  EndLimits limits{.looks = 0};  ///< without looks there is no search, and the cost is counted but not kept low
-  std::uint32_t window = 0;      ///< triangles of an exact window that is laid around the operation last; 0: none
+  EndLimits limits{.looks = 0};  ///< 0 looks: no search; the cost is counted but not minimised
+  std::uint32_t window = 0;      ///< triangles of a final exact window around the operation; 0: no window
 };
 
-/// The most that an operation adds, whatever the mesh, its valences and its history (docs/explanation/theory.md, "What
-/// an operation adds"). The cost of strips: one strip. That of indices, 3 strips + swaps: this much, under the policies
-/// that search; under `rules` it grows with the valence, by about half of it.
+/// The most that an operation adds to the cost, for every mesh, valence and history (docs/explanation/theory.md, "What
+/// an operation adds"). Cost of strips: one strip. Cost of indices, 3 strips + swaps: this much under policies that
+/// search; under `rules` about half the valence more.
 inline constexpr int most_strips_added = 1;
 inline constexpr int most_indices_added = 6;
 
@@ -48,14 +47,14 @@ struct PolicyRow {
   Policy policy;
   const char* name;
   const char* says;          ///< what follows the rule, under the cost of strips
-  const char* says_indices;  ///< and under that of indices: first the choice between the rule and the colours before
-  const char* state;         ///< beside the colours, under the cost of strips; under that of indices none exists
+  const char* says_indices;  ///< the same under the cost of indices, after the choice between rule and previous colours
+  const char* state;         ///< in addition to colours, under the cost of strips; none under the cost of indices
   const char* price;         ///< times the mesh update alone, under either cost, on meshes of some 50,000 triangles
   Search search;
   IndexPlan plan;
 };
 
-/// Searches of n states keep about 3 n triangles per strip, where holes and connected components of the mesh allow it.
+/// Searches of n states keep about 3 n triangles per strip, if holes and connected components of the mesh allow it.
 inline constexpr std::array policies{
     PolicyRow{
         Policy::bare, "bare", "the mesh update alone, no rule; strips fall apart", "the same", "none", "1", {}, {}},
@@ -104,7 +103,7 @@ inline constexpr std::array policies{
 [[nodiscard]] constexpr const PolicyRow& row_of(Policy policy) noexcept {
   return policies[static_cast<std::size_t>(policy)];
 }
-/// Null when none exists of that name.
+/// Null if the name is unknown.
 [[nodiscard]] constexpr const PolicyRow* policy_named(std::string_view name) noexcept {
   for (const PolicyRow& row : policies)
     if (name == row.name) return &row;

@@ -12,20 +12,20 @@
 
 namespace restrip {
 
-/// Goes through the strip ends of a mesh in order of their handles, again and again, and searches from each
-/// (tunnel.hpp). Searches start small and grow after a round that joined too few strips. Once they have reached their
-/// largest size, ends whose search finds nothing wander, so that every round starts from other places.
+/// Visits the strip ends of a mesh in the order of their handles, again and again, and searches from each (tunnel.hpp).
+/// Searches start small and grow after a round that joined too few strips. At the largest size, ends whose search fails
+/// wander, so that every round starts from other places.
 class TunnelRounds {
  public:
   /// The sizes of the searches: from `first_states` to `last_states`, four times larger after a poor round.
   explicit TunnelRounds(std::uint32_t first_states = 64, std::uint32_t last_states = 4096)
       : first_(first_states), last_(last_states), states_(first_states) {}
 
-  /// Goes on where the last call stopped, until about `budget` states have been looked at (one search may go beyond) or
-  /// there are no more than `enough` strips. Returns the number of states looked at. One state of the largest searches
-  /// costs a few hundred nanoseconds; walking past triangles inside strips counts as one state for every 64.
-  /// Deterministic: the same calls on the same mesh do the same. `worth(t)` says whether to search from the end in t;
-  /// from all ends if it is not given.
+  /// Continues where the last call stopped, until about `budget` states have been examined (one search may exceed it)
+  /// or at most `enough` strips remain. Returns the number of states examined. One state of the largest searches costs
+  /// a few hundred nanoseconds; walking past 64 triangles inside strips counts as one state. Deterministic: the same
+  /// calls on the same mesh have the same result. `worth(t)` says whether to search from the end in t; by default from
+  /// all ends.
   template <SidedMesh Mesh, std::predicate<Triangle> Worth>
   std::size_t run(Mesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough,
                   Worth&& worth) {

@@ -1,12 +1,11 @@
-// What the searches walk on: triangles whose three sides have numbers.
+// The meshes that searches work on: triangles whose three sides have numbers.
 //
-// A search looks at thousands of dual edges around an operation, and keeps them in tables. So it names one by a
-// triangle and one of its sides 0, 1, 2, counter-clockwise, with the handles that StripMesh has: StripMesh::Halfedge is
-// such a pair of numbers. A StripMesh is a sided mesh. SideView makes one of any other NumberedMesh: side 0 of triangle
-// t is the side of mesh.halfedge(t).
+// A search examines thousands of dual edges around an operation, and keeps them in tables. So it names a dual edge by a
+// triangle and a side 0, 1, 2, counter-clockwise, as the pair of numbers StripMesh::Halfedge. A StripMesh is a sided
+// mesh. SideView makes one of any other NumberedMesh: side 0 of triangle t is the side of mesh.halfedge(t).
 //
-// A handle of a view means the same as long as mesh.halfedge(t) does, for its triangle. Searches keep none for longer
-// than one call; StripLocator keeps some of triangles next to a patch while the patch is rewritten.
+// A handle of a view keeps its meaning as long as mesh.halfedge(t) does for its triangle. Searches keep handles only
+// during a call; StripLocator keeps handles of triangles next to a patch while the patch is rewritten.
 #pragma once
 
 #include <bit>
@@ -22,7 +21,7 @@
 
 namespace restrip {
 
-/// The members that searches call, with the meaning that they have in StripMesh.
+/// The members that searches call, with the same meaning as in StripMesh.
 template <class Mesh>
 concept SidedMesh = std::same_as<typename Mesh::Halfedge, StripMesh::Halfedge> &&
     requires(const Mesh& mesh, StripMesh::Halfedge h, Triangle t) {
@@ -38,7 +37,7 @@ concept SidedMesh = std::same_as<typename Mesh::Halfedge, StripMesh::Halfedge> &
 };
 
 /// A NumberedMesh by its sides. Refers to the mesh, which must outlive it; cheap to make and to copy. Each function
-/// takes a few steps of the mesh's own, but for triangle_count(), clear_colors() and set_colors(), which are linear.
+/// takes a few calls of the mesh, except triangle_count(), clear_colors() and set_colors(), which are linear.
 template <class Mesh>
 requires NumberedMesh<std::remove_const_t<Mesh>>
 class SideView {
@@ -63,7 +62,7 @@ class SideView {
                                                      : mesh_->from(own(h)));
   }
 
-  /// The mesh's own handle of a side, and the side of the mesh's own handle, which has a triangle.
+  /// Conversions between sides and handles of the mesh, which must have a triangle.
   [[nodiscard]] typename Mesh::Halfedge own(Halfedge h) const {
     auto side = mesh_->halfedge(triangle(h));
     for (unsigned s = StripMesh::side(h); s > 0; --s) side = mesh_->next(side);
@@ -90,7 +89,7 @@ class SideView {
     const auto side = mesh_->next(own(h));
     return unsigned{mesh_->solid(side)} | unsigned{mesh_->solid(mesh_->next(side))} << 1;
   }
-  /// From side 3, no side, over the lowest solid side.
+  /// From side 3, which is not a side, it leaves over the lowest solid side.
   [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const {
     Halfedge out = StripMesh::side(in) == 3 ? halfedge(triangle(in), 0) : next(in);
     for (int tries = StripMesh::side(in) == 3 ? 3 : 2; tries > 0; --tries, out = next(out))
@@ -115,7 +114,7 @@ class SideView {
   }
 
  private:
-  // Dashed first, so that the colouring is valid all the time where the old and the new one are.
+  // Clears edges first, so that the colouring stays valid if the old and the new one are.
   template <class Colors>
   void color(Colors&& wanted) {
     for (const bool solid : {false, true})
@@ -131,7 +130,7 @@ class SideView {
   Mesh* mesh_;
 };
 
-/// The mesh itself where it has sides, else a view of it.
+/// The mesh itself if it has sides, else a view of it.
 template <class Mesh>
 [[nodiscard]] decltype(auto) by_sides(Mesh& mesh) noexcept {
   if constexpr (SidedMesh<std::remove_const_t<Mesh>>)

@@ -1,18 +1,18 @@
-// StripLocator: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and
-// rewritten.
+// StripLocator: finds whether two triangles are in one strip, and their order, without walking it, while strips are
+// cut, linked, reversed and rewritten.
 //
 // A strip is a list of *chunks* of at most `chunk_limit` triangles. A triangle knows its chunk and a label that grows
 // along the chunk; a chunk knows its strip, its rank and its direction (impl/chunk_lists.hpp). This is the two-level
 // list of the travelling-salesman codes (Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling
 // salesmen", 1995).
 //
-// Costs, for a strip of n triangles: position() two memory reads; cut and link O(chunk_limit + n / chunk_limit), the
-// smaller part alone, and link now and then the ranks of the larger part, amortised O(1) for each chunk of the smaller
-// one; a local rewrite O(triangles of the patch), one cut for each strip that it cuts, and, amortised, O(chunk_limit)
-// for each chunk whose labels run out and O(log n) for each chunk added when one has grown too large. The default limit
-// is made for strips of a few hundred triangles; about half the square root of n is best for longer ones. Memory: 12
-// bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown. After an exception
-// (std::bad_alloc) of any function the mesh's colouring is valid, and the locator is to be rebuilt.
+// Costs, for a strip of n triangles: position() two memory reads; cut and link O(chunk_limit + n / chunk_limit), for
+// the smaller part, and link occasionally renews the ranks of the larger part, amortised O(1) for each chunk of the
+// smaller one; a local rewrite O(triangles of the patch), one cut for each strip that it cuts, and, amortised,
+// O(chunk_limit) for each chunk whose labels run out and O(log n) for each chunk added when one has grown too large.
+// The default limit is made for strips of a few hundred triangles; for longer strips about half the square root of n is
+// best. Memory: 12 bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown.
+// After an exception (std::bad_alloc) of any function the mesh's colouring is valid, and the locator must be rebuilt.
 //
 // The locator walks solid edges of the mesh when it splits or renumbers a chunk, so colours and locator must change
 // together. Colour dual edges through cut() and link(), and call before_patch() before every local operation and
@@ -35,8 +35,8 @@ class StripLocator {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  /// Where a triangle is: two triangles are in the same strip when `strip` is equal, and then `order` grows along it.
-  /// Names and orders are valid until the next change; the direction in which a strip is counted is arbitrary.
+  /// The position of a triangle: two triangles are in the same strip if `strip` is equal, and then `order` grows along
+  /// it. Names and orders are valid until the next change; the direction of counting is arbitrary.
   struct Position {
     std::uint32_t strip = none;
     std::uint64_t order = 0;
@@ -47,7 +47,7 @@ class StripLocator {
   /// The limit for a mesh whose strips are to become as long as the mesh allows.
   [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept;
 
-  /// Chunks hold at most `chunk_limit` triangles; below 8 and above 1024 these are taken.
+  /// Chunks hold at most `chunk_limit` triangles, clamped to 8 … 1024.
   explicit StripLocator(std::uint32_t chunk_limit = default_chunk_limit)
       : chunk_limit_(std::clamp(chunk_limit, 8U, room_for_labels)) {}
   /// Reads a valid colouring; throws std::invalid_argument when it is not. Linear time.
@@ -77,15 +77,15 @@ class StripLocator {
   void link(Mesh& mesh, Halfedge h);
 
   /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
-  /// with the triangles that are there now. Colours outside, and of the dual edges between outside and patch, may
-  /// only change from solid to dashed, and solid paths through the patch may only join dual edges into it that were
-  /// joined before (docs/explanation/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
+  /// with the new triangles. Colours outside, and of the dual edges between outside and patch, may only change from
+  /// solid to dashed, and solid paths through the patch may only join dual edges into it that were joined before
+  /// (docs/explanation/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
   template <SidedMesh Mesh>
   void before_patch(const Mesh& mesh, std::span<const Triangle> patch);
   template <SidedMesh Mesh>
   void after_patch(const Mesh& mesh, std::span<const Triangle> patch);
 
-  /// Room for this many triangles, so that operations up to there do not allocate.
+  /// Makes room for this many triangles, so that operations up to there do not allocate.
   void reserve(std::size_t triangles);
 
  private:
@@ -111,7 +111,7 @@ class StripLocator {
     std::uint32_t last = 0;
   };
 
-  /// An `in` or `out` of a strand before the rewrite. An outside triangle has two at most; marks_ leads to the first.
+  /// An `in` or `out` of a strand before the rewrite. An outside triangle has at most two; marks_ leads to the first.
   struct End {
     Halfedge at{};
     std::uint32_t strand = 0;

@@ -1,4 +1,4 @@
-// Strips from scratch: three efforts, and what is to be kept low.
+// Strips from scratch, with three efforts and a cost.
 //
 // Fewest strips and fewest indices are different aims: a strip that turns twice the same way repeats an index, so few
 // long strips take more indices than many straight ones (on the Stanford bunny 3 strips take 1.38 indices a triangle,
@@ -24,7 +24,7 @@
 
 namespace restrip {
 
-/// In the order of time that they take. None costs more than the one before.
+/// In the order of their running times. The resulting cost is never higher than with the previous effort.
 enum class Effort {
   fast,  ///< one pass, linear time. Strips: greedy.hpp, about 200 to 700 triangles per strip; otherwise strips of some
          ///< 50 triangles that keep turning left and right, and a few moves at their ends
@@ -34,20 +34,19 @@ enum class Effort {
          ///< (window_rounds.hpp) for about as long as that
 };
 
-/// What strips are made with unless the caller says otherwise, here and in LiveMesh, in C and JavaScript and on every
-/// command line. policy.hpp has the same for keeping them.
+/// The default effort, here and in LiveMesh, in C and JavaScript and on every command line. policy.hpp has the default
+/// for maintaining strips.
 inline constexpr Effort default_effort = Effort::fast;
 
-/// Colours the whole mesh from scratch and returns the number of strips. All triangles are kept; the result depends on
-/// the mesh and the arguments alone, and is the same on every machine. `cost` is what is kept low, exactly as anneal()
-/// counts it.
+/// Colours the whole mesh from scratch and returns the number of strips. The result depends only on the mesh and the
+/// arguments, and is the same on every machine. `cost` is minimised, as anneal() counts it.
 ///
-/// `limit` bounds the work of Effort::full and Effort::best; 0 is the default. Where strips alone have a weight it
-/// counts states of searches, a few hundred nanoseconds each: 40 for each triangle, 1,000 with Effort::best; it stops
-/// early when no fewer strips are possible. Otherwise it counts what is tried, moves of annealing and colourings of a
-/// triangle in a window, some 60 ns each. With Effort::full these are moves, 100 for each triangle, and the windows are
-/// not counted; with Effort::best they are 1,000 for each triangle after all that Effort::full does by default, two
-/// fifths of them moves. `seed` chooses another of many colourings that are as good; fewest strips do not ask for it.
+/// `limit` bounds the work of Effort::full and Effort::best; 0 is the default. If only strips have a weight, it counts
+/// states of searches, a few hundred nanoseconds each: by default 40 for each triangle, 1,000 with Effort::best; the
+/// search stops early when fewer strips are impossible. Otherwise it counts moves of annealing and colourings of a
+/// triangle in a window, some 60 ns each. With Effort::full the default is 100 moves for each triangle, and windows are
+/// not counted. With Effort::best it is 1,000 for each triangle after the default work of Effort::full, two fifths of
+/// them moves. `seed` selects one of many equally good colourings; the search for fewest strips ignores it.
 template <NumberedMesh Mesh>
 std::size_t stripify(Mesh& mesh, Effort effort = default_effort, Cost cost = default_cost, std::uint64_t limit = 0,
                      std::uint64_t seed = 1);
@@ -64,7 +63,7 @@ std::size_t tunnel_from_scratch(Mesh& mesh, std::uint64_t states) {
   return locator.strips();
 }
 
-/// Colours from scratch, or from those there are where swaps have no weight, as stripify() says.
+/// Colours from scratch, or from the present colours if swaps have no weight, as for stripify().
 inline void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit,
                                std::uint64_t seed) {
   const std::uint64_t triangles = annealing.triangle_count();
@@ -83,7 +82,7 @@ inline void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, s
     annealing.keep();
   };
   annealing.keep();
-  // On regular meshes the strips as they have grown are hard to beat.
+  // On regular meshes the strips of the first pass are hard to beat.
   cool(10 * triangles, 0);
   cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
   annealing.go_back();
@@ -91,7 +90,7 @@ inline void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, s
   windows.run(annealing.colors(), WindowRounds::round_budget(triangles), {.triangles = 20});
   annealing.keep();
   if (effort == Effort::best) {
-    // Small meshes take next to no time, so they are searched until luck does not matter.
+    // Small meshes take hardly any time, so they are searched until luck does not matter.
     const std::uint64_t budget = limit != 0 ? limit : std::max<std::uint64_t>(1000 * triangles, 250'000);
     const std::uint64_t moves = budget * 2 / 5;
     cool(moves, 100);
@@ -101,7 +100,7 @@ inline void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, s
       windows.run(annealing.colors(), stop - windows.spent(), {.triangles = 60});
     annealing.keep();
   }
-  // Colours that cost as little as those before stay as they were.
+  // Colours that are not cheaper than the previous ones are dropped.
   annealing.go_back();
 }
 

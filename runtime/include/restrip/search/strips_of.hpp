@@ -1,9 +1,9 @@
-// Strips of a mesh that stays as it is: a triangle list in, an index buffer of its strips out.
+// Strips of a mesh that does not change: from a triangle list to an index buffer of its strips.
 //
 //   const IndexBuffer strips = strips_of(list, vertex_count, {.form = StripForm::stitched});   // upload strips.bytes()
 //
-// No mesh is made where the cost allows that: the neighbours of the list are all that is needed. So this is quicker
-// than StripMesh::build, stripify and strip_indices one after the other.
+// If the cost allows it, only the neighbours of the list are computed and no mesh is built. So this is faster than
+// StripMesh::build, stripify and strip_indices one after the other.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@
 
 namespace restrip {
 
-/// A triangle list in (what a TriangleList can be made of), its strips out, in the form that output/strip_format.hpp
-/// describes: those of strip_indices() after stripify() of StripMesh::build(). When a list has fewer indices, it is
-/// returned, and IndexBuffer::form reports that. `report` receives what of the list was left out; it takes the time of
-/// building a mesh. Throws as TriangleList, find_neighbors(), stripify() and format_strips() do.
+/// Returns the strips of a triangle list (anything that a TriangleList can be made of), in a form of
+/// output/strip_format.hpp: the same strips as StripMesh::build(), stripify() and strip_indices(). If a list has fewer
+/// indices, it is returned instead, and IndexBuffer::form says so. `report` receives the counts of triangles left out;
+/// it takes the time of building a mesh. Throws as TriangleList, find_neighbors(), stripify() and format_strips() do.
 template <class Triangles>
 [[nodiscard]] IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count,
                                     const StripFormat& format = {}, Effort effort = default_effort,

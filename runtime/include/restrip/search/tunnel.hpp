@@ -1,17 +1,17 @@
 // Tunnelling: joins two strips by a chain of alternating moves.
 //
-// From the end u of a strip go over a dashed edge to a triangle x, make that edge solid, and give up a solid edge (x,
-// y): y is the new end. If x lies on u's own strip, y must be the neighbour of x on u's side (a Pósa rotation); if x
-// lies on another strip, y may be either neighbour. No move adds a strip or closes a cycle. If x is itself an end of
-// another strip, nothing is given up, and two strips have become one. (Pósa, "Hamiltonian circuits in random graphs",
-// 1976; Stewart, "Tunneling for triangle strips in continuous level-of-detail meshes", 2001; Porcu, Scateni, "An
-// iterative stripification algorithm based on dual graph operations", 2003.)
+// From the end u of a strip go over a dashed edge to a triangle x, set that edge, and clear a solid edge (x, y): y is
+// the new end. If x lies on u's strip, y must be the neighbour of x on u's side (a Pósa rotation); if x lies on another
+// strip, y may be either neighbour. No move adds a strip or closes a cycle. If x is itself an end of another strip, no
+// edge is cleared, and two strips have become one. (Pósa, "Hamiltonian circuits in random graphs", 1976; Stewart,
+// "Tunneling for triangle strips in continuous level-of-detail meshes", 2001; Porcu, Scateni, "An iterative
+// stripification algorithm based on dual graph operations", 2003.)
 //
 // The search simulates such chains breadth-first. A state is a list of *pieces*, stretches of the strips as the locator
 // knows them, in the order in which the moves so far would join them. No triangle becomes the new end twice, so a
-// search of n states has looked at n different ends, and on a mesh where one triangle in d is an end it takes about d
-// states to find one. Colours and locator are changed only by the chain that succeeds, which is the shortest of those
-// tried, or, on request, by the chain to one state of a search that fails.
+// search of n states has examined n different ends. If one triangle in d is an end, it takes about d states to find
+// one. Only a successful chain, the shortest of those tried, changes colours and locator, or, on request, the chain to
+// one state of a search that fails.
 #pragma once
 
 #include <cstddef>
@@ -23,32 +23,32 @@
 
 namespace restrip {
 
-/// What tunnelling has done so far.
+/// The work of tunnelling so far.
 struct TunnelCounts {
   std::size_t searches = 0;
-  std::size_t states = 0;       ///< looked at in all searches
+  std::size_t states = 0;       ///< examined in all searches
   std::size_t joined = 0;       ///< searches that joined two strips
   std::size_t moves = 0;        ///< edges made solid
-  std::ptrdiff_t isolated = 0;  ///< by how many isolated triangles are more
+  std::ptrdiff_t isolated = 0;  ///< increase in isolated triangles
 };
 
-/// The search, with its memory. One object serves any number of searches on any mesh, one after the other; nothing is
+/// The search, with its memory. One object can run any number of searches on any mesh, one after the other; nothing is
 /// allocated once its arrays have grown to the largest search.
 class Tunnel {
  public:
   enum class OnFailure {
     stay,   ///< nothing changes
-    wander  ///< the moves that led to the last state looked at are made, and the strip ends there
+    wander  ///< the moves to the last state examined are made, and the strip ends there
   };
 
-  /// Tries to join the strip that ends at `end` with another one, looking at no more than `max_states` states. Returns
-  /// true when the mesh has one strip less. `locator` must belong to the mesh. Deterministic.
+  /// Tries to join the strip that ends at `end` with another one, by examining at most `max_states` states. Returns
+  /// true if the mesh now has one strip fewer. `locator` must belong to the mesh. Deterministic.
   ///
-  /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
-  /// this one could only just reach.
+  /// A search that fails does not change the number of strips. After `wander` the next search starts from the far limit
+  /// of this one.
   ///
-  /// Complexity: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves
-  /// at 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
+  /// Complexity: O(max_states * length of the chains), where chains have about 5 moves at 100 states, 12 at 1,000, 25
+  /// at 10,000. Does nothing when `end` is inside a strip.
   template <SidedMesh Mesh>
   bool join(Mesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
             OnFailure on_failure = OnFailure::stay);
@@ -73,14 +73,13 @@ class Tunnel {
     [[nodiscard]] bool has(Order order) const noexcept { return low <= order && order <= high; }
     [[nodiscard]] Order front() const noexcept { return down() ? high : low; }
     [[nodiscard]] Order back() const noexcept { return down() ? low : high; }
-    // This stretch the other way round, in the middle of a path.
+    // This stretch reversed, in the middle of a path.
     [[nodiscard]] Piece turned() const noexcept { return {low, high, strip, (flags & down_flag) ^ down_flag}; }
     [[nodiscard]] Piece from(Order x, bool upwards) const noexcept {
       return {upwards ? x : low, upwards ? high : x, strip, flags};
     }
   };
-  // The paths after some moves: first the one that begins at `end`, then the others that are no longer as the locator
-  // has them.
+  // The paths after some moves: first the path that begins at `end`, then the others that differ from the locator.
   struct State {
     std::uint32_t parent;
     Halfedge join;  // the last move made the dual edge of `join` solid
@@ -90,8 +89,8 @@ class Tunnel {
     std::uint32_t where;        // the piece of the parent that x is in, or the name of its strip if no move touched it
     bool touched;               // which of the two
     std::uint32_t pieces = 0;   // when it has: the first one in pieces_,
-    std::uint32_t current = 0;  // how many make up the path of the new end,
-    std::uint32_t total = 0;    // and all paths
+    std::uint32_t current = 0;  // the number in the path of the new end,
+    std::uint32_t total = 0;    // and in all paths
   };
   // A triangle next to x in its strip: the halfedge that leads from it to x.
   struct Neighbor {
@@ -124,7 +123,7 @@ class Tunnel {
   void commit(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join);
 
   std::vector<State> states_;
-  std::vector<Piece> pieces_;  // as large as it ever had to be
+  std::vector<Piece> pieces_;  // as large as in the largest search
   std::uint32_t used_ = 0;     // of pieces_
   Triangle start_ = none;
   std::vector<std::uint32_t> seen_;

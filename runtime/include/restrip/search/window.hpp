@@ -1,17 +1,15 @@
-// Window: the cheapest colours of a few triangles, found exactly.
+// Window: finds the cheapest colours of a few triangles exactly.
 //
-// A window is a set of triangles, as a rule a ball around one. The dual edges between two triangles of it may change
-// their colours, all others are frozen. Of all valid colourings of the mesh that differ in those edges alone the window
-// takes a cheapest one. Of several it takes one at random, so that windows that change nothing in the cost still lead
-// to other colourings, of which other windows may find cheaper ones; or, where each changed colour has to be written
-// somewhere, one that changes the fewest (Ties).
+// A window is a set of triangles, usually a ball around one. The dual edges between two of its triangles may change
+// their colours; all others are frozen. Of all valid colourings of the mesh that differ only in those edges the window
+// takes a cheapest one. Ties are broken at random, so that a window without a gain still leads to another colouring,
+// which other windows may improve; or, if each changed colour has to be stored, by the fewest changes (Ties).
 //
-// Method. The triangles are coloured one by one. The rest of the window needs to know no more of what has been coloured
-// than this, for each edge on its frontier: dashed, or else how the strip turns in front of it, and where it comes
-// from: from another edge of the frontier, or from a strip's end, and whether a strip written from there would begin
-// with the wrong turn. Of all colourings that agree in this the cheapest is kept (a dynamic program over a path
-// decomposition). Walks along the strips outside say which edges out of the window they join, so a window sees solid
-// cycles wherever they would close.
+// Method. The triangles are coloured one by one. The rest of the window depends only on this, for each edge on the
+// frontier of the coloured part: whether it is dashed, or else how the strip turns in front of it, and where it comes
+// from: another edge of the frontier, or a strip's end, which begins with the right or the wrong turn. Of all
+// colourings that agree in this the cheapest is kept (a dynamic program over a path decomposition). Walks along the
+// strips outside find which edges out of the window they join, so solid cycles are detected wherever they would close.
 //
 //   Window window(Cost::indices(), 1);
 //   const WindowChange change = window.around(mesh, triangle, {.triangles = 40});
@@ -37,30 +35,30 @@ namespace restrip {
 
 struct WindowLimits {
   static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
-  /// Of a ball, at most Window::max_triangles; fewer where the connected component has fewer.
+  /// The size of a ball, at most Window::max_triangles; smaller if the connected component is.
   std::uint32_t triangles = 40;
-  /// Colourings of a part that cost so much more than the cheapest of the same part are not followed, but for the
-  /// present colouring. Measured in thirds of a strip, or in swaps if these cost more. With no_limit the result
-  /// is a cheapest colouring for sure; 2 miss one now and then, in a fraction of the time.
+  /// Partial colourings more than this much above the cheapest are dropped, except the present one. Measured in thirds
+  /// of a strip, or in swaps if these cost more. With no_limit the result is always a cheapest colouring; 2
+  /// occasionally misses one, in a fraction of the time.
   std::uint32_t slack = 2;
-  /// Different frontiers of one part that are followed, the cheapest ones. As above.
+  /// The number of cheapest different frontiers of one part that are followed; no_limit as above.
   std::uint32_t states = 4096;
 };
 
-/// What a window has changed.
+/// The changes by a window.
 struct WindowChange {
   ColoringChange change;
   int windings = 0;     ///< strips that begin with the wrong turn from both ends
-  bool proven = false;  ///< no limit mattered: no cheaper colouring of the window exists
+  bool proven = false;  ///< the limits had no effect: no cheaper colouring of the window exists
 };
 
-/// What whole strips that begin with the wrong turn from both ends cost.
+/// Whether strips that begin with the wrong turn from both ends cost something.
 enum class Windings : std::uint8_t { ignored, priced };
 
-/// Which of several cheapest colourings a window takes.
+/// The choice among several cheapest colourings.
 enum class Ties : std::uint8_t {
   random,         ///< one at random
-  fewest_changes  ///< one that changes the colours of the fewest edges, so none where nothing is cheaper; else at
+  fewest_changes  ///< one that changes the fewest edges, so none if nothing is cheaper; else at
                   ///< random
 };
 
@@ -68,7 +66,7 @@ enum class Ties : std::uint8_t {
 struct WindowCounts {
   std::uint64_t windows = 0;
   std::uint64_t refused = 0;  ///< windows whose frontier is too wide or whose strips are too long outside
-  std::uint64_t tried = 0;    ///< colourings of a triangle tried; the time of a window is in proportion to them
+  std::uint64_t tried = 0;    ///< colourings of a triangle tried; proportional to the time
   std::uint64_t walked = 0;   ///< triangles walked past outside
 };
 
@@ -81,15 +79,16 @@ class Window {
                   Ties ties = Ties::random) noexcept
       : cost_(cost), random_(seed), search_(cost, windings == Windings::priced, ties == Ties::fewest_changes) {}
 
-  /// A ball around a triangle, which must be alive. The mesh must have a valid colouring, and has one after each single
-  /// change of a colour. The price of the whole mesh never rises. Time: the search, which depends on the limits
-  /// alone, and walks along the strips that leave the window, of up to 10,000 triangles each; beyond that the window is
-  /// refused and nothing changes. After warm-up nothing is allocated, but for what a watched mesh reports.
+  /// Optimises a ball around a triangle, which must be alive. The mesh must have a valid colouring, and has one after
+  /// each single change of a colour. The price of the whole mesh never rises. Time: the search, which depends only on
+  /// the limits, and walks along the strips that leave the window, of up to 10,000 triangles each; beyond that the
+  /// window is refused and nothing changes. After warm-up nothing is allocated, except for the list of changes of a
+  /// watched mesh.
   ///
   /// Throws std::bad_alloc; nothing has changed then, or the mesh is watched and its colouring is valid.
   template <SidedMesh Mesh>
   WindowChange around(Mesh& mesh, Triangle middle, const WindowLimits& limits = {});
-  /// A window of these triangles: alive, different from each other, at most max_triangles.
+  /// Optimises a window of these triangles: alive, all different, at most max_triangles.
   template <SidedMesh Mesh>
   WindowChange inside(Mesh& mesh, std::span<const Triangle> triangles, const WindowLimits& limits = {});
 

@@ -1,4 +1,4 @@
-// WindowRounds: exact windows (window.hpp) around all that is not perfect in a colouring, again and again. Strips from
+// WindowRounds: exact windows (window.hpp) around all strip ends and swaps of a mesh, again and again. Strips from
 // scratch, and improvement in the background.
 #pragma once
 
@@ -13,26 +13,25 @@
 
 namespace restrip {
 
-/// Goes through the triangles of a mesh in the order of their handles and lays a window around each in which a strip
-/// ends or, if swaps cost something, that takes part in one. Elsewhere a colouring cannot be cheaper. Windows that find
-/// nothing cheaper change colours at random among equals, so every round starts from other ones.
+/// Visits the triangles of a mesh in the order of their handles and optimises a window around each that is a strip end
+/// or, if swaps cost something, part of a swap. Elsewhere a colouring cannot be cheaper. Windows without a gain choose
+/// at random among equal colourings, so every round starts from different colours.
 class WindowRounds {
  public:
   static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
-  /// For a round of windows of 20 triangles: twice what a whole round takes on meshes with 1.3 indices per triangle. It
-  /// ends sooner only where it would take more than linear time, because strips are thousands of triangles long.
+  /// The budget of a round of windows of 20 triangles: twice the work of a whole round on meshes with 1.3 indices per
+  /// triangle. A round exceeds it only if strips are thousands of triangles long, so rounds take linear time.
   static constexpr std::uint64_t round_budget(std::uint64_t triangles) noexcept { return 200 * triangles; }
 
   explicit WindowRounds(Cost cost = Cost::indices(), std::uint64_t seed = 1,
                         Windings windings = Windings::priced) noexcept
       : window_(cost, seed, windings) {}
 
-  /// Goes on where the last call stopped, once through the mesh at most, until about `budget` colourings of a triangle
-  /// have been tried (one window may go beyond); eight triangles that a window walks past, or 64 that the round
-  /// passes, count as one. Returns what has changed. The price
-  /// of the mesh never rises. Deterministic: the same calls on the same mesh do the same. One colouring costs about
-  /// 50 ns.
+  /// Continues where the last call stopped, at most once through the mesh, until about `budget` colourings of a
+  /// triangle have been tried (one window may exceed it). Eight triangles that a window walks past, or 64 that the
+  /// round passes, count as one. Returns the changes. The price of the mesh never rises. Deterministic: the same calls
+  /// on the same mesh have the same result. One colouring costs about 50 ns.
   template <SidedMesh Mesh>
   WindowChange run(Mesh& mesh, std::uint64_t budget, const WindowLimits& limits = {}) {
     WindowChange sum{{}, 0, true};
@@ -50,7 +49,7 @@ class WindowRounds {
     return sum;
   }
 
-  /// What all calls have counted against their budgets.
+  /// The work of all calls, in units of the budget.
   [[nodiscard]] std::uint64_t spent() const noexcept {
     return window_.counts().tried + window_.counts().walked / 8 + passed_ / 64;
   }
