@@ -71,6 +71,15 @@ constexpr tables::OperationRule rule_for(const Table& table, PatchEdges solid) n
   return tables::rule_of(table, static_cast<std::uint32_t>(solid), static_cast<std::uint32_t>(solid >> 32));
 }
 
+/// What apply() takes instead of the rule of these solid edges: the rule itself. RuleChoice has another answer.
+struct TakeRule {
+  template <class Mesh, class Table, class Sides>
+  tables::OperationRule operator()(const Mesh& /*mesh*/, const Table& /*table*/, const Sides& /*patch*/,
+                                   PatchEdges /*solid*/, const tables::OperationRule& rule) const noexcept {
+    return rule;
+  }
+};
+
 }  // namespace detail
 
 template <class Halfedge, SurfaceTable Table>
@@ -79,11 +88,11 @@ class PendingApply {
   [[nodiscard]] const SidesBefore<Halfedge, Table>& patch() const noexcept { return patch_; }
 
   /// Reads the patch, asks the table, and dashes what is inside and the ports that are given up.
-  template <class Mesh>
-  PendingApply(Mesh& mesh, const Table& table, Halfedge where)
+  template <class Mesh, class Choose = detail::TakeRule>
+  PendingApply(Mesh& mesh, const Table& table, Halfedge where, Choose&& choose = {})
       : table_(&table), patch_(detail::read_sides(mesh, table.triangles_before, where)) {
     const detail::PatchEdges before = detail::solid_edges(mesh, patch_);
-    const tables::OperationRule rule = detail::rule_for(table, before);
+    const tables::OperationRule rule = choose(mesh, table, patch_, before, detail::rule_for(table, before));
     solid_ = detail::patch_edges(rule.colors, rule.ports);
     strips_ = rule.strips;
     isolated_ =
@@ -119,10 +128,10 @@ class PendingApply {
 namespace detail {
 
 /// apply() by code that has checked what it asks for.
-template <class Mesh, class Table, class Change>
+template <class Mesh, class Table, class Change, class Choose = TakeRule>
 Rewrite<typename Mesh::Halfedge> apply_unchecked(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
-                                                 Change&& change) {
-  const PendingApply<typename Mesh::Halfedge, Table> pending(mesh, table, where);
+                                                 Change&& change, Choose&& choose = {}) {
+  const PendingApply<typename Mesh::Halfedge, Table> pending(mesh, table, where, choose);
   return pending.finish(mesh, change(pending.patch()));
 }
 

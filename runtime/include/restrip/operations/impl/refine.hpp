@@ -19,15 +19,18 @@ namespace restrip {
 namespace detail {
 
 /// apply() for a change() that returns Rewrite::halfedge, and the first side after it.
-template <class Mesh, class Table, class Change>
+template <class Mesh, class Table, class Choose, class Change>
 Rewrite<typename Mesh::Halfedge> rewrite_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
-                                               Change&& change) {
+                                               Choose& choose, Change&& change) {
   typename Mesh::Halfedge reported{};
-  auto done = apply_unchecked(mesh, table, where, [&](const auto& /*patch*/) {
-    const auto [halfedge, first] = change();
-    reported = halfedge;
-    return first;
-  });
+  auto done = apply_unchecked(
+      mesh, table, where,
+      [&](const auto& /*patch*/) {
+        const auto [halfedge, first] = change();
+        reported = halfedge;
+        return first;
+      },
+      choose);
   done.halfedge = reported;
   return done;
 }
@@ -96,61 +99,81 @@ Refusal refusal_of_removal(const Mesh& mesh, Halfedge chord, std::size_t interio
   return head_has(mesh, chord, interior, boundary) ? Refusal::granted : Refusal::other_valence;
 }
 
+template <class Mesh, class Choose>
+Rewrite<typename Mesh::Halfedge> split_face_with(Mesh& mesh, typename Mesh::Halfedge h, Choose&& choose) {
+  const auto where = split_into_face(mesh, h);
+  return rewrite_patch(mesh, tables::split_face, h, choose, [&] {
+    const auto chord = mesh.insert_vertex(where);
+    return std::pair{chord, mesh.next(mesh.opposite(chord))};
+  });
+}
+
+template <class Mesh, class Choose>
+Rewrite<typename Mesh::Halfedge> join_faces_with(Mesh& mesh, typename Mesh::Halfedge chord, Choose&& choose) {
+  return rewrite_patch(mesh, tables::join_faces, mesh.opposite(chord), choose, [&] {
+    const auto spoke = mesh.remove_vertex(chord);
+    return std::pair{spoke, mesh.next(mesh.opposite(spoke))};
+  });
+}
+
+template <class Mesh, class Choose>
+Rewrite<typename Mesh::Halfedge> bisect_with(Mesh& mesh, typename Mesh::Halfedge h, Choose&& choose) {
+  const auto where = split_on_edge(mesh, h);
+  if (where.spokes == decltype(where.spokes)::both)
+    return rewrite_patch(mesh, tables::bisect, h, choose, [&] {
+      const auto chord = mesh.insert_vertex(where);
+      return std::pair{chord, first_around(mesh, chord)};
+    });
+  return rewrite_patch(mesh, tables::bisect_boundary, mesh.on_boundary(h) ? mesh.opposite(h) : h, choose, [&] {
+    const auto chord = mesh.insert_vertex(where);
+    return std::pair{chord, first_on_boundary(mesh, chord)};
+  });
+}
+
+template <class Mesh, class Choose>
+Rewrite<typename Mesh::Halfedge> merge_with(Mesh& mesh, typename Mesh::Halfedge chord, Choose&& choose) {
+  const bool no_left = mesh.on_boundary(chord);
+  if (!no_left && !mesh.on_boundary(mesh.opposite(chord)))
+    return rewrite_patch(mesh, tables::merge, first_around(mesh, chord), choose, [&] {
+      const auto edge = mesh.next(mesh.opposite(mesh.remove_vertex(chord)));
+      return std::pair{edge, edge};
+    });
+  return rewrite_patch(mesh, tables::merge_boundary, first_on_boundary(mesh, chord), choose, [&] {
+    const auto spoke = mesh.remove_vertex(chord);
+    // To the apex, past which the edge on the boundary comes, or before which.
+    const auto inside = no_left ? mesh.next(mesh.next(spoke)) : mesh.next(mesh.opposite(spoke));
+    return std::pair{no_left ? mesh.opposite(inside) : inside, inside};
+  });
+}
+
 }  // namespace detail
 
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split_face(Mesh& mesh, typename Mesh::Halfedge h) {
-  const auto where = detail::split_into_face(mesh, h);
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "split_face",
-                 describe(detail::refusal_of_split(mesh, where)));
-  return detail::rewrite_patch(mesh, tables::split_face, h, [&] {
-    const auto chord = mesh.insert_vertex(where);
-    return std::pair{chord, mesh.next(mesh.opposite(chord))};
-  });
+  RESTRIP_ASSERT(detail::refusal_of_face_split(mesh, h) == Refusal::granted, "split_face",
+                 describe(detail::refusal_of_face_split(mesh, h)));
+  return detail::split_face_with(mesh, h, detail::TakeRule{});
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> join_faces(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_removal(mesh, chord, 3, 0) == Refusal::granted, "join_faces",
                  describe(detail::refusal_of_removal(mesh, chord, 3, 0)));
-  return detail::rewrite_patch(mesh, tables::join_faces, mesh.opposite(chord), [&] {
-    const auto spoke = mesh.remove_vertex(chord);
-    return std::pair{spoke, mesh.next(mesh.opposite(spoke))};
-  });
+  return detail::join_faces_with(mesh, chord, detail::TakeRule{});
 }
 
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> bisect(Mesh& mesh, typename Mesh::Halfedge h) {
-  const auto where = detail::split_on_edge(mesh, h);
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "bisect",
-                 describe(detail::refusal_of_split(mesh, where)));
-  if (where.spokes == decltype(where.spokes)::both)
-    return detail::rewrite_patch(mesh, tables::bisect, h, [&] {
-      const auto chord = mesh.insert_vertex(where);
-      return std::pair{chord, detail::first_around(mesh, chord)};
-    });
-  return detail::rewrite_patch(mesh, tables::bisect_boundary, mesh.on_boundary(h) ? mesh.opposite(h) : h, [&] {
-    const auto chord = mesh.insert_vertex(where);
-    return std::pair{chord, detail::first_on_boundary(mesh, chord)};
-  });
+  RESTRIP_ASSERT(detail::refusal_of_bisection(mesh, h) == Refusal::granted, "bisect",
+                 describe(detail::refusal_of_bisection(mesh, h)));
+  return detail::bisect_with(mesh, h, detail::TakeRule{});
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> merge(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_removal(mesh, chord, 4, 2) == Refusal::granted, "merge",
                  describe(detail::refusal_of_removal(mesh, chord, 4, 2)));
-  const bool no_left = mesh.on_boundary(chord);
-  if (!no_left && !mesh.on_boundary(mesh.opposite(chord)))
-    return detail::rewrite_patch(mesh, tables::merge, detail::first_around(mesh, chord), [&] {
-      const auto edge = mesh.next(mesh.opposite(mesh.remove_vertex(chord)));
-      return std::pair{edge, edge};
-    });
-  return detail::rewrite_patch(mesh, tables::merge_boundary, detail::first_on_boundary(mesh, chord), [&] {
-    const auto spoke = mesh.remove_vertex(chord);
-    // To the apex, past which the edge on the boundary comes, or before which.
-    const auto inside = no_left ? mesh.next(mesh.next(spoke)) : mesh.next(mesh.opposite(spoke));
-    return std::pair{no_left ? mesh.opposite(inside) : inside, inside};
-  });
+  return detail::merge_with(mesh, chord, detail::TakeRule{});
 }
 
 inline Refusal check_split_face(const StripMesh& mesh, StripMesh::Halfedge h) {

@@ -171,7 +171,8 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step
     change = around_.change(*mesh_);
   }
   if (plan_.limits.looks == 0) return counted(done, change, false);
-  if (plan_.from == IndexPlan::From::ring) add_rings(*mesh_, start, 1);
+  const unsigned rings = Step::rings + (plan_.from == IndexPlan::From::ring ? 1U : 0U);
+  if (rings != 0) add_rings(*mesh_, start, rings);
   const Triangle middle = start.empty() ? none : start.front();
   ColoringChange found = ends_.run(sides, start, plan_.limits);
   if (plan_.window != 0 && middle != none) found += window_.around(sides, middle, {.triangles = plan_.window}).change;

@@ -7,8 +7,8 @@
 //   bare(mesh)                       the mesh update alone, what it returns as Rewrite::halfedge
 //   surround(mesh, around)           the triangles that bare() changes
 //   find_new(mesh, done, patch)      adds the triangles that are new
-// and says whether the choice counts swaps and names the triangles where searches begin, and whether it may leave a
-// triangle isolated, in its patch or beside it.
+// and says whether the choice counts swaps and names the triangles where searches begin, how many rings of triangles
+// around the patch they include, and whether it may leave a triangle isolated, in its patch or next to it.
 #pragma once
 
 #include <tuple>
@@ -40,6 +40,7 @@ struct SplitStep {
   using Halfedge = typename Mesh::Halfedge;
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
   static constexpr bool counts_swaps = true;
+  static constexpr unsigned rings = 0;
   static constexpr Orphans orphans = Orphans::as_told;
   VertexSplit<Halfedge> where;
   std::tuple<Name...> names;
@@ -86,6 +87,7 @@ template <class Mesh>
 struct CollapseStep {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = true;
+  static constexpr unsigned rings = 0;
   static constexpr Orphans orphans = Orphans::as_told;
   Halfedge chord;
 
@@ -115,6 +117,7 @@ template <class Mesh>
 struct FlipStep {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = false;
+  static constexpr unsigned rings = 0;
   static constexpr Orphans orphans = Orphans::beside_patch;
   Halfedge edge;
 
@@ -148,6 +151,7 @@ template <class Mesh, bool on_edge>
 struct InsertStep : SplitStep<Mesh> {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = false;
+  static constexpr unsigned rings = 1;
   Halfedge h;
 
   InsertStep(const Mesh& mesh, Halfedge at)
@@ -160,7 +164,8 @@ struct InsertStep : SplitStep<Mesh> {
       patch.push_back(static_cast<Triangle>(mesh.triangle(h)));
   }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.taken(on_edge ? restrip::bisect(mesh, h) : restrip::split_face(mesh, h));
+    return choice.chosen_by(
+        [&](auto&& choose) { return on_edge ? bisect_with(mesh, h, choose) : split_face_with(mesh, h, choose); });
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
     const auto done = by_rules(mesh, choice);
@@ -177,13 +182,16 @@ struct RemoveStep : CollapseStep<Mesh> {
   using Halfedge = typename Mesh::Halfedge;
   using CollapseStep<Mesh>::chord;
   static constexpr bool counts_swaps = false;
+  static constexpr unsigned rings = 1;
   static constexpr Orphans orphans = Orphans::everywhere;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     fan_triangles(mesh, mesh.opposite(chord), patch);
   }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.taken(from_edge ? restrip::merge(mesh, chord) : restrip::join_faces(mesh, chord));
+    return choice.chosen_by([&](auto&& choose) {
+      return from_edge ? merge_with(mesh, chord, choose) : join_faces_with(mesh, chord, choose);
+    });
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
     const auto done = by_rules(mesh, choice);
@@ -207,6 +215,7 @@ template <class Mesh, class Table, class Change>
 struct ApplyStep {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = false;
+  static constexpr unsigned rings = 1;
   static constexpr Orphans orphans = Orphans::everywhere;
   const Table& table;
   Halfedge where;
@@ -216,7 +225,7 @@ struct ApplyStep {
     add_triangles(mesh, read_sides(mesh, table.triangles_before, where), patch);
   }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.taken(apply_unchecked(mesh, table, where, change));
+    return choice.chosen_by([&](auto&& choose) { return apply_unchecked(mesh, table, where, change, choose); });
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
     const auto done = by_rules(mesh, choice);

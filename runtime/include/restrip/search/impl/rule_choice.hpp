@@ -15,6 +15,7 @@
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/descent.hpp"
+#include "restrip/search/impl/patch_choice.hpp"
 
 namespace restrip {
 
@@ -173,10 +174,27 @@ class RuleChoice {
                         mesh, chord, [](std::size_t, Halfedge) {}, read);
                   });
   }
-  /// An operation that has no other colours than its rule's, and has been done.
+  /// A flip, which has no colours but its rule's, and has been done.
   Rewrite<Halfedge> taken(const Rewrite<Halfedge>& done) noexcept {
     ++counts_.asked;
     took({done.strips, 0, done.isolated});
+    return done;
+  }
+
+  /// An operation with a table. `perform`(choose) does it with the colours that `choose` returns.
+  template <class Perform>
+  Rewrite<Halfedge> chosen_by(Perform&& perform) {
+    ++counts_.asked;
+    bool other = false;
+    const auto done = perform([&](const Mesh& mesh, const auto& table, const auto& patch, PatchEdges solid,
+                                  const tables::OperationRule& rule) {
+      if (!weighs_ || !searches_ || !rule.valid || table.matching || table.after.edges > most_tried_edges) return rule;
+      const tables::OperationRule cheapest = cheapest_for_patch(mesh, table, patch, solid, rule, cost_);
+      other = cheapest.colors != rule.colors || cheapest.ports != rule.ports;
+      return cheapest;
+    });
+    change_ = {done.strips, 0, done.isolated};
+    ++(other ? counts_.kept : counts_.taken);
     return done;
   }
 
