@@ -11,9 +11,10 @@
 // of detail as long as strips made from scratch.)
 //
 // Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), a split or collapse keeps the previous
-// colours if they cost no more than the rule's. A search at the strip ends of the patch (end_search.hpp) then lowers
-// the cost; under Policy::best an exact window (window.hpp) follows. Fewest strips take 15 to 25 % more indices than
-// fewest indices.
+// colours if they cost no more than the rule's. An operation with a table (apply.hpp, refine.hpp) takes the cheapest of
+// its rule and the colours that join two ports only if they were joined before. A search at the strip ends of the patch
+// (end_search.hpp) then lowers the cost; under Policy::best an exact window (window.hpp) follows. Fewest strips take 15
+// to 25 % more indices than fewest indices.
 //
 //   Keeper keeper(mesh);                               // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
