@@ -172,7 +172,7 @@ TEST(PreconditionDeathTest, OperationsOfOnesOwn) {
   const std::array<StripMesh::Places, 1> in{{{0, 1, 2}}};
   EXPECT_REFUSED(mesh.replace(out, in, vertices, made), "StripMesh::replace", other_patch);
   EXPECT_FAILED(mesh.replace(std::span(out).first(1), in, vertices, std::span<Triangle>()),
-                "StripMesh::replace: there is not one place for each new triangle");
+                "StripMesh::replace: `made` must have one element for each new triangle");
 }
 
 TEST(PreconditionDeathTest, EveryLookAtAMesh) {
@@ -195,8 +195,8 @@ TEST(PreconditionDeathTest, StripsThatAreOutOfDate) {
   Halfedge solid = StripMesh::halfedge(strips.order[0], 0);
   while (!mesh.solid(solid)) solid = StripMesh::next(solid);
   mesh.set_solid(solid, false);
-  EXPECT_FAILED((void)strip_indices(mesh, strips), "strip_indices: the strips are not those of the mesh as it is now");
-  EXPECT_FAILED((void)strip_index_count(mesh, strips), "strip_index_count: the strips are not those of the mesh");
+  EXPECT_FAILED((void)strip_indices(mesh, strips), "strip_indices: these are not the strips of the mesh as it is now");
+  EXPECT_FAILED((void)strip_index_count(mesh, strips), "strip_index_count: these are not the strips of the mesh");
 }
 
 TEST(PreconditionDeathTest, AListThatIsTrusted) {
@@ -204,12 +204,12 @@ TEST(PreconditionDeathTest, AListThatIsTrusted) {
   const std::vector<Corners> degenerate{{0, 1, 1}};
   const std::vector<Corners> beyond{{0, 1, 4}};
   for (const auto& list : {twice, degenerate, beyond})
-    EXPECT_FAILED((void)strips_of(trusted, list, 4), "strips_of: the list that is trusted is not an oriented manifold");
+    EXPECT_FAILED((void)strips_of(trusted, list, 4), "strips_of: the trusted list is not an oriented manifold");
   std::vector<std::array<std::uint32_t, 3>> across(2);
   EXPECT_FAILED(find_neighbors(trusted, TriangleList(twice), 4, across),
-                "find_neighbors: the list that is trusted is not an oriented manifold");
+                "find_neighbors: the trusted list is not an oriented manifold");
   EXPECT_FAILED(find_neighbors(trusted, TriangleList(beyond), 9, across),
-                "find_neighbors: there is not one place for each triangle");
+                "find_neighbors: `across` must have one element for each triangle");
 }
 
 TEST(PreconditionDeathTest, TheLocatorOfStrips) {
@@ -235,7 +235,7 @@ TEST(PreconditionDeathTest, TheLocatorOfStrips) {
   of_row.link(row, row.spoke(1, 2));
   of_row.link(row, row.spoke(2, 3));
   EXPECT_FAILED(of_row.link(row, row.spoke(1, 3)),
-                "StripLocator::link: a triangle beside the dual edge is not the end of a strip");
+                "StripLocator::link: a triangle at the dual edge is not the end of a strip");
 }
 
 TEST(PreconditionDeathTest, EveryLookUp) {

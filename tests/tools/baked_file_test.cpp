@@ -115,8 +115,8 @@ TEST(BakedFile, APayloadThatDoesNotFitIsRefused) {
   for (const auto& [said, text] : std::map<std::uint32_t, std::string>{{0, "behind its last record"},
                                                                        {3, "behind its last record"},
                                                                        {5, "too early"},
-                                                                       {1U << 20, "promises more"},
-                                                                       {0xFFFFFFFF, "promises more"}}) {
+                                                                       {1U << 20, "announces more"},
+                                                                       {0xFFFFFFFF, "announces more"}}) {
     std::string forged = loaded;
     for (std::size_t i = 0; i < 4; ++i) forged[24 + i] = static_cast<char>(said >> (8 * i) & 255U);
     const std::string reported = refusal(with_checksum(forged));

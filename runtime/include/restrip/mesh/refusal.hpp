@@ -19,7 +19,7 @@ enum class Refusal {
                      ///< mesh
   too_few_triangles,  ///< a closed fan of fewer than three triangles would remain
   dangling_edge,      ///< a triangle to be removed has its only neighbour across the collapsed edge
-  edge_exists,        ///< the flipped edge is in the mesh already
+  edge_exists,        ///< an edge that the operation would make is in the mesh already
   vertex_in_use,      ///< the vertex named for a split has triangles already
   vertex_too_far,     ///< the vertex named for a split is far beyond all others (StripMesh::max_vertex_gap)
   other_valence,      ///< the vertex to be removed does not have the number of triangles that this operation removes
@@ -53,22 +53,22 @@ enum class Refusal {
     case Refusal::too_few_triangles:
       return "fewer than three triangles would remain around a vertex";
     case Refusal::dangling_edge:
-      return "a triangle beside the edge has no other neighbour: collapsing it would leave a dangling edge";
+      return "a triangle at the edge has no other neighbour: collapsing it would leave a dangling edge";
     case Refusal::edge_exists:
-      return "the flipped edge exists already";
+      return "an edge that the operation would make exists already";
     case Refusal::vertex_in_use:
-      return "the vertex named for the split is in use already";
+      return "the vertex named for the split is already in use";
     case Refusal::vertex_too_far:
       return "the vertex named for the split is so far beyond those of the mesh that the vertices between would fill "
              "the memory: build the mesh with as many vertices as it is going to have";
     case Refusal::other_valence:
-      return "the vertex to be removed has another number of triangles than this operation needs";
+      return "the vertex to be removed does not have the number of triangles that this operation needs";
     case Refusal::other_patch:
-      return "the triangles there are not those that the operation names";
+      return "the triangles there are not the ones that the operation names";
     case Refusal::same_vertex:
       return "two vertices of the operation are one vertex of the mesh";
     case Refusal::colors_not_valid:
-      return "the colours here are those of no valid colouring: was the mesh changed without restrip? "
+      return "the colours here do not belong to a valid colouring: was the mesh changed without restrip? "
              "(operations/hooks.hpp)";
   }
   return "unknown";

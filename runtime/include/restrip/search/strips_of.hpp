@@ -85,7 +85,7 @@ IndexBuffer strips_of(Trusted /*trust*/, const Triangles& triangles, std::size_t
                       const StripFormat& format, Effort effort, Cost cost) {
   const TriangleList list(triangles);
   RESTRIP_ASSERT(detail::is_oriented_manifold(list, vertex_count), "strips_of",
-                 "the list that is trusted is not an oriented manifold");
+                 "the trusted list is not an oriented manifold");
   if (cost.swap == 0) return strips_of(triangles, vertex_count, format, effort, cost);
   return format_strips(detail::strips_of_list(list, detail::ColoringCopy(trusted, list, vertex_count), effort, cost),
                        format);

@@ -32,7 +32,7 @@ class BakedReader {
 
   explicit BakedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
-  /// What is before the records, and after them.
+  /// The data before and after the records.
   struct Header {
     std::uint32_t points = 0;
     std::uint32_t triangles = 0;
@@ -41,7 +41,7 @@ class BakedReader {
     std::span<const std::byte> payload;
   };
 
-  /// Checks the whole by its checksum and reads the header. What then is left to be read is base and records.
+  /// Checks the checksum and reads the header; base and records remain to be read.
   bool open() {
     std::uint32_t found = 0;
     if (!check_whole(found) || !u32(header_.points) || !u32(header_.triangles) || !u32(header_.splits)) return false;
@@ -72,7 +72,7 @@ class BakedReader {
     for (record_ = 0; record_ < splits; ++record_)
       if (!read_record()) return false;
     record_ = outside;
-    if (!rest_.empty()) return fail("it continues behind its last record");
+    if (!rest_.empty()) return fail("it continues after its last record");
     if (!check_coloring(now_).valid) return fail("the colours of its finest level are not valid");
     file_.payload = {payload_bytes, {payload.begin(), payload.end()}};
     return true;
@@ -84,7 +84,7 @@ class BakedReader {
 
  private:
   static constexpr std::size_t outside = ~std::size_t{0};
-  static constexpr std::string_view promises_more = "its header promises more than it holds";
+  static constexpr std::string_view promises_more = "its header announces more data than the file holds";
 
   bool fail(std::string_view what) {
     if (record_ != outside) fault_ = "record " + std::to_string(record_) + ": ";
@@ -156,7 +156,7 @@ class BakedReader {
     for (std::array<Vertex, 3>& triangle : file_.base)
       for (Vertex& corner : triangle) {
         if (!u32(corner)) return false;
-        if (corner >= file_.points.size()) return fail("a triangle of its base names a vertex that is not there");
+        if (corner >= file_.points.size()) return fail("a triangle of its base names a vertex that does not exist");
       }
     StripMesh& mesh = file_.mesh = StripMesh::build(file_.base, fine_points);
     if (mesh.triangle_count() != triangles) return fail("a triangle of its base is degenerate");
@@ -183,7 +183,7 @@ class BakedReader {
     std::uint64_t apexes = 0;
     if (!point() || !number(v_s)) return false;
     if (v_s >= v_t || now_.spoke(static_cast<Vertex>(v_s)).id == none)
-      return fail("it splits a vertex that is not there");
+      return fail("it splits a vertex that does not exist");
     BakedSplit split{static_cast<Vertex>(v_s), v_t, none, none};
     baked_format::neighbors_of(now_, split.v_s, neighbors_);
     if (!number(apexes)) return false;
@@ -204,7 +204,7 @@ class BakedReader {
   }
 
   bool read_flips(Halfedge chord) {
-    constexpr std::string_view nowhere = "it flips a dual edge that is not there";
+    constexpr std::string_view nowhere = "it flips a dual edge that does not exist";
     std::vector<Halfedge>& flips = file_.records.flips;
     std::uint64_t head = 0;
     std::uint64_t step = 0;

@@ -12,7 +12,7 @@
 namespace restrip {
 namespace detail {
 
-/// Is there a mesh edge between the two vertices that stays when `out` goes?
+/// Whether a mesh edge between the two vertices remains when `out` is removed.
 inline bool edge_stays(const StripMesh& mesh, std::span<const Triangle> out, Vertex v, Vertex w) {
   const StripMesh::Halfedge h = mesh.spoke(v, w);
   if (h.id == none) return false;
@@ -21,7 +21,7 @@ inline bool edge_stays(const StripMesh& mesh, std::span<const Triangle> out, Ver
   return false;
 }
 
-/// How many of the triangles have the vertex?
+/// The number of triangles that have the vertex.
 inline std::size_t count_around(const StripMesh& mesh, std::span<const Triangle> triangles, Vertex v) {
   return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), [&](Triangle t) {
     const auto corners = mesh.corners(t);
@@ -29,7 +29,7 @@ inline std::size_t count_around(const StripMesh& mesh, std::span<const Triangle>
   }));
 }
 
-/// Are there at least three triangles around the vertex afterwards, or is it on the boundary then?
+/// Whether the vertex then has at least three triangles, or is on the boundary.
 inline bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, const NewSides& sides, std::size_t place,
                        Vertex v) {
   std::size_t more = 0;
@@ -39,7 +39,7 @@ inline bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, con
       ++more;
       closed = closed && sides.find(sides.to(i), sides.from(i)) < sides.size();
     }
-  // Closed by the new triangles alone, or by those that stay.
+  // Closed by only the new triangles, or by the remaining ones.
   if (closed) return more >= 3;
   if (v == none || mesh.leaves_boundary(mesh.spoke(v))) return true;
   const std::size_t fewer = count_around(mesh, out, v);

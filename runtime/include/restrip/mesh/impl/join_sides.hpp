@@ -1,4 +1,4 @@
-// The sides of triangles, each joined to the one across its mesh edge. Included by triangle_list.hpp.
+// Joins each side of a triangle to the side across its mesh edge. Included by triangle_list.hpp.
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,21 @@ namespace restrip {
 
 namespace detail {
 
-/// Finds for each side the one of the neighbour. Sides are named as halfedges are, 4 * triangle + side. Each side gets
-/// on the list of the smaller of its two vertices, whose links are the places where the neighbours go later. A vertex
-/// then reads its list, and an edge of it is known by the larger vertex. Which side is the second of its edge is as
-/// good as random, so that is not a branch. O(triangles + vertices), however many triangles a vertex has; 12 bytes a
-/// vertex while it runs, 4 more when there are odd edges, and 16 for each side of one.
+/// Finds the neighbour's side for each side. Sides are named like halfedges, 4 * triangle + side. Each side is put on
+/// the list of the smaller of its two vertices; the links of the list are stored where the neighbours go later. A
+/// vertex then reads its list, and the larger vertex identifies an edge. Which side comes second at its edge is as good
+/// as random, so that is not a branch. O(triangles + vertices), whatever the valences; 12 bytes a vertex while it runs,
+/// 4 more with odd edges, and 16 for each side of an odd edge.
 ///
-/// Edges of three sides or more, and of two that run the same way, are *odd*. Each side that runs one way is joined to
-/// one that runs the other way, as far as there are any, so that windings stay right. First those that close the fan
-/// around one of their ends, so that sheets continue; then any, but for a triangle and its own back (the same corners
-/// the other way round), which are joined only when no other choice is left.
+/// Edges with three sides or more, and edges with two sides of the same direction, are *odd*. Sides of opposite
+/// directions are joined in pairs, so that windings stay right: first sides that close the fan around one of their
+/// ends, so that sheets continue; then any. A triangle and its back (the same corners in reverse) are joined only if
+/// nothing else is left.
 ///
-/// `Sides`: triangle_bound(); takes(t), are there sides of t?; corner(h), the vertex that h leaves; link(h), a place
-/// for a number of 32 bits, written before it is read; joined(h), what stands there when h is across, or not_joined;
-/// odd_edge(v, w), called for each odd edge. Unless `checked`, each directed edge must be there once at most, and its
-/// triangle be one that is taken.
+/// `Sides`: triangle_bound(); takes(t), whether t has sides; corner(h), the vertex that h leaves; link(h), a place for
+/// a number of 32 bits, written before it is read; joined(h), its content if h is across, or not_joined; odd_edge(v,
+/// w), called for each odd edge. Unless `checked`, each directed edge must exist at most once, in a triangle that is
+/// taken.
 template <bool checked, class Sides>
 class JoinSides {
  public:
@@ -47,8 +47,8 @@ class JoinSides {
   }
 
  private:
-  static constexpr std::uint32_t end = 0xFFFF'FFFFU;  // of a list; also no vertex
-  // What an edge has in place of its first side: two are joined, or it is odd.
+  static constexpr std::uint32_t end = 0xFFFF'FFFFU;  // of a list; not a vertex
+  // Stored instead of the first side of an edge: two sides are joined, or the edge is odd.
   static constexpr std::uint32_t second = 1U << 31;
   static constexpr std::uint32_t odd = end;
 
@@ -92,7 +92,7 @@ class JoinSides {
 
   // ---- odd edges
 
-  // One side too many, or one that runs the same way as the other.
+  // A third side, or a side with the same direction as the other one.
   void put_odd(std::uint32_t h, Edge& edge, std::uint32_t low, std::uint32_t high) {
     if (edge.side != odd) {
       if (odd_of_.empty()) odd_of_.resize(edges_.size());
@@ -125,8 +125,8 @@ class JoinSides {
     connect(sides_of);
   }
 
-  // Where two pairs of sides of an edge are in two connected components, they exchange their partners, so that one
-  // strip may cover both.
+  // If two pairs of sides of an edge are in two connected components, they exchange partners, so that one strip may
+  // cover both.
   template <class SidesOf>
   void connect(SidesOf&& sides_of) {
     std::vector<std::uint32_t> parent(odd_edges_ == 0 ? 0 : sides_.triangle_bound());
@@ -161,7 +161,7 @@ class JoinSides {
       if (!is_joined(h)) ways_[sides_.corner(h) < sides_.corner(next(h)) ? 0 : 1].push_back(h);
     if (ways_[0].size() > ways_[1].size()) std::swap(ways_[0], ways_[1]);
     auto& [few, many] = ways_;
-    // Looks at few others, so that an edge of many sides takes linear time.
+    // Looks at only a few others, so that an edge of many sides takes linear time.
     constexpr std::size_t most_looks = 8;
     for (std::size_t i = 0; i < few.size(); ++i)
       for (std::size_t j = i; j < std::min(i + most_looks, many.size()); ++j)
@@ -180,7 +180,7 @@ class JoinSides {
     sides_.link(h) = sides_.joined(g);
     sides_.link(g) = sides_.joined(h);
   }
-  // Of two sides of one edge.
+  // For two sides of one edge.
   [[nodiscard]] bool are_backs(std::uint32_t h, std::uint32_t g) const noexcept {
     return sides_.corner(previous(h)) == sides_.corner(previous(g));
   }
@@ -204,8 +204,8 @@ class JoinSides {
 
   const Sides& sides_;
   BuildReport& report_;
-  std::size_t alone_ = 0;              // edges of one side, as far as it is known
-  std::vector<std::uint32_t> lists_;   // of each vertex the first side
+  std::size_t alone_ = 0;              // edges with one side so far
+  std::vector<std::uint32_t> lists_;   // the first side of each vertex
   std::vector<Edge> edges_;            // by their larger vertex
   std::vector<std::uint32_t> odd_of_;  // of an odd edge, by its larger vertex: its number
   std::size_t odd_edges_ = 0;
@@ -213,7 +213,7 @@ class JoinSides {
   std::array<std::vector<std::uint32_t>, 2> ways_;  // of an odd edge: its sides that are not joined, by their direction
 };
 
-/// What JoinSides asks of a list, and where it writes.
+/// The sides of a list, for JoinSides.
 template <bool checked, class Element>
 class ListedSides {
  public:
@@ -262,7 +262,7 @@ bool is_oriented_manifold(const TriangleList<Element>& list, std::size_t vertex_
 template <class Element>
 void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
                     std::span<std::array<std::uint32_t, 3>> across, BuildReport& report) {
-  RESTRIP_ASSERT(across.size() == list.size(), "find_neighbors", "there is not one place for each triangle");
+  RESTRIP_ASSERT(across.size() == list.size(), "find_neighbors", "`across` must have one element for each triangle");
   detail::expect_vertices(vertex_count);
   report = {};
   const detail::ListedSides<true, Element> sides(list, vertex_count, across, report);
@@ -272,10 +272,10 @@ void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
 template <class Element>
 void find_neighbors(Trusted /*trust*/, const TriangleList<Element>& list, std::size_t vertex_count,
                     std::span<std::array<std::uint32_t, 3>> across) {
-  RESTRIP_ASSERT(across.size() == list.size(), "find_neighbors", "there is not one place for each triangle");
+  RESTRIP_ASSERT(across.size() == list.size(), "find_neighbors", "`across` must have one element for each triangle");
   detail::expect_vertices(vertex_count);
   RESTRIP_ASSERT(detail::is_oriented_manifold(list, vertex_count), "find_neighbors",
-                 "the list that is trusted is not an oriented manifold");
+                 "the trusted list is not an oriented manifold");
   BuildReport report;
   const detail::ListedSides<false, Element> sides(list, vertex_count, across, report);
   detail::JoinSides<false, detail::ListedSides<false, Element>>(sides, vertex_count, report).run();

@@ -14,11 +14,11 @@
 namespace restrip {
 namespace detail {
 
-/// A side of a triangle that is taken away, if what lies across it stays.
+/// A side of a removed triangle whose neighbour across it stays.
 struct RimSide {
   Vertex from = none;
   Vertex to = none;
-  StripMesh::Halfedge across;  ///< perhaps without a triangle
+  StripMesh::Halfedge across;  ///< may lack a triangle
   bool solid = false;
 };
 
@@ -42,7 +42,7 @@ class PatchRim {
         std::find_if(sides_.begin(), end, [&](const RimSide& side) { return side.from == from && side.to == to; });
     return at == end ? nullptr : &*at;
   }
-  /// The sides across which there is a triangle.
+  /// The sides with a triangle across.
   [[nodiscard]] std::size_t ports() const {
     return static_cast<std::size_t>(
         std::count_if(sides_.begin(), sides_.begin() + static_cast<std::ptrdiff_t>(count_),
@@ -54,7 +54,7 @@ class PatchRim {
   std::size_t count_ = 0;
 };
 
-/// The sides of the triangles that are put in, numbered: side s of triangle t is 3 t + s.
+/// The sides of the new triangles, numbered: side s of triangle t is 3 t + s.
 class NewSides {
  public:
   explicit NewSides(std::span<const StripMesh::Places> in) : in_(in) {}
@@ -83,14 +83,14 @@ inline void StripMesh::replace(std::span<const Triangle> out, std::span<const Pl
                                std::span<Triangle> made) {
   RESTRIP_ASSERT(check_replace(*this, out, in, vertices) == Refusal::granted, "StripMesh::replace",
                  describe(check_replace(*this, out, in, vertices)));
-  RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "there is not one place for each new triangle");
-  // What may throw comes first.
+  RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "`made` must have one element for each new triangle");
+  // Everything that may throw comes first.
   const std::size_t taken_over = std::min(out.size(), in.size());
   const std::size_t more = in.size() - taken_over;
   const std::size_t fresh = more - std::min(more, free_.size());
   const auto new_vertices = static_cast<std::size_t>(std::count(vertices.begin(), vertices.end(), none));
   if (fresh > max_triangles - triangles_.size())
-    RESTRIP_THROW(std::length_error, "restrip: the mesh has as many triangles as a StripMesh can hold");
+    RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
   if (new_vertices > none - spoke_.size())
     RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
   make_room(triangles_, fresh);
@@ -98,11 +98,11 @@ inline void StripMesh::replace(std::span<const Triangle> out, std::span<const Pl
   make_room(non_manifold_, new_vertices);
   make_room(free_, out.size() - taken_over);
   make_room(free_vertices_, vertices.size());
-  expect_touches(out.size() + 7 * in.size());  // a triangle that is put in is placed, and joined on three sides
+  expect_touches(out.size() + 7 * in.size());  // a new triangle is placed, and joined on three sides
 
   const detail::PatchRim rim(*this, out);
   const detail::NewSides sides(in);
-  // In reverse, so that the first of what goes is the first to be taken again.
+  // In reverse, so that the handle removed first is the first to be used again.
   for (std::size_t i = out.size(); i-- > taken_over;) {
     place_triangle(out[i], none, none, none);
     free_.push_back(out[i]);

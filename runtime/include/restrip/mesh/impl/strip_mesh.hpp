@@ -74,11 +74,11 @@ inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes
   using Spokes = VertexSplit<Halfedge>::Spokes;
   RESTRIP_ASSERT(wanted >= spoke_.size() || spoke_[wanted] == none, "StripMesh::take_room",
                  describe(Refusal::vertex_in_use));
-  // What may throw comes first: then either everything has been taken or nothing.
+  // Everything that may throw comes first, so either everything has been taken or nothing.
   const std::size_t needed = spokes == Spokes::both ? 2 : 1;
   const std::size_t fresh = needed - std::min(needed, free_.size());
   if (fresh > max_triangles - triangles_.size())
-    RESTRIP_THROW(std::length_error, "restrip: the mesh has as many triangles as a StripMesh can hold");
+    RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
   make_room(triangles_, fresh);
   Room room;
   room.vertex = new_vertex(wanted);
@@ -120,7 +120,7 @@ inline void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
                      describe(Refusal::boundary_edge));
       RESTRIP_ASSERT(record.link[s] == edge_of_mesh ||
                          (std::uint32_t{solid_sides[record.link[s] >> 3]} >> (record.link[s] >> 1 & 3U) & 1U) == solid,
-                     "StripMesh::set_colors", "the two triangles of an edge say different colours");
+                     "StripMesh::set_colors", "the two triangles of an edge have different colours");
       if (record.link[s] != edge_of_mesh) record.link[s] = (record.link[s] & ~1U) | solid;
     }
     touch(t);
@@ -195,8 +195,7 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
   const Vertex v_r = has_right ? to(right) : none;
   const Vertex v_t = room.vertex;
 
-  // The triangles of v_t: counter-clockwise from `right`; where the boundary interrupts, the rest is clockwise of
-  // `left`.
+  // The triangles of v_t: counter-clockwise from `right`; if the boundary interrupts, the rest is clockwise of `left`.
   const Halfedge old_spoke = spoke(v_s);
   bool interrupted = !has_right;
   if (has_right) {
@@ -322,7 +321,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<co
   return merged;
 }
 
-/// Joins what lies on both sides of the triangles at the chord, and empties these.
+/// Joins the neighbours on both sides of the triangles at the chord, and empties these triangles.
 inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
                                              Room& freed) noexcept {
   freed.left = freed.right = none;
@@ -454,7 +453,7 @@ inline void StripMesh::find_non_manifold_vertices(BuildReport& report) {
       const Halfedge h = halfedge(t, s);
       const Vertex v = from(h);
       ++corners[v];
-      // On the boundary the first spoke is the one with nothing clockwise of it.
+      // On the boundary the first spoke has nothing clockwise of it.
       if (spoke_[v] == none || on_boundary(opposite(h))) set_spoke(v, h);
     }
   }

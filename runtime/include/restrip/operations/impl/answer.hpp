@@ -1,5 +1,5 @@
-// What a rule changes in a patch that has been read: its colours, and the strips and isolated triangles that they cost.
-// Fans of at most max_word_valence triangles are answered on words, longer ones on bit strings.
+// The changes by a rule in a patch that has been read: colours, strips and isolated triangles. Fans of at most
+// max_word_valence triangles are answered on words, longer ones on bit strings.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ inline int count(const LongBits& bits) noexcept {
   return n;
 }
 
-// Colours that no valid stripification has get all edges dashed, as in Rule.
+// For colours that no valid stripification has, all edges are dashed, as in Rule.
 template <class Best>
 Answer<LongBits> long_answer(const Layout& before, LongBits& old_colors, const Layout& after, LongBits& ports,
                              Best&& best) {

@@ -87,7 +87,7 @@ class PendingApply {
  public:
   [[nodiscard]] const SidesBefore<Halfedge, Table>& patch() const noexcept { return patch_; }
 
-  /// Reads the patch, asks the table, and dashes what is inside and the ports that are given up.
+  /// Reads the patch, looks the rule up, and clears the inner edges and the ports to be cleared.
   template <class Mesh, class Choose = detail::TakeRule>
   PendingApply(Mesh& mesh, const Table& table, Halfedge where, Choose&& choose = {})
       : table_(&table), patch_(detail::read_sides(mesh, table.triangles_before, where)) {
@@ -106,7 +106,7 @@ class PendingApply {
     detail::for_each_edge(patch_, before & ~(solid_ & detail::all_ports),
                           [&](Halfedge h) { mesh.set_solid(h, false); });
   }
-  /// Makes solid what is to be so.
+  /// Sets the solid edges of the rule.
   template <class Mesh>
   Rewrite<Halfedge> finish(Mesh& mesh, Halfedge first) const {
     detail::for_each_edge(detail::read_sides(mesh, table_->triangles_after, first), solid_, [&](Halfedge h) {
@@ -127,7 +127,7 @@ class PendingApply {
 
 namespace detail {
 
-/// apply() by code that has checked what it asks for.
+/// apply() without checks of preconditions.
 template <class Mesh, class Table, class Change, class Choose = TakeRule>
 Rewrite<typename Mesh::Halfedge> apply_unchecked(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
                                                  Change&& change, Choose&& choose = {}) {
@@ -135,12 +135,12 @@ Rewrite<typename Mesh::Halfedge> apply_unchecked(Mesh& mesh, const Table& table,
   return pending.finish(mesh, change(pending.patch()));
 }
 
-/// Are the triangles there, each once, joined as they should be and along nothing else?
+/// Whether the triangles exist, each once, and are joined as in the table and nowhere else.
 template <ColoredMesh Mesh, class Triangles>
 Refusal refusal_of_patch(const Mesh& mesh, const Triangles& triangles, typename Mesh::Halfedge where) {
   if (!knows(mesh, where)) return Refusal::no_such_edge;
   if (mesh.on_boundary(where)) return Refusal::boundary_edge;
-  if (triangles.empty()) return Refusal::other_patch;  // the family has no such position
+  if (triangles.empty()) return Refusal::other_patch;  // the position is not in the family
   auto patch = no_sides<typename Mesh::Halfedge>(triangles);
   const std::size_t sides = 3 * triangles.size();
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -167,7 +167,7 @@ Refusal refusal_of_patch(const Mesh& mesh, const Triangles& triangles, typename 
   return Refusal::granted;
 }
 
-/// And have the colours there a rule?
+/// Also whether the colours have a rule.
 template <ColoredMesh Mesh, SurfaceTable Table>
 Refusal refusal_of_apply(const Mesh& mesh, const Table& table, typename Mesh::Halfedge where) {
   const Refusal refusal = refusal_of_patch(mesh, table.triangles_before, where);
@@ -176,7 +176,7 @@ Refusal refusal_of_apply(const Mesh& mesh, const Table& table, typename Mesh::Ha
   return rule_for(table, solid).valid ? Refusal::granted : Refusal::colors_not_valid;
 }
 
-/// What StripMesh::replace() is asked for.
+/// The arguments of StripMesh::replace().
 template <class Table>
 class Replacement {
  public:

@@ -93,7 +93,7 @@ struct Verdict {
   Refusal refusal = Refusal::granted;
 };
 
-/// What stands in the way of request i, whatever the others do; but its name must match the first one.
+/// The fault of request i by itself, including whether it names its vertex as the first request does.
 template <class Request>
 Verdict judge_alone(const StripMesh& mesh, std::span<const Request> requests, std::size_t i) {
   if (const Refusal refusal = check_request(mesh, requests[i]); refusal != Refusal::granted)
@@ -108,9 +108,9 @@ Verdict judge_alone(const StripMesh& mesh, std::span<const Request> requests, st
   return {};
 }
 
-/// The first request that stands in the way of a batch, or BatchFault::done. Two passes: each request enters its number
-/// wherever it claims something, the smallest number stays; then each looks whether a smaller one has stayed. That does
-/// not depend on the order, so both passes run in parallel.
+/// The first request with a fault, or BatchFault::done. Two passes: each request enters its number wherever it claims
+/// something, the smallest number stays; then each looks whether a smaller one has stayed. That does not depend on the
+/// order, so both passes run in parallel.
 template <class Request>
 void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsigned threads, BatchReport& report) {
   std::size_t vertex_bound = mesh.vertex_bound();
@@ -164,7 +164,7 @@ void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsign
   }
 }
 
-/// Looks for a fault in this thread, for debug builds.
+/// Looks for a fault in the caller's thread, for debug builds.
 template <class Request>
 BatchFault fault_in(const StripMesh& mesh, std::span<const Request> requests) {
   BatchReport report;

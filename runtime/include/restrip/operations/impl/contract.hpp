@@ -20,7 +20,7 @@ namespace restrip {
     case Contract::walk_ends:
       return "next, opposite: they lead to more halfedges than the mesh has";
     case Contract::same_color_on_both_sides:
-      return "solid: a halfedge and its opposite answer differently";
+      return "solid: a halfedge and its opposite have different colours";
     case Contract::boundary_is_dashed:
       return "solid: true on a boundary edge";
     case Contract::set_solid_sets:
@@ -30,13 +30,13 @@ namespace restrip {
     case Contract::alive_knows:
       return "alive: false for a halfedge of the mesh";
     case Contract::leaves_boundary_knows:
-      return "leaves_boundary: it is not what a walk around the vertex finds";
+      return "leaves_boundary: it disagrees with a walk around the vertex";
     case Contract::fan_step_agrees:
-      return "fan_step: it is not what next, opposite and solid say";
+      return "fan_step: it disagrees with next, opposite and solid";
     case Contract::strip_step_agrees:
-      return "strip_step: it is not what next, opposite and solid say";
+      return "strip_step: it disagrees with next, opposite and solid";
     case Contract::triangle_numbers:
-      return "triangle, halfedge, has_triangle, triangle_bound: they do not number the triangles, each once";
+      return "triangle, halfedge, has_triangle, triangle_bound: they do not number each triangle once";
     case Contract::vertex_numbers:
       return "from: halfedges that leave the same vertex have different numbers, or two corners of a triangle the same";
     case Contract::chord_between_new_ends:
@@ -45,14 +45,14 @@ namespace restrip {
     case Contract::new_edges_dashed:
       return "insert_vertex: a dual edge of a new triangle is solid";
     case Contract::spoke_to_apex:
-      return "remove_vertex: the halfedge returned is not v_s -> v_l (v_r where there is no v_l) with the triangles of "
-             "both ends around v_s";
+      return "remove_vertex: the halfedge returned is not v_s -> v_l (or v_r if v_l does not exist) with the triangles "
+             "of both ends around v_s";
     case Contract::merged_edges_dashed:
       return "remove_vertex: the dual edge of two merged mesh edges is solid";
     case Contract::edge_turned:
       return "turn_edge: the halfedge returned is not r -> l between the triangles (r, l, u) and (l, r, v)";
     case Contract::handles_stay:
-      return "insert_vertex, remove_vertex, turn_edge: another halfedge no longer is where it was";
+      return "insert_vertex, remove_vertex, turn_edge: another halfedge has moved";
     case Contract::numbers_stay:
       return "insert_vertex, remove_vertex, turn_edge: another triangle has another number, or another halfedge(t)";
     case Contract::other_colors_stay:
@@ -62,7 +62,7 @@ namespace restrip {
     case Contract::coloring_stays_valid:
       return "the colouring is not valid after an operation of restrip, though every other line held";
     case Contract::told_is_true:
-      return "an operation of restrip did not tell the change in strips, though every other line held";
+      return "an operation of restrip did not report the change in strips, though every other line held";
     case Contract::changes_named:
       return "the list of changes: a triangle changed and is not in it";
   }

@@ -1,5 +1,5 @@
-// Every operation in two halves, with the change of the mesh between them. The first reads the patch, asks the rule and
-// dashes; the second lights. split(), collapse() and flip() do both, hooks.hpp hands them out one by one.
+// Every operation in two halves, with the change of the mesh between them. The first reads the patch, looks the rule up
+// and clears edges; the second sets edges. split(), collapse() and flip() do both, hooks.hpp offers them separately.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace restrip::detail {
 
-/// Where the operations get their rules from; linked.hpp has another source. Interior fans of ordinary valence are
-/// asked for by split() and collapse(), others by answer_split() and answer_collapse().
+/// The source of rules for the operations; linked.hpp has another one. Interior fans of ordinary valence are asked for
+/// by split() and collapse(), others by answer_split() and answer_collapse().
 struct LocalRules {
   template <class Mesh, class Halfedge>
   Rule split(const Mesh& /*mesh*/, Halfedge /*left*/, const InteriorFan<Halfedge>& fan) const noexcept {
@@ -223,8 +223,8 @@ Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const PatchChange<B
 
 // ---- flip
 
-/// Isolated triangles behind the ports that a flip gives up: those left without a solid edge when the dual edges of
-/// `given_up` (halfedges of triangles outside the patch) are dashed.
+/// Isolated triangles outside the ports that a flip clears: the triangles left without a solid edge when the dual edges
+/// of `given_up` (halfedges of triangles outside the patch) are cleared.
 template <class Mesh>
 int isolated_behind(const Mesh& mesh, std::span<const typename Mesh::Halfedge> given_up) {
   int isolated = 0;
@@ -235,12 +235,12 @@ int isolated_behind(const Mesh& mesh, std::span<const typename Mesh::Halfedge> g
       while (found < given_up.size() && !(given_up[found] == side)) ++found;
       if (found < given_up.size() ? found < i : bool{mesh.solid(side)}) counts = false;
     }
-    isolated += counts ? 1 : 0;  // a triangle behind two of them once, for the first
+    isolated += counts ? 1 : 0;  // a triangle outside two of them counts once
   }
   return isolated;
 }
 
-/// The change in the number of isolated ones among the two triangles of a flip.
+/// The change in the number of isolated triangles among the two triangles of a flip.
 constexpr int isolated_by_flip(bool inner, unsigned ports, const FlipRule& rule) noexcept {
   const auto isolated_one = [](bool edge, unsigned p, unsigned one, unsigned other) {
     return edge || (p >> one & 1U) != 0 || (p >> other & 1U) != 0 ? 0 : 1;

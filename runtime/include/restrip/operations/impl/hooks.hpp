@@ -1,4 +1,4 @@
-// The halves of operations, handed out one by one. Included by hooks.hpp.
+// The halves of operations as separate calls. Included by hooks.hpp.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 namespace restrip {
 namespace detail {
 
-inline constexpr const char* nothing_pending = "this pending operation has been finished already";
+inline constexpr const char* nothing_pending = "this pending operation is already finished";
 inline constexpr const char* other_patch =
-    "the mesh around the given halfedge is not what this operation makes of the patch that was read before";
+    "the mesh around the given halfedge is not the result of this operation on the patch read before";
 
-/// A change begun, of whatever size and kind.
+/// A change that has begun, of any size and kind.
 template <class Halfedge>
 class PendingFan {
  public:
@@ -57,7 +57,7 @@ void dash_if_solid(Mesh& mesh, typename Mesh::Halfedge h) {
   if (mesh.solid(h)) mesh.set_solid(h, false);
 }
 
-/// The triangles at the two ends of the chord: has a split of a fan of k triangles made them? Around an interior mesh
+/// Whether a split of a fan of k triangles has made the triangles at the two ends of the chord. Around an interior mesh
 /// edge it adds two triangles, each of which has both ends.
 template <class Mesh>
 bool is_split_of(const Mesh& mesh, std::size_t k, typename Mesh::Halfedge chord) {
@@ -122,7 +122,7 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse_by(Rules&& rules, Mesh&
                  describe(refusal_of_collapse(mesh, chord)));
   auto pending = with_collapse_begun(rules, mesh, chord,
                                      [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
-  // Two edges merge, and the library chooses which of them goes.
+  // Two edges merge, and the library chooses which one it removes.
   for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(inward)) continue;
     const Halfedge up = mesh.next(inward);

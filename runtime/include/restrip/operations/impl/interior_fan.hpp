@@ -10,7 +10,7 @@
 
 namespace restrip::detail {
 
-/// Larger fans go the general way (patch_walk.hpp).
+/// Larger fans use the general code (patch_walk.hpp).
 inline constexpr std::size_t max_interior_valence = 16;
 
 /// The closed fan of a vertex before a split or after a collapse, numbered as in docs/reference/notation.md.
@@ -20,11 +20,11 @@ struct InteriorFan {
   std::size_t a = 0;
   Word loop = 0;  ///< colours of the loop; before a collapse, of the edges that it keeps
   Word ports = 0;
-  Halfedge spokes[max_interior_valence];  ///< the mesh edge that loop edge i crosses, seen from the vertex; not those
-                                          ///< next to A and D, which an operation makes or removes
+  Halfedge spokes[max_interior_valence];  ///< the mesh edge that loop edge i crosses, seen from the vertex; not the
+                                          ///< edges next to A and D, which an operation makes or removes
 
-  /// Give the kept loop edges the colours `now`, in two steps: those that become dashed before the mesh changes, those
-  /// that become solid after it. So the colouring is valid all the time (mesh.hpp, "Exceptions").
+  /// Give the kept loop edges the colours `now`, in two steps: edges are cleared before the mesh changes and set after
+  /// it. So the colouring is valid all the time (mesh.hpp, "Exceptions").
   template <ColoredMesh Mesh>
   void dash(Mesh& mesh, Word now) const {
     write(mesh, loop & ~now, false);
@@ -66,8 +66,8 @@ constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
   return (inner >> 1 & low_bits(a - 1)) | (inner >> (a + 2) & low_bits(k - a - 1)) << a;
 }
 
-/// Lights the patch of a split of an interior vertex: the ring with chord around the new mesh edge. What becomes dashed
-/// is dashed already.
+/// Sets the solid edges after a split of an interior vertex, in the ring with chord around the new mesh edge. Edges
+/// that become dashed have been cleared before.
 template <ColoredMesh Mesh>
 void light_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
                 Word inner) {
@@ -91,7 +91,7 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   std::size_t edge = 0;  // inner edges met
   for (const auto start : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(start)) return false;
-    const auto beside = fan_step(mesh, start);  // the triangle that goes
+    const auto beside = fan_step(mesh, start);  // the triangle to be removed
     inner |= Word{beside.edge} << edge++;
     auto h = beside.spoke;
     for (;;) {
@@ -108,13 +108,13 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   }
   fan.k = i;
   inner |= Word{mesh.solid(chord)} << edge;
-  // Fewer than one triangle on a side is not such a patch; the general code reports it.
+  // A patch has at least one triangle on each side; the general code reports others.
   if (fan.a == 0 || fan.a == fan.k) return false;
   fan.loop = kept_loop(fan.k, fan.a, inner);
   return true;
 }
 
-/// Lights the fan that a collapse leaves; `left` is its spoke to v_l. What becomes dashed is dashed already.
+/// Sets the solid edges of the fan that a collapse leaves; `left` is its spoke to v_l. The others are clear.
 template <ColoredMesh Mesh>
 void light_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
   fan.light(mesh, loop);

@@ -1,4 +1,4 @@
-// Strip ends found, followed and joined. Included by join.hpp.
+// Finds, follows and joins strip ends. Included by join.hpp.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace restrip {
 namespace detail {
 
-/// One of the three halfedges of the triangle to the left of g is h.
+/// Whether h is one of the three halfedges of the triangle to the left of g.
 template <class Mesh>
 bool in_same_triangle(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Halfedge h) {
   const auto second = mesh.next(g);
@@ -29,7 +29,7 @@ class StripWalker {
   using Halfedge = typename Mesh::Halfedge;
 
   StripWalker() = default;
-  /// Goes on from the triangle to the left of `in`, which it has entered over that edge.
+  /// Continues from the triangle to the left of `in`, which it has entered over that edge.
   explicit StripWalker(Halfedge in) : in_(in) {}
   /// From the strip end to the left of h. An isolated triangle is its own other end.
   static StripWalker from_end(const Mesh& mesh, Halfedge h) {
@@ -39,14 +39,14 @@ class StripWalker {
     walker.ended_ = true;
     return walker;
   }
-  /// One triangle on.
+  /// Steps to the next triangle.
   void step(const Mesh& mesh) {
     const auto step = strip_step(mesh, in_);
     ended_ = !step.goes_on;
     if (step.goes_on) in_ = step.in;
   }
   [[nodiscard]] bool ended() const noexcept { return ended_; }
-  /// A halfedge of the triangle that the walk has come to.
+  /// A halfedge of the triangle that the walk has reached.
   [[nodiscard]] Halfedge at() const noexcept { return in_; }
 
  private:
@@ -54,9 +54,9 @@ class StripWalker {
   bool ended_ = false;
 };
 
-/// Step 1 of join.hpp: the far ends of strips that have been cut. Of two ends that a cut has parted it is enough to
-/// find one, so all strips are followed at once until at most one continues. There are few of them; of more than `most`
-/// the others are followed one by one.
+/// Step 1 of join.hpp: the far ends of strips that have been cut. It is enough to find one of two ends that a cut has
+/// separated, so all strips are followed in parallel until at most one continues. There are few of them; strips beyond
+/// the first `most` are followed one by one.
 template <class Mesh>
 class FarEnds {
  public:
@@ -92,8 +92,8 @@ class FarEnds {
   std::size_t count_ = 0;
 };
 
-/// If a strip ends in u, the triangle to the left of h, and an edge x - y beside it can be given up for u - x and y -
-/// w, where w is an end of another strip: does that.
+/// If a strip ends in u, the triangle to the left of h, exchanges an adjacent edge x - y for u - x and y - w, if there
+/// is such an edge with an end w of another strip.
 template <class Mesh>
 Mending exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
   using Halfedge = typename Mesh::Halfedge;
@@ -126,7 +126,7 @@ Mending exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
   return {};
 }
 
-/// Step 2 of join.hpp: the strip ends around an operation. Each is dealt with at once, except that exchanges come last.
+/// Step 2 of join.hpp: the strip ends around an operation. Each is handled immediately, but exchanges last.
 template <class Mesh>
 class NearEnds {
  public:
@@ -184,7 +184,7 @@ void adopt_and_join(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
   });
 }
 
-/// Steps 1 and 2 where it is not known which strips were cut: those that end in the triangles that each(visit) names.
+/// Steps 1 and 2 without a list of cut strips: for the strips that end in the triangles that each(visit) names.
 template <class Mesh, class Each>
 void join_at_ends(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
   using Halfedge = typename Mesh::Halfedge;
@@ -209,7 +209,7 @@ Mending join_and_adopt(Mesh& mesh, Exchange exchange, Each&& each) {
   return sum;
 }
 
-/// The same for the triangles to the left of some halfedges, each once; those on the boundary have none.
+/// The same for the triangles to the left of some halfedges, each once; boundary halfedges are skipped.
 template <class Mesh, class Halfedge>
 Mending join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
   std::size_t count = 0;
@@ -225,8 +225,7 @@ Mending join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
   });
 }
 
-// ---- Around an interior vertex bits say which triangles are strip ends, and which ports were joined and are no
-// longer.
+// ---- Around an interior vertex bits name the strip ends, and the ports joined before but not now.
 
 /// The triangles of a ring with chord that `elements` names, each by its halfedge that leaves the vertex of the fan,
 /// for A and D by the chord.
@@ -246,7 +245,7 @@ void visit_ring(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fa
       visit(fan.spokes[(second ? fan.a : 0) + after - 2]);
   }
 }
-/// And of the fan that a collapse leaves; `left` is its spoke to v_l.
+/// The triangles of the fan that a collapse leaves; `left` is its spoke to v_l.
 template <class Mesh, class Visit>
 void visit_fan(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left,
                Word triangles, Visit&& visit) {
@@ -261,7 +260,7 @@ void visit_fan(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan
   }
 }
 
-/// The ports of pairs that were joined inside a closed fan and are no longer.
+/// The ports of pairs that were joined inside a closed fan before but not now.
 constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before, const InnerPairs& after) noexcept {
   Word parted = 0;
   if ((before.joined & before.over_chord) == 0) parted = before.over_chord & ~after.over_chord;
@@ -274,7 +273,7 @@ constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before,
   return parted;
 }
 
-/// Steps 1 to 3 for those triangles: visit_ends(visit), visit_parted(visit), and if need be visit_all(visit).
+/// Steps 1 to 3 for those triangles: visit_ends(visit), visit_parted(visit), and if necessary visit_all(visit).
 template <class Mesh, class Ends, class Parted, class All>
 Mending join_in_fan(Mesh& mesh, Exchange exchange, bool isolated, Ends&& visit_ends, Parted&& visit_parted,
                     All&& visit_all) {
@@ -322,7 +321,7 @@ Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
                                 visit(parted), visit(low_bits(fan.k))));
 }
 
-// ---- Elsewhere a turn around the vertices tells.
+// ---- Elsewhere a turn around the vertices finds them.
 
 template <class Mesh, class Change>
 Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change, typename Mesh::Halfedge chord,
@@ -369,7 +368,7 @@ bool same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
     from_g.step(mesh);
     if (from_g.ended()) return detail::in_same_triangle(mesh, from_g.at(), h);
     from_h.step(mesh);
-    if (from_h.ended()) return false;  // of one strip, the walk from g would have ended by now
+    if (from_h.ended()) return false;  // in one strip, the walk from g would have ended by now
   }
 }
 
@@ -444,8 +443,8 @@ Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfed
 
 namespace detail {
 
-/// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in those
-/// beside them, which may have lost a port.
+/// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in their
+/// neighbours, which may have lost a port.
 template <class Mesh, class Table>
 Mending join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first, Exchange exchange) {
   const auto patch = read_sides(mesh, table.triangles_after, first);

@@ -1,15 +1,15 @@
-// The best recolouring given what is known of the strips outside, for fans that have no table of linked rules: any
-// closed or open fan whose colours fit one word. Included by linked.hpp.
+// The best recolouring for what is known about the strips outside, for fans without a table of linked rules: any closed
+// or open fan whose colours fit one word. Included by linked.hpp.
 //
-// The automaton (exact.hpp) answers which recolouring is best of those that join none but given pairs of neighbouring
-// ports. So start with all pairs given. If the answer may close a cycle outside, every recolouring that is sound lacks
-// one of the pairs on that cycle: take each of them away in turn, and search on. What can be no better than the best
-// sound answer so far is cut off. A pair that the chord joins over ports between them has no name in a key; then all
-// edges from one port over the chord to the other are given, and the rest are open fans.
+// The automaton (exact.hpp) finds the best recolouring that joins only given pairs of neighbouring ports. So start with
+// all pairs given. If the answer may close a cycle outside, every sound recolouring lacks one of the pairs on that
+// cycle: remove each of them in turn, and search on. Branches that cannot be better than the best sound answer so far
+// are cut off. A pair that the chord joins over ports between them cannot be named in a key; then all edges from one
+// port over the chord to the other are given, and the rest are open fans.
 //
-// Only pairs next to ports that are joined outside, or out of sight, are ever taken away. So for a given number of such
-// ports the automaton is asked a bounded number of times, and never more than max_answers times. Where that is too few,
-// which takes many cycles at once, the answer is the best one found, at least as good as the local rule, and sound.
+// Only pairs next to ports that are joined outside, or out of sight, are ever removed. So for a given number of such
+// ports the automaton runs a bounded number of times, and never more than max_answers times. If that is too few, which
+// takes many cycles at once, the answer is the best one found, sound and at least as good as the local rule.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@
 
 namespace restrip::detail {
 
-/// How often the automaton may be asked for one rule.
+/// The number of times that the automaton may run for one rule.
 inline constexpr int max_answers = 200;
 
 template <class LookOut>
@@ -46,12 +46,12 @@ class LinkedSearch {
     }
     return best_.colors;
   }
-  /// After best(): were max_answers too few?
+  /// After best(): whether max_answers were too few.
   [[nodiscard]] constexpr bool gave_up() const noexcept { return answers_left_ < 0; }
 
  private:
-  /// The ports at the two ends of a path over the chord, if there is to be one, as elements of the row, and whether it
-  /// reaches A and D from below.
+  /// The ports at the two ends of a path over the chord, if such a path is required, as elements of the row, and
+  /// whether it reaches A and D from below.
   struct Bridge {
     std::size_t at_a = nowhere;
     std::size_t at_d = nowhere;
@@ -63,8 +63,8 @@ class LinkedSearch {
     return one.solid != other.solid ? one.solid > other.solid : one.isolated < other.isolated;
   }
 
-  /// All recolourings that join none but the neighbours `may_join`, and the ends of the bridge. Of those, the ones that
-  /// lack one of `keep` have been looked at.
+  /// Considers all recolourings that join only the neighbours `may_join` and the ends of the bridge. Those that lack
+  /// one of `keep` have already been considered.
   constexpr void narrow(const Bridge& bridge, Word may_join, Word keep) {
     if (--answers_left_ < 0) return;
     const exact::Recoloring found = answer(bridge, may_join);
@@ -135,7 +135,7 @@ class LinkedSearch {
         const Word one = from_below_a ? std::bit_floor(below_a) : between & (~between + 1);
         const Word other = from_below_d ? std::bit_floor(between) : above_d & (~above_d + 1);
         if (one == 0 || other == 0 || one == other || name_of_pair(after_, one | other, elements) != 0) continue;
-        if (2 * best_.value.solid + 1 >= most) return;  // nothing is better
+        if (2 * best_.value.solid + 1 >= most) return;  // nothing can be better
         narrow({static_cast<std::size_t>(std::countr_zero(one)), static_cast<std::size_t>(std::countr_zero(other)),
                 from_below_a, from_below_d},
                ports_, 0);
@@ -150,7 +150,7 @@ class LinkedSearch {
   int answers_left_ = max_answers;
 };
 
-/// The rule for any family but the flip. Colours that no valid stripification has are answered as by the local rules.
+/// The rule for any family but the flip. Colours that no valid stripification has get the answer of the local rules.
 template <class LookOut>
 constexpr Rule searched_rule(const Layout& before, Word colors, const Layout& after, Word ports, LookOut& look_out) {
   const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());

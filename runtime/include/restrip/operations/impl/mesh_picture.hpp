@@ -1,5 +1,5 @@
-// A mesh drawn down: all halfedges of a component, and what next, opposite, on_boundary and solid say of them. Reading
-// it checks the lines of the contract that speak of a mesh at rest.
+// A snapshot of a mesh: all halfedges of a component, with the results of next, opposite, on_boundary and solid.
+// Reading it checks the lines of the contract that do not involve an operation.
 #pragma once
 
 #include <algorithm>
@@ -70,7 +70,7 @@ struct MeshPicture {
   }
 };
 
-/// A mesh that has more halfedges than `limit` in the component of `start` is not walked to the end.
+/// The walk ends early if the component of `start` has more than `limit` halfedges.
 template <class Mesh>
 Contract read_picture(const Mesh& mesh, typename Mesh::Halfedge start, std::size_t limit, MeshPicture<Mesh>& picture) {
   picture = {};
@@ -114,7 +114,7 @@ Contract read_picture(const Mesh& mesh, typename Mesh::Halfedge start, std::size
   return Contract::kept;
 }
 
-/// What a mesh may offer beyond the walk, on a picture that is the mesh.
+/// Checks the optional members of a mesh against its picture.
 template <class Mesh>
 Contract check_members(const Mesh& mesh, const MeshPicture<Mesh>& picture) {
   for (std::size_t i = 0; i < picture.size(); ++i) {
@@ -142,7 +142,7 @@ Contract check_members(const Mesh& mesh, const MeshPicture<Mesh>& picture) {
   return Contract::kept;
 }
 
-/// The numbers, which are noted too.
+/// Checks the numbers and notes them in the picture.
 template <class Mesh>
 Contract check_numbers(const Mesh& mesh, MeshPicture<Mesh>& picture) {
   if constexpr (NumberedMesh<Mesh>) {
@@ -163,7 +163,7 @@ Contract check_numbers(const Mesh& mesh, MeshPicture<Mesh>& picture) {
       picture.number[i] = t;
       picture.chosen[i] = back == i ? 1 : 0;
     }
-    // Asked for halfedges with a triangle only: compare each with the next around its vertex.
+    // Called only for halfedges with a triangle: compare each with the next around its vertex.
     for (std::size_t i = 0; i < picture.size(); ++i) {
       if (picture.on_boundary(i) || picture.on_boundary(picture.ccw(i))) continue;
       if (mesh.from(picture.halfedges[i]) != mesh.from(picture.halfedges[picture.ccw(i)]))

@@ -9,7 +9,7 @@
 namespace restrip {
 namespace detail {
 
-// A mesh that can use the walk we have done already need not turn around the vertex again.
+// Passes the walk already done to meshes that can use it, so that they need not turn around the vertex again.
 template <class Mesh, class Change, class... Name>
 typename Mesh::Halfedge change_by_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                         const Change& change, Name... name) {

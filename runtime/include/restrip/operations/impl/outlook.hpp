@@ -1,8 +1,8 @@
 // Which recolourings are sound with the strips outside, as far as these have been followed. Included by linked.hpp.
 //
-// Let Q be the pairs of ports that strips outside join, and P' those that a recolouring joins inside. The strips stay
-// paths exactly when P' and Q together close no cycle (docs/explanation/theory.md). A cycle must use a pair of P' that
-// was not joined before, so from each such pair P' and Q are followed alternately until the path ends.
+// Let Q be the pairs of ports that strips outside join, and P' the pairs that a recolouring joins inside. The strips
+// stay paths exactly when P' and Q together close no cycle (docs/explanation/theory.md). A cycle must use a pair of P'
+// that was not joined before, so from each such pair P' and Q are followed alternately until the path ends.
 #pragma once
 
 #include <bit>
@@ -16,9 +16,9 @@
 
 namespace restrip {
 
-/// What a look outward says of a port, apart from the port it comes back through.
+/// Results of following a strip outward, other than the port through which it returns.
 inline constexpr int strip_ends = -1;    ///< the strip ends outside
-inline constexpr int out_of_sight = -2;  ///< it was followed as far as allowed
+inline constexpr int out_of_sight = -2;  ///< it was followed as far as `reach` allows
 
 namespace detail {
 
@@ -57,7 +57,7 @@ struct WordPairs {
   friend constexpr bool operator==(const WordPairs&, const WordPairs&) noexcept = default;
 };
 
-/// The pairs that `joined` names, as in a key, and one more that it has no bit for, if there is one.
+/// The pairs that `joined` names, as in a key, and at most one more that it cannot name.
 template <class Pairs>
 constexpr Pairs pairs_of(Word ports, Word joined, Word pair) {
   Pairs pairs;
@@ -77,18 +77,18 @@ constexpr Pairs pairs_of(Word ports, Word joined, Word pair) {
   return pairs;
 }
 
-/// Decides which recolourings are sound, and looks outward no more than necessary: each port once at most.
+/// Decides which recolourings are sound, and follows strips outward only if necessary: each port at most once.
 template <class Pairs, class LookOut>
 class Outlook {
  public:
-  /// Ports are counted from `by` on, in a fan of k <= Pairs::max_ports triangles; `before` are those joined before.
+  /// Ports are counted from `by` on, in a fan of k <= Pairs::max_ports triangles; `before` are the pairs joined before.
   constexpr Outlook(std::size_t k, std::size_t by, Word ports, const Pairs& before, LookOut& look_out)
       : k_(k), by_(by), ports_(ports), look_out_(&look_out), before_(before) {
     for (auto& port : beyond_) port = not_asked;
   }
 
-  /// Zero when joining these pairs surely closes no cycle. Else the ports of a path that may close one: so may every
-  /// recolouring that joins the same pairs of these ports.
+  /// Zero if joining these pairs certainly closes no cycle. Else the ports of a path that may close a cycle, as in
+  /// every recolouring that joins the same pairs of these ports.
   constexpr Word may_close(const Pairs& after) {
     if (after == before_ || after == Pairs{}) return 0;
     for (Word rest = ports_; rest != 0; rest &= rest - 1) {
@@ -116,7 +116,7 @@ class Outlook {
   }
 
   // Leaves through port `at` and follows the path: strip_ends, comes_back to `home`, or the port where it goes out of
-  // sight. Adds the ports that it leaves by to `path`, and those that it comes back through.
+  // sight. Adds the ports through which it leaves and returns to `path`.
   constexpr int follow(const Pairs& pairs, std::size_t at, std::size_t home, Word& path) {
     for (;;) {
       path |= bit(at);
@@ -136,7 +136,7 @@ class Outlook {
     if (one < 0) return one == strip_ends;
     const int two = follow(after, i, j, path);
     if (two < 0) return two == strip_ends;
-    // Both ends are out of sight and may be one there; but not if they were the two ends of a path before.
+    // Both ends are out of sight and may be joined there, unless they were the two ends of a path before.
     const auto start = static_cast<std::size_t>(one);
     const std::size_t inside = before_.partner(start);
     Word ignored = 0;

@@ -17,9 +17,9 @@
 
 namespace restrip::detail {
 
-/// Calls body(begin, end) for ranges that together are [0, n), each number once. `threads`: 1 calls in this thread
-/// alone and starts none, 0 takes one thread for each processor. The first exception of a range is thrown again
-/// here, after all ranges have ended. In a program without exceptions a thread that cannot be started ends the program.
+/// Calls body(begin, end) for ranges that together are [0, n), each number once. `threads`: 1 uses only the caller's
+/// thread, 0 one thread for each processor. The first exception of a range is thrown again here, after all ranges have
+/// ended. In a program without exceptions a thread that cannot be started ends the program.
 template <class Body>
 void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
   constexpr std::size_t small = 32;  // operations that are not worth a thread
@@ -55,7 +55,7 @@ void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
     try {
       for (; piece < pieces; ++piece) workers.emplace_back(run_and_catch, piece);
     } catch (const std::system_error&) {
-      // No more threads to be had: this one does the rest.
+      // No more threads can be started: this one does the rest.
       for (; piece < pieces; ++piece) run_and_catch(piece);
     }
     run_and_catch(0);

@@ -1,7 +1,7 @@
-// What an operation asks of its caller, on any mesh. The concepts of mesh.hpp know no vertices, so of the questions of
-// checks.hpp only those can be asked that a walk around the patch answers, and whether the colours there are valid,
-// which code that changes the mesh past restrip breaks; a mesh that has check_split(), check_collapse() or check_flip()
-// of its own, found by argument-dependent lookup, is asked those instead.
+// The preconditions of operations, on any mesh. The concepts of mesh.hpp have no vertices, so only the checks of
+// checks.hpp are possible that a walk around the patch can make, and a check that the colours there are valid, which
+// fails after changes made without restrip. If a mesh has check_split(), check_collapse() or check_flip(), found by
+// argument-dependent lookup, these are called instead.
 //
 // Nothing outside the patch is read, so that operations on disjoint patches may be checked at the same time.
 #pragma once
@@ -24,8 +24,8 @@ bool knows(const Mesh& mesh, typename Mesh::Halfedge h) {
 struct FanSize {
   std::size_t triangles = 0;
   bool closed = false;
-  bool met = false;          ///< the other spoke leaves the same vertex
-  bool colors_valid = true;  ///< none of them has three solid edges, and no spoke on the boundary is solid
+  bool met = false;          ///< whether the other spoke leaves the same vertex
+  bool colors_valid = true;  ///< no triangle has three solid edges, and no spoke on the boundary is solid
 };
 
 template <ColoredMesh Mesh>
@@ -104,7 +104,7 @@ Refusal check_flip_patch(const Mesh& mesh, typename Mesh::Halfedge h) {
   return Refusal::granted;
 }
 
-/// What debug builds ask before split(), collapse() and flip(). `name`: what the caller calls the new vertex.
+/// The checks of debug builds before split(), collapse() and flip(). `name`: the caller's name for the new vertex.
 template <ColoredMesh Mesh, class... Name>
 Refusal refusal_of_split(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const Name&... name) {
   if constexpr (requires {

@@ -11,7 +11,7 @@
 
 namespace restrip::detail {
 
-/// Bits of fans that fit one word; longer ones are dropped, and the caller, who counts, starts again with LongBits.
+/// Bits of fans that fit one word. The caller counts further bits and starts again with LongBits.
 struct WordBits {
   Word word = 0;
   void put(std::size_t i, bool value) noexcept { word |= value ? bit(i) : 0; }
@@ -69,7 +69,7 @@ Fan<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>&
   const Halfedge start = where.spokes == Spokes::right_only ? where.right : where.left;
   const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
   Fan<Bits> fan;
-  std::size_t ahead = 0;  // the other spoke, counted in triangles from the first one, either way
+  std::size_t ahead = 0;  // the other spoke, counted in triangles from the first one, in either direction
   std::size_t behind = 0;
   Halfedge h = start;
   while (!mesh.on_boundary(h)) {
@@ -174,7 +174,7 @@ std::size_t count_down(const Mesh& mesh, typename Mesh::Halfedge from) {
   return count;
 }
 
-/// True when the vertex that h leaves lies on the boundary. Linear in its valence, unless the mesh knows.
+/// True when the vertex that h leaves lies on the boundary. Linear in its valence, if the mesh lacks leaves_boundary().
 template <ColoredMesh Mesh>
 bool leaves_boundary(const Mesh& mesh, typename Mesh::Halfedge h) {
   if constexpr (requires { mesh.leaves_boundary(h); }) return mesh.leaves_boundary(h);

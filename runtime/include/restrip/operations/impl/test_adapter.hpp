@@ -1,5 +1,5 @@
-// Random operations on a mesh of the user's, each compared with what a picture of the mesh before it foretells.
-// Included by test_adapter.hpp.
+// Random operations on a user's mesh, each compared with the prediction from a picture of the mesh before it. Included
+// by test_adapter.hpp.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class AdapterDrive {
       : mesh_(mesh), options_(options), changed_(changed), random_(options.seed) {}
 
   AdapterReport run(const Halfedge& start) {
-    // A mesh of finite size is met before memory runs out.
+    // Limits the walk, so that a broken mesh does not exhaust memory.
     if (look_at(start, std::size_t{1} << 16)) return report_;
     const std::size_t first_size = now_.triangles;
     list_misses_one();
@@ -107,7 +107,7 @@ class AdapterDrive {
 
   // ---- colours
 
-  /// Sets one and looks at all.
+  /// Sets one colour and checks all.
   bool colors_one_by_one() {
     report_.during = "set_solid";
     for (int times = 0; times < 20; ++times) {
@@ -139,11 +139,11 @@ class AdapterDrive {
     return look_at(now_.halfedges[0], now_.size());
   }
 
-  // ---- what may be done
+  // ---- possible operations
 
   static bool granted(Refusal refusal) { return refusal == Refusal::granted || refusal == Refusal::colors_not_valid; }
 
-  /// Draws a split of the vertex that h leaves; the spoke that does not count is not to be looked at.
+  /// Draws a split of the vertex that h leaves; the unused spoke is garbage on purpose.
   bool draw_split(std::size_t h, Split& where) {
     const PictureFan fan = now_.fan(h);
     if (fan.closed && fan.triangles() < 3) return false;
@@ -187,23 +187,23 @@ class AdapterDrive {
     return granted(refusal_of_flip(mesh_, now_.halfedges[h]));
   }
 
-  // ---- what must be there afterwards
+  // ---- expected results
 
-  /// Spokes in a row: a halfedge that is known, or no_next for one that is not and whose edge must be dashed.
+  /// Spokes in a row: known halfedges, or no_next for a new one, whose edge must be dashed.
   using Row = std::vector<std::size_t>;
   static constexpr std::size_t unknown = Picture::no_next;
 
   static void append(Row& row, const Row& from, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) row.push_back(from[i]);
   }
-  /// `fan` turned so that it begins after `h`; of an open one what comes after h.
+  /// `fan` rotated so that it begins after `h`; of an open fan the part after h.
   static Row after(const PictureFan& fan, std::size_t h) {
     Row row(fan.spokes.begin() + static_cast<std::ptrdiff_t>(fan.place(h)) + 1, fan.spokes.end());
     if (fan.closed) append(row, fan.spokes, 0, fan.place(h));
     return row;
   }
 
-  /// Is the fan of the halfedge `at`, which has place `place` in it, this row? old_ is the mesh before.
+  /// Whether this row is the fan of the halfedge `at`, which has place `place` in it. old_ is the mesh before.
   Contract fan_is(const Halfedge& at, const Row& row, std::size_t place, bool closed, Contract otherwise,
                   Contract not_dashed) {
     Halfedge h = at;
@@ -230,8 +230,8 @@ class AdapterDrive {
     }
   }
 
-  /// Handles whose edge is not in `changed` are where they were, with the colours that they had, and triangles with no
-  /// such edge have the numbers that they had.
+  /// Checks that handles whose edge is not in `changed` have not moved and keep their colours, and that triangles
+  /// without such an edge keep their numbers.
   Contract others_stay(const std::vector<std::uint8_t>& changed) const {
     for (std::size_t i = 0; i < old_.size(); ++i) {
       if (changed[i] != 0) continue;
@@ -258,7 +258,7 @@ class AdapterDrive {
     return marked;
   }
 
-  // ---- operations of the mesh alone
+  // ---- operations of the mesh without restrip
 
   bool bare_operation(std::size_t h, std::size_t kind, bool grow) {
     if (kind == 0) {
@@ -408,7 +408,7 @@ class AdapterDrive {
     const Halfedge turned = mesh_.turn_edge(old_.halfedges[h]);
     if (look_at(turned, old_.size())) return true;
     if (now_.triangles != old_.triangles) return fail(Contract::triangle_count);
-    // The sides l u and u r of (r, l, u), and r v and v l of (l, r, v). What lies across is known.
+    // The sides l u and u r of (r, l, u), and r v and v l of (l, r, v). The triangles across are known.
     const Halfedge back = mesh_.opposite(turned);
     if (mesh_.on_boundary(turned) || mesh_.on_boundary(back)) return fail(Contract::edge_turned);
     const Halfedge sides[4] = {mesh_.next(turned), mesh_.next(mesh_.next(turned)), mesh_.next(back),
@@ -424,7 +424,7 @@ class AdapterDrive {
       if (bool{mesh_.solid(sides[i])} != (old_.solid[port] != 0)) return fail(Contract::other_colors_stay);
     }
     if (bool{mesh_.solid(turned)} != (old_.solid[h] != 0)) return fail(Contract::other_colors_stay);
-    // The handles of the two triangles may be given to other sides of theirs, and those across the boundary with them.
+    // The handles of the two triangles may move to other sides of them, and the handles across the boundary with them.
     std::vector<std::uint8_t> inside(old_.size(), 0);
     for (const std::size_t side : {h, g, ports[0], ports[1], ports[2], ports[3]}) inside[side] = 1;
     for (const std::size_t port : ports)

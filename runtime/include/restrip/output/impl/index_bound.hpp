@@ -61,7 +61,7 @@ class ArrowGraph {
   [[nodiscard]] std::span<const Leaving> from(Vertex v) const noexcept {
     return std::span(leaving_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
-  /// What is missing at v, modulo 3.
+  /// The number missing at v, modulo 3.
   [[nodiscard]] unsigned lacking(Vertex v) const noexcept { return lacking_[v]; }
 
   /// Connected components, single vertices without triangles left out.
@@ -92,10 +92,10 @@ class ArrowGraph {
   std::vector<Leaving> leaving_;
 };
 
-// The linear program: as few arrows as cross every set; its dual: as large multipliers as no arrow is loaded by more
-// than one unit. A set that lacks 1 modulo 3 is crossed by an arrow inward or two outward, one that lacks 2 by an arrow
-// outward or two inward. In halves, so that all is whole: the arrow that does alone weighs 2, the other 1, and loads
-// are at most 2 units.
+// The linear program: the fewest arrows that cross every set. Its dual: the largest multipliers that load no arrow by
+// more than one unit. A set that lacks 1 modulo 3 is crossed by an arrow inward or two outward, one that lacks 2 by an
+// arrow outward or two inward. Loads count halves, so that all numbers are whole: an arrow that is enough by itself
+// weighs 2, others 1, and loads are at most 2 units.
 //
 // descend() is the primal-dual hybrid gradient method with the step sizes of Pock and Chambolle ("Diagonal
 // preconditioning for first order primal-dual algorithms in convex optimization", 2011), in fixed point.
@@ -132,8 +132,8 @@ class CutPacking {
     rows_.push_back({border_.size(), vertices_.size(), 0});
   }
 
-  /// Adds the set if it lacks something, the arrows used do not cross it by a twentieth of what they should, and it is
-  /// not there.
+  /// Adds the set if it is new, lacks something, and the present arrows cross it by at least a twentieth less than they
+  /// should.
   void add_if_uncrossed(std::span<const Vertex> set) {
     const unsigned lacking = lacking_of(set);
     if (lacking == 0) return;
@@ -165,8 +165,9 @@ class CutPacking {
     }
   }
 
-  /// Multipliers that load no arrow too much: those of descend(), lowered where they do, or those of single vertices;
-  /// then each raised as far as it goes, the largest first. The sum is never below that of single vertices alone.
+  /// Multipliers that load no arrow too much: the multipliers of descend(), lowered if necessary, or of single
+  /// vertices; then each raised as far as possible, the largest first. The sum is never below the one of single
+  /// vertices.
   [[nodiscard]] std::vector<Amount> feasible() const {
     std::vector<Amount> plain(size(), 0);
     for (std::size_t row = 0; row < size(); ++row)
@@ -206,7 +207,7 @@ class CutPacking {
     for (const Vertex v : set) inside_[v] = false;
   }
 
-  // By how much the arrows of an edge cross a set that `out` leaves.
+  // The amount by which the arrows of an edge cross a set that `out` leaves.
   static Amount crossed(const std::vector<std::int32_t>& arrows, unsigned lacking, std::uint32_t out) {
     return Amount{lacking} * arrows[out] + Amount{3 - lacking} * arrows[out ^ 1U];
   }
@@ -215,7 +216,7 @@ class CutPacking {
     return std::span(border_).subspan(rows_[row].border, rows_[row + 1].border - rows_[row].border);
   }
 
-  // The same for the same vertices in any order. Where two sets share a name, one is left out.
+  // A name that does not depend on the order of vertices. If two sets share a name, one is left out.
   static std::uint64_t name_of(std::span<const Vertex> set) {
     std::uint64_t name = 0;
     for (const Vertex v : set) {
@@ -261,12 +262,12 @@ class CutPacking {
 
   const ArrowGraph& graph_;
   std::int32_t unit_;
-  std::vector<Row> rows_{{0, 0, 0}};  // and one behind the last
+  std::vector<Row> rows_{{0, 0, 0}};  // and one after the last
   std::vector<std::uint32_t> border_;
   std::vector<Vertex> vertices_;
   std::vector<std::int32_t> multipliers_;
   std::vector<std::int32_t> used_;      // the arrows: how often each is used, in units
-  std::vector<std::int32_t> ahead_;     // and where it is going
+  std::vector<std::int32_t> ahead_;     // and its extrapolation
   std::vector<std::uint32_t> weights_;  // of all sets that an arrow crosses
   std::vector<Amount> load_;
   std::vector<bool> inside_;
@@ -290,7 +291,7 @@ class CutCandidates {
   }
 
  private:
-  // The edges at the vertices of a set that is looked at, so that vertices of many triangles do not make it slow.
+  // A limit on the edges at the vertices of a set, so that vertices of many triangles are not slow.
   static constexpr std::size_t most_edges = 256;
 
   void look_around(std::initializer_list<Vertex> seed, unsigned radius) {
@@ -334,7 +335,7 @@ class CutCandidates {
 [[nodiscard]] inline IndexBound strip_index_lower_bound(std::span<const std::array<Vertex, 3>> triangles,
                                                         std::size_t vertex_count, unsigned rounds) {
   RESTRIP_ASSERT(detail::are_triangles(triangles, vertex_count), "strip_index_lower_bound",
-                 "a triangle has a corner twice, or one that is not a vertex");
+                 "a triangle has a repeated corner, or one that is not a vertex");
   IndexBound bound;
   if (triangles.empty()) return bound;
   const detail::ArrowGraph graph(triangles, vertex_count);

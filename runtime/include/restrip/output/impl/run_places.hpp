@@ -1,5 +1,5 @@
-// Where the runs of a strip buffer lie: a list of places in the order of the buffer, with the gaps between them sorted
-// by size. Knows neither indices nor meshes.
+// The places of runs in a strip buffer: a list in the order of the buffer, with the gaps between them sorted by size.
+// Knows neither indices nor meshes.
 #pragma once
 
 #include <algorithm>
@@ -27,9 +27,9 @@ struct Run {
   friend bool operator==(const Run&, const Run&) = default;
 };
 
-/// Place 0 is the head: it lies at the beginning, its run is empty, and its gap is what lies before the first run.
-/// Places are named by numbers that are used again. All functions take constant time, and none but make_room() may
-/// throw; runs must not overlap.
+/// Place 0 is the head: it lies at the beginning, its run is empty, and its gap lies before the first run. Places are
+/// named by numbers that are used again. All functions take constant time, and none but make_room() may throw; runs
+/// must not overlap.
 class RunPlaces {
  public:
   static constexpr std::uint32_t head = 0;
@@ -52,7 +52,7 @@ class RunPlaces {
   [[nodiscard]] std::uint32_t limit(std::uint32_t p) const noexcept {
     return next(p) == head ? totals_.length : run(next(p)).first;
   }
-  /// Unused cells behind its run.
+  /// Unused cells after its run.
   [[nodiscard]] std::uint32_t gap(std::uint32_t p) const noexcept { return limit(p) - run(p).end(); }
   [[nodiscard]] State state(std::uint32_t p) const noexcept { return places_[p].state; }
   void set_state(std::uint32_t p, State state) noexcept { change(p).state = state; }
@@ -63,7 +63,7 @@ class RunPlaces {
   [[nodiscard]] std::uint32_t used() const noexcept { return totals_.used; }
   [[nodiscard]] std::uint32_t cuts() const noexcept { return totals_.cuts; }
   [[nodiscard]] std::uint32_t last() const noexcept { return previous(head); }
-  /// The place with the smallest gap of at least `cells`; where none exists, that with the largest gap, or no_place.
+  /// The place with the smallest gap of at least `cells`; if none exists, the place with the largest gap, or no_place.
   [[nodiscard]] std::uint32_t find_gap(std::uint32_t cells) const noexcept {
     const std::size_t size = std::min(cells, largest_gap);
     std::size_t word = size / 64;
@@ -90,7 +90,7 @@ class RunPlaces {
     sort_in(place.previous);
     sort_in(p);
   }
-  /// A run in the gap behind `before`. Returns its place.
+  /// Inserts a run into the gap after `before`. Returns its place.
   std::uint32_t insert(std::uint32_t before, const Run& run) noexcept {
     std::uint32_t p = totals_.free;
     if (p == head) {
@@ -129,7 +129,7 @@ class RunPlaces {
     std::uint32_t next = head;
     std::uint32_t nearer = no_place;  // places with a gap of the same size
     std::uint32_t farther = no_place;
-    std::uint8_t size = 0;  // the gap as it is sorted in; 0: not at all
+    std::uint8_t size = 0;  // the size that the gap is sorted by; 0: not sorted
     State state = State::settled;
     bool named = false;  // in changed_
     friend bool operator==(const Place&, const Place&) = default;
@@ -144,7 +144,7 @@ class RunPlaces {
       totals_.sizes[place.size / 64U] &= ~(std::uint64_t{1} << (place.size % 64U));
     place.size = 0;
   }
-  // The gap behind p has changed.
+  // Sorts the gap after p in again, after it has changed.
   void sort_in(std::uint32_t p) noexcept {
     const auto size = static_cast<std::uint8_t>(std::min(gap(p), largest_gap));
     if (places_[p].size == size) return;
@@ -160,7 +160,7 @@ class RunPlaces {
       totals_.sizes[size / 64U] |= std::uint64_t{1} << (size % 64U);
   }
 
-  // What is known of all places together.
+  // Data on all places together.
   struct Totals {
     std::uint32_t free = head;  // places that are free, linked by `next`; the head ends them
     std::uint32_t length = 0;
@@ -179,7 +179,7 @@ class RunPlaces {
 
   std::vector<Place> places_ = std::vector<Place>(1);
   Totals totals_;
-  std::vector<std::uint32_t> changed_;  // since a history looked last, each once; room for all is made with them
+  std::vector<std::uint32_t> changed_;  // since a history last read it, each once; its room grows with places_
 };
 
 }  // namespace restrip::detail

@@ -13,7 +13,7 @@
 
 namespace restrip::detail {
 
-// What is known after writing a strip from one end.
+// The result of writing a strip from one end.
 struct WrittenStrip {
   Triangle other_end;
   bool wrong;  // it began with a turn to the right
@@ -80,7 +80,7 @@ class SidedWriter {
       t = StripMesh::triangle(entry);
       const unsigned side = StripMesh::side(entry);
       turn = mesh_.solid_beside(entry);
-      // The corner that the entry does not have comes next, and before it, for a swap, the last but one again.
+      // The corner opposite the entry comes next; for a swap, the last but one comes again before it.
       const std::uint32_t third = corner(t, side + 2);
       if (turn == 0) {
         written[size++] = third;

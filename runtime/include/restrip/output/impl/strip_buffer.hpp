@@ -13,7 +13,7 @@ namespace restrip {
 namespace detail {
 // Chosen by measurement under all policies; in triangles.
 inline constexpr std::uint32_t longest_joined_run = 28;  // runs of one strip that meet become one up to this
-inline constexpr std::uint32_t cut_window = 4;           // by which a cut may be off
+inline constexpr std::uint32_t cut_window = 4;           // the distance by which a cut may be off
 inline constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
 
 // A triangle entered over a halfedge; the edge is the exclusive or of its vertices.
@@ -87,7 +87,7 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   rebuilt_ = false;
   if (std::exchange(told_, true)) written_.clear();
   begin_reading();
-  places_.make_room(0);  // a copy has none, nor has what a BufferHistory gave back
+  places_.make_room(0);  // copies lack this room, and so do buffers restored by a BufferHistory
   if (run_of_.size() < mesh.triangle_bound()) {
     detail::make_buffer_room(run_of_, mesh.triangle_bound() - run_of_.size());
     run_of_.resize(mesh.triangle_bound(), nothing);
@@ -163,7 +163,7 @@ bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge i
   return stays;
 }
 
-// Reads the strip through t as far as it is to be written again, and writes it as runs that are not too long.
+// Reads the part of the strip through t that must be rewritten, and writes it as runs that are not too long.
 template <class Index>
 template <class Mesh>
 void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
@@ -190,8 +190,8 @@ void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
   }
 }
 
-// Where to cut the strip: near a link, and so that few indices are repeated. A strip repeats one where it turns around
-// the same vertex in two triangles, but not in those beside a cut.
+// Chooses where to cut the strip: near a link, and so that few indices are repeated. A strip repeats an index if it
+// turns around the same vertex in two triangles, but not in the triangles next to a cut.
 template <class Index>
 std::uint32_t BasicStripBuffer<Index>::best_cut(std::uint32_t near, std::uint32_t begin) const noexcept {
   const auto turns_around = [&](std::uint32_t i) { return strip_[i - 1].edge ^ strip_[i].corners ^ strip_[i].edge; };
@@ -223,14 +223,14 @@ typename BasicStripBuffer<Index>::Start BasicStripBuffer<Index>::start(const Mes
     corner = detail::from_of(mesh, h);
     h = mesh.next(h);
   }
-  // At an odd place the winding asks for the same edge the other way round.
+  // At an odd place the winding needs the same edge in reverse.
   if (stitched_) std::swap(start.corner[1], start.corner[2]);
   link += start.step;
   if (text.end - text.begin > 2) start.swaps = (start.corner[2] ^ link->corners ^ link[start.edge].edge) == 0;
   return start;
 }
 
-// Does the text begin or end as what it takes the place of?
+// Whether the text begins or ends like the run that it replaces.
 template <class Index>
 bool BasicStripBuffer<Index>::is_forward(const Text& text) const noexcept {
   if (text.place == nothing || text.end - text.begin < 2) return true;
@@ -246,7 +246,7 @@ template <class Mesh>
 void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts) {
   const std::uint32_t triangles = end - begin;
   Text text{begin, end, letters_, 0, cuts, nothing};
-  // It takes the place of a run that a triangle of it was in, one in the middle if possible.
+  // It takes the place of a run that one of its triangles was in, one in the middle if possible.
   for (std::uint32_t i = 0; i < triangles && text.place == nothing; ++i) {
     const std::uint32_t run = strip_[begin + (i + triangles / 2) % triangles].run;
     if (run == nothing || places_.state(run) != State::dirty) continue;
@@ -266,7 +266,7 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   Index* out = text_.data() + letters_;
   if (stitched_) *out++ = static_cast<Index>(run.corner[0]);
   for (const std::uint32_t corner : run.corner) *out++ = static_cast<Index>(corner);
-  // Each further triangle has the last two indices p, q already and adds its third corner x. Where it is left over the
+  // Each further triangle has the last two indices p, q and adds its third corner x. If the strip leaves it over the
   // edge (p, x), p is repeated before x. Strips turn at random: no branch.
   const Link* link = run.link;
   for (std::uint32_t i = 2; i < triangles; ++i) {

@@ -1,4 +1,4 @@
-// Where the indices of a run go, as near as possible to where they were. Included by strip_buffer.hpp.
+// Stores the indices of a run, as close as possible to their old place. Included by strip_buffer.hpp.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace restrip {
 
 namespace detail {
-// Chosen by measurement under all policies; in indices but where said.
+// Chosen by measurement under all policies; in indices unless stated otherwise.
 inline constexpr std::uint32_t moved_for_a_run = 60;      // at most, so that a run that grew stays where it is
 inline constexpr std::uint32_t moved_for_a_gap = 400;     // at most, so that the last run fits into it
 inline constexpr std::uint32_t moved_by_an_update = 200;  // into gaps: none is closed beyond this
@@ -18,7 +18,7 @@ inline constexpr std::uint64_t tolerated_waste = 90;      // per mille of what i
 inline constexpr std::uint32_t shortest_run = 4;
 }  // namespace detail
 
-// Room for all that is to come, so that nothing throws.
+// Makes room for everything that follows, so that nothing throws.
 template <class Index>
 void BasicStripBuffer<Index>::prepare() {
   constexpr std::size_t slides_for_a_run = detail::moved_for_a_run / detail::shortest_run;
@@ -41,7 +41,7 @@ void BasicStripBuffer<Index>::store() noexcept {
     if (text.place == nothing) store_anew(text);
 }
 
-// False where there is no room.
+// False if the room is too small.
 template <class Index>
 bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
   const std::uint32_t before = places_.previous(text.place);
@@ -53,7 +53,7 @@ bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
   const detail::Run old = places_.run(text.place);
   std::uint32_t first = old.first;
   if (text.length != old.length) {
-    // Of its beginning and its end, the one that stays as it is for longer.
+    // Keeps its beginning or its end, whichever is unchanged for longer.
     const Index* now = cells_.data() + old.first;
     const Index* then = text_.data() + text.first;
     const std::uint32_t both = std::min(text.length, old.length);
@@ -124,7 +124,7 @@ void BasicStripBuffer<Index>::blank(std::uint32_t first, std::uint32_t end) noex
   mark(first, end);
 }
 
-// Moves the run of a place to `first`, in the gap behind `before` or within the gaps on both sides of it.
+// Moves the run of a place to `first`, in the gap after `before` or within the gaps on both sides of it.
 template <class Index>
 void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept {
   detail::Run run = places_.run(place);
@@ -143,9 +143,8 @@ void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, st
   places_.insert(before, run);  // into the same place: it was freed last
 }
 
-// Slides runs from `right` on to the right, or those up to `left` to the left, until `missing` cells more lie between
-// the two. Returns how many indices were moved; none where it would be more than `most`. Runs that are to be written
-// stay.
+// Slides runs from `right` on to the right, or runs up to `left` to the left, until `missing` more cells lie between
+// the two. Returns the number of indices moved; 0 if it would exceed `most`. Runs that are to be written stay.
 template <class Index>
 std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing,
                                              std::uint32_t most) noexcept {
@@ -188,8 +187,8 @@ std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t r
 
 // ---- gaps
 
-// Moves the last run into a gap, again and again. A cut wastes some two and a half indices, of stitched runs four, half
-// of them at each end.
+// Moves the last run into a gap, repeatedly. A cut wastes some two and a half indices, four in stitched runs, half of
+// them at each end.
 template <class Index>
 void BasicStripBuffer<Index>::close_gaps() noexcept {
   for (std::uint32_t moved = 0;;) {
@@ -215,12 +214,12 @@ void BasicStripBuffer<Index>::close_gaps() noexcept {
   }
 }
 
-// ---- what has been written
+// ---- ranges written
 
 template <class Index>
 void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept {
   if (first == end) return;
-  // What is written is mostly beside what was written before.
+  // A write is mostly adjacent to the previous one.
   if (!written_.empty()) {
     Range& last = written_.back();
     const std::size_t last_end = last.first + last.count;

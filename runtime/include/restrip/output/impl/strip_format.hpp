@@ -31,7 +31,7 @@ class StripFormatter {
     if (format_.width == IndexWidth::bits16 && !narrow)
       RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into indices of 16 bits");
     if (narrow && format_.width != IndexWidth::bits32)
-      // The restart index becomes that of 16 bits.
+      // The restart index becomes the one of 16 bits.
       buffer.indices.emplace<1>(out_.begin(), out_.end());
     else
       buffer.indices = std::move(out_);
@@ -52,8 +52,7 @@ class StripFormatter {
     return text_[i] == text_[i + 1] || text_[i + 1] == text_[i + 2] || text_[i + 2] == text_[i];
   }
 
-  // One index that is repeated within a strip, a swap, draws one degenerate triangle. Where several follow each other,
-  // strips are stitched.
+  // One repeated index within a strip, a swap, draws one degenerate triangle. Several in a row stitch strips.
   void find_strips() {
     for (std::size_t begin = 0; begin < text_.size();) {
       const auto end = static_cast<std::size_t>(
@@ -109,7 +108,7 @@ class StripFormatter {
     end_batch();
   }
 
-  // How a strip is written so that its first triangle is wound as `odd` says.
+  // The ways to write a strip so that its first triangle is wound as `odd` says.
   enum class Way { as_it_is, from_its_end, middle_exchanged, one_repeated };
   [[nodiscard]] static Way way_of(const Strip& strip, bool odd) noexcept {
     if (strip.odd == odd) return Way::as_it_is;
@@ -140,7 +139,7 @@ class StripFormatter {
     if (form_ == StripForm::lengths) lengths_.push_back(static_cast<std::uint32_t>(out_.size() - before));
   }
 
-  // As many of the strip as fits into the batch, and the rest into the next ones.
+  // Writes the part of the strip that fits into the batch, and the rest into the next batches.
   void put_cut(Strip strip) {
     while (strip.count != 0) {
       std::size_t taken = fitting(strip);
@@ -159,7 +158,7 @@ class StripFormatter {
 
   [[nodiscard]] std::size_t fitting(const Strip& strip) {
     const std::size_t used = out_.size() - first_;
-    // The most that is written besides: what leads to the strip, and an index for parity.
+    // The most additional indices: those that lead to the strip, and one for parity.
     std::size_t beside = form_ == StripForm::list ? 0 : 1;
     if (used != 0 && form_ == StripForm::restart) beside += 1;
     if (used != 0 && form_ == StripForm::stitched) beside += 2;

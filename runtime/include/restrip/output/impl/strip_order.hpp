@@ -100,7 +100,7 @@ class StripOrder {
     }
   }
 
-  // Misses of a beginning with an empty cache, and how many of these are spared by what is in the cache now.
+  // Misses of a beginning with an empty cache, and the number of these saved by the present cache.
   struct Gain {
     std::size_t spared = 0;
     std::size_t of = 1;
@@ -129,7 +129,7 @@ class StripOrder {
   bool best_beside_cache(Choice& best) {
     Gain best_gain;
     std::size_t tried = 0;
-    // The vertices that came in last first: they stay longest.
+    // The vertices that entered last come first: they stay longest.
     for (std::size_t i = recent_.size(); i-- > recent_.size() - std::min(recent_.size(), cache_size_);)
       for_each_choice_at(recent_[i], [&](Choice choice) {
         if (tried == most_tried) return false;
@@ -144,7 +144,7 @@ class StripOrder {
     return best_gain.spared != 0;
   }
 
-  // Beside the vertex that came in last of those that still have a strip.
+  // A strip at the most recent vertex that still has one.
   bool beside_left_behind(Choice& next) {
     while (!recent_.empty()) {
       bool found = false;
@@ -177,12 +177,12 @@ class StripOrder {
   std::size_t strips_;
   std::size_t cache_size_;
   std::vector<bool> done_;
-  std::vector<std::size_t> came_in_;  // of a vertex, as which miss; 0: never
+  std::vector<std::size_t> came_in_;  // of a vertex, the number of the miss; 0: never
   std::size_t misses_ = 0;
   std::vector<std::size_t> trial_of_;  // in which a vertex was met last
   std::vector<Times> trial_came_in_;
   std::size_t trial_ = 0;
-  std::vector<std::uint32_t> recent_;  // misses, without those that have no strip left
+  std::vector<std::uint32_t> recent_;  // misses, without vertices that have no strip left
   std::vector<std::size_t> first_of_;
   std::vector<std::size_t> end_of_;
   std::vector<Choice> choices_;
@@ -199,7 +199,7 @@ Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_
   RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "order_for_vertex_cache", detail::not_strips);
   if (counts != nullptr) *counts = {};
   if (cache_size == 0 || strips.size() < 2) return strips;
-  // strip_indices() writes a strip as it is listed wherever that takes no index more.
+  // strip_indices() writes a strip as listed if the other end would not take fewer indices.
   Strips turned = strips;
   for (std::size_t s = 0; s < strips.size(); ++s)
     std::reverse(turned.order.begin() + static_cast<std::ptrdiff_t>(strips.start[s]),

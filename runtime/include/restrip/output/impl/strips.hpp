@@ -14,7 +14,7 @@ namespace restrip {
 
 namespace detail {
 
-// What strips are read by. A StripMesh answers without a branch for each side: strips turn at random.
+// Reads strips. A StripMesh does this without a branch for each side: strips turn at random.
 
 template <NumberedMesh Mesh>
 Triangle triangle_of(const Mesh& mesh, typename Mesh::Halfedge h) {
@@ -42,7 +42,7 @@ unsigned solid_degree(const Mesh& mesh, Triangle t) {
 }
 inline unsigned solid_degree(const StripMesh& mesh, Triangle t) noexcept { return mesh.solid_degree(t); }
 
-// A halfedge of t to start strip_step() from, where t ends a strip.
+// A halfedge of t to start strip_step() from, if t ends a strip.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge into_end(const Mesh& mesh, Triangle t) {
   const auto h = mesh.halfedge(t);
@@ -59,7 +59,7 @@ typename Mesh::Halfedge first_exit(const Mesh& mesh, Triangle t) {
   if (!mesh.solid(h)) h = mesh.next(h);
   return mesh.solid(h) ? h : mesh.next(h);
 }
-// The halfedge over which the strip that comes in over `entry` continues; `entry` where it ends.
+// The halfedge over which the strip that enters over `entry` continues; `entry` if it ends.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge exit_behind(const Mesh& mesh, typename Mesh::Halfedge entry) {
   const auto right = mesh.next(entry);
@@ -94,9 +94,9 @@ inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, Triangle t) n
   return t;
 }
 
-inline constexpr const char* not_strips = "the strips are not those of the mesh as it is now";
+inline constexpr const char* not_strips = "these are not the strips of the mesh as it is now";
 
-// Are all triangles alive, and those that follow each other in a strip joined by a solid dual edge?
+// Whether all triangles are alive, and consecutive triangles of a strip are joined by a solid dual edge.
 template <NumberedMesh Mesh>
 bool are_strips_of(const Mesh& mesh, const Strips& strips) {
   for (std::size_t s = 0; s < strips.size(); ++s) {
@@ -170,8 +170,8 @@ void append_indices(const Mesh& mesh, std::span<const Triangle> strip, std::vect
   // The first triangle ends in the edge over which it is left.
   const auto first = exit_to(mesh, walk[0], walk[1]);
   append_corners(mesh, mesh.next(mesh.next(first)), indices);
-  // Each further triangle has the last two indices a, b already and adds its third corner c; that leads over the edge
-  // (b, c). To leave over (a, c), say a once more before c.
+  // Each further triangle has the last two indices a, b and adds its third corner c, which leads over the edge (b, c).
+  // To leave over (a, c), a is repeated before c.
   bool free_turn_left = true;
   each_turn(mesh, walk, [&](std::size_t, typename Mesh::Halfedge exit, bool left) {
     const std::uint32_t a = indices[indices.size() - 2];
@@ -264,7 +264,7 @@ std::size_t count_strips(const Mesh& mesh) {
       ++triangles;
     }
   }
-  // Where no triangle has three solid edges, a strip without an end is a cycle.
+  // If no triangle has three solid edges, a strip without an end is a cycle.
   if (triangles != detail::count_triangles(mesh)) detail::throw_solid_cycle();
   return strips;
 }
@@ -287,7 +287,7 @@ Strips extract_strips(const Mesh& mesh) {
   std::vector<bool> listed(mesh.triangle_bound(), false);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.has_triangle(t) || listed[t] || detail::solid_degree(mesh, t) > 1) continue;
-    // Where the colouring is not valid a strip may come back to itself.
+    // In an invalid colouring a strip may return to itself.
     StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)};
     for (; at.goes_on && !listed[detail::triangle_of(mesh, at.in)]; at = strip_step(mesh, at.in)) {
       strips.order.push_back(detail::triangle_of(mesh, at.in));

@@ -11,8 +11,8 @@
 
 namespace restrip::detail {
 
-/// How strips continue behind the solid ports of a fan, a bit for each port: about the corner that the port shares with
-/// the link to the triangle before it, or behind it. Where neither bit is set the strip ends behind the port.
+/// How strips continue outside the solid ports of a fan, a bit for each port: around the corner that the port shares
+/// with the link to the previous triangle, or to the next one. If neither bit is set the strip ends outside the port.
 /// `Bits` is a Word or a BitSpan.
 template <class Bits>
 struct PortTurns {
@@ -20,8 +20,8 @@ struct PortTurns {
   Bits right = {};
 };
 
-/// The letter of a port: 0 not solid, 1 solid, 2 solid and may be joined to the solid port before it; with what lies
-/// behind it where the automaton distinguishes turns.
+/// The letter of a port: 0 not solid, 1 solid, 2 solid and may be joined to the solid port before it; with the turn
+/// outside if the automaton distinguishes turns.
 template <class Bits, class At>
 constexpr unsigned letter_of(unsigned port, const PortTurns<Bits>& turns, At&& at) noexcept {
   if constexpr (tables::automaton.tells_turns) {
@@ -77,10 +77,10 @@ struct LongLetters {
   }
 };
 
-/// A letter behind a class, as a number.
+/// A letter after a class, as a number.
 using ArcEntry = std::uint16_t;
 
-/// An arc with as many letters as fit.
+/// An arc with any number of letters.
 template <const auto& automaton = tables::automaton>
 class ArcWalk {
  public:
@@ -112,7 +112,7 @@ class ArcWalk {
     return (end & automaton.solid) != 0;
   }
 
-  /// The case before letter m, by the case behind it.
+  /// The case before letter m, from the case after it.
   [[nodiscard]] constexpr unsigned before(std::size_t m, unsigned end) const noexcept {
     return static_cast<unsigned>(automaton.before[entries_[m]] >> (4 * end) & 15U);
   }
@@ -123,7 +123,7 @@ class ArcWalk {
   std::size_t class_ = 0;
 };
 
-/// What two arcs do when they meet in the inserted triangles A and D.
+/// The cases of two arcs that meet in the inserted triangles A and D.
 struct ArcMeeting {
   unsigned first = 0;   ///< the case of the arc from A to D
   unsigned second = 0;  ///< the case of the arc from D to A
@@ -165,12 +165,12 @@ constexpr void walk_collapse(std::size_t k, const Letters& letters, ArcEntry* ro
 }
 
 /// An arc that begins inside an open fan, goes over the boundary and ends inside. It has `above` triangles before the
-/// boundary; its first link is edge `from`, and the edges behind the boundary are those from 0.
+/// boundary; its first link is edge `from`, and the edges after the boundary count from 0.
 template <class Color>
 constexpr void color_around(const ArcWalk<>& arc, unsigned end, std::size_t above, std::size_t from,
                             Color&& color) noexcept {
   const bool first = arc.for_each_link(end, [&](std::size_t m, bool solid) {
-    // The two links on the boundary are dashed, and no edges; those behind them come first in path order.
+    // The two links on the boundary are dashed and are not edges; later links come first in path order.
     if (m < above)
       color(from + m, solid);
     else if (m > above + 1)
@@ -194,7 +194,7 @@ constexpr void walk_open_split(std::size_t k, std::size_t i, std::size_t j, cons
   color(k + 1, meeting.chord);
 }
 
-/// An arc between two boundaries: the links there are dashed, and no edges.
+/// An arc between two boundaries: the links there are dashed and are not edges.
 template <class Color>
 constexpr void color_path(const ArcWalk<>& path, Color&& color) noexcept {
   path.for_each_link(0, [&](std::size_t m, bool solid) {

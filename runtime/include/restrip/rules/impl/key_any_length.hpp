@@ -1,4 +1,4 @@
-// restrip/rules/key.hpp for bit strings of any length: the same questions answered by walking, one step an element.
+// restrip/rules/key.hpp for bit strings of any length: the same functions by a walk, one step an element.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 
 namespace restrip::detail {
 
-// Positions that no patch has are a programming error, found in debug builds.
+// Positions out of range are a programming error, found in debug builds.
 inline constexpr const char* no_such_fan = "k is out of range: 1 <= k; on masks, k <= max_word_valence";
 inline constexpr const char* no_such_closed_fan = "k is out of range: 3 <= k; on masks, k <= max_word_valence";
 inline constexpr const char* no_such_split = "the position is out of range: 3 <= k <= max_word_valence, 1 <= a < k";
@@ -22,7 +22,7 @@ inline constexpr const char* no_such_gap =
 struct Layout {
   std::size_t k = 0;               // triangles of the fan, that is, ports
   std::size_t inserted = nowhere;  // element A
-  std::size_t opposite = nowhere;  // element D, always behind A
+  std::size_t opposite = nowhere;  // element D, always after A
   bool ring = false;
 
   constexpr bool has_chord() const noexcept { return opposite != nowhere; }
@@ -75,7 +75,7 @@ constexpr Layout path(std::size_t k, std::size_t i) noexcept {
 /// Isolated triangles of a patch with these colours.
 constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
   const Word edges = inner & low_bits(patch.edges());
-  const Word wrap = edges >> (patch.size() - 1);  // of a ring; a path has no such edge
+  const Word wrap = edges >> (patch.size() - 1);  // of a ring; a path lacks this edge
   Word touched = edges | edges << 1 | wrap | patch.spread(ports);
   if (patch.has_chord() && has(inner, patch.chord())) touched |= bit(patch.inserted) | bit(patch.opposite);
   return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));

@@ -29,11 +29,11 @@ namespace restrip::detail {
   return (std::uint64_t{32 - place} << 16) - line;
 }
 
-/// The colours of a mesh, taken from it, changed move by move and given back. A move takes a solid edge out, or makes a
-/// dashed one solid and takes one out at each of its triangles that has two already.
+/// A copy of the colours of a mesh, changed move by move and written back. A move clears a solid edge, or sets a dashed
+/// one and clears one at each of its triangles that already has two.
 ///
-/// A triangle is *flawed* when it has fewer than two solid edges or takes part in a swap that costs something: only
-/// moves at flawed triangles are tried, a few of a hundred triangles once the strips are good.
+/// A triangle is *flawed* if it has fewer than two solid edges or is part of a swap that costs something. Only moves at
+/// flawed triangles are tried, a few of a hundred triangles once the strips are good.
 class Annealing : private ColoringCopy {
  public:
   Annealing(ColoringCopy colors, Cost cost, std::uint64_t seed)
@@ -48,13 +48,13 @@ class Annealing : private ColoringCopy {
     return *this;
   }
 
-  /// Colours it again: strips of few indices in one pass.
+  /// Colours it from scratch: strips of few indices in one pass.
   void grow() {
     Growing(across_, solid_).run();
     trees_kept_ = false;
   }
 
-  /// Keeps the colours as they are if they cost less than those kept before. Linear time.
+  /// Keeps the present colours if they cost less than the colours kept before. Linear time.
   void keep() {
     const std::uint64_t now = cost(cost_);
     if (!kept_.empty() && now >= least_) return;
@@ -70,8 +70,8 @@ class Annealing : private ColoringCopy {
   }
 
   /// Tries about N moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
-  /// 45 % of the moves each, and then to 0. At a temperature of 1 a change for the worse by a third of a strip (or a
-  /// swap, if that weighs more) is as likely as 1 / e.
+  /// 45 % of the moves each, and then to 0. At a temperature of 1 a change that costs a third of a strip (or a swap, if
+  /// that weighs more) is accepted with probability 1 / e.
   void cool(std::uint64_t moves, std::uint32_t heat) {
     list_flaws();
     const std::uint64_t most = std::max<std::uint64_t>({cost_.restart, std::uint64_t{3} * cost_.swap, cost_.isolated});
@@ -92,13 +92,13 @@ class Annealing : private ColoringCopy {
     }
   }
 
-  /// Once over all ends of strips, the moves there that make the colours cheaper.
+  /// Visits all strip ends once and makes the moves there that lower the cost.
   void settle_ends() {
     for (Triangle t = 0; t < across_.size(); ++t)
       for (unsigned s = 0; s < 3 && !full(t); ++s)
         if (const std::uint32_t h = t << 2 | s; !solid(h) && across(h) != none) settle(h);
   }
-  /// So often over all of them, moves drawn at random that cost nothing.
+  /// Visits all strip ends `rounds` times and makes random moves that cost nothing.
   void stir_ends(unsigned rounds) {
     temperature_ = 0;
     for (unsigned round = 0; round < rounds; ++round)
@@ -108,15 +108,14 @@ class Annealing : private ColoringCopy {
       }
   }
 
-  /// The dashed h is made solid, and in the triangle across, which has two solid edges, the one before it is taken out
-  /// (`before` 1) or the one after it (0): what this adds to the cost, or the least number where triangles at these
-  /// are the same one. The triangle of h must have room. Most moves that are tried gain nothing, and this says so
-  /// without a change of colours.
+  /// The change of the cost if the dashed h is set and, in the triangle across, which has two solid edges, the one
+  /// before it (`before` 1) or after it (0) is cleared; the least number if triangles at these edges coincide. The
+  /// triangle of h must have room. Most moves that are tried gain nothing, and this finds out without changing colours.
   [[nodiscard]] std::int64_t least_change(std::uint32_t h, unsigned before) const noexcept {
     const std::uint32_t g = across(h);
     const unsigned after_g = (g & 3U) == 2 ? 0 : (g & 3U) + 1;
     const unsigned before_g = (g & 3U) == 0 ? 2 : (g & 3U) - 1;
-    const std::uint32_t there = across((g & ~3U) | (before != 0 ? before_g : after_g));  // over the edge taken out
+    const std::uint32_t there = across((g & ~3U) | (before != 0 ? before_g : after_g));  // over the edge cleared
     const std::uint32_t kept = across((g & ~3U) | (before != 0 ? after_g : before_g));   // over the one that stays
     const unsigned turn_here = turn(h);
     const unsigned turn_there = turn(there);
@@ -124,7 +123,7 @@ class Annealing : private ColoringCopy {
     const std::uint32_t beyond = turn_there == 0 ? none : across(other(there));
     if (kept >> 2 == h >> 2 || kept >> 2 == there >> 2 || behind >> 2 == there >> 2 || behind >> 2 == g >> 2)
       return std::numeric_limits<std::int64_t>::min();
-    // The turn from the edge taken out to the one that stays. A turn is 1 or 2, and the other way round 3 less that.
+    // The turn from the cleared edge to the one that stays. A turn t is 1 or 2; in reverse it is 3 - t.
     const unsigned to_kept = before + 1;
     const unsigned turn_kept = turn(kept);
     int swaps = int{turn_here == to_kept} + int{turn_kept == 3 - to_kept};
@@ -147,8 +146,8 @@ class Annealing : private ColoringCopy {
     if (trees_kept_) tell_trees(h);
   }
 
-  // What the solid edge of h adds to the cost: swaps that it takes part in, less a strip, less triangles that would be
-  // isolated without it.
+  // The cost that the solid edge of h adds: its swaps, minus a strip, minus triangles that would be isolated without
+  // it.
   [[nodiscard]] std::int64_t price(std::uint32_t h) const noexcept {
     const std::uint32_t a = other(h);
     const std::uint32_t b = other(across(h));
@@ -159,7 +158,7 @@ class Annealing : private ColoringCopy {
     return std::int64_t{cost_.swap} * swaps - cost_.restart - std::int64_t{cost_.isolated} * alone;
   }
 
-  // Makes the dashed h solid where that saves something; its triangle has room for it.
+  // Sets the dashed h if that lowers the cost; its triangle has room for it.
   void settle(std::uint32_t h) {
     const std::uint32_t g = across(h);
     Cuts cuts;
@@ -180,11 +179,11 @@ class Annealing : private ColoringCopy {
     flip(h);
   }
 
-  // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know.
+  // ---- strips from end to end. Nearly all are walked; long ones are looked up in trees.
   static constexpr unsigned longest_walk = 512;
 
-  // The trees are made when they are asked for the first time. From then on they learn of changes, but only before
-  // they are asked again; after too many changes they are rebuilt.
+  // The trees are built for the first query. Later changes are applied only before the next query; after too many
+  // changes the trees are rebuilt.
   void tell_trees(std::uint32_t h) noexcept {
     if (!untold_.empty() && untold_.back() >> 1 == h)
       untold_.pop_back();  // taken back
@@ -215,7 +214,7 @@ class Annealing : private ColoringCopy {
     return trees_;
   }
 
-  // Are t and u the two ends of one strip? Walks from both until the shorter walk ends.
+  // Whether t and u are the two ends of one strip. Walks from both until the shorter walk ends.
   [[nodiscard]] bool are_ends_of_one(Triangle t, Triangle u, unsigned longest = longest_walk) {
     if (solid_[t] == 0 || solid_[u] == 0) return false;
     std::uint32_t from_t = only_side(t);
@@ -231,7 +230,7 @@ class Annealing : private ColoringCopy {
     return trees().together(t, u);
   }
 
-  // A triangle without a neighbour has no move.
+  // A triangle without a neighbour cannot move.
   void list_flaws() {
     flaws_.reset(across_.size());
     for (Triangle t = 0; t < across_.size(); ++t)
@@ -240,7 +239,7 @@ class Annealing : private ColoringCopy {
   void note(Triangle t) noexcept {
     if (flawed(t) && !flaws_.empty()) flaws_.mark(t);
   }
-  // t and the triangles before and after it: those whose swaps depend on t's colours.
+  // t and the triangles before and after it, whose swaps depend on t's colours.
   void note_around(Triangle t) noexcept {
     note(t);
     for (unsigned s = 0; s < 3; ++s)
@@ -265,7 +264,7 @@ class Annealing : private ColoringCopy {
     }
   }
 
-  // Solid edges that are taken out.
+  // Solid edges cleared by a move.
   struct Cuts {
     std::array<std::uint32_t, 2> edges{};
     unsigned count = 0;
@@ -274,8 +273,8 @@ class Annealing : private ColoringCopy {
     for (unsigned i = cuts.count; i-- > 0;) flip(cuts.edges[i]);
   }
 
-  // Takes h out when it is solid, or else makes it solid; drops the move when the cost rises by more than chance allows
-  // at this temperature, or when it would close a cycle.
+  // Clears h if it is solid, or else sets it; drops the move if the cost rises by more than chance allows at this
+  // temperature, or if it would close a cycle.
   void try_move(std::uint32_t h) {
     const std::uint32_t g = across(h);
     if (g == none) return;
@@ -325,7 +324,7 @@ class Annealing : private ColoringCopy {
   std::uint64_t tried_ = 0;
   StripTrees trees_;
   bool trees_kept_ = false;
-  std::vector<std::uint32_t> untold_;  // halfedge << 1 | solid: what has changed since the trees were asked
+  std::vector<std::uint32_t> untold_;  // halfedge << 1 | solid: changes since the last query of the trees
 };
 
 }  // namespace restrip::detail

@@ -1,8 +1,8 @@
-// Lists of chunks, cut, joined and reversed: the upper level of StripLocator.
+// Lists of chunks that can be cut, joined and reversed: the upper level of StripLocator.
 //
 // A chunk knows its list, its rank in it, its two neighbours and whether it reads backwards, so a look costs one memory
-// read. Cutting and joining rewrite the smaller part, which two walkers that start at the cut at the same time find;
-// and now and then, when they have drifted far, the ranks of the larger one, once for at least half the number of
+// read. Cutting and joining rewrite the smaller part, which two walkers that start at the cut at the same time find.
+// Occasionally the ranks of the larger part have drifted far and are rewritten, once for at least half the number of
 // chunks joined to it. A chunk added in the middle takes the rank between its neighbours; if no rank is free, the
 // smallest stretch of the list with room is spread out: amortised O(log n) ranks for each chunk added. (Bender, Cole,
 // Demaine, Farach-Colton, Zito, "Two simplified algorithms for maintaining order in a list", 2002. The upper level of
@@ -30,9 +30,9 @@ class ChunkLists {
     Id after = no_chunk;
     std::uint32_t list = no_chunk;  // no_chunk: the chunk is not in use
     std::uint32_t rank = middle;    // grows along the list
-    std::uint32_t count = 0;        // of triangles, for the owner's use
+    std::uint32_t count = 0;        // of triangles, used by the owner
     bool backwards = false;         // the chunk's own order is the reverse of the list's
-    bool crowded = false;           // for the owner's use, too
+    bool crowded = false;           // used by the owner, too
   };
 
   /// Joining and adding spread the ranks of a list again when they would be further than `reach` from the middle of
@@ -61,13 +61,13 @@ class ChunkLists {
     free_lists_.reserve(lists);
   }
 
-  /// A new chunk, in a list of its own.
+  /// Adds a chunk, in a new list.
   Id add() {
     const Id c = new_chunk();
     chunks_[c].list = new_list(1);
     return c;
   }
-  /// A new chunk next to c, in the same list, that reads as c does. Amortised O(log(chunks of the list)).
+  /// Adds a chunk next to c, in the same list and direction as c. Amortised O(log(chunks of the list)).
   Id add_beside(Id c, bool after) {
     const Id fresh = new_chunk();
     Chunk& chunk = chunks_[fresh];
@@ -92,7 +92,7 @@ class ChunkLists {
     }
     return fresh;
   }
-  /// Takes a chunk out of its list. A list without chunks is none.
+  /// Removes a chunk from its list, and the list if it is then empty.
   void erase(Id c) {
     Chunk& chunk = chunks_[c];
     connect(chunk.before, chunk.after, true);
@@ -101,7 +101,7 @@ class ChunkLists {
     free_chunks_.push_back(c);
   }
 
-  /// Cuts the list of c behind c (`after`) or before it. Nothing happens at the end of a list.
+  /// Cuts the list of c after c (`after`) or before it. Does nothing at the end of a list.
   void cut(Id c, bool after) {
     Id low = after ? c : chunks_[c].before;
     Id high = after ? chunks_[c].after : c;
@@ -121,7 +121,7 @@ class ChunkLists {
     const std::uint32_t list = new_list(smaller);
     for (Id at = upwards ? high : low; at != no_chunk; at = towards(chunks_[at], upwards)) chunks_[at].list = list;
   }
-  /// Cuts, with a new chunk at the cut, which goes with the other part and reads as c does.
+  /// Cuts, and adds a chunk at the cut, in the other part and in the same direction as c.
   Id cut_off(Id c, bool after) {
     const Id next = towards(chunks_[c], after);
     cut(c, after);

@@ -1,4 +1,4 @@
-// The colours of a mesh, copied out of it, changed and given back. Included by annealing.hpp.
+// A copy of the colours of a mesh, to be changed and written back. Included by annealing.hpp.
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ class ColoringCopy {
       solid_[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
     }
   }
-  /// The triangles of a list, by their places there, all dual edges dashed. What find_neighbors() leaves out is no
-  /// triangle.
+  /// The triangles of a list, numbered as there, all dual edges dashed. Entries that find_neighbors() leaves out are
+  /// not triangles.
   template <class Element>
   ColoringCopy(const TriangleList<Element>& list, std::size_t vertex_count)
       : across_(list.size()), alive_(list.size(), true), triangles_(list.size()), solid_(list.size(), 0) {
@@ -62,7 +62,7 @@ class ColoringCopy {
   /// opposite() of a solid side.
   [[nodiscard]] Halfedge across_solid(Halfedge h) const noexcept { return {across(h.id)}; }
 
-  // What SidedMesh asks.
+  // The members of SidedMesh.
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
     const std::uint32_t there = across(h.id);
     return there == none ? StripMesh::across_boundary(h) : Halfedge{there};
@@ -113,7 +113,7 @@ class ColoringCopy {
   [[nodiscard]] std::uint32_t across(std::uint32_t h) const noexcept { return across_[h >> 2][h & 3U]; }
   [[nodiscard]] bool solid(std::uint32_t h) const noexcept { return (solid_[h >> 2] >> (h & 3U) & 1U) != 0; }
   [[nodiscard]] bool full(Triangle t) const noexcept { return (0b0110'1000U >> solid_[t] & 1U) != 0; }
-  // The lowest solid side; of a strip's end, the only one.
+  // The lowest solid side; at a strip's end, the only one.
   [[nodiscard]] std::uint32_t only_side(Triangle t) const noexcept {
     return t << 2 | static_cast<std::uint32_t>(std::countr_zero(solid_[t]));
   }
@@ -127,14 +127,14 @@ class ColoringCopy {
   [[nodiscard]] unsigned turn(std::uint32_t h) const noexcept {
     return solid_[h >> 2] * 0b1001U >> ((h & 3U) + 1) & 3U;
   }
-  // Is it a swap (restrip::is_swap)? False where a strip ends.
+  // Whether it is a swap (restrip::is_swap). False where a strip ends.
   [[nodiscard]] bool is_swap(std::uint32_t h) const noexcept { return (turn(h) ^ turn(across(h))) == 3; }
 
   struct End {
     Triangle triangle;
     bool wrong;  // a strip written from here begins with a turn to the right
   };
-  // Does the strip that ends at t, written from there, begin with a turn to the right?
+  // Whether the strip that ends at t, written from there, begins with a turn to the right.
   [[nodiscard]] bool begins_wrong(Triangle t) const noexcept {
     return solid_[t] != 0 && turn(across(only_side(t))) == 1;
   }

@@ -12,16 +12,16 @@ namespace restrip {
 namespace detail {
 
 /// The solid sides of a triangle other than `side`: bit 0 the next one, bit 1 the one before. So for a side of a strip
-/// it says how the strip turns there: 0 it ends, 1 or 2.
+/// it says how the strip turns there: 1 or 2, or 0 if it ends.
 constexpr unsigned other_sides(unsigned solid, unsigned side) noexcept {
   return (solid | solid << 3) >> (side + 1) & 3U;
 }
-/// The side that lies `turn` sides after.
+/// The side that is `turn` sides later.
 constexpr unsigned turned_side(unsigned side, unsigned turn) noexcept {
   const unsigned s = side + turn;
   return s >= 3 ? s - 3 : s;
 }
-/// Is a solid edge a swap, by the turns on its two sides?
+/// Whether a solid edge is a swap, from the turns on its two sides.
 constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
 
 /// The solid sides of the triangle of h other than h: see StripMesh::solid_beside.
@@ -32,7 +32,7 @@ unsigned solid_beside(const Mesh& mesh, typename Mesh::Halfedge h) {
   return unsigned{mesh.solid(right)} | unsigned{mesh.solid(mesh.next(right))} << 1;
 }
 
-/// The neighbour that lies `turn` sides after h in its triangle, seen from there.
+/// The neighbour that is `turn` sides after h in its triangle, seen from there.
 template <ColoredMesh Mesh>
 typename Mesh::Halfedge neighbor_at(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
   if constexpr (SidedMesh<Mesh>)
@@ -48,7 +48,7 @@ int swap_behind(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
   return int{solid_beside(mesh, neighbor_at(mesh, h, turn)) == turn};
 }
 
-/// What cutting the solid edge of h changes.
+/// The change by cutting the solid edge of h.
 template <ColoredMesh Mesh>
 ColoringChange cut_change(const Mesh& mesh, typename Mesh::Halfedge h) {
   const auto back = mesh.opposite(h);
@@ -60,7 +60,7 @@ ColoringChange cut_change(const Mesh& mesh, typename Mesh::Halfedge h) {
   return change;
 }
 
-/// The colours of a few triangles as a move leaves them, and of all others as the mesh has them.
+/// The colours of a few triangles after a move, and of all others as in the mesh.
 template <SidedMesh Mesh>
 class MoveOverlay {
  public:
@@ -121,7 +121,7 @@ class MoveOverlay {
 
 }  // namespace detail
 
-// By price; equal ones stay in their order.
+// By price, stably.
 inline void detail::FoundMoves::sort() noexcept {
   for (std::size_t i = 1; i < count; ++i)
     for (std::size_t j = i; j > 0 && moves[j].price < moves[j - 1].price; --j) std::swap(moves[j], moves[j - 1]);
@@ -130,9 +130,9 @@ inline void detail::FoundMoves::sort() noexcept {
 /// One way in which a triangle makes room for an edge.
 struct Descent::Way {
   Halfedge given_up{};     // {none}: the triangle has room
-  Triangle freed = none;   // behind the edge that is given up
-  Triangle beyond = none;  // the next one behind that
-  Triangle kept = none;    // behind the edge that is kept
+  Triangle freed = none;   // across the edge that is cleared
+  Triangle beyond = none;  // the next one beyond that
+  Triangle kept = none;    // across the edge that is kept
   unsigned turn = 0;       // of the strip at the triangle, seen from the new edge
   int swaps = 0;
   int isolated = 0;
@@ -145,8 +145,8 @@ struct Descent::End {
   int fewest_swaps = 0;  // of all ways
 };
 
-// The swaps and isolated triangles that change on this side of a new edge, whatever happens on the other. The new edge
-// itself is not counted.
+// The swaps and isolated triangles that change on this side of a new edge, independently of the other side. The new
+// edge itself is not counted.
 template <SidedMesh Mesh>
 void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
   const unsigned others = mesh.solid_beside(h);
@@ -176,8 +176,8 @@ void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
     way.freed = StripMesh::triangle(way.given_up);
     way.kept = StripMesh::triangle(towards[keeps - 1]);
     way.turn = keeps;
-    // The freed triangle becomes an end: no swap on its other side any more, if it has one. (A turn of 0 leads
-    // back to the triangle of h, where no turn is 0.)
+    // The freed triangle becomes an end, so it loses the swap on its other side, if any. (A turn of 0 leads back to the
+    // triangle of h, whose turns are not 0.)
     const unsigned freed_turn = turn[gives - 1];
     const Halfedge behind = detail::neighbor_at(mesh, way.given_up, freed_turn);
     way.beyond = StripMesh::triangle(behind);
@@ -206,7 +206,7 @@ void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_
   End here;
   look_at_end(mesh, h, here);
   const int giving = int{here.count == 2} + int{mesh.solid_beside(back) == 3};
-  // The other side saves three swaps at most, and two triangles stop being isolated at most.
+  // The other side saves at most three swaps, and at most two triangles stop being isolated.
   if (std::int32_t{cost_.restart} * (giving - 1) + std::int32_t{cost_.swap} * (here.fewest_swaps - 3) -
           2 * std::int32_t{cost_.isolated} >
       highest) {
@@ -248,7 +248,7 @@ std::span<const StripMove> Descent::moves_at(const Mesh& mesh, Triangle t, std::
   return {found_.begin(), found_.end()};
 }
 
-// `looked`: triangles whose moves are known to be of no use.
+// `looked`: triangles whose moves are known to be useless.
 template <SidedMesh Mesh>
 void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked) {
   found_.count = 0;
@@ -260,7 +260,7 @@ void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std
     const Triangle u = StripMesh::triangle(back);
     if (u != t && std::find(looked.begin(), looked.end(), u) == looked.end()) add_moves(mesh, h, back, highest);
   }
-  // A cut saves three swaps at most.
+  // A cut saves at most three swaps.
   if (std::int32_t{cost_.restart} - 3 * std::int32_t{cost_.swap} > highest) return;
   for (unsigned rest = solid; rest != 0; rest &= rest - 1)
     cut_move(mesh, StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(rest))), highest);
@@ -272,7 +272,7 @@ bool Descent::keeps_strips(const Mesh& mesh, const StripMove& move) {
   const Halfedge back = mesh.opposite(move.edge);
   const Triangle t = StripMesh::triangle(move.edge);
   const Triangle u = StripMesh::triangle(back);
-  // The edges that the two triangles keep, seen from behind.
+  // The edges that the two triangles keep, seen from the other side.
   const auto kept = [&](Triangle triangle, Halfedge given_up) {
     unsigned solid = mesh.solid_sides(triangle);
     if (given_up.id != none) solid &= ~(1U << StripMesh::side(mesh.opposite(given_up)));
@@ -329,7 +329,7 @@ void Descent::touch(const Mesh& mesh, const StripMove& move) {
     if (h.id != none) add(StripMesh::triangle(h));
 }
 
-// The best move at t that lowers the cost, if there is one.
+// The best move at t that lowers the cost, if any.
 template <SidedMesh Mesh>
 bool Descent::step(Mesh& mesh, Triangle t) {
   const auto looked = std::span<const Triangle>(looked_).first(looked_count_);
@@ -347,7 +347,7 @@ bool Descent::step(Mesh& mesh, Triangle t) {
   return false;
 }
 
-// A move that costs a little, and the best one after it, if they pay together.
+// A move that costs a little, and the best one after it, if together they lower the cost.
 template <SidedMesh Mesh>
 bool Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
   find_moves(mesh, t, limits.worse, {});

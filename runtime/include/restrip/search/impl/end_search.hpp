@@ -10,10 +10,10 @@
 namespace restrip {
 namespace detail {
 
-/// A triangle with these solid sides is an end of a strip: it has one of them or none.
+/// Whether a triangle with these solid sides is an end of a strip: it has at most one.
 constexpr bool is_strip_end(unsigned solid) noexcept { return (0b00010111U >> solid & 1U) != 0; }
 
-/// Moves that are made for trial and taken back before the search returns. A watched StripMesh does not report them.
+/// Trial moves, undone before the search returns. A watched StripMesh does not report them.
 class TrialColors {
  public:
   template <SidedMesh Mesh>
@@ -42,11 +42,11 @@ struct EndSearch::Tip {
   Triangle kept = none;    // the triangle before the end in its strip
   unsigned turn = 0;       // of the strip at the end, seen from that edge; 0 when the end is isolated
   unsigned turn_kept = 0;  // of the strip at that triangle, seen from the end
-  int isolated = 0;        // what becomes of the end: -1 when it was isolated
+  int isolated = 0;        // change at the end: -1 if it was isolated
   [[nodiscard]] int swaps() const noexcept { return int{turn != 0} & int{turn_kept == turn}; }
 };
 
-// Behind the edge another strip ends.
+// Another strip ends across the edge.
 template <SidedMesh Mesh>
 void EndSearch::find_joint(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const {
   const unsigned turn = mesh.solid_beside(back);
@@ -63,7 +63,7 @@ void EndSearch::find_joint(const Mesh& mesh, const Tip& tip, Halfedge back, std:
   found.offer(move, highest);
 }
 
-// Behind the edge a strip passes.
+// A strip passes across the edge.
 template <SidedMesh Mesh>
 void EndSearch::find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest,
                                Found& found) const {
@@ -78,7 +78,7 @@ void EndSearch::find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, 
     move.change.isolated = tip.isolated + int{turn_freed == 0};
     move.change.swaps = tip.swaps() + detail::is_swap(tip.turn, keeps) + int{turn[keeps - 1] == keeps} -
                         int{turn[keeps - 1] == gives} - int{turn_freed == keeps};
-    // One swap more may go, on the other side of the triangle that becomes an end.
+    // One more swap may disappear, on the other side of the triangle that becomes an end.
     if (move.change.price(cost_) - std::int32_t{cost_.swap} > highest) continue;
     if (StripMesh::triangle(move.given_up[1]) == tip.kept) {
       // The three triangles lie around one vertex.
@@ -127,9 +127,9 @@ std::span<const StripMove> EndSearch::moves_at(const Mesh& mesh, Triangle end, s
   return {found_.begin(), found_.end()};
 }
 
-// ---- the ends that are to be looked at
+// ---- the queue of ends to examine
 
-// An end that has been looked at moves to the end of the queue.
+// Moves an examined end to the end of the queue.
 inline void EndSearch::look_later(Triangle end) noexcept {
   for (std::size_t i = 0; i < end_count_; ++i) {
     if (ends_[i].triangle != end || ends_[i].tried == done_with) continue;
@@ -159,13 +159,13 @@ void EndSearch::make(Mesh& mesh, const StripMove& move) {
   mesh.set_solid(move.edge, true);
   done_ += move.change;
   ++counts_.made;
-  // After an exchange the triangle behind the edge is next to the new end.
+  // After an exchange the triangle across the edge is next to the new end.
   if (!joins) look_later(StripMesh::triangle(move.given_up[1]));
   consider(mesh, StripMesh::triangle(move.edge));
   if (joins) consider(mesh, StripMesh::triangle(mesh.opposite(move.edge)));
 }
 
-// The best move at an end that lowers the cost, if there is one.
+// The best move at an end that lowers the cost, if any.
 template <SidedMesh Mesh>
 void EndSearch::step(Mesh& mesh, Triangle end) {
   find_moves(mesh, end, -1, found_);
@@ -174,7 +174,7 @@ void EndSearch::step(Mesh& mesh, Triangle end) {
     if (walks_.keeps_strips(mesh, move)) return make(mesh, move);
 }
 
-// The first `length` moves of chain_, which are not made and pay together, if they close no cycle.
+// Makes the first `length` moves of chain_, which together lower the cost, if they close no cycle.
 template <SidedMesh Mesh>
 bool EndSearch::make_chain(Mesh& mesh, std::size_t length) {
   std::size_t sound = 0;
@@ -186,8 +186,8 @@ bool EndSearch::make_chain(Mesh& mesh, std::size_t length) {
   return true;
 }
 
-// Goes on with a chain of `made` moves, made for trial, which cost `price` together. They stay as they are where it
-// does not end in a chain that pays.
+// Continues a chain of `made` trial moves with a total price of `price`. They are unchanged unless this finds a chain
+// that lowers the cost.
 template <SidedMesh Mesh>
 bool EndSearch::chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
                       const EndLimits& limits) {
@@ -211,7 +211,7 @@ bool EndSearch::chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t p
   return false;
 }
 
-// Tries chains of one length at all ends where they have not been tried. True when there may be shorter ones again.
+// Tries chains of one length at all ends where they have not been tried. True if shorter ones may be possible again.
 template <SidedMesh Mesh>
 bool EndSearch::pass(Mesh& mesh, std::uint32_t length, const EndLimits& limits) {
   for (std::size_t i = 0; i < end_count_ && counts_.looked < last_look_; ++i) {

@@ -12,18 +12,18 @@
 
 namespace restrip::detail {
 
-/// Strips grow one after the other, first from one end, then from the other, until no neighbour is left. A strip goes
-/// on to the neighbour with the fewest neighbours left, and between equals to the one that needs no swap. The next
-/// strip begins at a triangle with the fewest neighbours left, the most recent one of these: strips grow next to each
-/// other, and few triangles are left behind between them (Akeley, Haeberli, Burns, "tomesh.c", 1990; swaps as Evans,
+/// Strips grow one after the other, first from one end, then from the other, until no neighbour is left. A strip
+/// continues to the neighbour with the fewest neighbours left, and between equals to the one that needs no swap. The
+/// next strip begins at a triangle with the fewest neighbours left, the most recent one of these: strips grow next to
+/// each other, and few triangles are left between them (Akeley, Haeberli, Burns, "tomesh.c", 1990; swaps as Evans,
 /// Skiena, Varshney, "Optimizing triangle strips for fast rendering", 1996).
 ///
-/// Linear time; memory: 13 bytes a triangle. What a neighbour is like is as good as random, and a branch on it would
-/// mispredict: a step has none.
+/// Linear time; memory: 13 bytes a triangle. Properties of neighbours are as good as random, so branches on them would
+/// mispredict: a step is free of branches.
 class Growing {
  public:
-  /// `across`: for each triangle the opposite halfedges, 4 * triangle + side, or none; three times none where there is
-  /// no triangle. `solid` receives the solid sides.
+  /// `across`: for each triangle the opposite halfedges, 4 * triangle + side, or none; three times none for a missing
+  /// triangle. `solid` receives the solid sides.
   Growing(std::span<const std::array<std::uint32_t, 3>> across, std::span<std::uint8_t> solid)
       : across_(across), solid_(solid), left_(across.size()), waiting_(3 * across.size() + 1) {}
 
@@ -42,7 +42,7 @@ class Growing {
       for (unsigned s = 0; s < 3; ++s)
         if (s != (out & 3U)) tell_neighbor(t, s);
       const Turn turn = grow(out, Turn::none);
-      // The other way round the first turn is the one before, and has changed sides.
+      // In reverse the first turn is the previous one, with sides exchanged.
       const Turn before = turn == Turn::right ? Turn::left : turn == Turn::left ? Turn::right : Turn::none;
       const Way way = way_on(out, before);
       if (way.out != none) grow(way.out, way.turn);
@@ -68,7 +68,7 @@ class Growing {
     return next_ < across_.size() ? next_ : none;
   }
 
-  // That t is taken. A neighbour that is taken itself goes onto a fourth list, which has one place.
+  // Updates a neighbour of t, which is taken. A taken neighbour goes onto a fourth list, which has one place.
   void tell_neighbor(Triangle t, unsigned side) noexcept {
     const std::uint32_t there = across_[t][side];
     const Triangle u = there == none ? t : there >> 2;
@@ -96,7 +96,7 @@ class Growing {
     const unsigned entered = in & 3U;
     const unsigned right = entered == 2 ? 0 : entered + 1;
     const unsigned left = entered == 0 ? 2 : entered - 1;
-    // Where no turn is a swap, the lower side is preferred.
+    // If neither turn is a swap, the lower side is preferred.
     const Turn avoided = last != Turn::none ? last : entered == 1 ? Turn::right : Turn::left;
     const unsigned score_right = 2 * left_over(t, right) + static_cast<unsigned>(avoided == Turn::right);
     const unsigned score_left = 2 * left_over(t, left) + static_cast<unsigned>(avoided == Turn::left);
@@ -105,8 +105,8 @@ class Growing {
     return {t << 2 | (turns_left ? left : right), turns_left ? Turn::left : Turn::right};
   }
 
-  // Goes on over the halfedge, as far as it gets. Returns the first turn. Of the neighbours of a triangle the one
-  // before is taken and the next is going to be, so only the third has to be updated.
+  // Continues over the halfedge, as far as possible. Returns the first turn. Of the neighbours of a triangle the
+  // previous one is taken and the next one will be, so only the third has to be updated.
   Turn grow(std::uint32_t out, Turn last) noexcept {
     Turn first_turn = Turn::none;
     solid_[out >> 2] = static_cast<std::uint8_t>(solid_[out >> 2] | 1U << (out & 3U));
@@ -128,7 +128,7 @@ class Growing {
   std::span<const std::array<std::uint32_t, 3>> across_;
   std::span<std::uint8_t> solid_;
   std::vector<std::uint8_t> left_;  // neighbours that are not taken, of those that are not
-  // By that number, 0 to 2, each list with room for all triangles; some have another number by now.
+  // By that number, 0 to 2, each list with room for all triangles; the number of some entries has changed.
   std::vector<Triangle> waiting_;
   std::array<Triangle, 4> count_{};
   Triangle next_ = 0;

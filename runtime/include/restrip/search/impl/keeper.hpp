@@ -79,14 +79,14 @@ template <class Mesh>
 template <class... Name>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_record(std::size_t record, const VertexSplit<Halfedge>& where,
                                                             Name... name) {
-  RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper plays no baked strips");
+  RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper does not play baked strips");
   if (!baked_->can_split(record)) return split(where, name...);
   begin();
   return counted(baked_->split(record, where, name...), false);
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse_record(std::size_t record, Halfedge chord) {
-  RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper plays no baked strips");
+  RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper does not play baked strips");
   if (!baked_->can_collapse(record)) return collapse(chord);
   begin();
   return counted(baked_->collapse(record, chord), false);
@@ -99,7 +99,7 @@ void Keeper<Mesh>::begin() {
   up_to_date_ = false;
 }
 
-// The rule, or colours that are as good; then what the policy adds, which only lowers the cost.
+// The rule, or colours that are as good; then the steps of the policy, which only lower the cost.
 template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
@@ -197,7 +197,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   const TunnelCounts before = tunnel_.counts();
   for (const Triangle t : patch_)
     if (sides.solid_degree(t) < 2) tunnel_.join(sides, locator_, t, states);
-  // Ports that were given up end strips beside the patch.
+  // Cleared ports end strips next to the patch.
   if (Step::orphans != detail::Orphans::as_told)
     for (const Triangle t : patch_)
       for_each_neighbor(sides, t, [&](Triangle beside) {
@@ -208,7 +208,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   Mending mending;
   if (done.isolated > 0 || Step::orphans == detail::Orphans::everywhere)
     for (const Triangle t : patch_) mending += adopt(sides, StripMesh::halfedge(t, 0));
-  // An operation that gives ports up may isolate a triangle beside the patch.
+  // An operation that clears ports may isolate a triangle next to the patch.
   if (Step::orphans != detail::Orphans::as_told)
     for (const Triangle t : patch_)
       for (unsigned side = 0; side < 3; ++side) mending += adopt(sides, sides.opposite(StripMesh::halfedge(t, side)));
@@ -237,7 +237,7 @@ Mending Keeper<Mesh>::adopt(Sides&& sides, StripMesh::Halfedge h) {
   return detail::adopt_with(sides, h, detail::default_adoptions, paint, [](StripMesh::Halfedge) {});
 }
 
-// ---- in the background
+// ---- background work
 
 template <class Mesh>
 std::size_t Keeper<Mesh>::improve(std::size_t budget) {
@@ -278,7 +278,7 @@ std::size_t Keeper<Mesh>::improve_cost(std::size_t budget) {
     const auto moves = static_cast<std::uint32_t>(std::min<std::uint64_t>(stop - spent_by_improve(), 1U << 20));
     sum += descent_.run(sides, patch_, {.moves = moves, .tries = 4, .worse = 1});
   }
-  // Windows gain more and take longer, so they come where the descent has nothing to do.
+  // Windows gain more and take longer, so they come when the descent has nothing left to do.
   if (spent_by_improve() < stop) sum += windows_.run(sides, stop - spent_by_improve(), {.triangles = 30}).change;
   counted(Rewrite<Halfedge>{}, sum, false);
   return before - cost();

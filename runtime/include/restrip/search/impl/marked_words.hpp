@@ -1,4 +1,4 @@
-// A set of numbers, some of few in many, gone through in order. Included by annealing.hpp.
+// A sparse set of numbers, visited in order. Included by annealing.hpp.
 #pragma once
 
 #include <bit>
@@ -10,12 +10,12 @@
 namespace restrip::detail {
 
 /// Numbers below a bound as bits, 64 to a word, and above the words a bit for each that is not empty, and so on: the
-/// next word with a number in it is found in O(log(bound)) steps, however many are empty in between.
+/// next word with a number is found in O(log(bound)) steps, however many empty words lie between.
 class MarkedWords {
  public:
   static constexpr std::size_t no_word = std::numeric_limits<std::size_t>::max();
 
-  /// No number below the bound is in the set.
+  /// Empties the set.
   void reset(std::size_t bound) {
     levels_.clear();
     for (std::size_t words = (bound + 63) / 64; words != 0; words = words == 1 ? 0 : (words + 63) / 64)

@@ -7,7 +7,7 @@
 
 namespace restrip::detail {
 
-/// True, or an error that names what a NumberedMesh has and this one has not.
+/// True, or an error that names a member of NumberedMesh that this mesh lacks.
 template <class Mesh>
 consteval bool has_members_of_numbered_mesh() {
   static_assert(

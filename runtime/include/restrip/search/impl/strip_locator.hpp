@@ -10,8 +10,8 @@
 
 namespace restrip {
 
-// Goes on along the strip from t, which was entered over side `entry` (3: nowhere). While a patch is rewritten, its
-// strands that are not placed yet are jumped over.
+// Continues along the strip from t, which was entered over side `entry` (3: nowhere). While a patch is rewritten,
+// strands that are not placed yet are skipped.
 template <SidedMesh Mesh>
 bool StripLocator::step(const Mesh& mesh, Triangle& t, unsigned& entry) const noexcept {
   if (pending_ != 0 && marks_[t] - first_end_ < ends_.size()) {
@@ -38,7 +38,7 @@ inline StripLocator::Position StripLocator::position(Triangle t) const noexcept 
   return {chunk.list, std::uint64_t{chunk.rank} << 32 | label};
 }
 
-// Do labels of the chunk of h's triangle grow across the solid edge of h?
+// Whether labels of the chunk of h's triangle grow across the solid edge of h.
 template <SidedMesh Mesh>
 bool StripLocator::labels_grow(const Mesh& mesh, Halfedge h) const noexcept {
   const Address here = addresses_[StripMesh::triangle(h)];
@@ -48,7 +48,7 @@ bool StripLocator::labels_grow(const Mesh& mesh, Halfedge h) const noexcept {
   return (lists_[there.chunk].rank > chunk.rank) != chunk.backwards;
 }
 
-// Is the end of a strip its last triangle? An isolated triangle is.
+// Whether the end of a strip is its last triangle; true for an isolated triangle.
 template <SidedMesh Mesh>
 bool StripLocator::is_last(const Mesh& mesh, Triangle end) const noexcept {
   const Address address = addresses_[end];
@@ -86,8 +86,8 @@ void StripLocator::renumber(const Mesh& mesh, Halfedge h, bool up) {
   }
 }
 
-// Places nodes that follow h's triangle across h, one after the other, in its chunk. False: there was no room for their
-// labels, and the chunk is to be renumbered.
+// Places nodes that follow h's triangle across h, one after the other, in its chunk. False if their labels do not fit,
+// and the chunk must be renumbered.
 inline bool StripLocator::append(Halfedge h, bool up, std::span<const Triangle> nodes) {
   const Triangle at = StripMesh::triangle(h);
   const ChunkId c = addresses_[at].chunk;
@@ -113,7 +113,7 @@ void StripLocator::separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b)
     lists_.cut(c, up_a != lists_[c].backwards);
 }
 
-// Cuts a strip inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
+// Cuts a strip inside one chunk: the smaller part, found by walking both ways at once, moves to a new chunk.
 template <SidedMesh Mesh>
 void StripLocator::split_chunk(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b) {
   const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
@@ -137,7 +137,7 @@ inline void StripLocator::move_to(ChunkId to, ChunkId from, std::span<const Tria
   lists_.count(from) -= static_cast<std::uint32_t>(nodes.size());
 }
 
-// Divides a chunk that has grown too large: goes once from one of its ends to the other and leaves pieces behind.
+// Divides a chunk that has grown too large into pieces, in one pass from one of its ends to the other.
 template <SidedMesh Mesh>
 void StripLocator::divide(const Mesh& mesh, Triangle member) {
   const ChunkId c = addresses_[member].chunk;
@@ -169,7 +169,7 @@ void StripLocator::divide(const Mesh& mesh, Triangle member) {
   }
 }
 
-// Makes one chunk of the two at the solid edge of h when they are small: h's triangle's takes in the other.
+// Merges the two chunks at the solid edge of h if they are small, into the chunk of h's triangle.
 template <SidedMesh Mesh>
 void StripLocator::join_chunks(const Mesh& mesh, Halfedge h) {
   const Halfedge back = mesh.opposite(h);
@@ -208,7 +208,7 @@ void StripLocator::link(Mesh& mesh, Halfedge h) {
   RESTRIP_ASSERT(!mesh.solid(h), "StripLocator::link", "the dual edge is solid already");
   RESTRIP_ASSERT(
       mesh.solid_degree(StripMesh::triangle(h)) < 2 && mesh.solid_degree(StripMesh::triangle(mesh.opposite(h))) < 2,
-      "StripLocator::link", "a triangle beside the dual edge is not the end of a strip");
+      "StripLocator::link", "a triangle at the dual edge is not the end of a strip");
   RESTRIP_ASSERT(position(StripMesh::triangle(h)).strip != position(StripMesh::triangle(mesh.opposite(h))).strip,
                  "StripLocator::link", "the dual edge joins the two ends of one strip");
   const Triangle a = StripMesh::triangle(h);
@@ -261,7 +261,7 @@ void StripLocator::rebuild(const Mesh& mesh) {
       i += n;
     }
   }
-  // Where no triangle has three solid edges, a strip without an end is a cycle.
+  // If no triangle has three solid edges, a strip without an end is a cycle.
   if (placed != mesh.triangle_count()) detail::throw_solid_cycle();
 }
 

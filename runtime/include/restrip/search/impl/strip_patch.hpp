@@ -1,9 +1,9 @@
 // StripLocator: local rewrites. Included by strip_locator.hpp.
 //
-// Outside the patch nothing moves, and a rewrite joins nothing there that was not joined before. So a strip that passed
-// through keeps its order, and the triangles it now has inside the patch get labels between the labels of its two
-// outside neighbours; a strip that is interrupted is cut between them; what ends in the patch is appended to its strip;
-// and what lies in the patch altogether is a new strip.
+// Outside the patch nothing moves, and a rewrite joins nothing there that was not joined before. So a strip that passes
+// through keeps its order, and its new triangles inside the patch get labels between the labels of its two outside
+// neighbours. A strip that is interrupted is cut between them. A strand that ends in the patch is appended to its
+// strip. A strand that lies entirely in the patch is a new strip.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ void StripLocator::find_strands(const Mesh& mesh, std::span<const Triangle> patc
       }
     }
     strand.last = static_cast<std::uint32_t>(strand_nodes_.size());
-    if (strand.in.id == none) {  // `in` is there if either is
+    if (strand.in.id == none) {  // `in` is set if either is
       std::swap(strand.in, strand.out);
       std::reverse(strand_nodes_.begin() + static_cast<std::ptrdiff_t>(strand.first), strand_nodes_.end());
     }
@@ -105,7 +105,7 @@ inline void StripLocator::add_end(Halfedge at, std::uint32_t strand) {
     mark = first_end_ + name;
 }
 
-// The strand before the rewrite that h led into; null if there was none.
+// The strand before the rewrite that h led into, or null.
 inline StripLocator::Strand* StripLocator::strand_at(Halfedge h) noexcept {
   std::uint32_t e = marks_[StripMesh::triangle(h)] - first_end_;
   if (e >= ends_.size()) return nullptr;
@@ -113,7 +113,7 @@ inline StripLocator::Strand* StripLocator::strand_at(Halfedge h) noexcept {
   return e == none ? nullptr : &strands_before_[ends_[e].strand];
 }
 
-// Did labels grow across h, into the patch, before the rewrite?
+// Whether labels grew across h, into the patch, before the rewrite.
 inline bool StripLocator::grew(Halfedge h) noexcept {
   const Strand* const strand = strand_at(h);
   return strand != nullptr && (strand->in == h ? strand->up_in : strand->up_out);

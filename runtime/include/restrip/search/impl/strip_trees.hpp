@@ -1,4 +1,4 @@
-// Which triangles are in one strip, in logarithmic time. Included by annealing.hpp.
+// Finds whether triangles are in one strip, in logarithmic time. Included by annealing.hpp.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 namespace restrip::detail {
 
 /// The strips of a colouring, each as a splay tree in the order of its triangles; a bit turns a whole tree
-/// around (Sleator, Tarjan, "Self-adjusting binary search trees", 1985). Each function takes amortised O(log n) steps,
-/// but for the rebuilding. 13 bytes a triangle.
+/// around (Sleator, Tarjan, "Self-adjusting binary search trees", 1985). Each function except reset() takes amortised
+/// O(log n) steps. 13 bytes a triangle.
 class StripTrees {
  public:
   /// Begins again with a tree for each of N triangles.
@@ -23,7 +23,7 @@ class StripTrees {
     turned_.assign(triangles, 0);
   }
 
-  /// Joins the strips that end at a and at b: different ones.
+  /// Joins two different strips, which end at a and at b.
   void link(Triangle a, Triangle b) noexcept {
     splay(a);
     splay(b);

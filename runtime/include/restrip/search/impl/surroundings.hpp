@@ -1,4 +1,4 @@
-// What a few triangles count before and after an operation. Included by keeper.hpp.
+// Counts around an operation, before and after it. Included by keeper.hpp.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 
 namespace restrip::detail {
 
-/// Tells what an operation changes, for one that does not: strips, swaps and isolated triangles counted before and
+/// The change by an operation that does not report it: strips, swaps and isolated triangles are counted before and
 /// after it. Both triangles of each dual edge whose colour changes must be among those added. Time quadratic in the
-/// triangles, of which there are a dozen.
+/// triangles, about a dozen.
 template <NumberedMesh Mesh>
 class Surroundings {
  public:
   using Halfedge = typename Mesh::Halfedge;
 
-  /// Room for one operation, so that nothing is allocated between the two counts.
+  /// Makes room for one operation, so that nothing is allocated between the two counts.
   void clear() {
     triangles_.clear();
     triangles_.reserve(48);
@@ -40,7 +40,7 @@ class Surroundings {
       for_each_neighbor(mesh, triangles_[i], [this](Triangle t) { add(t); });
   }
   void count_before(const Mesh& mesh) { before_ = counted(mesh); }
-  /// Triangles that are gone are forgotten, new ones must have been added.
+  /// Removed triangles are skipped; new ones must have been added.
   [[nodiscard]] ColoringChange change(const Mesh& mesh) {
     std::erase_if(triangles_, [&](Triangle t) { return !mesh.has_triangle(t); });
     ColoringChange change = counted(mesh);

@@ -49,7 +49,7 @@ void Tunnel::start(const Mesh& mesh, const StripLocator& locator, Triangle end) 
                                      (down ? Piece::down_flag : 0U) | Piece::last_flag};
 }
 
-// The sides over which a move may go. That of the cut is not among them: its colour is still solid.
+// The sides over which a move may go. The side of the cut is not among them: its colour is still solid.
 template <SidedMesh Mesh>
 unsigned Tunnel::dashed_sides(const Mesh& mesh, Triangle t) noexcept {
   return 7U & ~mesh.solid_sides(t);
@@ -58,7 +58,7 @@ inline StripMesh::Halfedge Tunnel::lowest(Triangle t, unsigned sides) noexcept {
   return StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(sides)));
 }
 
-// Adds a state, unless its end has been one before. True when the new end lies next to the end of another strip, and
+// Adds a state, unless its end was already reached. True when the new end lies next to the end of another strip, and
 // the two have been joined: most searches end here, so looking ahead spares expanding half of all states.
 template <SidedMesh Mesh>
 bool Tunnel::reach(Mesh& mesh, StripLocator& locator, const State& state) {
@@ -95,7 +95,7 @@ bool Tunnel::expand(Mesh& mesh, StripLocator& locator, std::uint32_t s) {
 // The moves over one dashed edge, to x.
 template <SidedMesh Mesh>
 bool Tunnel::move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
-  Neighbor next[3];  // two, where the colouring is valid
+  Neighbor next[3];  // two, if the colouring is valid
   unsigned n = 0;
   bool seen_all = true;
   for (unsigned solid = mesh.solid_sides(x); solid != 0; solid &= solid - 1) {
@@ -121,7 +121,7 @@ bool Tunnel::move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge j
       if (reach(mesh, locator, {s, join, next[i].towards_x, at.order, next[i].order, at.strip, false})) return true;
     return false;
   }
-  // Solid edges that the moves have cut do not count.
+  // Solid edges that the moves have cut are ignored.
   const Piece piece = pieces[f];
   unsigned kept = 0;
   for (unsigned i = 0; i < n; ++i)
@@ -146,7 +146,7 @@ bool Tunnel::move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge j
   return false;
 }
 
-// Works out the paths of a state from the paths of its parent.
+// Computes the paths of a state from the paths of its parent.
 inline void Tunnel::lay_out(std::uint32_t s) {
   const State& state = states_[s];
   if (state.total != 0) return;
@@ -167,7 +167,7 @@ inline Tunnel::Piece* Tunnel::room_for(State& state, std::uint32_t current, std:
   return pieces_.data() + state.pieces;
 }
 
-// x is on the end's own path: what is before x turns round.
+// x is on the path of the end: the part before x is reversed.
 inline void Tunnel::rotate(std::uint32_t s) {
   State& state = states_[s];
   const State& parent = states_[state.parent];

@@ -25,8 +25,8 @@ WindowChange Window::inside(Mesh& mesh, std::span<const Triangle> triangles, con
   return solve(mesh, limits);
 }
 
-/// Ring by ring, in an order drawn at random. A triangle with two neighbours inside comes in at once, so that the rim
-/// is short.
+/// Ring by ring, in an order drawn at random. A triangle with two neighbours inside is added immediately, so that the
+/// rim is short.
 template <SidedMesh Mesh>
 void Window::find_ball(const Mesh& mesh, Triangle middle, std::size_t size) {
   ball_.clear();
@@ -87,7 +87,7 @@ WindowChange Window::solve(Mesh& mesh, const WindowLimits& limits) {
           search_.proven()};
 }
 
-/// Makes edges dashed that are to be, or solid.
+/// Clears the edges that become dashed, or sets those that become solid.
 template <SidedMesh Mesh>
 void Window::color(Mesh& mesh, bool solid) const {
   for (std::size_t i = 0; i < plan_.steps().size(); ++i) {

@@ -1,4 +1,4 @@
-// What a window looks like to its search: triangles in an order, and what each side of them leads to. Included by
+// The plan of a window for its search: triangles in an order, and where each of their sides leads. Included by
 // window.hpp.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace restrip::detail {
 
-/// What the search (window_search.hpp) remembers of an edge between triangles that it has coloured and others, or of
-/// a port whose strip comes back into the window: it has one slot of a frontier, a byte.
+/// The search (window_search.hpp) keeps a slot, one byte of a frontier, for each edge between coloured and other
+/// triangles, and for each port whose strip returns into the window.
 inline constexpr unsigned frontier_slots = 24;
 
 /// In place of a slot, the other end of a strand that has ended: a strip written from there begins with a turn to the
-/// left or does not turn; it begins with a turn to the right; or the end is the triangle behind the edge itself, and
-/// the triangle before the edge decides.
+/// left or does not turn; it begins with a turn to the right; or the end is the triangle right across the edge, and the
+/// triangle before the edge decides.
 inline constexpr std::uint8_t ends_well = 61;
 inline constexpr std::uint8_t ends_wrong = 62;
 inline constexpr std::uint8_t ends_there = 63;
@@ -27,7 +27,7 @@ inline constexpr std::uint8_t ends_there = 63;
 struct WindowSide {
   enum class Kind : std::uint8_t {
     dashed,     ///< frozen, or on the boundary
-    leaving,    ///< a dual edge to a later triangle of the window, in a slot of its own from here on
+    leaving,    ///< a dual edge to a later triangle of the window, in a new slot from here on
     arriving,   ///< one from an earlier triangle; its slot is free again
     port,       ///< a solid edge out of the window to a strand that ends outside, as `far` says
     port_out,   ///< a solid edge out of the window to a strand that comes back at a later triangle, by `slot`
@@ -35,7 +35,7 @@ struct WindowSide {
   };
   Kind kind = Kind::dashed;
   std::uint8_t slot = 0;
-  std::uint8_t turn = 0;  ///< of ports: how the strip turns behind it, seen from the edge (solid_beside)
+  std::uint8_t turn = 0;  ///< of ports: how the strip turns beyond it, seen from the edge (solid_beside)
   std::uint8_t far = 0;   ///< of Kind::port: a StrandEnd
 };
 
@@ -44,10 +44,10 @@ struct WindowTriangle {
   std::array<WindowSide, 3> sides{};
   std::uint8_t present = 0;  ///< solid sides
   std::uint8_t ports = 0;    ///< solid sides that stay solid
-  std::uint8_t leaving = 0;  ///< sides that are decided at this triangle
+  std::uint8_t leaving = 0;  ///< sides that are chosen at this triangle
 };
 
-/// Numbers for a few triangles, found by hashing: no memory for the others.
+/// Numbers for a few triangles, found by hashing, without memory for the others.
 class LocalNumbers {
  public:
   static constexpr std::uint32_t absent = 255;
@@ -71,17 +71,17 @@ class LocalNumbers {
 
 class WindowPlan {
  public:
-  /// Triangles that a walk along a strip outside passes before the window is given up.
+  /// The number of triangles that a walk along a strip outside passes before the window is refused.
   static constexpr std::uint32_t max_walk = 10'000;
 
-  /// False if a frontier gets too wide or a strip outside too long; then no plan exists. `triangles` are different
-  /// ones, alive, at most 128.
+  /// False if a frontier gets too wide or a strip outside too long; then no plan exists. `triangles` are all different,
+  /// alive, at most 128.
   template <SidedMesh Mesh>
   [[nodiscard]] bool make(const Mesh& mesh, std::span<const Triangle> triangles);
 
   /// In the order in which the search colours them.
   [[nodiscard]] std::span<const WindowTriangle> triangles() const noexcept { return order_; }
-  /// In steps, `count` triangles from `first` on: only the first one has leaving sides, so the others have no choice.
+  /// In steps of `count` triangles from `first` on: only the first one has leaving sides, so the others are determined.
   struct Step {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -151,8 +151,8 @@ void WindowPlan::find_neighbors(const Mesh& mesh, std::span<const Triangle> tria
     }
 }
 
-/// Next comes the triangle that leaves the fewest edges between triangles that have come and others; between equals the
-/// one that has waited longest. The last triangle, on the rim of a ball, comes first.
+/// Next comes the triangle that leaves the fewest edges between ordered triangles and others; between equals the one
+/// that has waited longest. The last triangle, on the rim of a ball, comes first.
 inline void WindowPlan::find_order() {
   const std::size_t count = neighbors_.size();
   place_in_sequence_.assign(count, LocalNumbers::absent);
@@ -160,7 +160,7 @@ inline void WindowPlan::find_order() {
   constexpr std::uint8_t waits = 254;
   std::array<std::uint8_t, 256> waiting{};
   std::size_t waiting_count = 0;
-  std::array<std::int8_t, 256> widens{};  // by how many edges a triangle that waits widens the frontier
+  std::array<std::int8_t, 256> widens{};  // the number of edges by which a waiting triangle widens the frontier
   const auto take = [&](std::uint8_t number) {
     place_in_sequence_[number] = static_cast<std::uint8_t>(sequence_.size());
     sequence_.push_back(number);
@@ -222,7 +222,7 @@ bool WindowPlan::place(const Mesh& mesh, std::span<const Triangle> triangles, st
     }
     side.slot = slot;
   }
-  // Not before: within one triangle old and new slots must differ.
+  // Not earlier: within one triangle old and new slots must differ.
   free_slots_ |= freed;
   return true;
 }

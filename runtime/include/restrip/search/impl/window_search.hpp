@@ -16,9 +16,9 @@
 
 namespace restrip::detail {
 
-/// All that the triangles coloured so far tell the others, a byte for each slot of the plan. Bits 0 and 1, of an edge:
-/// 0 dashed, or else 1 + how the strip turns in the triangle that has been coloured, seen from the edge. Bits 2 to 7:
-/// where the strand that leads over this edge comes from, a slot or how it has ended. Slots that are not in use are 0.
+/// Everything about the coloured triangles that the others depend on, a byte for each slot of the plan. Bits 0 and 1,
+/// of an edge: 0 dashed, or else 1 + how the strip turns in the coloured triangle, seen from the edge. Bits 2 to 7: the
+/// slot that the strand over this edge comes from, or how it ended. Unused slots are 0.
 class Frontier {
  public:
   [[nodiscard]] std::uint8_t& operator[](std::size_t slot) noexcept { return bytes_[slot]; }
@@ -42,12 +42,12 @@ class Frontier {
   alignas(std::uint64_t) std::array<std::uint8_t, frontier_slots> bytes_{};
 };
 
-/// How many of three sides; std::popcount is a call on many machines.
+/// The number of set bits of three; std::popcount is a call on many machines.
 constexpr int sides_in(unsigned sides) noexcept {
   return static_cast<int>(0b11'10'10'01'10'01'01'00U >> 2 * sides & 3U);
 }
 
-/// What colours of a few triangles count.
+/// The counts of a colouring of a few triangles.
 struct WindowTally {
   int ends = 0;  ///< of strips; an isolated triangle has two
   int isolated = 0;
@@ -57,10 +57,10 @@ struct WindowTally {
 
 class WindowSearch {
  public:
-  /// A limit on what is dropped.
+  /// Limits beyond which states are dropped.
   struct Limits {
-    std::int64_t slack = 0;  ///< states that cost so much more than the least of their layer, in units of price()
-    std::size_t states = 0;  ///< what a layer may have beyond these, the dearest
+    std::int64_t slack = 0;  ///< the most that a state may cost above the least of its layer, in units of price()
+    std::size_t states = 0;  ///< the most states of a layer; the most expensive are dropped
   };
 
   WindowSearch(Cost cost, bool windings, bool stays) noexcept
@@ -81,7 +81,7 @@ class WindowSearch {
   [[nodiscard]] std::span<const std::uint8_t> best() const noexcept { return best_; }
   [[nodiscard]] const WindowTally& tally_of_best() const noexcept { return tally_of_best_; }
   [[nodiscard]] const WindowTally& tally_of_present() const noexcept { return tally_of_present_; }
-  /// Nothing that was dropped could have been cheaper.
+  /// Whether nothing that was dropped could have been cheaper.
   [[nodiscard]] bool proven() const noexcept { return price(tally_of_best_) * unit <= least_dropped_; }
   /// Colourings of a step tried in all searches.
   [[nodiscard]] std::uint64_t tried() const noexcept { return tried_; }
@@ -94,14 +94,14 @@ class WindowSearch {
     Frontier frontier;
     std::int64_t price = 0;
     std::uint32_t node = 0;
-    std::uint16_t ties = 1;  // colourings of this price that came to this frontier
+    std::uint16_t ties = 1;  // colourings of this price with this frontier
     bool present = false;    // the present colours reach this frontier, at this price or a higher one
   };
   struct Node {
     std::uint32_t before;
     std::uint8_t opened;
   };
-  // What a frontier distinguishes. What has no price is left out, which makes them fewer.
+  // The properties that frontiers distinguish. Properties without a price are left out, for fewer frontiers.
   struct Marks {
     bool turns = true;
     bool windings = true;
@@ -140,7 +140,7 @@ class WindowSearch {
   std::uint64_t tried_ = 0;
 };
 
-/// Colours one triangle: `opened` are the leaving sides that are solid. False where that is not valid.
+/// Colours one triangle: `opened` are the leaving sides that are solid. False if that is not valid.
 inline bool WindowSearch::enter(const WindowTriangle& here, unsigned opened, const Marks& marks, Frontier& frontier,
                                 WindowTally& tally) noexcept {
   using Kind = WindowSide::Kind;
@@ -218,7 +218,7 @@ inline bool WindowSearch::take(std::span<const WindowTriangle> step, unsigned op
   return true;
 }
 
-/// All that it counts, priced or not.
+/// All counts, priced or not.
 template <class Choice>
 WindowTally WindowSearch::tally_of(std::span<const WindowTriangle> triangles, std::span<const WindowPlan::Step> steps,
                                    Choice&& choice) {
