@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Renders the page of results from what the benchmark programs recorded (scripts/performance.sh runs them). Every number
-of the page is computed here; the prose is performance.md.in.
+"""Renders the page of results, and two CSV files, from what the benchmark programs recorded (scripts/performance.sh runs
+them). Every number of the page is computed here; the prose is performance.md.in.
 
 Example: bench/render.py --json build/performance --out docs
 """
@@ -152,18 +152,15 @@ class Page:
     def drawn_without(self):
         return "" if self.r.parts(r"draw/.*/(rm_tristripper)") else " rm_tristripper was not measured: `--tristripper` was not given."
 
-    def batch(self):
-        rows = []
-        for name, label in (("loop", "one by one"), ("checked_before/1", "batch, checked before, 1 thread"),
-                            ("checked_before/2", "batch, checked before, 2 threads"), ("checking/1", "batch that checks, 1 thread"),
-                            ("checking/2", "batch that checks, 2 threads")):
-            cells = [label]
-            for what in ("collapse_ns", "split_ns"):
-                own = self.r.median(f"batch/{name}", what)
-                alone = self.r.median("batch/" + re.sub(r"\d$", "1", name), what)
-                cells += [duration(own), times(alone / own)]
-            rows.append(cells)
-        return table(["", "collapse", "of one thread's speed", "split", "of one thread's speed"], rows)
+    def batch_speed(self):
+        """Of two threads, of one's speed."""
+        return " and ".join(f"{times(self.r.median('batch/checked_before/1', f'{what}_ns') / self.r.median('batch/checked_before/2', f'{what}_ns'))} ({what}s)"
+                            for what in ("collapse", "split"))
+
+    def batch_csv(self):
+        rows = [(name, *(significant(self.r.median(f"batch/{name}", f"{what}_ns")) for what in ("collapse", "split")))
+                for name in ("loop", "checked_before/1", "checked_before/2", "checking/1", "checking/2")]
+        return [("how/threads", "collapse_ns", "split_ns"), *rows]
 
     # ---- scale
     def sizes(self):
@@ -172,20 +169,20 @@ class Page:
     def of_scale(self, size, how, field):
         return self.r.median(f"scale/{size}/{how}", field)
 
-    def scale(self):
+    def scale_ratio(self):
+        """Of a split under `local` to the bare update, at random places, over all sizes."""
+        return self.span([self.of_scale(size, "random/local", "split_ns") / self.of_scale(size, "random/bare", "split_ns") for size in self.sizes()])
+
+    def scale_csv(self):
+        splits = ["side_by_side/bare", "side_by_side/local", "random/bare", "random/local", "random/linked", "random/quick", "random/full"]
+        head = ["triangles", "mesh_mib", *(f"split_{how.replace('/', '_')}_ns" for how in splits), "collapse_random_local_ns"]
         rows = []
         for size in self.sizes():
-            cells = [f"{self.of_scale(size, 'random/bare', 'triangles'):,.0f}",
-                     plain(self.of_scale(size, "random/bare", "mesh_bytes") *
-                           self.of_scale(size, "random/bare", "triangles") / 2**20) + " MiB"]
-            for how in ("side_by_side", "random"):
-                bare, local = (self.of_scale(size, f"{how}/{way}", "split_ns") for way in ("bare", "local"))
-                cells += [duration(bare), duration(local), times(local / bare)]
-            cells += [duration(self.of_scale(size, f"random/{way}", "split_ns")) for way in ("linked", "quick", "full")]
-            cells.append(duration(self.of_scale(size, "random/local", "collapse_ns")))
-            rows.append(cells)
-        return table(["triangles", "mesh", "side by side: bare", "`local`", "of bare", "at random: bare", "`local`", "of bare", "`linked`",
-                      "`quick`", "`full`", "collapse, `local`"], rows)
+            triangles = self.of_scale(size, "random/bare", "triangles")
+            rows.append([f"{triangles:.0f}", significant(self.of_scale(size, "random/bare", "mesh_bytes") * triangles / 2**20),
+                         *(significant(self.of_scale(size, how, "split_ns")) for how in splits),
+                         significant(self.of_scale(size, "random/local", "collapse_ns"))])
+        return [head, *rows]
 
     def memory(self):
         """The most over all sizes."""
@@ -201,6 +198,15 @@ class Page:
     def level_mesh(self):
         mesh, percent = self.shown()
         return f"{mesh} at {percent} %"
+
+
+def significant(value):
+    """Three digits, without an exponent."""
+    return f"{float(f'{value:.3g}'):g}" if value < 1000 else f"{float(f'{value:.3g}'):.0f}"
+
+
+def csv_text(rows):
+    return "".join(",".join(map(str, row)) + "\n" for row in rows)
 
 
 def fill(template, page):
@@ -235,6 +241,8 @@ def main():
     text = fill((Path(__file__).parent / "performance.md.in").read_text(), page)
     given.out.mkdir(parents=True, exist_ok=True)
     write_whole(given.out / "results.md", wrapped(text))
+    write_whole(given.out / "results-batches.csv", csv_text(page.batch_csv()))
+    write_whole(given.out / "results-scale.csv", csv_text(page.scale_csv()))
 
 
 if __name__ == "__main__":
