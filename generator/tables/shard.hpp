@@ -1,5 +1,12 @@
 // Shards: files with the sections that one machine has solved, and the way back from them to the whole
-// (docs/how-to/cluster.md).
+// (docs/how-to/cluster.md). The format:
+//
+//   shard    = "restrip-shard 1" NL
+//              "generator" version digest NL        digest: SHA-256 of all sections up to k = 4
+//              "max-k" n NL
+//              "shard" I "of" N NL
+//              ( "family" name NL section+ )*       sections as in certificates, word for word
+//              "end" digest NL                      SHA-256 of everything before this line
 #pragma once
 
 #include <cstddef>
