@@ -50,7 +50,7 @@ std::optional<struct stat> Claim::status() const {
   return result == 0 ? std::optional(found) : std::nullopt;
 }
 
-/// For files that are not there yet.
+/// For files that do not exist yet.
 bool Claim::same_place(const Claim& other) const {
   const auto folder = [](const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");

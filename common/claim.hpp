@@ -1,7 +1,7 @@
 #pragma once
-// The files that a thread is about to write, whatever their names: none may be written twice, and none may be read, as
-// it would be lost. Outputs claim their files before anything is read, so that files which are found only on the way
-// (the buffers of a glTF) are protected as well.
+// The files that a thread is about to write, whatever their names: none may be written twice, and none may be read,
+// because it would be lost. Outputs claim their files before anything is read, so files found later (the buffers of a
+// glTF) are protected as well.
 
 #include <sys/stat.h>
 
@@ -13,8 +13,8 @@ namespace restrip::files {
 
 class Claim {
  public:
-  /// `shown`: its name as the user wrote it. `file`: where the links of that end. `descriptor`: -1, or the open file
-  /// that is meant. Throws FileError when this thread has claimed the file already.
+  /// `shown`: its name as the user wrote it. `file`: the target of its links. `descriptor`: -1, or the open file.
+  /// Throws FileError when this thread has claimed the file already.
   Claim(std::string shown, std::filesystem::path file, int descriptor);
   ~Claim();
   Claim(const Claim&) = delete;
@@ -24,7 +24,7 @@ class Claim {
 
   /// The claim on this file, or null. Terminals and the like are never claimed: several may use them.
   [[nodiscard]] static const Claim* on(const struct stat& file);
-  /// Whether standard output is for a file that is written, so that text has to go elsewhere.
+  /// Whether standard output carries a file, so that text has to go elsewhere.
   [[nodiscard]] static bool on_standard_output();
 
  private:

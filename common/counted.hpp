@@ -9,8 +9,8 @@
 
 namespace restrip {
 
-/// "strip" or "strips": of one thing, or of any other number. `many` is the plural of words that do not end in -s
-/// there, and of those that bring their verb: plural(n, "edge lies", "edges lie").
+/// "strip" for 1, "strips" for any other number. `many` is the plural if it does not end in -s, or contains a verb:
+/// plural(n, "edge lies", "edges lie").
 [[nodiscard]] inline std::string plural(std::uint64_t count, std::string_view one, std::string_view many = {}) {
   if (count == 1) return std::string(one);
   return many.empty() ? fmt::format("{}s", one) : std::string(many);

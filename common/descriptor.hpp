@@ -1,5 +1,5 @@
 #pragma once
-// A file descriptor that is closed when its owner goes.
+// A file descriptor that is closed when its owner is destroyed.
 
 #include <cerrno>
 #include <cstddef>
@@ -24,14 +24,14 @@ class Descriptor {
 
   [[nodiscard]] int get() const noexcept { return file_; }
   [[nodiscard]] bool is_open() const noexcept { return file_ >= 0; }
-  /// False when closing reports an error, with errno set; the descriptor is gone either way.
+  /// False when closing reports an error, with errno set; the descriptor is closed either way.
   [[nodiscard]] bool close() noexcept { return system_calls().close(std::exchange(file_, -1)) == 0; }
 
  private:
   int file_ = -1;
 };
 
-/// Writes all of it, however many calls that takes. False with errno set when it fails.
+/// Writes all bytes, in any number of calls. False with errno set if it fails.
 [[nodiscard]] inline bool write_fully(int file, const char* bytes, std::size_t size) noexcept {
   while (size > 0) {
     const ssize_t written = system_calls().write(file, bytes, size);

@@ -30,8 +30,8 @@ void fail_to_write(const std::string& shown, int error) {
 void Draft::fail(int error) const { fail_to_write(shown_, error); }
 
 Draft::Draft(std::filesystem::path target, std::string shown) : target_(std::move(target)), shown_(std::move(shown)) {
-  // Not made from the target's name, which may be as long as a name can be. Another program may use the same process
-  // number in a folder shared by machines; then the next name is tried.
+  // Not derived from the target's name, which may have the greatest possible length. Another program may use the same
+  // process number in a folder shared by machines; then the next name is tried.
   constexpr unsigned attempts = 1000;
   for (unsigned attempt = 0; attempt < attempts; ++attempt) {
     std::string name = (target_.parent_path() / fmt::format(".restrip-{}-{}", getpid(), attempt)).string();
@@ -61,7 +61,7 @@ void Draft::fill(std::string_view bytes) {
   struct stat replaced {};
   if (::lstat(target_.c_str(), &replaced) == 0) {
     struct stat own {};
-    // Not everybody may give files away; then the permissions are kept for the owner that it has.
+    // Not every user may change owners; then the permissions are kept for the present owner.
     if (fstat(file_.get(), &own) == 0 && (own.st_uid != replaced.st_uid || own.st_gid != replaced.st_gid))
       (void)!fchown(file_.get(), replaced.st_uid, replaced.st_gid);
     if (system_calls().fchmod(file_.get(), replaced.st_mode & 0777U) != 0) fail(errno);

@@ -1,5 +1,5 @@
 #pragma once
-// A file under a name of its own beside the one that it shall get: written and synced there, then renamed.
+// A temporary file in the folder of its target: written and synced there, then renamed.
 
 #include <sys/types.h>
 
@@ -14,7 +14,7 @@
 namespace restrip::files {
 
 /// Keeps the signals that end a program by request (interrupt, hang-up, quit, terminate) waiting while it lives, so
-/// that none of them leaves a draft behind.
+/// that none of them leaves a draft.
 class SignalPause {
  public:
   SignalPause() noexcept;
@@ -26,11 +26,11 @@ class SignalPause {
   sigset_t before_{};
 };
 
-/// Goes away with its owner unless it was published.
+/// Removed with its owner unless it was published.
 class Draft {
  public:
-  /// A new file in the folder of `target`, which is not a link. No file had its name before. Throws FileError about
-  /// `shown`, the name by which the user knows the target.
+  /// A new file in the folder of `target`, which is not a link. Its name is new. Throws FileError about `shown`, the
+  /// name by which the user knows the target.
   Draft(std::filesystem::path target, std::string shown);
   ~Draft();
   Draft(Draft&& other) noexcept;
@@ -42,7 +42,7 @@ class Draft {
   /// Takes the target's name. Throws FileError; then the target is as it was.
   void publish();
 
-  // ---- for those who may have to take a change back
+  // ---- for callers that may have to undo a change
   /// Instead of fill(): the target itself gets the draft's name. False when that failed, with errno.
   [[nodiscard]] bool take_target_aside() noexcept;
   /// publish(), but false when that failed, with errno.

@@ -1,5 +1,5 @@
 #pragma once
-// What is thrown when a file cannot be used.
+// The exception for files that cannot be used.
 
 #include <stdexcept>
 

@@ -27,14 +27,14 @@ std::optional<struct stat> status_of(const fs::path& file) {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// Where the links end, and the descriptor if they end among this process's own (/dev/stdout, /dev/fd/3).
+/// The target of links, and the descriptor if it is one of this process (/dev/stdout, /dev/fd/3).
 struct Destination {
   fs::path file;
   int descriptor = -1;
 };
 
 Destination follow_links(const fs::path& file) {
-  constexpr unsigned most_links = 40;  // as the kernel has it
+  constexpr unsigned most_links = 40;  // as in the kernel
   Destination end{file};
   for (unsigned links = 0; links <= most_links; ++links) {
     std::error_code error;
@@ -74,7 +74,7 @@ void check_extension(const fs::path& file, const fs::path& target, const std::ve
 }
 
 void check_inputs(const fs::path& file, const std::optional<struct stat>& status, const std::vector<fs::path>& inputs) {
-  if (!status || S_ISCHR(status->st_mode)) return;  // a terminal may well be both
+  if (!status || S_ISCHR(status->st_mode)) return;  // a terminal may be both
   for (const fs::path& input : inputs)
     if (const auto other = status_of(input);
         other && other->st_dev == status->st_dev && other->st_ino == status->st_ino)
@@ -82,12 +82,12 @@ void check_inputs(const fs::path& file, const std::optional<struct stat>& status
                                   input.string()));
 }
 
-/// By trying: permissions, read-only disks and quotas are not all visible beforehand.
+/// Tries it, because permissions, read-only disks and quotas are not all visible in advance.
 void check_folder(const fs::path& file, const fs::path& target) {
   const fs::path folder = folder_of(target);
   if (!status_of(folder))
-    throw FileError(
-        fmt::format("{}: cannot be written: there is no folder {}; make it first", file.string(), folder.string()));
+    throw FileError(fmt::format("{}: cannot be written: the folder {} does not exist; make it first", file.string(),
+                                folder.string()));
   const SignalPause pause;
   const Draft probe(target, file.string());
 }
@@ -96,7 +96,7 @@ void check_protection(const fs::path& file, const fs::path& target) {
   if (::access(target.c_str(), W_OK) != 0 && errno != ENOENT) fail_to_write(file.string(), errno);
 }
 
-/// Writes to what is there, and is not a regular file.
+/// Writes to an existing file that is not a regular file.
 void write_through(const std::string& shown, int descriptor, std::string_view bytes) {
   Descriptor out(descriptor >= 0 ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)
                                  : system_calls().open(shown.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC, 0));
@@ -187,12 +187,12 @@ OutputSet::OutputSet(fs::path folder, const std::vector<fs::path>& names, const 
 
 namespace {
 
-/// Puts drafts in place of the files that have their names, and back.
+/// Replaces files by drafts, and back.
 class Exchange {
  public:
   struct Replacement {
     Draft fresh;
-    std::optional<Draft> old;  ///< a name beside it for the file that is there, if one is
+    std::optional<Draft> old;  ///< a name in the same folder for the existing file, if any
     std::string shown;
     bool is_aside = false;
     bool is_published = false;
@@ -200,7 +200,7 @@ class Exchange {
 
   explicit Exchange(std::vector<Replacement> files) : files_(std::move(files)) { lost_.reserve(files_.size()); }
 
-  /// The file at which it failed, with errno; null: it is done.
+  /// The file at which it failed, with errno; null if all are done.
   const Replacement* run() noexcept {
     if (files_.size() > 1 && !set_aside(files_.back())) return &files_.back();
     for (Replacement& file : files_) {
@@ -210,8 +210,8 @@ class Exchange {
     return nullptr;
   }
 
-  /// The old files that could not be put back, under the names that they have now. The last file comes last, and only
-  /// if all others are as they were. Allocates nothing: what is lost here is lost for good.
+  /// Returns the old files that could not be restored, under their present names. The last file is restored last, and
+  /// only if all others are. Allocates nothing, because a failure here would lose files.
   const std::vector<std::string>& undo() noexcept {
     for (std::size_t i = 0; i < files_.size(); ++i) {
       Replacement& file = files_[i];
@@ -223,7 +223,7 @@ class Exchange {
     }
     return lost_;
   }
-  /// After undo(): is everything as it was?
+  /// After undo(): whether everything is restored.
   [[nodiscard]] bool whole() const noexcept { return whole_; }
 
  private:
@@ -259,8 +259,8 @@ void OutputSet::write(const std::vector<NamedBytes>& files) {
     const int error = errno;
     const std::vector<std::string>& lost = exchange.undo();
     if (!exchange.whole())
-      throw FileError(fmt::format("{}: cannot be written: {}; nor could the files in {} be put back as they were{}{}",
-                                  failed->shown, std::strerror(error), folder_.string(),
+      throw FileError(fmt::format("{}: cannot be written: {}; nor could the files in {} be restored{}{}", failed->shown,
+                                  std::strerror(error), folder_.string(),
                                   lost.empty() ? "; remove them" : ", which are now ", fmt::join(lost, ", ")));
     fail_to_write(failed->shown, error);
   }

@@ -1,6 +1,6 @@
 #pragma once
-// The one way in which our programs write files. An output is tested before the work that makes it, and appears whole
-// or not at all: drafted beside the file that it names (through links), synced, renamed. While an output lives, no
+// All programs of the project write files through this. An output is tested before the work that makes it, and appears
+// whole or not at all: drafted in the folder of its target (through links), synced, renamed. While an output lives, no
 // other output may name its file, and read_whole() refuses to read it (claim.hpp).
 
 #include <filesystem>
@@ -14,23 +14,23 @@
 
 namespace restrip::files {
 
-/// What an output has to be.
+/// Conditions on an output.
 struct OutputRules {
-  std::vector<std::string> extensions;  ///< one of these (".pm"), in any case; none: all are welcome
-  /// Must not be one of these, under whatever name. For inputs that are not read by read_whole().
+  std::vector<std::string> extensions;  ///< one of these (".pm"), in upper or lower case; empty: any
+  /// Must not be one of these, under any name. For inputs that are not read by read_whole().
   std::vector<std::filesystem::path> inputs = {};
 };
 
-/// A file to be written. What is there and not a regular file (a terminal, a pipe, /dev/null, /dev/stdout) is written
-/// to as it is, under any name: replacing it would take it away from other programs. `-` is standard output.
+/// A file to be written. If a file exists that is not a regular file (a terminal, a pipe, /dev/null, /dev/stdout), it
+/// is written to and not replaced, because other programs use it. `-` is standard output.
 class Output {
  public:
-  /// Throws FileError unless the file can be written: its folder is there and takes files, it is not a folder and not
+  /// Throws FileError unless the file can be written: its folder exists and is writable, it is not a folder and not
   /// protected, the rules hold, and no other output of this thread is the same file.
   explicit Output(const std::filesystem::path& file, const OutputRules& rules = {});
 
-  /// Writes the file whole; its permissions are those of the file that it replaces, or as the umask says. Throws
-  /// FileError; then a regular file is as it was and nothing else is left behind.
+  /// Writes the whole file, with the permissions of the file that it replaces, or as the umask says. Throws FileError;
+  /// then a regular file is unchanged and nothing else is left.
   void write(std::string_view bytes) const;
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return file_; }
@@ -47,11 +47,11 @@ class Output {
 /// Writes a file in a folder that only this program uses: neither drafted nor synced. Throws FileError.
 void write_scratch(const std::filesystem::path& file, std::string_view bytes);
 
-/// Syncs a file that another program wrote and renames it, in the same file system. Throws FileError; then both are as
-/// they were.
+/// Syncs a file that another program wrote and renames it, in the same file system. Throws FileError; then both are
+/// unchanged.
 void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Folders made on the way to an output. Those that are empty go again with their owner, unless kept.
+/// Folders made for an output. Empty ones are removed with their owner, unless kept.
 class MadeFolders {
  public:
   MadeFolders() = default;
@@ -59,7 +59,7 @@ class MadeFolders {
   MadeFolders(const MadeFolders&) = delete;
   MadeFolders& operator=(const MadeFolders&) = delete;
 
-  /// Makes the folder and those around it, where they are not there. Throws FileError.
+  /// Makes the folder and its parents, if they do not exist. Throws FileError.
   void make(const std::filesystem::path& folder);
   void keep() noexcept { made_.clear(); }
 
@@ -72,19 +72,19 @@ struct NamedBytes {
   std::string bytes;
 };
 
-/// Several files of one folder. The last one vouches for the others (a manifest, a page of figures): it never stands
-/// beside files that are not its own, whatever fails.
+/// Several files of one folder. The last one describes the others (a manifest, a page of figures). It never appears
+/// next to files that it does not describe, even after failures.
 class OutputSet {
  public:
-  /// Makes the folders of these files, which go again if nothing is written. Throws FileError unless each file can be
-  /// written and is, if it exists, a regular one, and no two are the same.
+  /// Makes the folders of these files, which are removed again if nothing is written. Throws FileError unless each file
+  /// can be written, is a regular file if it exists, and no two are the same.
   OutputSet(std::filesystem::path folder, const std::vector<std::filesystem::path>& names,
             const OutputRules& rules = {});
 
-  /// First all files are drafted; then the old ones are set aside, the last name first, and the new ones get their
-  /// names in order. Throws FileError; then what was changed has been changed back. If that fails as well, there is no
-  /// file of the last name, and the message says where the old files are. A program that is killed in between leaves
-  /// no file of the last name either. Names must be among those of the constructor.
+  /// First all files are drafted. Then the old ones are set aside, the last name first, and the new ones get their
+  /// names in order. Throws FileError after restoring all changes. If that fails as well, the file of the last name
+  /// does not exist, and the message says where the old files are. A program killed in between leaves no file of the
+  /// last name either. Names must be among the names of the constructor.
   void write(const std::vector<NamedBytes>& files);
 
  private:

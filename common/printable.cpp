@@ -35,7 +35,7 @@ std::string printable(std::string_view text) {
 }
 
 std::string printable_message(std::string_view text) {
-  // The file stands in front, the remedy at the end.
+  // The file is at the beginning, the remedy at the end.
   constexpr std::size_t tail = longest_message / 4;
   if (text.size() <= longest_message) return printable(text);
   return printable(text.substr(0, longest_message - tail)) + " [...] " + printable(text.substr(text.size() - tail));

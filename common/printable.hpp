@@ -1,5 +1,5 @@
 #pragma once
-// Text for people, whatever names and bytes of files are in it: a terminal obeys some of them.
+// Makes text with names and bytes of files safe to print: a terminal obeys some of them.
 
 #include <cstddef>
 #include <string>
@@ -10,7 +10,7 @@ namespace restrip::files {
 /// Control characters other than line feeds, and bytes that are not UTF-8, as \x1b.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same as one message, its middle left out where it is longer.
+/// The same for one message; the middle of longer ones is left out.
 inline constexpr std::size_t longest_message = 1000;
 [[nodiscard]] std::string printable_message(std::string_view text);
 

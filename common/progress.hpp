@@ -1,4 +1,4 @@
-// How far some work has come, on a terminal.
+// Shows the progress of work on a terminal.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace restrip {
 
-/// Whether a piece of work shows its own progress, or counts as one of many of its kind.
+/// Whether a piece of work shows its progress, or is one of many of its kind.
 enum class Watched { no, yes };
 
 /// One line on standard error, "baking … 12 %", wiped when the work is done. Nothing is shown if standard error is a
@@ -34,7 +34,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Call as often as you like: a line is written when another percent is done. By one thread.
+  /// Call it at any rate: a line is written when another percent is done. For one thread.
   void at(std::size_t done) {
     if (done < next_) return;
     fmt::print(stderr, "\r\033[K{} … {} %", label_, 100 * done / total_);
@@ -42,7 +42,7 @@ class Progress {
     next_ = done + std::max<std::size_t>(1, total_ / 100);
   }
 
-  /// One more is done; by any thread, if none calls at().
+  /// Counts one more as done; for any thread, if none calls at().
   void step() {
     const std::lock_guard lock(mutex_);
     at(++done_);

@@ -36,7 +36,7 @@ std::string read_whole(const std::filesystem::path& file, const ReadLimits& limi
   const auto refuse_size = [&] {
     throw FileError(fmt::format("{}: is larger than {}, the limit for {}; {}", name, size_in_words(limit),
                                 regular ? "a file" : "a pipe or device",
-                                regular ? "cut it into pieces" : "does it ever end? Save it as a file first"));
+                                regular ? "cut it into pieces" : "unbounded input? Save it as a file first"));
   };
   const auto announced = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
   if (regular && announced > limit) refuse_size();
@@ -48,7 +48,7 @@ std::string read_whole(const std::filesystem::path& file, const ReadLimits& limi
   }
   constexpr std::size_t block = std::size_t{1} << 20;
   while (true) {
-    // Behind what was announced there is one byte to see the end by, and blocks where the file continues nevertheless.
+    // One byte after the announced size detects the end; blocks are added if the file continues.
     if (filled == bytes.size()) bytes.resize(filled + (filled == announced && filled != 0 ? 1 : block));
     const ssize_t got = system_calls().read(in.get(), bytes.data() + filled, bytes.size() - filled);
     if (got < 0 && errno == EINTR) continue;

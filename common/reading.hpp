@@ -1,5 +1,5 @@
 #pragma once
-// Files read as a whole, up to a limit.
+// Reads whole files, up to a limit.
 
 #include <cstdint>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace restrip::files {
 
-/// Bytes that are read at most. A regular file says its size beforehand; a pipe or a device may never end.
+/// The most bytes that are read. The size of a regular file is known in advance; a pipe or a device may never end.
 struct ReadLimits {
   std::uint64_t regular = std::uint64_t{16} << 30;
   std::uint64_t endless = std::uint64_t{256} << 20;

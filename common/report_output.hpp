@@ -1,6 +1,6 @@
-// Where the report of a command goes, the same for every command: text on standard output, or on standard error when
-// another output of the command is standard output; with `--json FILE` JSON into the file as well; with `--json -` JSON
-// on standard output in place of the text.
+// The destination of the report of a command, the same for every command: text on standard output, or on standard error
+// if another output of the command is standard output; with `--json FILE` also JSON to the file; with `--json -` JSON
+// on standard output instead of the text.
 #pragma once
 
 #include <filesystem>
@@ -16,11 +16,11 @@ namespace restrip::files {
 
 class ReportOutput {
  public:
-  /// `json`: the argument of the option, empty where it was not given. Tests the file before the work; it must end in
-  /// .json and be none of the inputs. Throws what files::Output throws.
+  /// `json`: the argument of the option, empty if it was not given. Tests the file before the work; it must end in
+  /// .json and not be an input. Throws what files::Output throws.
   explicit ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs = {});
 
-  /// Whether standard output is for JSON alone, so that lines on the way are not printed.
+  /// Whether standard output is only for JSON, so that intermediate lines are not printed.
   [[nodiscard]] bool replaces_text() const noexcept { return to_stdout_; }
 
   /// Both end with a line feed, or are empty.

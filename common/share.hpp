@@ -10,8 +10,8 @@
 
 namespace restrip {
 
-/// Each of the threads makes itself a worker and has it called with numbers below `count`, of which every one comes
-/// once, the lower ones earlier. The first exception ends the work, and is thrown again when all threads have ended.
+/// Each thread makes a worker and calls it with numbers below `count`. Each number is used once, lower ones earlier.
+/// The first exception ends the work, and is thrown again when all threads have ended.
 template <class MakeWorker>
 void on_threads(unsigned threads, std::size_t count, const MakeWorker& make_worker) {
   std::atomic<std::size_t> next = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What messages call a size.
+// Sizes in messages.
 
 #include <cstdint>
 #include <string>

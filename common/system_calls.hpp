@@ -1,6 +1,6 @@
 #pragma once
 // Every system call by which this folder reads or changes files, in one replaceable table, so that a test can make each
-// of them fail in turn. What only looks (stat, readlink, access) is not in it.
+// of them fail in turn. Calls that only inspect (stat, readlink, access) are not in it.
 
 #include <sys/types.h>
 

@@ -1,4 +1,4 @@
-// Asking a rule while the program is compiled. The look-ups are constexpr, need no mesh, and allocate nothing.
+// Looks a rule up while the program is compiled. The look-ups are constexpr, need no mesh, and allocate nothing.
 #include <cstdio>
 #include <restrip/restrip.hpp>
 
@@ -14,7 +14,7 @@ int main() {
 
   constexpr restrip::Rule rule = restrip::split_rule(at, loop, ports);
   static_assert(rule.valid, "a stripification can have these colours");
-  static_assert(rule.strips == 1, "every recolouring that is safe whatever lies outside adds a strip here");
+  static_assert(rule.strips == 1, "every recolouring that is safe for every surrounding mesh adds a strip here");
 
   std::printf("inner edges after the split:");
   for (unsigned j = 0; j < at.k + 3; ++j) std::printf(" %s", (rule.colors >> j & 1U) != 0 ? "solid" : "dashed");

@@ -22,7 +22,7 @@ int main() {
   const int strips = boost::connected_components(solid_edges(graph), component.data());
   std::printf("%zu triangles, %zu adjacent pairs, %d strips\n", num_vertices(graph), num_edges(graph), strips);
 
-  // As few triangles without a partner as there can be; then solid edges are the pairs.
+  // The fewest possible triangles without a partner; solid edges are then the pairs.
   std::vector<std::uint32_t> mate(num_vertices(graph));
   boost::edmonds_maximum_cardinality_matching(graph, mate.data());
   for (auto [edge, end] = edges(graph); edge != end; ++edge)

@@ -1,7 +1,7 @@
-// Triangles in pairs, kept while the mesh changes: as quadrilaterals, say. A pair is a solid dual edge, and no triangle
-// has two. Edges of a closed mesh are bisected and flipped, and the vertices removed again, a whole replay up and down;
-// the tables of tables/operations/*-matching.json say which pairs an operation leaves.
-// docs/tutorials/custom-operation.md says how such tables are made and proved.
+// Maintains pairs of triangles while a mesh changes, for example as quadrilaterals. A pair is a solid dual edge, and no
+// triangle has two. Edges of a closed mesh are bisected and flipped, and the vertices removed again; the tables of
+// tables/operations/*-matching.json say which pairs remain after an operation. docs/tutorials/custom-operation.md says
+// how such tables are made and proved.
 #include <cstdio>
 #include <restrip/restrip.hpp>
 #include <restrip/tables/operations/bisect_matching.hpp>
@@ -14,7 +14,7 @@ namespace {
 using restrip::StripMesh;
 using Halfedge = StripMesh::Halfedge;
 
-/// An alone triangle takes an alone neighbour.
+/// Pairs an unpaired triangle with an unpaired neighbour.
 void pair_up(StripMesh& mesh, Halfedge h) {
   for (int side = 0; side < 3; ++side, h = StripMesh::next(h)) {
     const Halfedge across = mesh.opposite(h);
@@ -23,7 +23,7 @@ void pair_up(StripMesh& mesh, Halfedge h) {
   }
 }
 
-/// Triangles that are changed on the way may be alone.
+/// Changed triangles may be unpaired.
 template <class Table>
 Halfedge rewrite(StripMesh& mesh, const Table& table, Halfedge h) {
   std::vector<restrip::Triangle> changed;
@@ -38,7 +38,7 @@ Halfedge rewrite(StripMesh& mesh, const Table& table, Halfedge h) {
 struct Counts {
   std::size_t alone = 0;
   bool paired = true;   // no triangle has two partners
-  bool maximal = true;  // no two neighbours are alone
+  bool maximal = true;  // no two neighbours are unpaired
 };
 Counts count(const StripMesh& mesh) {
   Counts counts;
@@ -86,7 +86,7 @@ int main() {
   };
   std::vector<Record> records;
   for (int i = 0; i < 3000; ++i) {
-    // The operation file's b -> c, and m beyond.
+    // b -> c of the operation file, with m beyond.
     const Halfedge b_c = rewrite(mesh, restrip::tables::bisect_matching, any());
     records.push_back({mesh.to(StripMesh::next(b_c)), mesh.from(b_c)});
   }

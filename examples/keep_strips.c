@@ -1,5 +1,5 @@
-/* Strips kept from C: a sheet is stripified, simplified by collapses under a policy, and its live index buffer tells
- * what changed. Everything that can fail returns a code; a refused operation changes nothing. */
+/* Maintains strips from C: a sheet is stripified and simplified by collapses under a policy, and its live index buffer
+ * reports the changes. Every function that can fail returns a code; a refused operation changes nothing. */
 #include <restrip.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-"""Strips kept from Python, by ctypes and the shared library: keep_strips.py [LIBRARY]"""
+"""Maintains strips from Python, by ctypes and the shared library: keep_strips.py [LIBRARY]"""
 import ctypes
 import sys
 from ctypes import POINTER, byref, c_char_p, c_int32, c_size_t, c_uint16, c_uint32, c_uint64, c_void_p
@@ -22,7 +22,7 @@ describe = declare("describe", c_char_p, c_int32)
 
 
 def checked(name, *arguments):
-    """The function, with an exception in place of a code."""
+    """The function, with an exception instead of a code."""
     function = declare(name, c_int32, *arguments)
 
     def call(*values):

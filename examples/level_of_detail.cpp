@@ -1,5 +1,5 @@
-// A level-of-detail loop with a live index buffer: a sheet of triangles is coarsened and refined again, its strips are
-// kept by a policy, and only the parts of the index buffer that changed are uploaded.
+// A level-of-detail loop with a live index buffer: a sheet of triangles is coarsened and refined again, a policy
+// maintains its strips, and only the parts of the index buffer that changed are uploaded.
 #include <cstdio>
 #include <restrip/restrip.hpp>
 #include <vector>
@@ -21,7 +21,7 @@ StripMesh sheet(Vertex n) {
   return StripMesh::build(triangles, (std::size_t{n} + 1) * (n + 1));
 }
 
-/// What a collapse removed, so that a split can bring it back.
+/// Data of a collapse, so that a split can undo it.
 struct Record {
   Vertex v_s, v_t, v_l, v_r;
 };

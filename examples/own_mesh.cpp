@@ -22,7 +22,7 @@ class MyMesh {
     }
   }
 
-  // What restrip asks for.
+  // For restrip.
   [[nodiscard]] int next(int h) const { return h % 3 == 2 ? h - 2 : h + 1; }
   [[nodiscard]] int opposite(int h) const { return h < 0 ? ~h : twin_[static_cast<std::size_t>(h)]; }
   [[nodiscard]] bool on_boundary(int h) const { return h < 0; }
@@ -47,7 +47,7 @@ class MyMesh {
     return h;
   }
 
-  // What index buffers ask for.
+  // For index buffers.
   [[nodiscard]] std::uint32_t triangle(int h) const { return static_cast<std::uint32_t>(h) / 3; }
   [[nodiscard]] int halfedge(std::uint32_t t) const { return static_cast<int>(3 * t); }
   [[nodiscard]] bool has_triangle(std::uint32_t) const { return true; }
@@ -78,7 +78,7 @@ class MyMesh {
 static_assert(restrip::FlippableMesh<MyMesh> && restrip::NumberedMesh<MyMesh>);
 
 int main() {
-  // Does it keep the contract? Asked on a mesh with a boundary: eight by eight squares of two triangles each.
+  // Tests the contract on a mesh with a boundary: eight by eight squares of two triangles each.
   std::vector<int> corners;
   for (int v = 0; v < 72; ++v)
     if (v % 9 != 8) corners.insert(corners.end(), {v, v + 1, v + 10, v, v + 10, v + 9});

@@ -1,6 +1,6 @@
 // A custom operation with strips: own_operation.json says that a vertex of six triangles is removed, and how its
 // hole is closed; the build makes a table of best rules from that (docs/tutorials/custom-operation.md). Here it is
-// applied all over a mesh, under each policy in turn: a torus, or an OBJ file that is named.
+// applied all over a mesh, under each policy in turn: a torus, or a given OBJ file.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>

@@ -1,7 +1,6 @@
-// Playing a baked mesh. The strips of every level are decided beforehand, here by a keeper that searches long; what is
-// stored with each record is the dual edges whose colour it flips. At run time no rule is looked up and nothing is
-// searched. `restrip bake` does the first part for meshes of any size, with longer searches
-// (docs/how-to/baked-strips.md).
+// Playing a baked mesh. The strips of every level are precomputed, here by a keeper with long searches. Each record
+// stores the dual edges whose colour it flips. At run time there are no rules and no searches. `restrip bake` does the
+// first part for meshes of any size, with longer searches (docs/how-to/baked-strips.md).
 #include <cstdio>
 #include <restrip/restrip.hpp>
 #include <vector>
@@ -19,7 +18,7 @@ struct SplitRecord {
   }
 };
 
-/// A cylinder of n × n squares, and the records that lead from what is left of it back up.
+/// A cylinder of n × n squares, and the records that lead from its coarse base back to it.
 StripMesh cylinder(Vertex n) {
   std::vector<std::array<Vertex, 3>> triangles;
   const auto at = [n](Vertex row, Vertex column) { return row * n + column % n; };
@@ -44,8 +43,8 @@ std::vector<SplitRecord> coarsen(StripMesh& mesh) {
   return {records.rbegin(), records.rend()};
 }
 
-/// Plays all splits twice from the base, once with a keeper and once with no flips; where the colours of the two differ
-/// after a record is what that record flips.
+/// Plays all splits twice from the base, once with a keeper and once without flips. A record flips the colours that
+/// then differ.
 restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std::vector<SplitRecord>& records) {
   restrip::BakedRecords<StripMesh::Halfedge> baked;
   StripMesh wanted = base;
@@ -58,7 +57,7 @@ restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std
       for (unsigned side = 0; side < 3; ++side) {
         const auto h = StripMesh::halfedge(t, side);
         if (!plain.alive(t) || plain.solid(h) == wanted.solid(h)) continue;
-        plain.set_solid(h, wanted.solid(h));  // so its opposite is equal as well, and named only once
+        plain.set_solid(h, wanted.solid(h));  // so the opposite agrees, and is named only once
         baked.flips.push_back(h);
       }
     baked.first.push_back(static_cast<std::uint32_t>(baked.flips.size()));

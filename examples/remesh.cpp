@@ -1,10 +1,9 @@
-// Isotropic remeshing after Botsch and Kobbelt (2004), with strips kept through all of it: split long edges, collapse
-// short ones, flip towards six triangles a vertex, smooth, five times over. Every change goes through one keeper, which
-// is all that restrip asks of a remesher. The mesh is an ellipsoid of uneven triangles, or an OBJ file:
-// example_remesh [time] [FILE]
+// Isotropic remeshing after Botsch and Kobbelt (2004), with maintained strips: split long edges, collapse short ones,
+// flip towards six triangles a vertex, smooth, five times over. Every change goes through one keeper; restrip needs
+// nothing else from a remesher. The mesh is an ellipsoid of uneven triangles, or a file: example_remesh [time] [OBJ]
 //
-// Printed are the strips that each policy has kept, those made from scratch afterwards, and how many search states that
-// took; with `time`, also how long.
+// It prints the strips under each policy, strips made from scratch afterwards, and the number of search states; with
+// `time`, also the time.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -58,7 +57,7 @@ class Bare {
   StripMesh& mesh_;
 };
 
-/// Makes edges as long as is asked for. No edge of the boundary collapses and none of its vertices moves.
+/// Brings edges to the target length. Boundary edges do not collapse, and boundary vertices do not move.
 template <class Keeper>
 class Remesher {
  public:
@@ -99,7 +98,7 @@ class Remesher {
   std::size_t operations = 0;
 
  private:
-  /// As they are when their turn comes; those between two triangles twice.
+  /// Visits edges in their present state; edges between two triangles come twice.
   template <class Visit>
   void for_each_edge(Visit&& visit) {
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t)
@@ -110,7 +109,7 @@ class Remesher {
     return std::sqrt(dot(along, along));
   }
   [[nodiscard]] bool on_boundary(Vertex v) const { return mesh_.leaves_boundary(mesh_.spoke(v)); }
-  /// Would an edge of v be too long if v were there?
+  /// Whether an edge of v would be too long if v were there.
   [[nodiscard]] bool too_far(Vertex v, const Point3& there) const {
     bool far = false;
     restrip::for_each_spoke(mesh_, v, [&](Halfedge h) {
@@ -119,14 +118,14 @@ class Remesher {
     });
     return far;
   }
-  /// How much further from the best number of triangles (six, or three on the boundary) v is with this many more.
+  /// By how much `more` triangles move v away from the best number of triangles (six, or three on the boundary).
   [[nodiscard]] int off(Vertex v, int more) const {
     int spokes = 0;
     restrip::for_each_spoke(mesh_, v, [&](Halfedge) { ++spokes; });
     const int best = on_boundary(v) ? 4 : 6;
     return std::abs(spokes + more - best) - std::abs(spokes - best);
   }
-  /// Every vertex goes to the middle of its neighbours, but for what would take it off the surface.
+  /// Every vertex moves to the middle of its neighbours, within the tangent plane of the surface.
   void smooth() {
     std::vector<Point3> moved = points_;
     for (Vertex v = 0; v < mesh_.vertex_bound(); ++v) {
@@ -153,7 +152,7 @@ class Remesher {
 };
 
 /// An octahedron, of whose triangles the longest edges are bisected and put on an ellipsoid: needles and large
-/// triangles side by side. Nothing here is rounded differently on different machines.
+/// triangles next to each other. Rounding is the same on all machines.
 Surface ellipsoid(std::size_t triangles) {
   const std::vector<std::array<Vertex, 3>> octahedron{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                                       {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
@@ -197,7 +196,7 @@ Surface read_obj(const char* file) {
   return {StripMesh::build(triangles, points.size()), points};
 }
 
-/// All edges approach the present mean length.
+/// The mean length of edges, the target of remeshing.
 double mean_length(const Surface& surface) {
   double sum = 0;
   std::size_t count = 0;
@@ -246,7 +245,7 @@ void run(const Surface& start, bool timed) {
   scratch.stripifying = milliseconds(
       [&] { scratch.strips = restrip::stripify(bare.mesh, restrip::Effort::fast, restrip::Cost::strips()); });
   std::vector<Row> rows{scratch};
-  // Stripified first, and kept.
+  // Stripified first, then maintained.
   Surface striped = start;
   const std::size_t before = restrip::stripify(striped.mesh, restrip::Effort::full, restrip::Cost::strips());
   for (const auto& [policy, way] : {std::pair{restrip::Policy::local, "kept, local"},

@@ -1,7 +1,7 @@
-// A terrain under longest-edge bisection (Rivara 1984; ROAM, right-triangulated terrains): refined in front of a
-// camera that flies over it, coarsened behind it. The rules of bisect() and merge() keep the strips, and here they keep
-// one for the whole terrain. This flies a hundred frames; `example_terrain time` flies a thousand, and says how long
-// the rules took in a frame, compared with strips from scratch.
+// A terrain under longest-edge bisection (Rivara 1984; ROAM, right-triangulated terrains): refined in front of a camera
+// that flies over it, coarsened behind it. The rules of bisect() and merge() maintain the strips: here one strip covers
+// the whole terrain. This flies a hundred frames; `example_terrain time` flies a thousand, and prints the time of the
+// rules in a frame, compared with strips from scratch.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -22,7 +22,7 @@ struct Point {
   int x = 0, y = 0;
 };
 
-/// Ridges of five sizes. Nothing here is rounded differently on different machines.
+/// Ridges of five sizes. Rounding is the same on all machines.
 double height(Point p) {
   const auto ridge = [&](double a, double b) {
     return std::abs(a * p.x + b * p.y - std::floor(a * p.x + b * p.y + 0.5));
@@ -39,7 +39,7 @@ class Terrain {
     restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
   }
 
-  /// Merges what is too fine and bisects what is too coarse, seen from the camera.
+  /// Merges triangles that are too fine and bisects triangles that are too coarse, seen from the camera.
   void move(Point camera) {
     for (Vertex v = 4; v < mesh.vertex_bound(); ++v) {
       if (mesh.spoke(v).id == restrip::none) continue;
@@ -66,7 +66,7 @@ class Terrain {
 
  private:
   [[nodiscard]] Point point(Halfedge h) const { return points_[mesh.from(h)]; }
-  /// The longest edge of the triangle of h: it has one, for all are right-angled and isosceles.
+  /// The longest edge of the triangle of h; all triangles are right-angled and isosceles.
   [[nodiscard]] Halfedge longest(Halfedge h) const {
     const auto length = [&](Halfedge g) {
       const Point a = point(g), b = point(StripMesh::next(g));
@@ -76,7 +76,7 @@ class Terrain {
     if (length(h) > length(second)) return length(h) > length(third) ? h : third;
     return length(second) > length(third) ? second : third;
   }
-  /// Is a vertex in the middle of this edge worth its triangles? `slack` keeps one a little longer.
+  /// Whether a vertex in the middle of this edge is worth its triangles. `slack` keeps it a little longer.
   [[nodiscard]] static bool wants(Point a, Point b, double slack, Point camera) {
     if (((a.x + b.x) | (a.y + b.y)) % 2 != 0) return false;  // below the resolution of the grid
     const Point p{(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -92,7 +92,7 @@ class Terrain {
     ++operations;
     return done;
   }
-  /// Bisects the edge of h, the longest of its triangle, after what must be bisected before it.
+  /// Bisects the edge of h, the longest of its triangle, after the edges that must be bisected before it.
   void refine(Halfedge h) {
     while (!StripMesh::on_boundary(mesh.opposite(h)) && !(longest(mesh.opposite(h)) == mesh.opposite(h)))
       refine(longest(mesh.opposite(h)));

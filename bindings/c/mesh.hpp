@@ -1,4 +1,4 @@
-// What a restrip_mesh is: a StripMesh, the keeper of its strips, and what else was asked of it.
+// The contents of a restrip_mesh: a StripMesh, the keeper of its strips, and optional parts.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct Live {
   explicit Live(const StripFormat& format) : buffer(format) {}
 
   LiveBuffer buffer;
-  std::vector<Triangle> changed;  // where the mesh reports to
+  std::vector<Triangle> changed;  // the list of changes of the mesh
   std::vector<restrip_range> ranges;
   std::vector<restrip_range> draws;
 };
@@ -71,7 +71,7 @@ struct restrip_mesh {
   restrip_mesh& operator=(const restrip_mesh&) = delete;
   ~restrip_mesh() = default;
 
-  /// At a level that is baked; false for meshes that are not baked, and under another policy.
+  /// Whether the mesh is at a baked level; false for meshes that are not baked, and under another policy.
   [[nodiscard]] bool in_step() const noexcept { return keeper.baked() != nullptr && keeper.baked()->in_step(); }
 
   /// Plays at most `most` records towards a level that exists, in step. Returns how many were played.
@@ -88,14 +88,14 @@ struct restrip_mesh {
     return done;
   }
 
-  /// Changes colours or the whole mesh, not through the keeper; whatever happens, keeper and live buffer know it.
+  /// Changes colours or the whole mesh without the keeper; keeper and live buffer are updated even after an exception.
   template <class Work>
   void recolor(Work&& work) {
     struct Afterwards {
       restrip_mesh* self;
       ~Afterwards() {
         if (self->live) self->mesh.watch(&self->live->changed);
-        // Without memory the keeper reads the mesh before its next operation.
+        // If memory runs out, the keeper reads the mesh before its next operation.
         try {
           self->keeper.rebuild();
         } catch (...) {

@@ -90,7 +90,7 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
   });
 }
 
-/// Is h a halfedge of the mesh?
+/// Whether h is a halfedge of the mesh.
 bool known(const restrip_mesh* mesh, restrip_halfedge h) noexcept {
   return mesh != nullptr && mesh->mesh.alive(StripMesh::Halfedge{h});
 }
@@ -105,7 +105,7 @@ VertexSplit<StripMesh::Halfedge> where_of(restrip_halfedge left, restrip_halfedg
   return {{left}, {right}, spokes};
 }
 
-/// Does what is granted, and tells.
+/// Does a granted operation and reports the change.
 template <class Operation>
 restrip_status done(restrip_mesh* mesh, Refusal refusal, restrip_change* change, Operation&& operation) noexcept {
   if (refusal != Refusal::granted) return status_of(refusal);
@@ -154,7 +154,7 @@ restrip_status batch(restrip_mesh* mesh, restrip_change* changes, std::size_t* f
   });
 }
 
-// ---- what is counted and filled
+// ---- functions that count and fill
 
 template <class Element, class From>
 restrip_status fill(const std::vector<From>& all, Element* out, std::size_t capacity, std::size_t* count) {
@@ -170,7 +170,7 @@ restrip_status indices_of(const restrip_mesh* mesh, Index* out, std::size_t capa
   if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&]() -> restrip_status {
     const std::vector<std::uint32_t> indices = strip_indices(mesh->mesh);
-    // What does not fit is cut to all bits set, for the restart index alone.
+    // Only the restart index does not fit; it is cut to all bits set.
     constexpr std::uint32_t restart = std::numeric_limits<Index>::max();
     if (std::any_of(indices.begin(), indices.end(), [](std::uint32_t i) { return i >= restart && i != restart_index; }))
       return RESTRIP_TOO_LARGE;

@@ -1,4 +1,4 @@
-// Codes and texts of the C interface, and the wall that no exception passes.
+// Codes and texts of the C interface, and the guard that no exception passes.
 #pragma once
 
 #include <new>
@@ -44,30 +44,30 @@ constexpr restrip_status status_of(Refusal refusal) noexcept {
       return RESTRIP_OTHER_VALENCE;
     case Refusal::colors_not_valid:
       return RESTRIP_BAD_COLORING;
-    case Refusal::other_patch:  // of operations that C has not
+    case Refusal::other_patch:  // of operations that the C interface lacks
     case Refusal::same_vertex:
       break;
   }
   return RESTRIP_UNEXPECTED;
 }
 
-/// The text of a code; those of refusals are the library's.
+/// The text of a code; refusals have the texts of the library.
 constexpr const char* text_of(restrip_status status) noexcept {
   for (int i = 0; i <= static_cast<int>(Refusal::other_valence); ++i)
     if (const auto refusal = static_cast<Refusal>(i); status_of(refusal) == status) return describe(refusal);
   switch (status) {
     case RESTRIP_NULL_ARGUMENT:
-      return "a pointer is null that must not be";
+      return "a pointer that must not be null is null";
     case RESTRIP_BAD_ARGUMENT:
       return "a number is outside its range";
     case RESTRIP_BAD_COLORING:
-      return "the colours are not those of a valid colouring";
+      return "the colours are not a valid colouring";
     case RESTRIP_TOO_LARGE:
       return "there are more triangles or vertices than a mesh or its indices can hold";
     case RESTRIP_TOO_SMALL:
-      return "the array is too short for what is to be written";
+      return "the array is too short for the result";
     case RESTRIP_BAD_FILE:
-      return "the bytes are not those of a baked mesh, or are damaged";
+      return "the bytes are not a baked mesh, or are damaged";
     case RESTRIP_NOT_BAKED:
       return "the mesh was not read from a baked mesh";
     case RESTRIP_OUT_OF_STEP:
@@ -77,7 +77,7 @@ constexpr const char* text_of(restrip_status status) noexcept {
     case RESTRIP_MIXED_NAMES:
       return "either all splits of a batch name their new vertex, or none does";
     case RESTRIP_NOT_LIVE:
-      return "the mesh has no live buffer: begin one";
+      return "the mesh has no live buffer: call restrip_live_begin first";
     case RESTRIP_OUT_OF_MEMORY:
       return "there is not enough memory";
     case RESTRIP_UNEXPECTED:
@@ -87,7 +87,7 @@ constexpr const char* text_of(restrip_status status) noexcept {
   }
 }
 
-/// What work() returns, or the code of the exception that ends it.
+/// The result of work(), or the code of the exception that ends it.
 template <class Work>
 restrip_status guarded(Work&& work) noexcept {
   try {
@@ -101,7 +101,7 @@ restrip_status guarded(Work&& work) noexcept {
   }
 }
 
-/// The number given, as one of the members of an enumeration of the library, 0 to `last`.
+/// The number given, as a member of an enumeration of the library, 0 to `last`.
 template <class Enum>
 bool named(std::int32_t number, Enum last, Enum& out) noexcept {
   if (number < 0 || number > static_cast<std::int32_t>(last)) return false;

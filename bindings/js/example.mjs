@@ -1,5 +1,5 @@
-// What keeping strips saves:  node example.mjs MESH     (OBJ, OFF, PLY, GLB, PM, baked)
-// The mesh goes from its coarsest level to its finest in steps of 1 %, once for each way to have an index buffer.
+// The savings of maintained strips:  node example.mjs MESH     (OBJ, OFF, PLY, GLB, PM, baked)
+// The mesh goes from its coarsest level to its finest in steps of 1 %, once for each kind of index buffer.
 import { readFile } from 'node:fs/promises';
 import { load } from 'restrip-wasm';
 import { loadReaders } from 'restrip-wasm/formats';
@@ -15,7 +15,7 @@ const read = await readMesh(file, await readFile(file));
 const open = () => (read.baked ? restrip.baked(read.baked) : read.base ? restrip.progressive(read) : restrip.simplified(read));
 
 const sum = (ranges) => ranges.reduce((all, { count }) => all + count, 0);
-/// Each brings its index buffer in step with the mesh; it returns the number of indices written, and that in the buffer.
+/// Each brings its index buffer in step with the mesh; it returns the number written, and the number in the buffer.
 const ways = {
   'strips kept': { policy: 'quick', follow: (mesh) => [sum(mesh.update()), mesh.indices.length] },
   'strips from scratch': { policy: 'bare', follow: (mesh) => { const { length } = mesh.fromScratch({ cost: 'indices' }); return [length, length]; } },

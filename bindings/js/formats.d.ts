@@ -1,14 +1,14 @@
-/** Compiles the readers of the program `restrip`: their bytes, or where to fetch them from; the file restrip-readers.wasm of this
- * package when nothing is given. Throws an Error where it cannot be had. */
+/** Compiles the readers of the program `restrip`: their bytes, or where to fetch them from; by default the file
+ * restrip-readers.wasm of this package. Throws an Error if that fails. */
 export function loadReaders(source?: WebAssembly.Module | ArrayBuffer | ArrayBufferView | URL | string): Promise<ReadMesh>;
 
 /** Reads a mesh file: OBJ, OFF, PLY, STL, glTF and GLB, progressive meshes (PM) of OpenMesh and of Hoppe, and baked meshes; the
- * extension of `name` decides. Strips and polygons become triangles; vertices of glTF at one place become one. Throws an Error
- * that says what is wrong, in the program's words. A .gltf whose buffers are files of their own cannot be read. */
+ * extension of `name` decides. Strips and polygons become triangles; vertices of glTF at one place become one. Throws an
+ * Error with the program's message. A .gltf with buffers in separate files cannot be read. */
 export type ReadMesh = (name: string, content: ArrayBuffer | ArrayBufferView) => Promise<Mesh | ProgressiveMesh | BakedMesh>;
 
 interface Read {
-  /** What vertices of the file have beside their places, in words; empty if nothing. */
+  /** The attributes of vertices other than positions, in words; empty if there are none. */
   leftOut: string;
 }
 /** Three numbers a vertex, three a triangle. */

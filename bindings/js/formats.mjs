@@ -1,18 +1,17 @@
-// Mesh files, read as the program `restrip` reads them: by its own readers, as a WebAssembly module. formats.d.ts is the
-// manual.
+// Mesh files, read by the readers of the program `restrip`, as a WebAssembly module. formats.d.ts is the manual.
 import { compiled } from './module.mjs';
 
-/// Compiles the readers: their bytes, or where to fetch them from; the file beside this one when nothing is given.
+/// Compiles the readers: their bytes, or where to fetch them from; by default the file next to this one.
 export async function loadReaders(source = new URL('./restrip-readers.wasm', import.meta.url)) {
   const module = await compiled(source);
   return (name, content) => readWith(module, name, content);
 }
 
-// What the C library would print its last words with: there is no such file.
+// The C library would print last messages to a file, which does not exist here.
 const badDescriptor = 8;
 const noFiles = { fd_write: () => badDescriptor, fd_seek: () => badDescriptor, fd_close: () => badDescriptor };
 
-/// Each file has a module of its own: what a refused file leaves in the memory goes with it.
+/// Each file has a new module, so memory left by a refused file is released with it.
 async function readWith(module, name, content) {
   let memory;
   const text = (address, bytes) => new TextDecoder().decode(new Uint8Array(memory.buffer, address >>> 0, bytes));

@@ -1,15 +1,15 @@
 /// <reference lib="esnext.disposable" />
-// Triangle strips kept while the mesh changes. A mesh is a progressive mesh: a base and vertex splits, the *records*,
-// that lead from it to the fine mesh. Strips are kept by proven rules, and further by the policy.
-// README.md has a whole example.
+// Triangle strips, maintained while a mesh changes. A mesh is a progressive mesh: a base and vertex splits, the *records*,
+// that lead from it to the fine mesh. Proven rules maintain the strips, and the policy improves them further. README.md has
+// a whole example.
 //
 // Misuse throws an Error whose message is a sentence: an argument out of its range, a number that is NaN, a call before
-// begin() or after close(). Operations that the mesh refuses are no misuse.
+// begin() or after close(). An operation that the mesh refuses is not misuse.
 
-/** How far an operation looks to keep the strips good. 'baked': not at all, the strips of each level were decided by
- * `restrip bake`; for meshes opened by Restrip.baked. */
+/** The effort of an operation to keep strips good. 'baked': plays the strips that `restrip bake` precomputed for each
+ *  level; for meshes opened by Restrip.baked. */
 export type Policy = 'bare' | 'rules' | 'local' | 'linked' | 'quick' | 'full' | 'best' | 'baked';
-/** What is kept low: a weight for each strip, each swap (a repeated index), each isolated triangle; 0 to 1000. */
+/** The cost to minimise: a weight for each strip, each swap (a repeated index), each isolated triangle; 0 to 1000. */
 export type Cost = 'strips' | 'indices' | { restart: number; swap: number; isolated?: number };
 export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'boundary-split' | 'boundary-collapse' | 'flip';
 
@@ -22,31 +22,30 @@ export const restartIndex: 0xffffffff;
 /** No vertex. */
 export const none: 0xffffffff;
 
-/** restrip-small.wasm beside this module, for load(): half the bytes, because its tables end at fans of six triangles. Larger
- * fans are answered by the automaton that knows every k: rules as good, a little later, and not always the same among
- * equally good ones. */
+/** restrip-small.wasm next to this module, for load(): half the bytes, because its tables end at fans of six triangles.
+ *  Larger fans use the automaton of all valences: equally good rules, a little slower, with other choices among ties. */
 export const small: URL;
 
-/** Without argument: restrip.wasm beside this module, in browsers and in Node. */
+/** Without argument: restrip.wasm next to this module, in browsers and in Node. */
 export function load(source?: string | URL | BufferSource | WebAssembly.Module): Promise<Restrip>;
 
 export class Restrip {
   /** A progressive mesh. `points`: 3 finite numbers a vertex; `base`: 3 a triangle; `splits`: 4 a record: v_s, the new v_t,
-   * v_l, v_r (one of the last two is `none` on the boundary). Vertices are those that have a point. Throws when a record
-   * cannot be played. */
+   * v_l, v_r (one of the last two is `none` on the boundary). Every vertex needs a point. Throws when a record cannot be
+   * played. */
   progressive(source: { points: ArrayLike<number>; base: ArrayLike<number>; splits: ArrayLike<number> }): StripMesh;
-  /** A mesh as it is, without records. */
+  /** A mesh without records. */
   mesh(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }): StripMesh;
-  /** Simplifies a mesh to that share of its triangles, from 0 to 1, by quadric errors; boundary vertices stay. Takes
-   * seconds for a million triangles. */
+  /** Simplifies a mesh to `share` of its triangles, from 0 to 1, by quadric errors; boundary vertices stay. Takes seconds
+   * for a million triangles. */
   simplified(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): StripMesh;
   /** The same in steps: a generator of the share that is done, from 0 to 1, which returns the mesh. */
   simplifying(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): Generator<number, StripMesh, void>;
-  /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or no
-   * mesh. */
+  /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or not a
+   *  mesh. */
   baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;
   /** The rule of a configuration, numbered as in docs/reference/notation.md: `edges` are the loop or inner edges before. Any k
-   * up to 61. Positions and colours that do not exist are not `valid`. */
+   * up to 61. `valid` is false for positions out of range and colours that no valid colouring has. */
   rule(configuration: { family: Family; k?: number; a?: number; i?: number; j?: number;
     edges: number | bigint; ports: number | bigint }): Rule;
 }
@@ -57,7 +56,7 @@ export interface Rule {
   strips: number;
   /** The loop or inner edges after the operation. */
   colors: bigint;
-  /** The ports that stay solid: all, but for flips. */
+  /** The ports that stay solid: all, except for flips. */
   ports: bigint;
 }
 
@@ -73,16 +72,15 @@ export interface Figures {
   inOrder: boolean;
   bufferIndices: number;
   operations: number;
-  /** Operations after which there were more strips; that added an isolated triangle (not counted while `baked`); that the
-   * mesh refused. */
+  /** Operations that added strips; that added an isolated triangle (not counted while `baked`); that the mesh refused. */
   addingStrip: number;
   isolating: number;
   refused: number;
   /** By all updates but the first. */
   indicesWritten: number;
   updates: number;
-  /** The strips are those that were baked for this level. Under policy 'baked' that ends with the first operation out of
-   * order; from then on the rules keep the strips, until begin(). */
+  /** The strips are the baked strips of this level. Under policy 'baked' that ends with the first operation out of order;
+   *  from then on the rules maintain the strips, until begin(). */
   baked: boolean;
 }
 
@@ -115,21 +113,22 @@ export class StripMesh implements Disposable {
   readonly hasBakedStrips: boolean;
   readonly leftOut: { triangles: number; nonManifoldVertices: number; boundaryEdges: number };
 
-  /** Goes to the base, gives it strips from scratch, and keeps them in this way from now on. Policy 'baked' begins with the
-   * baked strips instead, whatever the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex is numbered 65,535
-   * or above. */
+  /** Goes to the base, makes its strips from scratch, and maintains them with these options. Policy 'baked' begins with the
+   *  baked strips instead and ignores the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex number is 65,535
+   *  or above. */
   begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto' }): this;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
-   * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin():
-   * records do not fit a mesh that these have changed. */
+   * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin(), because
+   * records no longer fit the mesh. */
   moveTo(level: number, most?: number): number;
-  /** The same towards the records marked 1 in `wanted`, a byte each, and those that they need: a view-dependent mesh. */
+  /** The same towards the records marked 1 in `wanted`, a byte each, and the records that they need: a view-dependent
+   *  mesh. */
   approach(wanted: Uint8Array, most?: number): number;
-  /** The records that can be split now: all that they need are split. Linear time. */
+  /** The records that can be split now, because all records that they need are split. Linear time. */
   readonly ready: Uint32Array;
   /** A new vertex for split(). Returns its number. */
   addPoint(x: number, y: number, z: number): number;
-  /** Moves a vertex; strips do not depend on places. */
+  /** Moves a vertex; strips do not depend on positions. */
   setPoint(v: number, x: number, y: number, z: number): void;
   /** Single operations by vertices; vT needs a point. Null when done, else a sentence that says why the mesh refuses. */
   split(vS: number, vT: number, vL: number, vR: number): string | null;
@@ -141,21 +140,21 @@ export class StripMesh implements Disposable {
   splitFace(a: number, b: number, c: number): number | string;
 
   /** Brings the index buffer in step; returns the ranges to upload. Ranges at most `join` indices apart (2) become one;
-   * they begin and end at multiples of `align` bytes, 2 or a multiple of 4 (4, as WebGPU's writeBuffer asks). `outgrown`:
-   * the buffer has become longer than `room`, or its indices wider; make one of `room` indices on the card. There is one
-   * range then, everything. Time linear in what changed. */
+   * they begin and end at multiples of `align` bytes, 2 or a multiple of 4 (4, as WebGPU's writeBuffer needs). `outgrown`:
+   * the buffer has become longer than `room`, or its indices wider; make a new one of `room` indices on the device. The
+   * only range is then the whole buffer. Time linear in the changes. */
   update(options?: { join?: number; align?: number }): Range[] & { outgrown: boolean };
-  /** How many indices the buffer on the card should have room for. */
+  /** The number of indices that the buffer on the device should have room for. */
   readonly room: number;
-  /** What is to be drawn: the runs of the form 'lengths', else the whole buffer. */
+  /** The ranges to draw: the runs of the form 'lengths', else the whole buffer. */
   readonly draws: Range[];
-  /** In place of update(), for a policy such as 'bare' that keeps no strips: a triangle list, in which an operation writes
-   * the slots of the triangles that it changed alone; or, if it is to be so, the list as a whole. */
+  /** Instead of update(), for a policy such as 'bare' that does not maintain strips: a triangle list, in which an operation
+   *  writes only the slots of the triangles that it changed; with `whole` the whole list. */
   updateList(options?: { whole?: boolean }): Range[];
   /** That list, 3 indices a triangle. A view, not a copy. */
   readonly listIndices: Uint32Array;
-  /** A copy of the index buffer of strips that are made from scratch, by the fastest way there is here, in a copy of the mesh as it
-   * is; those that are kept do not change. Linear time. */
+  /** A copy of the index buffer of strips made from scratch, by the fastest way, for the present mesh. The maintained
+   *  strips do not change. Linear time. */
   fromScratch(options?: { cost?: Cost }): Uint32Array;
   /** The index buffer in the form that begin() was given. A view, not a copy. */
   readonly indices: Uint32Array | Uint16Array;
@@ -165,7 +164,7 @@ export class StripMesh implements Disposable {
   readonly figures: Figures;
   /** Indices of a buffer written from scratch, without gaps. Linear time. */
   readonly plainIndices: number;
-  /** No index buffer of this mesh has fewer indices. Some eighty passes over the mesh. */
+  /** A lower bound: every index buffer of this mesh has at least this many indices. Some eighty passes over the mesh. */
   readonly indexBound: number;
   /** Checks the colouring from its definition. Linear time. */
   readonly valid: boolean;
@@ -174,12 +173,12 @@ export class StripMesh implements Disposable {
    * triangles beyond its three sides (`none` at the boundary), a mask of the sides where its strip continues, and the strip,
    * named by its lowest triangle. Side 0 is from the first corner to the second. Linear time. */
   readonly ribbon: Uint32Array;
-  /** The same of the strips that fromScratch() made last; empty before. */
+  /** The same for the strips that fromScratch() made last; empty before. */
   readonly scratchRibbon: Uint32Array;
-  /** Where a ray meets the mesh first, or null. Linear time. */
+  /** The first point where a ray meets the mesh, or null. Linear time. */
   pick(from: ArrayLike<number>, along: ArrayLike<number>): [number, number, number] | null;
   readonly last: LastOperation | null;
-  /** Gives the memory back. Once is enough; `using mesh = …` does it at the end of the block. */
+  /** Releases the memory. Once is enough; `using mesh = …` does it at the end of the block. */
   close(): void;
   [Symbol.dispose](): void;
 }

@@ -1,7 +1,7 @@
-// restrip for JavaScript: triangle strips kept while the mesh changes. restrip.d.ts is the manual.
+// restrip for JavaScript: maintains triangle strips while a mesh changes. restrip.d.ts is the manual.
 //
-// The library is one WebAssembly module without imports. Arguments that are lists are copied in; the index buffer is
-// looked at where it lies.
+// The library is one WebAssembly module without imports. Lists are copied in as arguments; the index buffer is a view of
+// the module's memory.
 import { compiled } from './module.mjs';
 
 const families = ['split', 'collapse', 'open-split', 'open-collapse', 'boundary-split', 'boundary-collapse', 'flip'];
@@ -15,7 +15,7 @@ const figureNames = ['triangles', 'strips', 'played', 'inOrder', 'bufferIndices'
 
 export const small = new URL('./restrip-small.wasm', import.meta.url);
 
-/// Compiles the module: its bytes, or where to fetch it from; the file beside this one when nothing is given.
+/// Compiles the module: its bytes, or where to fetch it from; by default the file next to this one.
 export async function load(source = new URL('./restrip.wasm', import.meta.url)) {
   const instance = await WebAssembly.instantiate(await compiled(source), {});
   instance.exports._initialize();
@@ -24,19 +24,19 @@ export async function load(source = new URL('./restrip.wasm', import.meta.url)) 
   return new Restrip(Object.fromEntries(Object.entries(instance.exports).map(([name, each]) => [name, unsigned(each)])));
 }
 
-// ---- arguments: each is as the manual says, or a sentence is thrown
+// ---- arguments: checked against the manual; an error has one sentence
 
 /// A whole number from 0 to `most`.
 function whole(what, n, most = 0xffffffff) {
   if (Number.isInteger(n) && n >= 0 && n <= most) return n;
   throw new RangeError(`${what} is ${String(n)}; it must be a whole number from 0 to ${most}`);
 }
-/// How many operations at most; no limit is more than any mesh has.
+/// The largest number of operations; without a limit more than any mesh has.
 function limit(most) {
   if (typeof most === 'number' && most >= 0) return Math.min(Math.floor(most), 0xffffffff);
   throw new RangeError(`the number of operations is ${String(most)}; it must be 0 or more`);
 }
-/// So many numbers for each item.
+/// `width` numbers for each item.
 function groups(what, list, width) {
   if (typeof list?.length !== 'number' || list.length % width !== 0)
     throw new RangeError(`${what}: ${list?.length === undefined ? 'no list' : `${list.length} numbers`}; they must be ${width} for each`);
@@ -60,7 +60,7 @@ function vertices(what, list, width, count, or = NaN) {
 function weights(cost) {
   const own = typeof cost === 'string' && Object.hasOwn(costs, cost) ? costs[cost] : cost;
   if (typeof own !== 'object' || own === null)
-    throw new RangeError(`there is no cost ${String(cost)}; there are ${Object.keys(costs).join(', ')}, and custom weights`);
+    throw new RangeError(`unknown cost ${String(cost)}: expected ${Object.keys(costs).join(', ')} or custom weights`);
   const { restart, swap, isolated = 0 } = own;
   return Object.entries({ restart, swap, isolated }).map(([name, weight]) => whole(`the weight ${name}`, weight, 1000));
 }
@@ -77,7 +77,7 @@ export class Restrip {
     this.#wasm = wasm;
   }
 
-  /// A progressive mesh as it is.
+  /// A progressive mesh.
   progressive({ points, base, splits }) {
     const places = coordinates(points);
     const count = places.length / 3;
@@ -86,7 +86,7 @@ export class Restrip {
     return this.#opened(this.#with([places, corners, records],
       (p, b, s) => this.#wasm.restrip_open(p, count, b, corners.length / 3, s, records.length / 4)), places);
   }
-  /// A mesh as it is, without records.
+  /// A mesh without records.
   mesh({ points, triangles }) { return this.progressive({ points, base: triangles, splits: [] }); }
   /// A mesh, simplified here to `share` of its triangles.
   simplified(source, share) {
@@ -110,7 +110,7 @@ export class Restrip {
       for (let left; (left = this.#wasm.restrip_simplify_run(simplifier, wanted, 4000)) > 0;) yield 1 - left / all;
       page = this.#wasm.restrip_simplify_end(simplifier);
     } finally {
-      if (page === 0) this.#wasm.restrip_close(this.#wasm.restrip_simplify_end(simplifier));  // nobody waits for the end
+      if (page === 0) this.#wasm.restrip_close(this.#wasm.restrip_simplify_end(simplifier));  // the caller has stopped early
     }
     return this.#opened(page, places);
   }
@@ -130,7 +130,7 @@ export class Restrip {
   /// The rule of a configuration.
   rule({ family, k = 0, a = 0, i = 0, j = 0, edges, ports }) {
     const number = families.indexOf(family);
-    if (number < 0) throw new RangeError(`there is no family ${family}; there are ${families.join(', ')}`);
+    if (number < 0) throw new RangeError(`unknown family ${family}: expected one of ${families.join(', ')}`);
     const x = number < 2 ? whole('a', a) : whole('i', i);
     const solid = mask('ports', ports);
     const [valid, strips, low, high, kept] =
@@ -230,7 +230,7 @@ export class StripMesh {
   get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#open) === 1; }
 
   begin({ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = {}) {
-    if (!forms.includes(form)) throw new RangeError(`there is no form ${form}; there are ${forms.join(', ')}`);
+    if (!forms.includes(form)) throw new RangeError(`unknown form ${form}: expected one of ${forms.join(', ')}`);
     if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${String(bits)}; it must be 16, 32 or 'auto'`);
     if (bits === 16 && this.points.length > 3 * 0xffff) throw new RangeError('16 bits do not name all vertices; leave it to bits: \'auto\'');
     this.#wasm.restrip_set_format(this.#open, forms.indexOf(form), bits === 'auto' ? 0 : bits);
@@ -242,12 +242,12 @@ export class StripMesh {
     }
     const policies = policiesOf(this.#wasm);
     const number = policies.indexOf(policy);
-    if (number < 0) throw new RangeError(`there is no policy ${policy}; there are ${policies.join(', ')}, and baked for baked meshes`);
+    if (number < 0) throw new RangeError(`unknown policy ${policy}: expected one of ${policies.join(', ')}, or baked for baked meshes`);
     this.#wasm.restrip_begin(this.#open, number, ...weights(cost));
     this.#begun = true;
     return this;
   }
-  /// The same, at a level: once split(), collapse() and flip() have changed the mesh, records cannot be counted on.
+  /// The same, at a level: after split(), collapse() or flip() records no longer fit the mesh.
   get #inRecords() {
     if (this.#wasm.restrip_left_records(this.#kept) === 1)
       throw new Error('single operations have changed the mesh since begin(), so its records do not fit it; call begin() again');
@@ -346,10 +346,10 @@ export class StripMesh {
     const n = listAt(this.#wasm, this.#wasm.restrip_last(this.#kept), Uint32Array, 1);
     if (n[0] === 0) return null;
     const mask = (at) => BigInt(n[at + 1]) << 32n | BigInt(n[at]);
-    const told = { kind: families[[0, 0, 1, 6][n[0]]], closed: n[1] === 1, k: n[2], a: n[3],
+    const operation = { kind: families[[0, 0, 1, 6][n[0]]], closed: n[1] === 1, k: n[2], a: n[3],
       before: mask(4), ports: mask(6), after: mask(8), portsAfter: mask(10), strips: n[12] | 0, isolated: n[13] | 0 };
     const triangles = (after) =>
       listAt(this.#wasm, this.#wasm.restrip_last_triangles(this.#kept, after), Uint32Array, 3).slice();
-    return { ...told, trianglesBefore: triangles(0), trianglesAfter: triangles(1) };
+    return { ...operation, trianglesBefore: triangles(0), trianglesAfter: triangles(1) };
   }
 }

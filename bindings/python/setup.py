@@ -1,5 +1,5 @@
-"""Puts the C library into the package: the one that RESTRIP_C_LIBRARY names, or one compiled here by $CXX (c++), which wants
-C++20 and nothing else. Sources are those of the repository around this folder."""
+"""Puts the C library into the package: the one that RESTRIP_C_LIBRARY names, or one compiled here by $CXX (c++), which needs
+only C++20. The sources are in the repository around this folder."""
 import os
 import pathlib
 import re
@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 C = ROOT / "bindings/c"
 VERSION = re.search(r"project\(\s*restrip VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
-SCRATCH = tempfile.mkdtemp()  # the sources stay as they are
+SCRATCH = tempfile.mkdtemp()  # the sources do not change
 NAME = {"darwin": "librestrip_c.dylib", "win32": "restrip_c.dll"}.get(sys.platform, "librestrip_c.so")
 
 
@@ -41,7 +41,7 @@ class WithLibrary(build_py):
 
 
 class OfThisMachine(bdist_wheel):
-    """The library is of one machine, and no Python was compiled."""
+    """The library depends on the machine, but not on the version of Python."""
 
     def finalize_options(self):
         super().finalize_options()

@@ -98,7 +98,7 @@ TEST_F(Outputs, GoThroughLinks) {
   fs::create_symlink("loop", at("loop"));
   EXPECT_SAYS(complaint(at("loop")), "loop: cannot be written: its links lead nowhere");
   fs::create_symlink("no/such/folder", at("lost"));
-  EXPECT_SAYS(complaint(at("lost")), "there is no folder");
+  EXPECT_SAYS(complaint(at("lost")), "does not exist; make it first");
 }
 
 TEST_F(Outputs, BystandersStay) {
@@ -186,7 +186,7 @@ TEST_F(Outputs, WhatCannotBeWrittenIsNamedBeforehand) {
   EXPECT_SAYS(complaint(""), "is empty; name a file");
   EXPECT_SAYS(complaint(folder_), "it is a folder; name a file inside it");
   EXPECT_SAYS(complaint(folder_ / ""), "it is a folder; name a file inside it");
-  EXPECT_SAYS(complaint(at("none/a")), "there is no folder");
+  EXPECT_SAYS(complaint(at("none/a")), "does not exist; make it first");
   EXPECT_SAYS(complaint(at("none/")), "cannot be written");
   EXPECT_SAYS(complaint(at("file/a")), "Not a directory; name a file in a folder that you may write to");
   EXPECT_SAYS(complaint("/proc/self/a"), "cannot be written");  // not even by root

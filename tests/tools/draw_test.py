@@ -256,7 +256,7 @@ for arguments, words in (
         ((mesh, "-o", scratch / "x.png", "--policy", "baked", "--cost", "bytes"), "--cost"),
         ((scratch / "mesh.pm", "-o", scratch / "x.png", "--base", "0.5"), "--base"),
         ((scratch / "none.obj", "-o", scratch / "x.png"), "no such file"),
-        ((scratch / "none.obj", "-o", scratch / "none" / "x.png"), "there is no folder"),
+        ((scratch / "none.obj", "-o", scratch / "none" / "x.png"), "does not exist; make it first"),
         ((mesh, "-o", scratch / "x.json", "--lines"), "--lines"),
         ((mesh, "-o", scratch / "x.json", "--camera", "1,2"), "--camera")):
     refused = run("draw", *arguments, code=2).stderr

@@ -430,12 +430,12 @@ TEST_F(Meshes, OutputsAreTestedBeforeTheWork) {
   // So a bad output is named even where the input would be at fault as well.
   std::filesystem::create_directory(file("folder.pm"));
   for (const auto& [command, complaint] : std::vector<std::array<const char*, 2>>{
-           {"simplify '{0}/none.obj' -o '{0}/none/b.pm'", "there is no folder"},
+           {"simplify '{0}/none.obj' -o '{0}/none/b.pm'", "does not exist; make it first"},
            {"simplify '{0}/none.obj' -o '{0}/folder.pm'", "it is a folder; name a file inside it"},
            {"simplify '{0}/none.obj' -o '{0}/a.pm/b.pm'", "Not a directory"},
-           {"bake '{0}/none.pm' -o '{0}/none/b.baked'", "there is no folder"},
-           {"draw '{0}/none.obj' -o '{0}/none/draw.json'", "there is no folder"},
-           {"replay '{0}/none.obj' --json '{0}/none/b.json'", "there is no folder"},
+           {"bake '{0}/none.pm' -o '{0}/none/b.baked'", "does not exist; make it first"},
+           {"draw '{0}/none.obj' -o '{0}/none/draw.json'", "does not exist; make it first"},
+           {"replay '{0}/none.obj' --json '{0}/none/b.json'", "does not exist; make it first"},
            {"replay '{0}/none.obj' --json /proc/self/b.json", "name a file in a folder that you may write to"},
            {"paper '{0}/none.obj' --out '{0}/a.obj'", "Not a directory; name a file in a folder"},
            {"paper '{0}/none.obj' --out /proc/self/report", "name a folder that you may write to"},

@@ -1,4 +1,4 @@
-/* restrip for C: triangle strips kept while the mesh changes, by proven rules.
+/* restrip for C: maintains triangle strips while a mesh changes, by proven rules.
  *
  * This header is plain C99 and needs no other file of restrip. Link the shared or the static library restrip_c (CMake:
  * restrip::c, restrip::c_static; pkg-config: restrip-c). docs/how-to/c.md is the guide, examples/keep_strips.c a whole
@@ -16,16 +16,17 @@
  * strips are then the paths of solid edges. Every mesh here has a valid colouring at every moment.
  *
  * Errors. Every function that can fail returns a restrip_status: RESTRIP_OK is 0, everything else says why nothing was
- * done. What a function gives is written through pointers, and only when it returns RESTRIP_OK, but where its comment
- * says otherwise. No exception leaves the library, nothing is printed, and the program is never ended. A null pointer
- * where none is allowed is RESTRIP_NULL_ARGUMENT. What cannot be noticed: a pointer to a mesh that was freed, and
- * arrays shorter than they are said to be.
+ * done. Results are written through pointers, and only with RESTRIP_OK, unless the comment of the function says
+ * otherwise. No exception leaves the library, nothing is printed, and the program is never ended. A null pointer that
+ * is not allowed gives RESTRIP_NULL_ARGUMENT. A pointer to a freed mesh, or an array shorter than its stated size,
+ * cannot be detected.
  *
  * Threads. Different meshes may be used by different threads at once. One mesh may be read by several threads
- * (functions that take a const restrip_mesh *), or be changed by one. There is no other state.
+ * (functions that take a const restrip_mesh *), or be changed by one. The library has no other state.
  *
  * Complexities are given for T triangles. Memory: 24 bytes a triangle and 5 a vertex; 13 more a triangle under
- * RESTRIP_POLICY_QUICK and RESTRIP_POLICY_FULL for fewest strips; and what a live buffer or a baked mesh holds.
+ * RESTRIP_POLICY_QUICK, RESTRIP_POLICY_FULL and RESTRIP_POLICY_BEST for fewest strips; and the contents of a live
+ * buffer or a baked mesh.
  */
 #ifndef RESTRIP_H
 #define RESTRIP_H
@@ -45,12 +46,11 @@ extern "C" {
 
 /* ---- Version ----------------------------------------------------------------------------------- */
 
-/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.2) and goes up when a
- * program that was compiled with an older header can no longer use the library. New functions and new codes do not
- * change it. */
+/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.2) and increases when a
+ * program compiled with an older header can no longer use the library. New functions and new codes do not change it. */
 #define RESTRIP_ABI_VERSION 2
 
-/* RESTRIP_ABI_VERSION as the library was compiled: for programs that load it at run time. */
+/* RESTRIP_ABI_VERSION of the compiled library: for programs that load it at run time. */
 RESTRIP_API uint32_t restrip_abi_version(void);
 /* Version of restrip, such as "1.0.0". */
 RESTRIP_API const char* restrip_version(void);
@@ -71,19 +71,19 @@ enum {
   RESTRIP_JOINS_BOUNDARIES = 7,    /* an interior edge between two boundary vertices cannot be collapsed */
   RESTRIP_LINK_CONDITION = 8,      /* the collapse would fold the mesh: its ends have another common neighbour */
   RESTRIP_TOO_FEW_TRIANGLES = 9,   /* fewer than three triangles would remain around a vertex */
-  RESTRIP_DANGLING_EDGE = 10,      /* a triangle beside the collapsed edge has no other neighbour */
-  RESTRIP_EDGE_EXISTS = 11,        /* the flipped edge is in the mesh already */
+  RESTRIP_DANGLING_EDGE = 10,      /* a triangle at the collapsed edge has no other neighbour */
+  RESTRIP_EDGE_EXISTS = 11,        /* an edge that the operation would make is in the mesh already */
   RESTRIP_VERTEX_IN_USE = 12,      /* the vertex named for a split has triangles already */
-  RESTRIP_OTHER_VALENCE = 13,      /* the vertex to be removed has not as many triangles as the operation asks for */
+  RESTRIP_OTHER_VALENCE = 13,      /* the vertex to be removed has the wrong number of triangles */
   RESTRIP_VERTEX_TOO_FAR = 14,     /* the vertex named for a split is more than 2^20 beyond all others */
 
   /* Everything else. */
-  RESTRIP_NULL_ARGUMENT = 100, /* a pointer is null that must not be */
+  RESTRIP_NULL_ARGUMENT = 100, /* a pointer that must not be null is null */
   RESTRIP_BAD_ARGUMENT = 101,  /* a number is outside its range */
-  RESTRIP_BAD_COLORING = 102,  /* the colours given are not those of a valid colouring */
+  RESTRIP_BAD_COLORING = 102,  /* the colours given are not a valid colouring */
   RESTRIP_TOO_LARGE = 103,     /* more than a mesh can hold, or a vertex that 16-bit indices cannot name */
   RESTRIP_TOO_SMALL = 104,     /* the array given is too short; the size needed has been written */
-  RESTRIP_BAD_FILE = 105,      /* the bytes are no baked mesh, or a damaged one */
+  RESTRIP_BAD_FILE = 105,      /* the bytes are not a baked mesh, or a damaged one */
   RESTRIP_NOT_BAKED = 106,     /* the mesh was not read from a baked mesh */
   RESTRIP_OUT_OF_STEP = 107,   /* the mesh has left its baked levels; see restrip_baked_restart */
   RESTRIP_NOT_LIVE = 108,      /* the mesh has no live buffer; see restrip_live_begin */
@@ -93,18 +93,18 @@ enum {
   RESTRIP_MIXED_NAMES = 112 /* some splits of a batch name their new vertex and some do not */
 };
 
-/* One sentence for a person, in English. Never null, for any number. The text is constant. */
+/* One human-readable sentence, in English. Never null, for any number. The text is constant. */
 RESTRIP_API const char* restrip_describe(restrip_status status);
 
 /* ---- A mesh ------------------------------------------------------------------------------------ */
 
-/* Triangles whose dual edges have colours, and the policy that keeps them. */
+/* Triangles with coloured dual edges, and the policy that maintains the strips. */
 typedef struct restrip_mesh restrip_mesh;
 
 /* No vertex, no triangle, no halfedge. */
 #define RESTRIP_NONE UINT32_C(0xFFFFFFFF)
 
-/* What was found in the triangles given. Nothing is repaired: every triangle is in the mesh or counted as left out. */
+/* A report on the triangles given. Nothing is repaired: every triangle is in the mesh or counted as left out. */
 typedef struct restrip_build_report {
   size_t degenerate_triangles;   /* left out: a corner twice */
   size_t out_of_range_triangles; /* left out: a corner that is not a vertex */
@@ -116,39 +116,39 @@ typedef struct restrip_build_report {
 
 /* Makes a mesh of an index array: three corners for each triangle, counter-clockwise, below vertex_count. All dual
  * edges are dashed, and the policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES. `report` may be null. `origin`
- * may be null, or has room for index_count / 3 numbers and receives for each triangle of the mesh its place among those
- * given (they differ when some are left out). The indices are copied. index_count must be a multiple of 3 (else
+ * may be null, or has room for index_count / 3 numbers and receives for each triangle of the mesh its place in
+ * `indices` (they differ when some are left out). The indices are copied. index_count must be a multiple of 3 (else
  * RESTRIP_BAD_ARGUMENT); a mesh holds at most 536,870,911 triangles and 4,294,967,295 vertices (else
- * RESTRIP_TOO_LARGE). O(T). Give the mesh back by restrip_mesh_free. After an error *mesh is null. */
+ * RESTRIP_TOO_LARGE). O(T). Release the mesh with restrip_mesh_free. After an error *mesh is null. */
 RESTRIP_API restrip_status restrip_mesh_build_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
 RESTRIP_API restrip_status restrip_mesh_build_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
-/* Frees the mesh and all that it lent. Null is allowed. */
+/* Frees the mesh and all arrays that it returned. Null is allowed. */
 RESTRIP_API void restrip_mesh_free(restrip_mesh* mesh);
 
 /* Triangles; 0 for a null mesh. */
 RESTRIP_API size_t restrip_mesh_triangle_count(const restrip_mesh* mesh);
-/* The numbers of triangles and of vertices are below these bounds. A triangle keeps its number until it is removed;
- * then the next triangle inserted takes it. */
+/* Upper bounds: all triangle and vertex numbers are below them. A triangle keeps its number until it is removed; then
+ * the next triangle inserted takes it. */
 RESTRIP_API size_t restrip_mesh_triangle_bound(const restrip_mesh* mesh);
 RESTRIP_API size_t restrip_mesh_vertex_bound(const restrip_mesh* mesh);
-/* The corners of triangle t, counter-clockwise. RESTRIP_BAD_ARGUMENT when there is no such triangle. */
+/* The corners of triangle t, counter-clockwise. RESTRIP_BAD_ARGUMENT when it does not exist. */
 RESTRIP_API restrip_status restrip_mesh_corners(const restrip_mesh* mesh, uint32_t t, uint32_t corners[3]);
 
 /* ---- Halfedges --------------------------------------------------------------------------------- */
 
 /* A directed mesh edge; its triangle lies to its left. Side s of triangle t, 4 t + s, runs from corner s to corner s
- * + 1. Other numbers name halfedges without a triangle, on the boundary. An operation leaves the halfedges of triangles
- * that it does not remove valid. */
+ * + 1. Other numbers name halfedges without a triangle, on the boundary. Halfedges of triangles that an operation does
+ * not remove stay valid. */
 typedef uint32_t restrip_halfedge;
 
 /* The halfedge from vertex v to vertex w, or RESTRIP_NONE. O(valence of v). */
 RESTRIP_API restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, uint32_t v, uint32_t w);
-/* Some halfedge that leaves v, or RESTRIP_NONE. On the boundary it is the one from which turning counter-clockwise
- * (opposite of next of next) meets all triangles of v. O(1), as are those below. */
+/* A halfedge that leaves v, or RESTRIP_NONE. On the boundary it is the one from which turning counter-clockwise
+ * (opposite of next of next) meets all triangles of v. O(1), like the functions below. */
 RESTRIP_API restrip_halfedge restrip_mesh_spoke(const restrip_mesh* mesh, uint32_t v);
-/* RESTRIP_NONE for what is not a halfedge of the mesh; and `next` of a halfedge without a triangle. */
+/* RESTRIP_NONE for a number that is not a halfedge of the mesh, and for `next` of a halfedge without a triangle. */
 RESTRIP_API restrip_halfedge restrip_mesh_next(const restrip_mesh* mesh, restrip_halfedge h);
 RESTRIP_API restrip_halfedge restrip_mesh_opposite(const restrip_mesh* mesh, restrip_halfedge h);
 RESTRIP_API uint32_t restrip_mesh_from(const restrip_mesh* mesh, restrip_halfedge h);
@@ -163,8 +163,8 @@ RESTRIP_API int restrip_mesh_solid(const restrip_mesh* mesh, restrip_halfedge h)
 /* Writes the colours of all triangles: bit s of byte t is set when the dual edge over side s of triangle t is solid.
  * The array has restrip_mesh_triangle_bound bytes. O(T). */
 RESTRIP_API restrip_status restrip_mesh_get_colors(const restrip_mesh* mesh, uint8_t* solid_sides, size_t size);
-/* Gives the mesh such colours. They must be those of a valid colouring, with 0 for what is not a triangle (else
- * RESTRIP_BAD_COLORING), and `size` the bound (else RESTRIP_BAD_ARGUMENT). O(T). */
+/* Sets all colours. They must be a valid colouring, with 0 for numbers that are not triangles (else
+ * RESTRIP_BAD_COLORING), and `size` must be the bound (else RESTRIP_BAD_ARGUMENT). O(T). */
 RESTRIP_API restrip_status restrip_mesh_set_colors(restrip_mesh* mesh, const uint8_t* solid_sides, size_t size);
 
 /* A colouring counted from its definition. */
@@ -176,12 +176,12 @@ typedef struct restrip_coloring {
 } restrip_coloring;
 /* Counts the whole mesh. Close to O(T). */
 RESTRIP_API restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* coloring);
-/* The number of strips as it was kept up to date: O(1), and O(T) after RESTRIP_OUT_OF_MEMORY. */
+/* The number of strips, which is kept up to date: O(1), or O(T) after RESTRIP_OUT_OF_MEMORY. */
 RESTRIP_API restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, size_t* strips);
 
-/* What counts: restart * strips + swap * swaps + isolated * isolated triangles. A swap is a place where a strip turns
- * twice the same way and its index buffer repeats an index. Where a function takes a cost, null means
- * RESTRIP_FEWEST_INDICES. restart is 1 to 1000, the others 0 to 1000 (else RESTRIP_BAD_ARGUMENT). */
+/* A cost: restart * strips + swap * swaps + isolated * isolated triangles. A swap is a place where a strip turns twice
+ * the same way and its index buffer repeats an index. A null cost means RESTRIP_FEWEST_INDICES. restart is 1 to 1000,
+ * the others 0 to 1000 (else RESTRIP_BAD_ARGUMENT). */
 typedef struct restrip_cost {
   uint16_t restart;
   uint16_t swap;
@@ -193,41 +193,41 @@ typedef struct restrip_cost {
 #define RESTRIP_FEWEST_INDICES \
   { 3, 1, 0 }
 
-/* Efforts of restrip_mesh_stripify, in the order of the time they take. */
+/* Efforts of restrip_mesh_stripify, in the order of their running times. */
 enum {
   RESTRIP_EFFORT_FAST = 0, /* one pass, O(T) */
   RESTRIP_EFFORT_FULL = 1, /* some 10 microseconds a triangle */
   RESTRIP_EFFORT_BEST = 2  /* up to ten times as long */
 };
-/* Strips from scratch. The result depends on the mesh and the arguments alone. `limit` bounds the work of the slower
+/* Strips from scratch. The result depends only on the mesh and the arguments. `limit` bounds the work of the slower
  * efforts, in searched states of a few hundred nanoseconds (fewest strips) or tried moves of some 80 ns; 0: 40 or 100
- * for each triangle. `strips` may be null, or receives their number. A live buffer is written again by its next update.
- * After RESTRIP_OUT_OF_MEMORY the colours may be others than before, and are valid. */
+ * for each triangle. `strips` may be null, or receives their number. The next update of a live buffer rewrites it.
+ * After RESTRIP_OUT_OF_MEMORY the colours are valid, but may have changed. */
 RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t effort, const restrip_cost* cost,
                                                  uint64_t limit, size_t* strips);
 
 /* ---- Operations -------------------------------------------------------------------------------- */
 
-/* Policies: how far an operation looks to keep strips long, and what it costs against the mesh update alone. */
+/* Policies: the steps that keep strips long, and their time relative to the mesh update alone. */
 enum {
-  RESTRIP_POLICY_BARE = 0,   /* strips are not kept: dual edges of triangles that change become dashed */
-  RESTRIP_POLICY_RULES = 1,  /* the proven rules, at the patch alone; about twice */
+  RESTRIP_POLICY_BARE = 0,   /* strips are not maintained: dual edges of changed triangles become dashed */
+  RESTRIP_POLICY_RULES = 1,  /* the proven rules, only in the patch; about twice */
   RESTRIP_POLICY_LOCAL = 2,  /* the same, and ends of strips that meet are joined; two to three times */
   RESTRIP_POLICY_LINKED = 3, /* along the strips that touch the patch; some six times */
   RESTRIP_POLICY_QUICK = 4,  /* small searches; some thirty times */
   RESTRIP_POLICY_FULL = 5,   /* large searches; some hundred times */
   RESTRIP_POLICY_BEST = 6,   /* the largest; some five hundred times */
-  RESTRIP_POLICY_BAKED = 7   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
+  RESTRIP_POLICY_BAKED = 7   /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
-/* From now on operations keep the strips by this policy, for this cost (docs/reference/policies.md has figures). O(T).
- * A baked mesh leaves its levels by it. After an error the policy is what it was. */
+/* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A
+ * baked mesh leaves its levels. O(T). After an error the policy is unchanged. */
 RESTRIP_API restrip_status restrip_mesh_keep(restrip_mesh* mesh, int32_t policy, const restrip_cost* cost);
 /* The policy in use; RESTRIP_POLICY_BARE for a null mesh. */
 RESTRIP_API int32_t restrip_mesh_policy(const restrip_mesh* mesh);
 
-/* What an operation did. */
+/* The result of an operation. */
 typedef struct restrip_change {
-  restrip_halfedge halfedge; /* split: v_s -> v_t; collapse: from v_s to v_l, or to v_r where there is no v_l; flip: the
+  restrip_halfedge halfedge; /* split: v_s -> v_t; collapse: from v_s to v_l, or else to v_r; flip: the
                                 turned edge */
   uint32_t valence;          /* of the patch; 0 under RESTRIP_POLICY_BARE */
   int32_t strips;            /* change in the number of strips of the mesh */
@@ -235,9 +235,9 @@ typedef struct restrip_change {
 } restrip_change;
 
 /* The operations of a dynamic mesh. Each is checked: an operation that would spoil the mesh is refused by one of
- * the codes 1 to 14 and changes nothing. `change` may be null. Complexity: O(valence), and that of the policy. After
- * RESTRIP_OUT_OF_MEMORY the operation may be done or not (compare restrip_mesh_triangle_count); mesh and colours are
- * valid.
+ * the codes 1 to 14 and changes nothing. `change` may be null. O(valence), and the time of the policy. After
+ * RESTRIP_OUT_OF_MEMORY the operation may or may not have been done (compare restrip_mesh_triangle_count); mesh and
+ * colours are valid.
  *
  * Split: v_s, which the spokes `left` = v_s -> v_l and `right` = v_s -> v_r leave, becomes v_s and v_t with a mesh edge
  * between them, and two triangles (v_s, v_t, v_l) and (v_t, v_s, v_r) are inserted. v_t takes the triangles met when
@@ -247,14 +247,13 @@ typedef struct restrip_change {
  * up to it are allocated, 5 bytes each. */
 RESTRIP_API restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                               uint32_t v_t, restrip_change* change);
-/* Collapse: the mesh edge of v_s -> v_t and the triangles beside it are removed, and v_s takes the other triangles of
- * v_t. */
+/* Collapse: removes the mesh edge of v_s -> v_t and the triangles at it; v_s takes the other triangles of v_t. */
 RESTRIP_API restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
-/* Flip: the two triangles beside the mesh edge become the two with the other diagonal. */
+/* Flip: the two triangles at the mesh edge become the two with the other diagonal. */
 RESTRIP_API restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 
-/* Four operations on few triangles, whatever the valences around; longest-edge bisection refines and coarsens by them.
- * They are checked, kept and told like the three above. RESTRIP_POLICY_LINKED does no more for them than
+/* Four operations on few triangles, independent of valences; longest-edge bisection uses them. They are checked and
+ * reported like the three above, and maintain strips like them. RESTRIP_POLICY_LINKED does the same for them as
  * RESTRIP_POLICY_LOCAL.
  *
  * Split face: a new vertex v_t inside the triangle of h, which leaves v_s; one triangle becomes three. `halfedge` of
@@ -263,15 +262,15 @@ RESTRIP_API restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_h
 /* Join faces: removes v_t of h = v_s -> v_t, an interior vertex of three triangles (else RESTRIP_OTHER_VALENCE), which
  * become one. `halfedge` of the change leaves v_s, and its opposite has that triangle to its left. */
 RESTRIP_API restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
-/* Bisect: a new vertex v_t on the mesh edge of h, which leaves v_s; the triangles beside it become two each. `halfedge`
- * of the change is v_s -> v_t. */
+/* Bisect: a new vertex v_t on the mesh edge of h, which leaves v_s; the triangles at it become two each. `halfedge` of
+ * the change is v_s -> v_t. */
 RESTRIP_API restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
-/* Merge: removes v_t of h = v_s -> v_t, an interior vertex of four triangles, or one of two on the boundary with h or
- * its opposite (else RESTRIP_OTHER_VALENCE), and joins v_s to the vertex beyond. `halfedge` of the change is the mesh
- * edge that takes the place of two, and leaves v_s. */
+/* Merge: removes v_t of h = v_s -> v_t, an interior vertex of four triangles, or a boundary vertex of two triangles
+ * with h or its opposite on the boundary (else RESTRIP_OTHER_VALENCE), and joins v_s to the vertex beyond. `halfedge`
+ * of the change is the mesh edge that replaces two, and leaves v_s. */
 RESTRIP_API restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 
-/* What the operation would answer: RESTRIP_OK when it would be done. */
+/* The status that the operation would return: RESTRIP_OK if it would be done. */
 RESTRIP_API restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left,
                                                     restrip_halfedge right, uint32_t v_t);
 RESTRIP_API restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h);
@@ -287,39 +286,39 @@ typedef struct restrip_split_request {
   restrip_halfedge right;
   uint32_t v_t; /* all of a batch name it, or none does (else RESTRIP_MIXED_NAMES) */
 } restrip_split_request;
-/* Many splits, or many collapses (each given by v_s -> v_t), in parallel: all are done or none is. The result is that
- * of doing them one by one in their order, by the policy RESTRIP_POLICY_RULES whatever the mesh's own policy,
- * and does not depend on `threads` (1: this one alone; 0: as many as the machine runs). No two may overlap: a split
- * takes the triangles of its vertex, a collapse those of both and its apexes (RESTRIP_OVERLAP). `changes` may be null,
- * or has room for `count` and receives what each did. `fault` may be null, or receives after a refusal the place of the
- * request at fault, and that of the earlier one that it is at odds with (else the same). The mesh is copied: O(T) and
- * what the operations cost. A live buffer is written again by its next update. After any error nothing has changed. */
+/* Many splits, or many collapses (each given by v_s -> v_t), in parallel: all are done or none is. The result is the
+ * same as doing them one by one in order under RESTRIP_POLICY_RULES, which is used instead of the mesh's policy. It
+ * does not depend on `threads` (1: only the calling thread; 0: one for each processor). No two may overlap (else
+ * RESTRIP_OVERLAP): a split claims the triangles of its vertex, a collapse the triangles of both ends and its apexes.
+ * `changes` may be null, or has room for `count` results. `fault` may be null, or receives after a refusal the place of
+ * the request at fault and of the earlier one that it conflicts with (else the same). The mesh is copied: O(T) in
+ * addition to the operations. The next update of a live buffer rewrites it. After any error nothing has changed. */
 RESTRIP_API restrip_status restrip_mesh_split_batch(restrip_mesh* mesh, const restrip_split_request* requests,
                                                     size_t count, uint32_t threads, restrip_change* changes,
                                                     size_t fault[2]);
 RESTRIP_API restrip_status restrip_mesh_collapse_batch(restrip_mesh* mesh, const restrip_halfedge* chords, size_t count,
                                                        uint32_t threads, restrip_change* changes, size_t fault[2]);
 
-/* Background work between operations: looks at about `budget` states of searches, a few hundred nanoseconds each.
- * `saved` may be null, or receives by how much the cost is lower. RESTRIP_BAD_ARGUMENT while a baked level is
- * played, which it would leave. */
+/* Background work between operations: examines about `budget` states of searches, a few hundred nanoseconds each.
+ * `saved` may be null, or receives the decrease of the cost. RESTRIP_BAD_ARGUMENT while a baked level is played, which
+ * it would leave. */
 RESTRIP_API restrip_status restrip_mesh_improve(restrip_mesh* mesh, size_t budget, size_t* saved);
 
 /* ---- Strips and index buffers out -------------------------------------------------------------- */
 
-/* These count and fill: with a null array they write what size is needed to *count and return RESTRIP_OK; with an array
- * they fill it and write its size in use to *count. If `capacity` is less than needed, they return RESTRIP_TOO_SMALL,
- * write what is needed to *count, and leave the array as it is. All O(T), in the same order for equal meshes on every
+/* These count and fill: with a null array they write the size needed to *count and return RESTRIP_OK; with an array
+ * they fill it and write the size used to *count. If `capacity` is too small, they return RESTRIP_TOO_SMALL, write the
+ * size needed to *count, and leave the array unchanged. All O(T), in the same order for equal meshes on every
  * machine. */
 
-/* The triangles of all strips, one strip after the other (as many as there are triangles). */
+/* The triangles of all strips, one strip after the other: each triangle once. */
 RESTRIP_API restrip_status restrip_mesh_strip_triangles(const restrip_mesh* mesh, uint32_t* triangles, size_t capacity,
                                                         size_t* count);
-/* Strip s of that list is from place starts[s] to starts[s + 1] - 1: one number more than strips. */
+/* Strip s of that list is from place starts[s] to starts[s + 1] - 1: one more number than strips. */
 RESTRIP_API restrip_status restrip_mesh_strip_starts(const restrip_mesh* mesh, size_t* starts, size_t capacity,
                                                      size_t* count);
 /* The index buffer of all strips, to be drawn as a triangle strip with primitive restart; the restart index, all bits
- * set, lies between two strips. RESTRIP_TOO_LARGE when there is a vertex above 65,534 and indices have 16 bits. */
+ * set, lies between two strips. RESTRIP_TOO_LARGE when a vertex is above 65,534 and indices have 16 bits. */
 RESTRIP_API restrip_status restrip_mesh_strip_indices_u32(const restrip_mesh* mesh, uint32_t* indices, size_t capacity,
                                                           size_t* count);
 RESTRIP_API restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, uint16_t* indices, size_t capacity,
@@ -331,7 +330,7 @@ RESTRIP_API restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* me
 enum {
   RESTRIP_FORM_RESTART = 0,  /* one triangle strip, restarted by the index with all bits set */
   RESTRIP_FORM_STITCHED = 1, /* one triangle strip without restart: repeated indices lead from strip to strip */
-  RESTRIP_FORM_LENGTHS = 2,  /* strips one after the other, a draw call (or an entry of a multi-draw) each */
+  RESTRIP_FORM_LENGTHS = 2,  /* strips one after the other, one draw call (or entry of a multi-draw) each */
   RESTRIP_FORM_LIST = 3      /* a triangle list */
 };
 typedef struct restrip_format {
@@ -339,7 +338,7 @@ typedef struct restrip_format {
   int32_t index_bits;   /* 16, 32, or 0: 16 when every index is below 65,535 */
   size_t most_vertices; /* different ones in a batch, at least 3; 0: no limit. Strips are cut where a batch ends */
   size_t most_indices;  /* in a batch, at least 4; 0: no limit */
-  int32_t keep_strips;  /* 0: a list takes their place when it has fewer indices, and `form` of the view reports it */
+  int32_t keep_strips;  /* 0: a list replaces strips if it has fewer indices; `form` of the view says so */
 } restrip_format;
 
 /* Consecutive indices of a buffer. */
@@ -348,23 +347,23 @@ typedef struct restrip_range {
   size_t count;
 } restrip_range;
 
-/* What a buffer has. Pointers are valid as long as it is, those of a live buffer until the next call for its mesh that
- * is not const. */
+/* The contents of a buffer. Pointers are valid as long as the buffer, or, for a live buffer, until the next non-const
+ * call for its mesh. */
 typedef struct restrip_buffer_view {
   const void* indices;
   size_t index_count;
   int32_t index_bits; /* 16 or 32 */
   int32_t form;
-  const restrip_range* draws; /* each to be drawn by itself: batches, strips of RESTRIP_FORM_LENGTHS, or everything */
+  const restrip_range* draws; /* each is one draw: batches, strips of RESTRIP_FORM_LENGTHS, or everything */
   size_t draw_count;
   size_t triangles;
 } restrip_buffer_view;
 
-/* An index buffer that stays as it is. */
+/* An index buffer that does not change. */
 typedef struct restrip_buffer restrip_buffer;
 /* The strips of a triangle list, without a mesh: as restrip_mesh_build_u32 and restrip_mesh_stripify. `cost` may be
  * null: RESTRIP_FEWEST_INDICES; `format` may be null: restarts, the narrowest indices. Triangles with a corner twice or
- * out of range are left out. RESTRIP_TOO_LARGE when 16 bits are asked for and do not suffice. After an error *buffer is
+ * out of range are left out. RESTRIP_TOO_LARGE when 16 bits are requested and do not suffice. After an error *buffer is
  * null. */
 RESTRIP_API restrip_status restrip_strips_of_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
                                                  int32_t effort, const restrip_cost* cost, const restrip_format* format,
@@ -372,8 +371,8 @@ RESTRIP_API restrip_status restrip_strips_of_u32(const uint32_t* indices, size_t
 RESTRIP_API restrip_status restrip_strips_of_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
                                                  int32_t effort, const restrip_cost* cost, const restrip_format* format,
                                                  restrip_buffer** buffer);
-/* The strips that a mesh has. With a cache_size they come in an order that a vertex cache of so many vertices misses
- * less often; 0: in the order of the triangles. O(T). */
+/* The strips of a mesh. `cache_size` orders them for a vertex cache of that many vertices; 0: in the order of the
+ * triangles. O(T). */
 RESTRIP_API restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_format* format,
                                                uint32_t cache_size, restrip_buffer** buffer);
 RESTRIP_API restrip_status restrip_buffer_read(const restrip_buffer* buffer, restrip_buffer_view* view);
@@ -382,51 +381,50 @@ RESTRIP_API void restrip_buffer_free(restrip_buffer* buffer);
 
 /* ---- The live buffer --------------------------------------------------------------------------- */
 
-/* An index buffer kept in step with the mesh, of which an update writes only what changed. A mesh has one at a time. */
+/* An index buffer kept in step with the mesh; an update writes only the changes. A mesh has one at a time. */
 
-/* Forms of the buffer. Strips are to be drawn as a triangle strip with primitive restart; as a rule
- * there are at most 1.10 times the indices that the strips need, and up to 1.2 times where strips repeat no index, as
- * in a grid. A list is to be drawn as a triangle list: an update writes less, and the buffer is about twice as long. */
+/* Forms of the buffer. Draw strips as a triangle strip with primitive restart. They usually take at most 1.10 times the
+ * indices that the strips need, and up to 1.2 times if strips repeat no index, as in a grid. Draw a list as a triangle
+ * list: an update writes less, and the buffer is about twice as long. */
 enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RESTRIP_LIST_U16 = 3 };
-/* Starts a live buffer, in place of the one that exists; the first update writes it. O(1). */
+/* Starts a live buffer, and ends a previous one; the first update writes it. O(1). */
 RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
 /* The same for any format, without limits of a batch (else RESTRIP_BAD_ARGUMENT). A live buffer stays strips. With 0
  * for index_bits it has 16 bits until a vertex needs 32. */
 RESTRIP_API restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format);
-/* Brings the buffer in step with the mesh. *ranges receives the places that may have changed, ascending and apart, to
- * be copied to the device, and *range_count their number; the buffer may have become longer or shorter
- * (restrip_live_indices). The ranges are valid until the next call for this mesh that is not const. Complexity: linear
- * in what changed, O(T) the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and
- * restrip_baked_restart.
- * RESTRIP_TOO_LARGE when 16 bits cannot name a vertex; after that and after RESTRIP_OUT_OF_MEMORY the next update
- * writes the whole buffer. */
+/* Brings the buffer in step with the mesh. *ranges receives the ranges that may have changed, ascending and disjoint,
+ * to be copied to the device, and *range_count their number; the buffer may have become longer or shorter
+ * (restrip_live_indices). The ranges are valid until the next non-const call for this mesh. Linear in the changes; O(T)
+ * the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and restrip_baked_restart. RESTRIP_TOO_LARGE
+ * when 16 bits cannot name a vertex; after that and after RESTRIP_OUT_OF_MEMORY the next update writes the whole
+ * buffer. */
 RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, size_t* range_count);
 /* The same with ranges that are joined when they are at most merge_gap indices apart, and begin and end at multiples of
  * `align` bytes: 2, or a multiple of 4. restrip_live_update has 2 and 4. The last may end with the buffer, whose length
  * is a multiple of four bytes. `outgrown` may be null, or receives 1 when the buffer has become longer than `room` of
- * restrip_live_buffer was, or its indices wider: make a new one on the device. There is one range then. */
+ * restrip_live_buffer was, or its indices wider: make a new one on the device. The only range is then the whole
+ * buffer. */
 RESTRIP_API restrip_status restrip_live_update_with(restrip_mesh* mesh, size_t merge_gap, size_t align,
                                                     const restrip_range** ranges, size_t* range_count,
                                                     int32_t* outgrown);
-/* The buffer as the last update left it. `room` may be null, or receives for how many indices the device should have
- * room. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
+/* The buffer after the last update. `room` may be null, or receives the number of indices that the device should have
+ * room for. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
 RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
-/* The indices alone, as the last update left them: *count indices of 16 or 32 bits. Valid until the next call for this
- * mesh that is not const. */
+/* Only the indices, after the last update: *count indices of 16 or 32 bits. Valid until the next non-const call for
+ * this mesh. */
 RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, size_t* count);
-/* Ends the live buffer, if there is one. */
+/* Ends the live buffer, if any. */
 RESTRIP_API restrip_status restrip_live_end(restrip_mesh* mesh);
 
 /* ---- Baked meshes ------------------------------------------------------------------------------ */
 
-/* A progressive mesh whose strips `restrip bake` decided for every level (docs/how-to/baked-strips.md). Level n is the
- * base with its first n records played. All that is above works on it. A custom operation (split, collapse, flip,
- * stripify, keep, set_colors) leaves the levels: strips are kept by the policy from then on, the rules of
- * RESTRIP_POLICY_LOCAL unless you choose another, and restrip_baked_move answers RESTRIP_OUT_OF_STEP until
- * restrip_baked_restart. */
+/* A progressive mesh with strips precomputed by `restrip bake` for every level (docs/how-to/baked-strips.md). Level n
+ * is the base with its first n records played. All functions above work on it. Your own changes (split, collapse, flip,
+ * stripify, keep, set_colors) leave the levels: from then on the policy maintains the strips, RESTRIP_POLICY_LOCAL
+ * unless you choose another, and restrip_baked_move returns RESTRIP_OUT_OF_STEP until restrip_baked_restart. */
 
-/* One vertex split, by vertices: v_t is split off v_s, between v_l and v_r. One of the latter is RESTRIP_NONE on the
- * boundary. Record i makes the triangles whose corners are named there. */
+/* One vertex split, by vertices: v_t is split off v_s, between v_l and v_r. On the boundary v_l or v_r is RESTRIP_NONE.
+ * Record i makes the triangles with these corners. */
 typedef struct restrip_record {
   uint32_t v_s;
   uint32_t v_t;
@@ -434,43 +432,42 @@ typedef struct restrip_record {
   uint32_t v_r;
 } restrip_record;
 
-/* Reads the bytes of a baked mesh and gives a mesh at level 0. They are copied and checked, every record is played
- * once; RESTRIP_BAD_FILE for what is damaged, of another version, or describes no mesh. Then `text` receives what is
- * wrong, in words that follow the name of the file and a colon, cut off after text_size - 1 bytes; it may be null with
- * text_size 0. After an error *mesh is null. O(bytes). */
+/* Reads the bytes of a baked mesh and returns a mesh at level 0. The bytes are copied and checked, and every record is
+ * played once. RESTRIP_BAD_FILE if they are damaged, of another version, or do not describe a mesh. Then `text`
+ * receives what is wrong, phrased to follow the file name and a colon, cut off after text_size - 1 bytes; it may be
+ * null with text_size 0. After an error *mesh is null. O(bytes). */
 RESTRIP_API restrip_status restrip_baked_read(const void* bytes, size_t size, char* text, size_t text_size,
                                               restrip_mesh** mesh);
 /* The number of records, the highest level; 0 for a mesh that is not baked. */
 RESTRIP_API size_t restrip_baked_levels(const restrip_mesh* mesh);
-/* The level that the mesh is at. RESTRIP_OUT_OF_STEP when it is at none. */
+/* The level of the mesh. RESTRIP_OUT_OF_STEP when it has left its levels. */
 RESTRIP_API restrip_status restrip_baked_level(const restrip_mesh* mesh, size_t* level);
-/* Moves to a level, by at most `most` records (SIZE_MAX: all the way); `done` may be null, or receives how many were
- * played. A record takes about twice the bare mesh update. RESTRIP_BAD_ARGUMENT above the highest level. After
- * RESTRIP_OUT_OF_MEMORY the mesh has left its levels. */
+/* Moves to a level, by at most `most` records (SIZE_MAX: all the way); `done` may be null, or receives the number
+ * played. A record takes about twice as long as the bare mesh update. RESTRIP_BAD_ARGUMENT above the highest level.
+ * After RESTRIP_OUT_OF_MEMORY the mesh has left its levels. */
 RESTRIP_API restrip_status restrip_baked_move(restrip_mesh* mesh, size_t level, size_t most, size_t* done);
-/* Back to level 0 and to RESTRIP_POLICY_BAKED, from any state. O(T). */
+/* Returns to level 0 and to RESTRIP_POLICY_BAKED, from any state. O(T). */
 RESTRIP_API restrip_status restrip_baked_restart(restrip_mesh* mesh);
 /* Record i. RESTRIP_BAD_ARGUMENT when none exists. */
 RESTRIP_API restrip_status restrip_baked_record(const restrip_mesh* mesh, size_t i, restrip_record* record);
-/* What the file has for record i beside the mesh, the same number of bytes for every record; 0 when it has nothing
- * (docs/how-to/baked-strips.md, "A payload"). Valid as long as the mesh. RESTRIP_BAD_ARGUMENT when there is no such
- * record. */
+/* The payload of record i, the same number of bytes for every record; 0 without a payload (docs/how-to/baked-strips.md,
+ * "A payload"). Valid as long as the mesh. RESTRIP_BAD_ARGUMENT when the record does not exist. */
 RESTRIP_API restrip_status restrip_baked_payload(const restrip_mesh* mesh, size_t i, const void** bytes, size_t* size);
-/* The places of all vertices, three coordinates each, those of the base first and then one for each record. Valid as
- * long as the mesh. */
+/* The positions of all vertices, three coordinates each: first the base, then one vertex for each record. Valid as long
+ * as the mesh. */
 RESTRIP_API restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates,
                                                 size_t* vertex_count);
 
 /* ---- Rules ------------------------------------------------------------------------------------- */
 
-/* The rules by themselves, for a custom mesh: from the colours of a patch before an operation to those after it.
+/* The rules by themselves, for a custom mesh: from the colours of a patch before an operation to the colours after it.
  * Masks are numbered as in docs/reference/notation.md: bit i of `loop` or `inner` is inner edge i, bit i of `ports`
- * port i. k is 3 (closed fans) or 1 (open fans) to 61. RESTRIP_BAD_ARGUMENT for a place that does not exist,
+ * port i. k is 3 (closed fans) or 1 (open fans) to 61. RESTRIP_BAD_ARGUMENT for a position out of range,
  * RESTRIP_BAD_COLORING for colours that no valid colouring has. Constant time up to k = 8, two steps a triangle above.
  */
 typedef struct restrip_answer {
   uint64_t colors; /* the inner edges after the operation */
-  uint64_t ports;  /* the ports after it: those given, but for a flip, which may give some up */
+  uint64_t ports;  /* the ports after it: unchanged, except that a flip may clear some */
   int32_t strips;  /* change in the number of strips */
 } restrip_answer;
 #define RESTRIP_LARGEST_FAN 61

@@ -7,7 +7,7 @@
 
 #ifdef __wasm__
 #define RESTRIP_EXPORT(name) extern "C" __attribute__((export_name(#name)))
-#else  // where it is compiled only to be checked
+#else  // compiled only as a check
 #define RESTRIP_EXPORT(name) extern "C"
 #endif
 
@@ -23,7 +23,7 @@ struct List {
 List list;
 
 struct Page {
-  std::unique_ptr<Session> session;  // none when the bytes of a baked mesh were refused
+  std::unique_ptr<Session> session;  // null if the bytes of a baked mesh were refused
   std::string damage;                // why
   BuildReport left_out;
   Picture picture;
@@ -40,9 +40,8 @@ Cost cost_of(std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) 
   return {weight(restart), weight(swap), weight(isolated)};
 }
 
-// What the last operation was: kind, closed, k, a of the patch before, four masks as two numbers each, strips,
-// isolated.
-std::array<std::uint32_t, 14> told;
+// The last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
+std::array<std::uint32_t, 14> operation_words;
 
 }  // namespace
 
@@ -76,12 +75,12 @@ Simplifier* restrip_simplify_begin(const float* points, std::uint32_t point_coun
     corners[i] = {triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]};
   return new Simplifier(std::vector<float>(points, points + 3 * std::size_t{point_count}), corners);
 }
-/// Triangles too many after at most `most` attempts; 0 when it has ended.
+/// Runs at most `most` attempts and returns the excess of triangles; 0 when it has ended.
 RESTRIP_EXPORT(restrip_simplify_run)
 std::uint32_t restrip_simplify_run(Simplifier* simplifier, std::uint32_t wanted, std::uint32_t most) {
   return static_cast<std::uint32_t>(simplifier->run(wanted, most));
 }
-/// The mesh that it has come to; the simplifier is gone.
+/// Opens the resulting mesh and removes the simplifier.
 RESTRIP_EXPORT(restrip_simplify_end)
 Page* restrip_simplify_end(Simplifier* simplifier) {
   const std::unique_ptr<Simplifier> owned(simplifier);
@@ -127,8 +126,8 @@ const List* restrip_points(const Page* page) { return give(page->session->points
 RESTRIP_EXPORT(restrip_has_baked_strips)
 std::uint32_t restrip_has_baked_strips(const Page* page) { return page->session->has_baked_strips() ? 1 : 0; }
 
-// ---- strips kept
-/// Null when there are not so many.
+// ---- maintained strips
+/// Null above the last policy.
 RESTRIP_EXPORT(restrip_policy_name)
 const char* restrip_policy_name(std::uint32_t policy) {
   return policy < policies.size() ? policies[policy].name : nullptr;
@@ -147,7 +146,7 @@ RESTRIP_EXPORT(restrip_set_point)
 void restrip_set_point(Page* page, std::uint32_t v, float x, float y, float z) {
   page->session->set_point(v, {x, y, z});
 }
-/// 1: single operations have changed the mesh since begin, so that records are not played any more.
+/// 1: single operations have changed the mesh since begin, so records can no longer be played.
 RESTRIP_EXPORT(restrip_left_records)
 std::uint32_t restrip_left_records(const Page* page) { return page->session->left_records() ? 1 : 0; }
 RESTRIP_EXPORT(restrip_begin)
@@ -208,7 +207,7 @@ RESTRIP_EXPORT(restrip_room)
 std::uint32_t restrip_room(const Page* page) { return static_cast<std::uint32_t>(page->session->buffer().room()); }
 RESTRIP_EXPORT(restrip_outgrown)
 std::uint32_t restrip_outgrown(const Page* page) { return page->session->outgrown() ? 1 : 0; }
-/// The runs to be drawn one by one, of buffers of lengths; else one range.
+/// The runs to be drawn one by one, for StripForm::lengths; else one range.
 RESTRIP_EXPORT(restrip_draws)
 const List* restrip_draws(const Page* page) {
   static std::vector<IndexRange> draws;
@@ -242,7 +241,7 @@ RESTRIP_EXPORT(restrip_plain_indices)
 std::uint32_t restrip_plain_indices(const Page* page) {
   return static_cast<std::uint32_t>(page->session->plain_indices());
 }
-/// No index buffer of this mesh has fewer indices. The quick bound: a page waits for it.
+/// A lower bound on indices of this mesh: the quick one, because a page waits for it.
 RESTRIP_EXPORT(restrip_index_bound)
 std::uint32_t restrip_index_bound(const Page* page) {
   return static_cast<std::uint32_t>(strip_index_lower_bound(page->session->mesh(), 0).indices);
@@ -252,7 +251,7 @@ RESTRIP_EXPORT(restrip_valid)
 std::uint32_t restrip_valid(const Page* page) { return check_coloring(page->session->mesh()).valid ? 1 : 0; }
 
 // ---- pictures
-/// `scratch`: of the strips from scratch.
+/// `scratch`: whether to use the strips from scratch.
 RESTRIP_EXPORT(restrip_ribbon)
 const List* restrip_ribbon(Page* page, std::uint32_t scratch) {
   return give(page->picture.ribbon(scratch != 0 ? page->session->scratch() : page->session->mesh()));
@@ -267,21 +266,21 @@ const List* restrip_last(const Page* page) {
   const auto low = [](Word w) { return static_cast<std::uint32_t>(w); };
   const auto high = [](Word w) { return static_cast<std::uint32_t>(w >> 32); };
   const bool closed = last.before.closed && last.after.closed;
-  told = {static_cast<std::uint32_t>(last.kind),
-          closed ? 1U : 0U,
-          last.before.k,
-          last.before.a,
-          low(last.before.edges),
-          high(last.before.edges),
-          low(last.before.ports),
-          high(last.before.ports),
-          low(last.after.edges),
-          high(last.after.edges),
-          low(last.after.ports),
-          high(last.after.ports),
-          static_cast<std::uint32_t>(last.strips),
-          static_cast<std::uint32_t>(last.isolated)};
-  return give(std::span<const std::uint32_t>(told));
+  operation_words = {static_cast<std::uint32_t>(last.kind),
+                     closed ? 1U : 0U,
+                     last.before.k,
+                     last.before.a,
+                     low(last.before.edges),
+                     high(last.before.edges),
+                     low(last.before.ports),
+                     high(last.before.ports),
+                     low(last.after.edges),
+                     high(last.after.edges),
+                     low(last.after.ports),
+                     high(last.after.ports),
+                     static_cast<std::uint32_t>(last.strips),
+                     static_cast<std::uint32_t>(last.isolated)};
+  return give(std::span<const std::uint32_t>(operation_words));
 }
 RESTRIP_EXPORT(restrip_last_triangles)
 const List* restrip_last_triangles(const Page* page, std::uint32_t after) {

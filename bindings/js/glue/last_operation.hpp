@@ -1,4 +1,4 @@
-// What the last operation did, for a reader: its patch before and after, numbered as in docs/reference/notation.md.
+// A description of the last operation: its patch before and after, numbered as in docs/reference/notation.md.
 #pragma once
 
 #include "progressive.hpp"

@@ -1,13 +1,13 @@
-// What the page draws beside the index buffer: the triangles with their strips, and the triangle under
-// the cursor. Linear in the mesh; asked only while such a picture is shown.
+// Pictures of the page other than the index buffer: the triangles with their strips, and the triangle under the cursor.
+// Linear in the mesh; called only while such a picture is shown.
 #pragma once
 
 #include "session.hpp"
 
 namespace restrip::web {
 
-/// A triangle as it is painted. `beyond` and `joined` are by its sides, side i from corner i to the next one: the
-/// triangle there, `none` at the boundary, and bit i where the strip continues to it.
+/// A triangle of the picture. `beyond` and `joined` are by its sides, side i from corner i to the next one: the
+/// triangle there, `none` at the boundary, and bit i if the strip continues to it.
 struct PaintedTriangle {
   Triangle triangle = none;
   Corners corners{};
@@ -77,7 +77,7 @@ class Picture {
   [[nodiscard]] static float dot(const Point& a, const Point& b) noexcept {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
-  /// How far along the ray the triangle is met; -1: not at all (Moller and Trumbore 1997).
+  /// The distance along the ray to the triangle; -1 if it misses (Moller and Trumbore 1997).
   [[nodiscard]] static float meets(const Point& from, const Point& along, const Point& a, const Point& b,
                                    const Point& c) noexcept {
     const Point e = minus(b, a);

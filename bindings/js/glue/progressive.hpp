@@ -1,5 +1,4 @@
-// A progressive mesh as the browser has it: the triangles of the base, and the vertex splits that lead to the fine
-// mesh.
+// A progressive mesh in the browser: the triangles of the base, and the vertex splits that lead to the fine mesh.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 #include <vector>
 
 #ifdef __wasm__
-// In the browser an input that is refused ends the call by a trap, which JavaScript sees as an exception.
+// In the browser a refused input ends the call by a trap, which JavaScript sees as an exception.
 #define RESTRIP_THROW(exception, sentence) __builtin_trap()
 #endif
 #include "restrip/restrip.hpp"
@@ -20,15 +19,15 @@ using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 using Corners = std::array<Vertex, 3>;
 
-/// One vertex split, by vertices; read backward, a collapse of v_t into v_s. v_l is to the left of v_s -> v_t. Where
-/// the new edge lies on the boundary one of v_l and v_r is `none`.
+/// One vertex split, by vertices; read backward, a collapse of v_t into v_s. v_l is to the left of v_s -> v_t. If the
+/// new edge lies on the boundary, v_l or v_r is `none`.
 struct Record {
   Vertex v_s = none;
   Vertex v_t = none;
   Vertex v_l = none;
   Vertex v_r = none;
 };
-static_assert(sizeof(Record) == 16, "JavaScript hands these over as four numbers of 32 bits");
+static_assert(sizeof(Record) == 16, "JavaScript passes these as four numbers of 32 bits");
 
 struct Progressive {
   std::vector<Corners> base;
@@ -42,13 +41,13 @@ struct Progressive {
   }
 };
 
-/// The halfedge between two vertices, or {none} when none exists or no such vertex.
+/// The halfedge between two vertices, or {none} if the halfedge or a vertex does not exist.
 [[nodiscard]] inline Halfedge find_edge(const StripMesh& mesh, Vertex from, Vertex to) {
   const bool there = from < mesh.vertex_bound() && to < mesh.vertex_bound() && mesh.spoke(from).id != none;
   return there ? mesh.spoke(from, to) : Halfedge{none};
 }
 
-/// The spokes of a split, found by its vertices; those that are not there are {none}, and check_split refuses them.
+/// The spokes of a split, found by its vertices; missing spokes are {none}, and check_split refuses them.
 [[nodiscard]] inline Where spokes_of(const StripMesh& mesh, const Record& r) {
   const auto spoke = [&](Vertex to) { return find_edge(mesh, r.v_s, to); };
   if (r.v_r == none) return {spoke(r.v_l), {}, Where::Spokes::left_only};
@@ -56,9 +55,9 @@ struct Progressive {
   return {spoke(r.v_l), spoke(r.v_r), Where::Spokes::both};
 }
 
-/// Which splits must be played before which. Two operations whose fans share a triangle keep the order of the records,
-/// all others commute. So a set of records can be played, in any order that keeps this, exactly when it contains all
-/// that each of its members needs, and a record can be taken back when no other that is played needs it.
+/// The order of splits that must be kept. Two operations whose fans share a triangle keep the order of the records, all
+/// others commute. So a set of records can be played, in any such order, exactly if it contains all records that its
+/// members need. A record can be undone if no other played record needs it.
 class Hierarchy {
  public:
   /// Plays all records once. Returns the number of the first that the mesh refuses, or the number of records. `report`

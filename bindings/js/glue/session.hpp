@@ -1,5 +1,5 @@
-// Session: one progressive mesh whose strips are kept under a policy, with the index buffer that draws them. This is
-// what the page and the npm package drive; exports.cpp gives it to JavaScript.
+// Session: one progressive mesh whose strips are maintained under a policy, with the index buffer that draws them. The
+// page and the npm package drive it; exports.cpp exports it to JavaScript.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace restrip::web {
 
-/// All counts are of the whole session since begin(), but for those of the mesh as it is now. JavaScript reads the
-/// fields in this order.
+/// Counts cover the whole session since begin(), except for counts of the present mesh. JavaScript reads the fields in
+/// this order.
 struct Figures {
   std::uint32_t triangles = 0;
   std::uint32_t strips = 0;
@@ -19,12 +19,12 @@ struct Figures {
   std::uint32_t in_order = 0;        ///< 1: these are the first `played` records
   std::uint32_t buffer_indices = 0;  ///< of the live buffer, its gaps included
   std::uint32_t operations = 0;
-  std::uint32_t adding_strip = 0;  ///< operations after which there were more strips
+  std::uint32_t adding_strip = 0;  ///< operations that added strips
   std::uint32_t isolating = 0;     ///< operations that added an isolated triangle
   std::uint32_t refused = 0;       ///< operations that the mesh refused
   std::uint32_t indices_written = 0;
   std::uint32_t updates = 0;
-  std::uint32_t baked = 0;  ///< 1: the strips are baked ones, at a level that was baked
+  std::uint32_t baked = 0;  ///< 1: the strips are baked strips, at a baked level
 };
 
 class Session {
@@ -51,7 +51,7 @@ class Session {
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] const LastOperation& last() const noexcept { return last_; }
 
-  /// Of the buffer, from the next begin() on. No limits of a batch.
+  /// The format of the buffer, from the next begin() on. Limits of batches are not supported.
   void set_format(const StripFormat& format) { format_ = format; }
   /// Goes to the base and gives it strips from scratch, as `restrip replay` does.
   void begin(Policy policy, Cost cost) {
@@ -60,7 +60,7 @@ class Session {
     keeper_.emplace(mesh_, policy, cost);
     begin_buffer();
   }
-  /// Begins with the baked strips of the base, if there are any.
+  /// Begins with the baked strips of the base, if any.
   void begin_baked() {
     if (!file_) return;
     begin_with(file_->mesh);
@@ -68,8 +68,8 @@ class Session {
     begin_buffer();
   }
 
-  /// Towards the level at which the first `level` records are played: takes back what lies beyond, the last one first,
-  /// then plays what is missing, in order. At most `most` operations; returns how many were done.
+  /// Moves towards the level at which the first `level` records are played: undoes later records, the last one first,
+  /// then plays missing ones in order. At most `most` operations; returns the number done.
   std::size_t move(std::size_t level, std::size_t most) {
     std::size_t left = 0;
     for (std::size_t i = 0; i < played_.size(); ++i) left += (played_[i] != 0) != (i < level) ? 1U : 0U;
@@ -89,8 +89,8 @@ class Session {
     return done;
   }
 
-  /// Towards the set of records that `wanted` names, one byte each, and those that they need. At most `most`
-  /// operations; returns how many were done.
+  /// Moves towards the set of records that `wanted` names, one byte each, and the records that they need. At most
+  /// `most` operations; returns the number done.
   std::size_t approach(std::span<const std::uint8_t> wanted, std::size_t most) {
     std::size_t done = 0;
     for (std::size_t i = played_.size(); i-- > 0 && done < most;)
@@ -100,7 +100,7 @@ class Session {
     return done;
   }
 
-  /// The records that can be split now: those that are not, and need no other. Linear in the records.
+  /// The records that can be split now: not split yet, and needing no other. Linear in the records.
   std::span<const std::uint32_t> ready() {
     ready_.clear();
     for (std::uint32_t i = 0; i < played_.size(); ++i) {
@@ -141,8 +141,8 @@ class Session {
     return refusal;
   }
 
-  /// A new vertex on the edge of u and v, or in the triangle of the three. Its number is new_vertex(); it has a point,
-  /// at the middle.
+  /// A new vertex on the edge of u and v, or in the triangle of the three. Its number is new_vertex(); its point is in
+  /// the middle.
   Refusal bisect(Vertex u, Vertex v) {
     const Halfedge h = find_edge(mesh_, u, v);
     return refine(h.id == none ? Refusal::no_such_edge : check_bisect(mesh_, h), {u, v},
@@ -156,7 +156,7 @@ class Session {
   }
   [[nodiscard]] Vertex new_vertex() const noexcept { return new_vertex_; }
 
-  /// Brings the buffer in step; the ranges that are to be uploaded.
+  /// Brings the buffer in step and returns the ranges to upload.
   std::span<const IndexRange> update(const RangeOptions& options) {
     ++figures_.updates;
     const Upload upload = buffer_.update(mesh_, changed_, options);
@@ -169,9 +169,9 @@ class Session {
     return given_;
   }
   [[nodiscard]] const LiveBuffer& buffer() const noexcept { return buffer_; }
-  /// The last update found that the buffer has outgrown its room.
+  /// Whether the buffer had outgrown its room at the last update.
   [[nodiscard]] bool outgrown() const noexcept { return outgrown_; }
-  /// Single operations have changed the mesh: records are not what they were.
+  /// Whether single operations have changed the mesh, so that records no longer fit.
   [[nodiscard]] bool left_records() const noexcept { return checked_; }
 
   // ---- vertices
@@ -184,7 +184,7 @@ class Session {
     std::copy(point.begin(), point.end(), points_.begin() + std::ptrdiff_t{3} * static_cast<std::ptrdiff_t>(v));
   }
 
-  // ---- what strips kept can be compared with
+  // ---- alternatives to compare maintained strips with
   /// In place of update(): a triangle list, written whole or with a slot for each triangle.
   std::span<const IndexRange> update_list(bool whole) {
     if (whole) {
@@ -198,7 +198,7 @@ class Session {
     return given_;
   }
   [[nodiscard]] std::span<const std::uint32_t> list() const noexcept { return list_.indices(); }
-  /// Strips of the mesh as it is, made from scratch by the fastest way; its own strips stay. The index buffer.
+  /// The index buffer of strips made from scratch by the fastest way, for the present mesh, whose strips do not change.
   std::span<const std::uint32_t> from_scratch(Cost cost) {
     scratch_ = mesh_;
     stripify(scratch_, Effort::fast, cost);
@@ -256,7 +256,7 @@ class Session {
     begun_ = true;
     outgrown_ = true;
   }
-  /// From now on the mesh is not what the records expect.
+  /// Notes that the mesh no longer fits the records.
   void leave_records() {
     checked_ = true;
     if (keeper_->baked() != nullptr) keeper_->baked()->leave_step();
@@ -312,7 +312,7 @@ class Session {
     return done;
   }
 
-  /// Of a baked mesh: the record that adds this vertex; no record for the vertices of the base.
+  /// For a baked mesh: the record that adds this vertex; none for vertices of the base.
   [[nodiscard]] std::size_t record_of(Vertex v_t) const noexcept {
     return std::size_t{v_t} - (file_->points.size() - file_->splits.size());
   }
@@ -370,7 +370,7 @@ class Session {
   std::optional<BakedFile> file_;  // of a baked mesh
   std::size_t refused_record_ = none;
   std::vector<std::uint8_t> played_;       // by record
-  std::vector<std::uint32_t> dependents_;  // by record: those played that need it
+  std::vector<std::uint32_t> dependents_;  // by record: the number of played records that need it
   std::vector<std::uint32_t> stack_;
   std::vector<std::uint32_t> ready_;
 
@@ -388,8 +388,8 @@ class Session {
   Vertex new_vertex_ = none;  // of the last bisection or split of a face
   Figures figures_;
   LastOperation last_;
-  bool tell_ = true;      // the operations that follow are to be described in last_
-  bool checked_ = false;  // the mesh may be one where records cannot be played
+  bool tell_ = true;      // whether to describe the next operations in last_
+  bool checked_ = false;  // whether the mesh may no longer fit the records
   std::vector<Triangle> patch_;
 };
 

@@ -1,7 +1,7 @@
 // From a mesh to a progressive mesh: the edge with the least quadric error is collapsed, again and again (Garland and
-// Heckbert, "Surface simplification using quadric error metrics", 1997). One end of the edge stays where it is, so that
-// points never move. Vertices on the boundary are never removed. For meshes that a visitor drops on the page; programs
-// use `restrip simplify`.
+// Heckbert, "Surface simplification using quadric error metrics", 1997). One end of the edge keeps its place, so points
+// never move. Vertices on the boundary are never removed. For meshes that a visitor drops on the page; programs use
+// `restrip simplify`.
 #pragma once
 
 #include <cmath>
@@ -52,8 +52,8 @@ class Simplifier {
       if (mesh_.spoke(v).id != none) propose(v);
   }
 
-  /// Collapses edges until so many triangles are left, or no edge can be collapsed; at most `most` attempts. Returns
-  /// how many triangles too many there are then; 0 when it has ended.
+  /// Collapses edges until `wanted` triangles are left, or no edge can be collapsed; at most `most` attempts. Returns
+  /// the excess of triangles; 0 when it has ended.
   [[nodiscard]] std::size_t run(std::size_t wanted, std::size_t most) {
     while (mesh_.triangle_count() > wanted && !queue_.empty()) {
       if (most-- == 0) return mesh_.triangle_count() - wanted;
@@ -62,7 +62,7 @@ class Simplifier {
       if (best.version != version_[best.v_t] || mesh_.spoke(best.v_t).id == none) continue;
       const Halfedge chord = mesh_.spoke(best.v_s, best.v_t);
       if (chord.id == none || !allowed(chord)) {
-        // Another edge of v_t may still do; with the next change around it v_t is proposed again.
+        // Another edge of v_t may still be possible; after the next change around it v_t is proposed again.
         if (best.tries + 1 < spoke_count(mesh_, best.v_t)) propose(best.v_t, best.tries + 1);
         continue;
       }
@@ -80,7 +80,7 @@ class Simplifier {
     }
     return 0;
   }
-  /// What it has come to.
+  /// The simplified mesh.
   [[nodiscard]] Progressive result() const {
     Progressive out{{}, {splits_.rbegin(), splits_.rend()}, points_.size() / 3};
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t)
@@ -116,7 +116,7 @@ class Simplifier {
     const Vec n = normal(a, b, c);
     for (const Vertex v : {a, b, c}) quadrics_[v].add_plane(n, -dot(n, at(a)));
   }
-  /// Queues the cheapest edge over which v may be removed, or the next ones after `skip` failed.
+  /// Queues the cheapest edge over which v may be removed, or the next one after `skip` have failed.
   void propose(Vertex v, std::size_t skip = 0) {
     if (mesh_.non_manifold(v) || mesh_.leaves_boundary(mesh_.spoke(v))) return;
     costs_.clear();

@@ -1,11 +1,11 @@
-"""Triangle strips, from scratch and kept while a mesh changes, by proven local rules.
+"""Triangle strips, made from scratch and maintained while a mesh changes, by proven rules.
 
 >>> import numpy, restrip
 >>> restrip.strips_of(numpy.array([[0, 1, 2], [2, 1, 3], [2, 3, 4]]))
 array([0, 1, 2, 3, 4], dtype=uint16)
 
-`strips_of` is for meshes that stay as they are. `LiveMesh` has the operations of a mesh that changes, keeps its strips, and
-gives the parts of its index buffer that changed. Faces go in as arrays of any integer type with three columns, such as
+`strips_of` is for meshes that do not change. `LiveMesh` has the operations of a mesh that changes, maintains its strips, and
+returns the parts of its index buffer that changed. Faces go in as arrays of any integer type with three columns, such as
 `trimesh.Trimesh.faces`, or `mesh.regular_faces` of pyvista.
 """
 from __future__ import annotations
@@ -36,7 +36,7 @@ _SLICES = 50
 
 
 class Change(NamedTuple):
-    """What an operation did."""
+    """The result of an operation."""
 
     halfedge: int  #: as restrip.h says for each operation
     valence: int  #: triangles of the patch; 0 under the policy "bare"
@@ -54,7 +54,7 @@ class Coloring(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What was found in the faces given."""
+    """A report on the faces given."""
 
     degenerate_triangles: int  #: left out: a corner twice
     out_of_range_triangles: int  #: left out: a corner that is not below vertex_count
@@ -81,7 +81,7 @@ def _cost(cost: Cost) -> lib.Cost:
         cost = _COSTS[cost]
     restart, swap, isolated = cost
     if not (1 <= restart <= 1000 and 0 <= swap <= 1000 and 0 <= isolated <= 1000):
-        raise ValueError(f"cost {cost}: expected (restart, swap, isolated), 1 to 1000 and twice 0 to 1000")
+        raise ValueError(f"cost {cost}: expected (restart, swap, isolated), restart from 1 to 1000, the others from 0 to 1000")
     return lib.Cost(restart, swap, isolated)
 
 
@@ -103,7 +103,7 @@ def _bits(index: Index) -> int:
 
 
 def _array(view: lib.BufferView) -> np.ndarray:
-    """The indices of a view, as long as that is valid."""
+    """The indices of a view, while it is valid."""
     dtype = np.dtype(np.uint16 if view.index_bits == 16 else np.uint32)
     if not view.index_count:
         return np.empty(0, dtype)
@@ -118,9 +118,9 @@ class LiveMesh:
     """A triangle mesh that changes, and its strips.
 
     `faces` has three columns, counter-clockwise; vertices are numbers below `vertex_count` (by default the largest plus
-    one). Strips are made from scratch by `effort` ("fast", "full", "best"; None: every triangle is a strip) and kept by
+    one). Strips are made from scratch by `effort` ("fast", "full", "best"; None: every triangle is a strip) and maintained by
     `policy` ("bare", "rules", "local", "linked", "quick", "full", "best": docs/reference/policies.md has figures) for `cost`: "strips",
-    "indices", or a triple (restart, swap, isolated) of weights. `report` says what was found in the faces; faces that are
+    "indices", or a triple (restart, swap, isolated) of weights. `report` counts defects of the faces; faces that are
     left out give a warning.
 
     A halfedge is a number: a directed mesh edge whose triangle lies to its left. One mesh may be read by several threads,
@@ -154,7 +154,7 @@ class LiveMesh:
         if getattr(self, "_mesh", None):
             lib.plain("mesh_free", self._mesh)
 
-    # ---- what there is
+    # ---- size and counts
 
     @property
     def triangle_count(self) -> int:
@@ -162,12 +162,12 @@ class LiveMesh:
 
     @property
     def triangle_bound(self) -> int:
-        """Numbers of triangles are below this. A triangle keeps its number until it is removed."""
+        """An upper bound: triangle numbers are below it. A triangle keeps its number until it is removed."""
         return lib.plain("mesh_triangle_bound", self._mesh)
 
     @property
     def vertex_bound(self) -> int:
-        """Numbers of vertices are below this."""
+        """An upper bound: vertex numbers are below it."""
         return lib.plain("mesh_vertex_bound", self._mesh)
 
     @property
@@ -193,7 +193,7 @@ class LiveMesh:
         """All triangles, three columns, in the order of the strips. O(triangles)."""
         return self.indices("list", 32).reshape(-1, 3)
 
-    # ---- halfedges: NONE where there is not one
+    # ---- halfedges: NONE if it does not exist
 
     def find(self, v: int, w: int) -> int:
         """The halfedge from vertex v to vertex w."""
@@ -264,8 +264,8 @@ class LiveMesh:
         return None if code == 0 else lib.describe(code)
 
     def split_batch(self, requests: Iterable[Tuple[int, int, int]], threads: int = 1) -> List[Change]:
-        """Many splits (left, right, vertex) at once, all or none; no two may overlap. `threads` 0: as many as the machine
-        runs."""
+        """Many splits (left, right, vertex) at once, all or none; no two may overlap. `threads` 0: one for each
+        processor."""
         asked = [lib.SplitRequest(*request) for request in requests]
         return self._batch("mesh_split_batch", (lib.SplitRequest * len(asked))(*asked), len(asked), threads)
 
@@ -283,11 +283,11 @@ class LiveMesh:
         return count.value
 
     def keep(self, policy: str, cost: Cost = "indices") -> None:
-        """From now on operations keep the strips by this policy, for this cost."""
+        """From now on operations maintain the strips by this policy, for this cost."""
         lib.call("mesh_keep", self._mesh, _one_of("policy", policy, _POLICIES), _cost(cost))
 
     def improve(self, budget: int, progress: Optional[Progress] = None) -> int:
-        """Looks at about `budget` states of searches for better strips, a few hundred nanoseconds each; returns by how much
+        """Examines about `budget` states of searches for better strips, a few hundred nanoseconds each; returns how much
         the cost is lower. `progress(done, budget, saved)` is called some fifty times; it may stop the search by returning
         True."""
         saved, done, part = 0, 0, ctypes.c_size_t()
@@ -304,12 +304,12 @@ class LiveMesh:
           "restart"   one triangle strip with primitive restart: all bits set between two strips,
           "stitched"  one triangle strip without: repeated indices lead from strip to strip,
           "list"      a triangle list.
-        `index` is 16, 32 or "auto", 16 bits where all vertices are below 65,535. With a cache_size the strips come in an order
-        that a vertex cache of so many vertices misses less often."""
+        `index` is 16, 32 or "auto", 16 bits if all vertices are below 65,535. `cache_size` orders the strips
+        for a vertex cache of that many vertices."""
         return self._made(_form(form), index, cache_size)[0]
 
     def strip_indices(self, index: Index = "auto") -> List[np.ndarray]:
-        """The indices of each strip; where a strip turns twice the same way an index is repeated."""
+        """The indices of each strip; an index is repeated if a strip turns twice the same way."""
         indices, draws = self._made(_LENGTHS, index, 0)
         return [indices[first:first + count] for first, count in draws]
 
@@ -333,7 +333,7 @@ class LiveMesh:
     # ---- the index buffer that follows the mesh
 
     def begin_buffer(self, form: str = "restart", index: Index = "auto") -> None:
-        """Starts the index buffer of the mesh, in place of the one that exists, in a form of `indices`. An update of "list"
+        """Starts the index buffer of the mesh, instead of a previous one, in a form of `indices`. An update of "list"
         writes less. With "auto" it has 16 bits until a vertex needs 32."""
         lib.call("live_begin_format", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1))
 
@@ -341,7 +341,7 @@ class LiveMesh:
         """Brings the buffer in step with the mesh. Returns the parts that may have changed, each with its first place, to be
         copied to the device. Parts at most `merge_gap` indices apart are joined, and begin and end at multiples of `align`
         bytes: 2, or a multiple of 4. Then `outgrown` says whether the buffer has outgrown the `room` that it had, or its
-        width: the device needs a new one, of `room` indices. Linear in what changed."""
+        width: the device needs a new one, of `room` indices. Linear in the changes."""
         ranges, count, outgrown = ctypes.POINTER(lib.Range)(), ctypes.c_size_t(), ctypes.c_int32()
         lib.call("live_update_with", self._mesh, merge_gap, align, ranges, count, outgrown)
         view, room = lib.BufferView(), ctypes.c_size_t()
@@ -351,8 +351,8 @@ class LiveMesh:
         return [(ranges[i].first, indices[ranges[i].first:ranges[i].first + ranges[i].count].copy()) for i in range(count.value)]
 
     def buffer(self) -> np.ndarray:
-        """A copy of the whole buffer as the last update left it, a multiple of four bytes: behind a list of 16 bits an index may
-        stand that belongs to no triangle."""
+        """A copy of the whole buffer after the last update, a multiple of four bytes: a 16-bit list may end with an index
+        that does not belong to a triangle."""
         view = lib.BufferView()
         lib.call("live_buffer", self._mesh, view, None)
         return _array(view).copy()
@@ -360,7 +360,7 @@ class LiveMesh:
     # ---- private
 
     def _made(self, form: int, index: Index, cache_size: int) -> Tuple[np.ndarray, List[Tuple[int, int]]]:
-        """A buffer of the strips, and what of it is drawn by itself."""
+        """A buffer of the strips, and the ranges to draw separately."""
         buffer, view = ctypes.c_void_p(), lib.BufferView()
         lib.call("mesh_buffer", self._mesh, lib.Format(form, _bits(index), 0, 0, 1), cache_size, buffer)
         try:
@@ -399,8 +399,8 @@ def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort:
       "restart"   one array of indices, to be drawn as a triangle strip with primitive restart (all bits set),
       "stitched"  one array, a triangle strip without restart: repeated indices lead from strip to strip,
       "strips"    a list of arrays, one for each strip,
-      "vtk"       one array, in which each strip follows the number of its indices, as vtkPolyData and pyvista have them.
-    Windings are those of the faces; where a strip turns twice the same way an index is repeated. `index` is 16, 32 or "auto".
+      "vtk"       one array, in which each strip follows the number of its indices, as in vtkPolyData and pyvista.
+    Windings are kept; an index is repeated if a strip turns twice the same way. `index` is 16, 32 or "auto".
     If a triangle list has fewer indices than the array that is returned, a warning says so. With `progress` the strips of the
     effort "fast" are improved step by step, and progress(done, budget, saved) is called in between; it may stop that by
     returning True.

@@ -69,7 +69,7 @@ _checked = {
     "live_update_with": [_mesh, _size, _size, c.POINTER(c.POINTER(Range)), c.POINTER(_size), c.POINTER(_int)],
     "live_buffer": [_mesh, c.POINTER(BufferView), c.POINTER(_size)],
 }
-# Functions that return what they are asked for.
+# Functions that return a value.
 _plain = {
     "abi_version": (_u32, []), "version": (c.c_char_p, []), "describe": (c.c_char_p, [_int]), "mesh_free": (None, [_mesh]), "buffer_free": (None, [c.c_void_p]),
     **{f"mesh_{name}": (_size, [_mesh]) for name in ("triangle_count", "triangle_bound", "vertex_bound")},
@@ -82,8 +82,8 @@ _plain = {
 
 
 class RestripError(ValueError):
-    """The library did not do what it was asked to, and nothing changed. `code` is the number of restrip.h, 1 to 99 where
-    an operation would spoil the mesh."""
+    """The library refused a call, and nothing changed. `code` is the number of restrip.h, 1 to 99 if
+    an operation would damage the mesh."""
 
     def __init__(self, code: int, what: str):
         super().__init__(what)
@@ -112,7 +112,7 @@ _library = _load()
 
 
 def plain(name: str, *arguments):
-    """What a function returns that cannot fail."""
+    """The result of a function that cannot fail."""
     return getattr(_library, "restrip_" + name)(*arguments)
 
 
@@ -121,7 +121,7 @@ def describe(code: int) -> str:
 
 
 def call(name: str, *arguments) -> None:
-    """Calls a function that returns a status. RestripError unless it is done; MemoryError where memory was short."""
+    """Calls a function that returns a status. RestripError unless it succeeds; MemoryError if memory runs out."""
     code = getattr(_library, "restrip_" + name)(*arguments)
     if code == 109:
         raise MemoryError(describe(code))
