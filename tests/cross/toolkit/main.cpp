@@ -16,7 +16,7 @@ int main() {
   }
   restrip::StripMesh mesh = restrip::StripMesh::build(triangles, MAX_K + 2);
 
-  // Each tip is split and collapsed again, by local rules and by linked ones, which say how the strips change.
+  // Each tip is split and collapsed again, by the rules and by linked rules; both report how the strips change.
   auto strips = static_cast<int>(restrip::count_strips(mesh));
   for (const restrip::Vertex tip : {MAX_K, MAX_K + 1})
     for (restrip::Vertex other = 1; other < MAX_K; ++other) {
