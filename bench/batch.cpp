@@ -1,5 +1,5 @@
-// Batches of disjoint operations on one and two threads, against the plain loop. Real time: a batch is as slow as its
-// slowest thread.
+// Batches of disjoint operations on one and two threads, compared with the plain loop. Real time: a batch is as slow as
+// its slowest thread.
 #include "restrip/operations/batch.hpp"
 
 #include <benchmark/benchmark.h>

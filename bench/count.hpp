@@ -1,4 +1,4 @@
-// How good the strips of a mesh are, for the counters of a benchmark.
+// The quality of the strips of a mesh, for the counters of a benchmark.
 #pragma once
 
 #include <benchmark/benchmark.h>

@@ -1,10 +1,9 @@
-// What there is to draw with after the level of detail has moved by 1 % of its triangles: strips kept under the index
-// cost, and their live buffer; a triangle list with a slot for each triangle, which keeps no strips at all; and lists
-// and strips made from scratch, which are copied whole. Time, bytes to upload, indices, vertex-cache misses, all in one
-// run.
+// Index buffers after the level of detail has moved by 1 % of its triangles: strips maintained under the index cost,
+// with their live buffer; a triangle list with a slot for each triangle, without strips; and lists and strips made from
+// scratch, which are copied whole. Measures time, bytes to upload, indices and vertex-cache misses, all in one run.
 //
-// Time covers the mesh update, the strips and the buffer. Whoever starts from scratch gets the mesh update
-// and a triangle list of the new level for nothing.
+// Time covers the mesh update, the strips and the buffer. Methods from scratch are not charged for the mesh update and
+// the triangle list of the new level.
 #include <benchmark/benchmark.h>
 #include <meshoptimizer.h>
 
@@ -66,7 +65,7 @@ void keep(benchmark::State& state, const std::string& name, const Way& way, int 
       for (const IndexRange& range : buffer.update(player.mesh(), changed)) bytes += 4 * range.count;
       changed.clear();
     };
-    // Once up and down before: what has just begun has its memory still to get.
+    // Once up and down first, because a new buffer still has to allocate its memory.
     player.up_to(to);
     update();
     player.down_to(from);
@@ -81,13 +80,13 @@ void keep(benchmark::State& state, const std::string& name, const Way& way, int 
   }
 }
 
-/// Memory that is there before the clock starts.
+/// Memory allocated before the clock starts.
 struct Made {
   std::vector<std::uint32_t> indices;
-  std::vector<std::uint32_t> ordered;  ///< triangles of the level, for an order of their own
+  std::vector<std::uint32_t> ordered;  ///< triangles of the level, to be reordered
 };
 
-/// Makes indices of the level from scratch; `indices_of` returns how many.
+/// Makes indices of the level from scratch; `indices_of` returns their number.
 void make(benchmark::State& state, const std::string& name, int percent,
           const std::function<std::size_t(const LevelList&, Made&)>& indices_of) {
   const LevelList& level = level_list(name, percent);

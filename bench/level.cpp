@@ -1,8 +1,8 @@
 // Moving the level of detail by 1 % of its triangles: our policies go from the strips of one level to the next,
-// and keep an index buffer in step (StripBuffer); the others make strips of the new level from scratch, which is what
-// there is to do without rules. All in one run.
+// and keep an index buffer in step (StripBuffer); the others make strips of the new level from scratch, as is necessary
+// without rules. All in one run.
 //
-// The others get what they need for nothing: a triangle list of the new level with compact vertex numbers, an OpenMesh
+// The inputs of the others are not counted: a triangle list of the new level with compact vertex numbers, an OpenMesh
 // of it, the memory for the result. Bare mesh updates, which they need as well, are not counted either.
 #include <benchmark/benchmark.h>
 #include <meshoptimizer.h>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::array<int, 3> percents{10, 50, 100};
 
-/// The mesh just below a level, as a way has brought it there from the base.
+/// The mesh just below a level, brought there from the base by one way.
 struct Below {
   StripMesh mesh;
   std::size_t from = 0;
@@ -56,7 +56,7 @@ void move(benchmark::State& state, const std::string& name, const Way& way, int 
   std::vector<Triangle> changed;
   for ([[maybe_unused]] auto _ : state) {
     player.restart(start.mesh, start.from);
-    // Once up and down before, since a keeper that has just begun has its memory still to get.
+    // Once up and down first, because a new keeper still has to allocate its memory.
     player.up_to(start.to);
     player.down_to(start.from);
     up.time([&] { player.up_to(start.to); });

@@ -1,4 +1,4 @@
-// The triangles of one level as a list: what a user has who makes strips, or an order, from scratch.
+// The triangles of one level as a list: the input for making strips, or an order, from scratch.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct LevelList {
   StripMesh mesh;  ///< the same triangles
 };
 
-/// The list of the level with `percent` of the finest triangles. Made when first asked for, and kept.
+/// The list of the level with `percent` of the finest triangles. Made on first use, and kept.
 [[nodiscard]] const LevelList& level_list(const std::string& name, int percent);
 
 }  // namespace restrip::bench

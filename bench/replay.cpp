@@ -1,4 +1,4 @@
-// A whole replay, from 2 % of the triangles to all of them and back: each policy and the bare mesh by turns, in
+// A whole replay, from 2 % of the triangles to all of them and back: each policy alternates with the bare mesh; in
 // nanoseconds an operation.
 #include <benchmark/benchmark.h>
 
@@ -45,7 +45,7 @@ void register_benchmarks() {
           benchmark::RegisterBenchmark(("replay/" + name + "/" + way.name).c_str(),
                                        [name, &way](benchmark::State& state) { replay(state, name, way); });
       registered->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
-      // The searches take so long there that one run says it all.
+      // The searches take so long there that one run is enough.
       if (name == "dragon" && way.searches()) registered->Repetitions(1);
     }
   }

@@ -1,6 +1,6 @@
 // From ten thousand to twenty million triangles: bytes a triangle and nanoseconds an operation. Collapses at random
 // places of a made mesh, each patch cold unless the mesh fits in a cache, and the splits that undo them; for the bare
-// mesh and the local rules also side by side, as if one part of the mesh were being worked on.
+// mesh and the rules also next to each other, as when one part of the mesh is edited.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
@@ -18,7 +18,7 @@
 namespace restrip::bench {
 namespace {
 
-/// What this process has taken from glibc's allocator.
+/// The bytes that this process has allocated by glibc.
 double allocated_bytes() {
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
@@ -46,7 +46,7 @@ const LargeGround& ground(std::size_t triangles) {
   const auto each = static_cast<double>(g.mesh.triangle_count());
   g.build_ns = build.nanoseconds() / each;
   g.stripify_ns = greedy.nanoseconds() / each;
-  // More than a cache can hold, so that the way up does not find what the way down has just used.
+  // More than a cache can hold, so that the way up does not hit data of the way down.
   const std::size_t count = std::min<std::size_t>(triangles / 25, settings().quick ? 100 : 100'000);
   g.spread = spread_out_sites(g.mesh, count);
   g.neighboring = neighboring_sites(g.mesh, std::min<std::size_t>(count, 4'000));
@@ -57,7 +57,7 @@ const LargeGround& ground(std::size_t triangles) {
 void scale(benchmark::State& state, std::size_t triangles, const Way& way, bool side_by_side) {
   const LargeGround& g = ground(triangles);
   std::span<const tools::Record> sites = side_by_side ? g.neighboring.records : g.spread.records;
-  // The searches take long and look at so much that fewer places do.
+  // The searches take long and examine so much that fewer places are enough.
   if (way.searches()) sites = sites.first(std::min<std::size_t>(sites.size(), 20'000));
   const double before = allocated_bytes();
   StripMesh mesh = g.mesh;
@@ -83,7 +83,7 @@ void scale(benchmark::State& state, std::size_t triangles, const Way& way, bool 
   state.counters["stripify_ns"] = g.stripify_ns;
 }
 
-/// What an index buffer kept in step takes.
+/// The memory of an index buffer kept in step.
 void buffer_memory(benchmark::State& state, std::size_t triangles) {
   const LargeGround& g = ground(triangles);
   for ([[maybe_unused]] auto _ : state) {

@@ -1,4 +1,4 @@
-// What all benchmark programs share: how large a run is, and the program's main().
+// Shared by all benchmark programs: the size of a run, and main().
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace restrip::bench {
 
 struct Settings {
-  bool quick = false;            ///< RESTRIP_BENCH_QUICK is set: small made meshes alone, everything over in seconds
+  bool quick = false;            ///< RESTRIP_BENCH_QUICK is set: only small made meshes; takes seconds
   std::filesystem::path meshes;  ///< RESTRIP_MESHES: the folder of bunny.obj and dragon_vrip.ply; empty if not set
 };
 [[nodiscard]] const Settings& settings();

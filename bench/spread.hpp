@@ -51,7 +51,7 @@ inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Half
   return sites;
 }
 
-/// Sites side by side, from the first triangle on: a part of the mesh that is being worked on.
+/// Adjacent sites, from the first triangle on: a part of the mesh that is being edited.
 [[nodiscard]] inline Sites neighboring_sites(const StripMesh& mesh, std::size_t count) {
   PatchClaims claims(mesh);
   Sites sites;

@@ -9,7 +9,7 @@
 
 extern "C" {
 
-/// Is the list of `count` indices an oriented manifold, but for its vertices?
+/// Whether the list of `count` indices is an oriented manifold, except at its vertices.
 int restrip_bench_is_manifold(const std::uint32_t* ids, std::size_t count, std::size_t vertices) {
   const restrip::TriangleList list(std::span<const std::uint32_t>(ids, count));
   return restrip::detail::is_oriented_manifold(list, vertices) ? 1 : 0;

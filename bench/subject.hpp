@@ -16,14 +16,14 @@ struct Subject {
   std::size_t triangles = 0;    ///< of the finest level
 };
 
-/// "made", and "bunny" and "dragon" where their files are.
+/// "made", and "bunny" and "dragon" if their files exist.
 [[nodiscard]] std::vector<std::string> subject_names();
-/// Made when first asked for, and kept.
+/// Made on first use, and kept.
 [[nodiscard]] const Subject& subject(const std::string& name);
 
 /// Baking the dragon takes minutes (docs/how-to/baked-strips.md has its figures), so it is left out here.
 [[nodiscard]] bool has_plan(const std::string& name, const tools::Way& way);
-/// Made when first asked for, and kept. Other costs than strips only for ways that weigh.
+/// Made on first use, and kept. Costs other than strips only for ways that weigh.
 [[nodiscard]] const tools::Plan& plan(const std::string& name, const tools::Way& way,
                                       const Cost& cost = Cost::strips());
 

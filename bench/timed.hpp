@@ -1,4 +1,4 @@
-// Benchmarks that hold the clock themselves: each of their few iterations times many runs and reports the median.
+// Benchmarks that measure time themselves: each of their few iterations times many runs and reports the median.
 #pragma once
 
 #include <benchmark/benchmark.h>

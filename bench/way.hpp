@@ -16,7 +16,7 @@ using tools::Way;
 using tools::way_named;
 
 /// Plays a progressive mesh up and down in one way. A split starts from vertices: finding its spokes is part of it, in
-/// every way alike.
+/// every way.
 class Player {
  public:
   Player(const std::string& name, const Way& way, const Cost& cost = Cost::strips());

@@ -1,5 +1,5 @@
-// The numbers of the automaton of all valences, and a digest of what its look-up answers (docs/reference/verifiers.md,
-// "Dump of the automaton").
+// The numbers of the automaton of all valences, and a digest of the results of its look-up
+// (docs/reference/verifiers.md, "Dump of the automaton").
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -28,7 +28,7 @@ struct Key {
 };
 
 /// The key with number n of the keys of a fan: a digit to the base `letters` for each port, port 0 first; 0 dashed, the
-/// lower half of the others solid, the upper half solid and joined. Of seven letters each third tells a turn.
+/// lower half of the others solid, the upper half solid and joined. Each third of seven letters stands for a turn.
 Key written_key(std::size_t k, std::uint64_t n, std::uint32_t letters) {
   Key key;
   for (std::size_t i = k; i-- > 0; n /= letters) {
@@ -65,8 +65,8 @@ void answers(Output& out, const std::string& family, std::initializer_list<std::
   out.entry_done();
 }
 
-/// The keys that a digest is made of: all, a letter for each port, the last one the lowest digit; or, where they are
-/// more than 7,000, 64 that are drawn.
+/// The keys that a digest is made of: all, a letter for each port, the last one the lowest digit; or, if there are more
+/// than 7,000, 64 drawn at random.
 class DigestKeys {
  public:
   explicit DigestKeys(std::size_t k) : k_(k) {

@@ -1,4 +1,4 @@
-// What the compiled look-up answers, as digests in the format of the programs for other languages
+// The results of the compiled look-up, as digests in the format of the programs for other languages
 // (docs/how-to/other-languages.md, "Check a look-up"): a line for each operation, 0 to 6, and position, "operation k p
 // q digest". The digest is the sum of mix() over all colours before and all ports, valid or not, modulo 2^32, so that
 // programs that answer in parallel can add it up in any order.
@@ -57,7 +57,7 @@ bool digests(std::size_t max_k, std::string_view wanted) {
     const FlipRule rule = flip_rule(before != 0, static_cast<unsigned>(ports));
     return packed(rule.valid, static_cast<Word>(rule.inner) << 4 | rule.ports, rule.strips);
   });
-  // Positions that no table holds: the other languages answer that there is no rule.
+  // Positions outside the tables: the other languages answer that the rule does not exist.
   std::printf("rules outside the tables: 0\n");
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }

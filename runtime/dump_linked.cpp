@@ -1,6 +1,6 @@
-// What the linked look-up picks, for every configuration and everything that look_out may answer. The look-up asks of
-// one port after the other, and what it asks next depends on the answers; so that what it picks is a tree of questions.
-// Each tree is explored to its last leaf by asking again with other answers. Equal subtrees are printed once.
+// The choice of the linked look-up, for every configuration and every possible result of look_out. The look-up asks
+// about one port after the other, and the next question depends on the answers, so its choices form a tree. Each
+// tree is explored to its last leaf by asking again with other answers. Equal subtrees are printed once.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_ports = table_max_k;
 constexpr int not_asked = -3;
 
-/// What is known of each port; what is not is answered by "the strip ends", and remembered as asked.
+/// The known answers for ports; other ports are answered by "the strip ends", and recorded as asked.
 struct Answers {
   std::array<int, most_ports> known;
   std::array<std::size_t, most_ports> asked{};
@@ -70,7 +70,7 @@ class Trees {
   std::uint32_t explore(const RuleOf& rule, const std::array<int, most_ports>& known) {
     Answers answers{known};
     auto tree = static_cast<std::uint32_t>(rule(answers).colors);
-    // One look-up tells a whole path of questions answered by "ends"; from its last one back, the other answers.
+    // One look-up yields a whole path of questions answered by "ends"; from the last one back, try the other answers.
     for (std::size_t i = answers.count; i-- > 0;) {
       const std::size_t port = answers.asked[i];
       auto now = answers.known;

@@ -36,8 +36,8 @@ class Output {
   }
   /// Instead of an answer.
   void nothing() { text_ += "-\n"; }
-  /// What an answer tells: the changes in strips and in isolated triangles, and the end of the line.
-  void told(int strips, int isolated) {
+  /// The reported changes in strips and in isolated triangles, and the end of the line.
+  void reported(int strips, int isolated) {
     for (const int change : {strips, isolated}) {
       text_ += ' ';
       text_ += std::to_string(change);
@@ -89,8 +89,8 @@ constexpr std::uint32_t mix(Word before, Word ports, std::uint32_t answer) {
   return h ^ h >> 16;
 }
 
-/// Digests of what the look-up answers, to compare with those of other languages; `wanted` has the numbers of the
-/// operations, such as "024". False when not everything could be written.
+/// Digests of the results of the look-up, to compare with other languages; `wanted` has the numbers of the operations,
+/// such as "024". False when not everything could be written.
 bool digests(std::size_t max_k, std::string_view wanted);
 
 }  // namespace restrip::dump

@@ -1,8 +1,7 @@
-// restrip-dump-tables: prints what the compiled rules answer to every configuration, valid or not, in every position,
-// so that those who trust neither the generator nor the look-up in the tables can compare (docs/reference/verifiers.md,
-// "Table dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton); or,
-// with
-// --digests, only digests of that; of the automaton, digests of what it answers in larger fans as well.
+// restrip-dump-tables: prints the results of the compiled rules for every configuration, valid or not, in every
+// position, for comparison without trust in the generator or the look-up (docs/reference/verifiers.md, "Table dump";
+// "Dump of linked rules", the output with --linked; "Dump of the automaton", with --automaton); or, with --digests,
+// only digests of them; for the automaton, also digests of its results in larger fans.
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -17,15 +16,14 @@ using restrip::Word;
 
 using restrip::dump::Output;
 
-/// The colours that an answer gives and the ports that it keeps, then what it tells.
+/// The colours of an answer and the ports that it keeps, then the changes that it reports.
 void answer(Output& out, Word colors, Word kept, int strips, int isolated) {
   out.hex(colors, ' ');
   out.hex(kept);
-  out.told(strips, isolated);
+  out.reported(strips, isolated);
 }
 
-/// Every pair of masks, in ascending order: what `rule` answers, and the isolated triangles that it makes of those
-/// before.
+/// Every pair of masks, in ascending order: the result of `rule`, and the change in isolated triangles.
 template <class RuleOf, class IsolatedBy>
 void all(Output& out, std::size_t before_bits, std::size_t port_bits, RuleOf&& rule_of, IsolatedBy&& isolated_by) {
   for (Word before = 0; before < restrip::bit(before_bits); ++before)
@@ -40,7 +38,7 @@ void all(Output& out, std::size_t before_bits, std::size_t port_bits, RuleOf&& r
     }
 }
 
-/// The isolated triangles that an operation with these patches tells.
+/// The change in isolated triangles by an operation with these patches.
 auto isolated_between(const restrip::detail::Layout& before, const restrip::detail::Layout& after) {
   return [=](Word colors, Word ports, const restrip::Rule& rule) {
     return restrip::detail::answer(before, colors, after, rule, ports).isolated;
@@ -61,7 +59,7 @@ void lists(Output& out, const std::string& heading, const Table& table, std::siz
   }
 }
 
-/// Closed fans have code of their own that counts isolated triangles, which is what split() and collapse() tell.
+/// Closed fans have separate code that counts isolated triangles, which split() and collapse() use.
 void closed_fan(Output& out, bool collapse, restrip::SplitPosition at) {
   using restrip::detail::isolated_closed;
   using restrip::detail::isolated_ring;
@@ -153,7 +151,7 @@ void tables(Output& out, std::size_t max_k) {
   flip(out);
 }
 
-/// The number from 3 to max_word_valence that a word says; 0 for any other word.
+/// The number from 3 to max_word_valence that a word names; 0 for any other word.
 std::size_t valence_named(std::string_view word) {
   for (std::size_t k = 3; k <= restrip::max_word_valence; ++k)
     if (word == std::to_string(k)) return k;

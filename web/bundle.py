@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes one page of one file each, that opens from the file system: styles, scripts, the WebAssembly module and the mesh
+"""Makes one file of a page, which opens from the file system: styles, scripts, the WebAssembly module and the mesh
 are put inside.
 
 bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--worker FILE…] [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
 Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
-names at their top levels must differ; comments on lines of their own and indentations are left out. Those of a worker are put together in the same way. --part replaces <!--NAME--> by the file as
+names at their top levels must differ; whole-line comments and indentation are left out. Scripts of a worker are bundled in the same way. --part replaces <!--NAME--> by the file as
 it is, --code by its text, to be read, --put by the file, compressed and in base64."""
 import argparse
 import base64
@@ -46,7 +46,7 @@ def main():
     given = parser.parse_args()
     page = Path(given.page).read_text(encoding="utf-8")
     parts = {"/*STYLE*/": "".join(Path(s).read_text(encoding="utf-8") for s in given.style), "/*SCRIPT*/": inlined(given.script),
-             # Browsers start a page from the file system no worker that is a module, and only modules have an address.
+             # From the file system, browsers do not start a worker that is a module, and only modules have an address.
              "/*WORKER*/": inlined(given.worker).replace("import.meta.url", "'file:///'")}
     for part in given.part:
         name, file = part.split("=", 1)

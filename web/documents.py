@@ -44,7 +44,7 @@ class Documents:
         return Path("index.html") if file == self.root / "README.md" else file.relative_to(self.root).with_suffix(".html")
 
     def target(self, file, link):
-        """Where a page is to link to, or None for a file that the pages do not have."""
+        """The target of a link on a page, or None for a file that is not part of the pages."""
         if re.match(r"[a-z]+:", link):
             return link
         path, _, anchor = link.partition("#")

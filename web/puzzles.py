@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Makes the table of the puzzles of the viewer's part Your turn: puzzles.py CERTIFICATE MET.csv OUT
 
-CERTIFICATE is that of splits (docs/reference/certificate.md); MET.csv says how often splits of real meshes meet a rule (scripts/met_rules.mjs).
-First how many splits were counted, then a line for each column of the table of rules, which compresses better than rows: how many
-of the splits met each, k, a, solid ports and joined pairs as masks, and its reason, in the certificate's words. The rules are in the
+CERTIFICATE is the certificate of splits (docs/reference/certificate.md); MET.csv says how often splits of real meshes use a rule (scripts/met_rules.mjs).
+First how many splits were counted, then a line for each column of the table of rules, which compresses better than rows: the number
+of splits that use it, k, a, solid ports and joined pairs as masks, and its reason, in the certificate's words. The rules are in the
 certificate's order."""
 import csv
 import re

@@ -1,6 +1,6 @@
-// The part Your turn in Chromium: lines are clicked with the mouse and by keys until nobody can do better; what is wrong is
-// named and marked on the way; each set of the reason is shown, and then the visitor's colours again; the link has puzzle and
-// colours; a patch that was cut becomes a puzzle.
+// The part Your turn in Chromium: lines are clicked with the mouse and by keys until no colouring is better; what is
+// wrong is named and marked on the way; each set of the reason is shown, and then the visitor's colours again; the link
+// has puzzle and colours; a patch that was cut becomes a puzzle.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -44,7 +44,7 @@ export async function checkTurn(browser, address, scratch) {
     }
   }
   assert.equal((await turn(page)).inner, first.best);
-  assert.match(await verdict(page), /Nobody can do better/);
+  assert.match(await verdict(page), /No colouring is better/);
   assert.equal(await page.run('document.querySelectorAll("#turn-after .wrong").length'), 0);
   // The browser remembers it: another visit begins with the next one.
   const again = await browser.page(390, 844);

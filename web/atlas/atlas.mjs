@@ -1,4 +1,4 @@
-// The pages of the atlas: rows are filtered and sorted, a link's row is shown.
+// The pages of the atlas: filters and sorts rows, and shows the row of a link.
 
 const table = document.getElementById('rules');
 if (table) {
@@ -15,7 +15,7 @@ if (table) {
     }
     form.querySelector('output').textContent = shown === rows.length ? `${shown} rules` : `${shown} of ${rows.length} rules`;
   };
-  // In the order of the certificate, or by how often a rule is met.
+  // In the order of the certificate, or by how often real meshes use a rule.
   document.getElementById('often')?.addEventListener('input', (event) => {
     const met = (row) => +(row.dataset.met ?? 0);
     const order = event.target.checked ? rows.toSorted((a, b) => met(b) - met(a)) : rows;

@@ -4,8 +4,8 @@
   web/atlas/atlas.py FILE… --certificates FOLDER -o OUT
 
 FILE is an operation file (docs/reference/operation-file.md), FOLDER has its certificate (docs/reference/certificate.md), in itself or in its folder
-`operations`. With --met CSV the pages are those of the project: they link to the viewer and the painter, and say how often
-splits of real meshes meet a rule, which scripts/met_rules.mjs has counted."""
+`operations`. With --met CSV it makes the pages of the project: they link to the viewer and the painter, and say how often
+splits of real meshes use a rule, which scripts/met_rules.mjs has counted."""
 import argparse
 import csv
 import json
@@ -92,7 +92,7 @@ def signed(n):
 
 
 def often(met, name):
-    """Of 10,000 splits of real meshes, how many meet this rule; in words."""
+    """The number of 10,000 splits of real meshes that use this rule, in words."""
     if met.get(name, 0) == 0:
         return "–"
     share = 10000 * met[name] / sum(met.values())
@@ -140,14 +140,14 @@ def picture_of(name, colors, ports, description):
 
 WHY = """<p>Why nothing is better: of the edges in a pair of braces at least one must stay dashed. If all of them were solid, a
 triangle would have too many solid edges, a cycle would close, or two ports would be joined that were not joined before. The
-sets share no edge, so each takes a dashed edge of its own. In none of the cases does the rule leave more edges dashed than
-that, or as many and more triangles alone.</p>"""
+sets share no edge, so each takes a different dashed edge. In none of the cases does the rule leave more edges dashed than
+that, or the same number and more triangles alone.</p>"""
 LEGEND = ('<p class="legend"><i class="key solid"></i> same {unit} <i class="key dashed"></i> different {unit}s '
           '<i class="key fresh"></i> triangles that come or go</p>')
 
 
 def words_of(page, sides):
-    """What the page's own words mean: those of its title, of its drawings and of its table."""
+    """The meaning of the words on the page: in its title, its drawings and its table."""
     title = page.section.text.split()
     count = int(title[title.index("k") + 1]) if "k" in title else 0
     fresh = [name for _, names in (side["names"] for side in (*sides[0], sides[1])) for name in names if name in ("A", "D")]
@@ -185,8 +185,8 @@ def body_of(page, sides, met):
                   f"position; they meet {grouped(rows.count(' data-met='))} of these rules.")
     notes = ("A rule depends only on the solid ports and on which of them are joined before, so it serves "
              f"{'several positions and ' if several else ''}all patches that agree in these. One with the fewest solid edges is drawn. " +
-             ("A rule may give ports up, and so may all that it is compared with." if page.description.gives_up else
-              "The ports keep their colours, in the rule and in all that it is compared with."))
+             ("A rule may clear ports, and so may everything that it is compared with." if page.description.gives_up else
+              "The ports keep their colours, in the rule and in everything that it is compared with."))
     filters = "".join(f'<label><input type="checkbox" name="{name}"> {words}</label>' for name, words in
                       [("costs", f"adds a {page.unit} somewhere"), ("alone", "leaves a triangle alone"), ("symmetric", "is its own image under a symmetry")] +
                       [("met", "met on real meshes")] * with_met)
@@ -209,14 +209,14 @@ def body_of(page, sides, met):
 
 INTRODUCTION = """<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and
 cut the paths around it. A <em>rule</em> says how the edges of that patch are to be coloured afterwards, solid where a
-strip continues and dashed where it does not, so that as few strips as possible remain, whatever the rest of the mesh looks
-like. Each rule here is proved: no recolouring that is safe in every mesh leaves fewer strips, or fewer triangles alone where
+strip continues and dashed where it does not, so that the fewest possible strips remain, for every surrounding
+mesh. Each rule here is proved: no recolouring that is safe in every mesh leaves fewer strips, or fewer triangles alone where
 triangles are paired. Most rules keep the <em>ports</em>, the edges that lead out of the patch, and are compared with those that do;
 where a rule may cut a strip at a port, its page says so.</p>
-<p>In the tables <em>k</em> is the number of triangles around the vertex, and <em>a</em> how many of them lie at one end of the new edge.
-A <em>gap</em> is the place in an open fan where a triangle comes in. Each page explains the words that it uses.</p>
-<p>Theorems checked by Coq (<code>verify/formal/Answers.v</code> and <code>Flip.v</code>) say that what the library answers to splits,
-collapses and flips is sound and that nothing sound is preferred to it. The families come first here, single operations follow.</p>"""
+<p>In the tables <em>k</em> is the number of triangles around the vertex, and <em>a</em> the number of them at one end of the new edge.
+A <em>gap</em> is a place in an open fan where a triangle is inserted. Each page explains the words that it uses.</p>
+<p>Theorems checked by Coq (<code>verify/formal/Answers.v</code> and <code>Flip.v</code>) say that the library's rules for splits,
+collapses and flips are sound and that no sound recolouring is preferred to them. Families come first here, single operations follow.</p>"""
 
 
 def index_body(groups, picture, met):

@@ -1,11 +1,11 @@
-// Painting a configuration: its rule, or why it is none that strips can have.
+// Painting a configuration: its rule, or why strips cannot have it.
 import { load } from '../../bindings/js/restrip.mjs';
 import { embedded } from '../viewer/embedded.mjs';
 import { fanPicture, has, listed, representative, ringPicture, ruleName } from '../viewer/patch.mjs';
 
 const field = (id) => document.getElementById(id);
 
-/// A sentence for colours that no strips have, or null.
+/// A sentence for colours that strips cannot have, or null.
 function whyInvalid(k, loop, ports) {
   for (let i = 0; i < k; ++i)
     if (has(loop, i) && has(loop, (i + k - 1) % k) && has(ports, i))
@@ -80,7 +80,7 @@ class Painter {
     const name = ruleName(k, a, key);
     field('verdict').innerHTML = `${change}. ` + (k <= 8
       ? `Rule <a href="split-${k}-${a}.html#${name}">${name}</a>${this.#isItself(key) ? '' : ', seen in a mirror or turned'}.`
-      : 'No table has vertices of so many triangles: the automaton computed this rule, and it is as exact.');
+      : 'Tables end at smaller vertices: the automaton computed this rule, and it is equally exact.');
   }
   #isItself(key) {
     if (key.ports !== this.ports) return false;

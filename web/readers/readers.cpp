@@ -1,8 +1,8 @@
 // The readers of the program `restrip` for JavaScript (bindings/js/formats.mjs): one module for each file that is read.
-// The caller writes the bytes into memory taken by readers_take, and looks at the Found that readers_read returns.
+// The caller writes the bytes into memory taken by readers_take, and reads the Found that readers_read returns.
 //
-// The readers throw. This module has nobody who would catch: an exception's sentence goes to JavaScript, which throws
-// it on and drops the module with all of its memory.
+// The readers throw, but this module cannot catch. The sentence of an exception goes to JavaScript, which throws it and
+// drops the module with all of its memory.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,13 +24,13 @@
 extern "C" [[noreturn]] __attribute__((import_module("readers"), import_name("refuse"))) void readers_refuse(
     const char*);
 
-// What the compiler makes of `throw`.
+// The functions that the compiler calls for `throw`.
 extern "C" void* __cxa_allocate_exception(std::size_t bytes) noexcept { return std::malloc(bytes); }
 extern "C" void __cxa_free_exception(void* memory) noexcept { std::free(memory); }
 extern "C" [[noreturn]] void __cxa_throw(void* thrown, void* /*type*/, void (* /*destroy*/)(void*)) {
   readers_refuse(static_cast<std::exception*>(thrown)->what());
 }
-#else  // where it is compiled only to be checked
+#else  // compiled only as a check
 #define READERS_EXPORT(name) extern "C"
 #endif
 
@@ -38,7 +38,7 @@ namespace {
 
 using namespace restrip::tools;
 
-/// Addresses, and how many numbers or characters there are; lists that the kind has not are empty.
+/// Addresses, and counts of numbers or characters; lists that the kind lacks are empty.
 struct Found {
   enum class Kind : std::uint32_t { mesh, progressive, baked } kind = Kind::mesh;
   const void* points = nullptr;  // three floats each
@@ -49,7 +49,7 @@ struct Found {
   std::uint32_t split_numbers = 0;
   const void* baked = nullptr;  // the bytes of a baked mesh
   std::uint32_t baked_bytes = 0;
-  const void* left_out = nullptr;  // what the vertices of the file have besides: a sentence's end
+  const void* left_out = nullptr;  // other attributes of the file's vertices: the end of a sentence
   std::uint32_t left_out_bytes = 0;
 };
 
@@ -71,20 +71,20 @@ void give_points(const std::vector<Point>& list) {
   give(points, 1, found.points, found.point_numbers);
 }
 
-void tell(Soup& soup, bool repeats_vertices) {
+void set_found(Soup& soup, bool repeats_vertices) {
   // glTF repeats a vertex wherever a normal or a texture breaks; a strip crosses it.
   if (Mended mended; repeats_vertices) weld(soup, mended);
   give_points(soup.points);
   give(soup.triangles, 3, found.triangles, found.triangle_numbers);
   left_out = attributes_in_words(soup.left_out_attributes);
 }
-void tell(const ProgressiveMesh& progressive) {
+void set_found(const ProgressiveMesh& progressive) {
   found.kind = Found::Kind::progressive;
   give_points(progressive.points);
   give(progressive.base, 3, found.triangles, found.triangle_numbers);
   give(progressive.splits, 4, found.splits, found.split_numbers);
 }
-void tell(const BakedBytes& baked) {
+void set_found(const BakedBytes& baked) {
   found.kind = Found::Kind::baked;
   give(baked.bytes, 1, found.baked, found.baked_bytes);
   left_out = attributes_in_words(baked.left_out_attributes);
@@ -102,7 +102,7 @@ std::string extension_of(std::string_view name) {
 READERS_EXPORT(readers_take)
 void* readers_take(std::uint32_t bytes) { return std::malloc(bytes); }
 
-/// `name` decides by its extension.
+/// The extension of `name` decides.
 READERS_EXPORT(readers_read)
 const Found* readers_read(const char* bytes, std::uint32_t count, const char* name, std::uint32_t name_bytes) {
   const std::string file(name, name_bytes);
@@ -112,9 +112,9 @@ const Found* readers_read(const char* bytes, std::uint32_t count, const char* na
   };
   const std::string extension = extension_of(file);
   mesh = parse_mesh({bytes, count}, extension, file, nothing_beside);
-  if (auto* soup = std::get_if<Soup>(&mesh)) tell(*soup, extension == ".glb" || extension == ".gltf");
-  if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) tell(*progressive);
-  if (const auto* baked = std::get_if<BakedBytes>(&mesh)) tell(*baked);
+  if (auto* soup = std::get_if<Soup>(&mesh)) set_found(*soup, extension == ".glb" || extension == ".gltf");
+  if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) set_found(*progressive);
+  if (const auto* baked = std::get_if<BakedBytes>(&mesh)) set_found(*baked);
   give(left_out, 1, found.left_out, found.left_out_bytes);
   return &found;
 }

@@ -66,7 +66,7 @@ export class Camera {
     Object.assign(this, { yaw, pitch, distance, target: [...target] });
     this.#flight = null;
   }
-  /// To a place within so many milliseconds; step() moves on.
+  /// Flies to a place in a number of milliseconds; step() continues.
   fly(to, milliseconds, now = performance.now()) {
     if (milliseconds <= 0) {
       this.place = to;
@@ -92,8 +92,8 @@ export class Camera {
   }
   #flight = null;
 
-  /// Follows the pointers on an element; changed() after each change, clicked(event) where a pointer went up at the place at
-  /// which it came down.
+  /// Follows the pointers on an element; changed() after each change, clicked(event) if a pointer goes up where it came
+  /// down.
   listen(element, changed, clicked) {
     const pointers = new Map();
     let moved = 0;

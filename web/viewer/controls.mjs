@@ -1,4 +1,4 @@
-// What the visitor's hands do: pointers, keys, buttons and choices.
+// Input of the visitor: pointers, keys, buttons and choices.
 
 export function listen(viewer, by) {
   by('light').setAttribute('aria-pressed', String(viewer.light));

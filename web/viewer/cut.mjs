@@ -1,5 +1,5 @@
 // One vertex split, shown in steps: the patch before, the patch with its two new triangles and the strips that they cut,
-// and the patch as the rule mended it; on the mesh and as drawings side by side, in the same colours.
+// and the patch as the rule mended it; on the mesh and as adjacent drawings, in the same colours.
 import { none } from '../../bindings/js/restrip.mjs';
 import { cross, unit } from './camera.mjs';
 import { bitsIn } from './judge.mjs';
@@ -103,7 +103,7 @@ export class Cut {
     this.viewer.splitRecord(best);
     return true;
   }
-  /// The records that can be split and drawn: those at the boundary have no drawing.
+  /// The records that can be split and drawn: boundary splits have no drawing.
   get ready() {
     const { mesh, splits, figures: { operations } } = this.viewer;
     if (this.#found.mesh !== mesh || this.#found.operations !== operations) {
@@ -121,7 +121,7 @@ export class Cut {
     if (this.viewer.resting && this.ready.length > 0) this.viewer.splitRecord(this.ready[this.viewer.clicks.length * 7919 % this.ready.length]);
   }
 
-  // ---- what is seen
+  // ---- drawing
   /// After a split; ribbons before and after it.
   begin(before, after) {
     const faces = facesOf(this.viewer.mesh.last);
@@ -176,8 +176,8 @@ export class Cut {
     return { name: `cut ${share}`, ribbon, only, moved: new Map([[vT, [0, 1, 2].map((n) => from[n] + (to[n] - from[n]) * share)]]) };
   }
 
-  // ---- what is said
-  /// Of the split that is shown, if there is one.
+  // ---- text
+  /// Describes the split that is shown, if any.
   tell() {
     const { by, viewer, shown } = this;
     const last = shown ? viewer.mesh.last : null;

@@ -14,7 +14,7 @@ export const indexWidth = ({ points }) => (points.length / 3 < 0xffff ? 2 : 4);
 export const barRow = (name, cells, written, all, least) => `<tr style="--written:${100 * written}%;--all:${100 * all}%"${least ? ' class="least"' : ''}>` +
   `<th scope="row">${name}</th>${cells.map((cell) => `<td>${cell}</td>`).join('')}</tr>`;
 
-/// `level`: that of the slider, to which the splits may still be on their way.
+/// `level`: the level of the slider, which the splits may not have reached yet.
 export function showLevel(by, played, levels, level) {
   by('level').value = level;
   by('level-text').textContent = `${asNumber(played)} of ${asNumber(levels)} splits`;
@@ -31,7 +31,7 @@ export function showFigures(by, { figures: { triangles, strips }, source }) {
   by('f-length').textContent = asNumber(triangles / strips, 1);
 }
 
-/// What a drawn frame reads of the indices: as a list, as strips from scratch, as the strips of the mesh.
+/// The indices that a drawn frame reads: as a list, as strips from scratch, as the strips of the mesh.
 export function showReads(by, { mesh, figures: { triangles, bufferIndices }, source }) {
   const list = 3 * triangles;
   const rows = [['Triangle list', list], ['Strips from scratch', mesh.fromScratch({ cost: 'indices' }).length], ['These strips, maintained', bufferIndices]];
@@ -39,7 +39,7 @@ export function showReads(by, { mesh, figures: { triangles, bufferIndices }, sou
     barRow(name, [asBytes(count * indexWidth(source)), `${asNumber(100 * count / list)} %`], 0, count / list, false)).join('');
 }
 
-/// How many the finest level has. `source`: of prepared().
+/// The number at the finest level. `source`: of prepared().
 export function fineTriangles({ base, splits }) {
   let triangles = base.length / 3;
   for (let i = 0; i < splits.length; i += 4) triangles += splits[i + 2] !== none && splits[i + 3] !== none ? 2 : 1;

@@ -44,7 +44,7 @@ export class Files {
       if (this.#worker === worker) this.#working(null);
     }
   }
-  /// What is being prepared, and the share that is done where it is known.
+  /// The current file, and the share that is done if known.
   #working(text, share) {
     this.by('working').hidden = text === null;
     this.by('working-text').textContent = text ?? '';

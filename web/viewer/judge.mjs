@@ -1,4 +1,5 @@
-// What a colouring of the patch after a split is worth, and what is wrong with it where it is not sound (docs/reference/notation.md).
+// Judges a colouring of the patch after a split: its value, and its fault if it is not sound
+// (docs/reference/notation.md).
 import { has, joinedPairs, pairsMask, ringEdges } from './patch.mjs';
 
 /// The triangles of the patch after a split by name: t0 to t_{k-1}, A and D.
@@ -22,7 +23,7 @@ export class Puzzle {
   after(inner) { return this.k + 2 - bitsIn(inner); }
   /// The solid inner edges of each triangle.
   around(inner) {
-    const solid = Number(inner);  // a picture has no room for more edges than a number has bits
+    const solid = Number(inner);  // a picture has fewer edges than a number has bits
     const edges = this.names.map(() => []);
     this.edges.forEach(([i, j], edge) => {
       if ((solid >> edge & 1) === 0) return;
@@ -36,7 +37,7 @@ export class Puzzle {
   alone(inner) {
     return this.around(inner).flatMap((edges, node) => (edges.length === 0 && !this.hasPort(node) ? [node] : []));
   }
-  /// What is wrong with a colouring: { kind, triangles, edges, ports }, or null where it is sound. `kind` is 'branch' (a
+  /// The fault of a colouring: { kind, triangles, edges, ports }, or null if it is sound. `kind` is 'branch' (a
   /// triangle has three solid edges), 'cycle' (inside) or 'join' (two ports that were not joined before).
   fault(inner) {
     const around = this.around(inner);
@@ -44,7 +45,8 @@ export class Puzzle {
       const ports = this.hasPort(node) ? [node] : [];
       if (edges.length + ports.length > 2) return { kind: 'branch', triangles: [node], edges, ports };
     }
-    // Every triangle has two solid edges at most, so that from an end each way is a strip, and what has no end a cycle.
+    // Every triangle has at most two solid edges, so a path from an end is a strip, and a component without an end is a
+    // cycle.
     const seen = new Set();
     const follow = (from) => {
       const way = { triangles: [from], edges: [] };

@@ -1,14 +1,15 @@
-// Ways to have an index buffer while the level of a mesh moves, each with a mesh of its own: the bytes that a change writes into it,
-// and the bytes that each drawn frame reads from it.
+// Ways to maintain an index buffer while the level of a mesh changes, each with a separate mesh: the bytes that a
+// change writes, and the bytes that each drawn frame reads.
 import { restartIndex } from '../../bindings/js/restrip.mjs';
 
-/// And what the page calls them.
+/// Their names on the page.
 export const ways = { kept: 'Maintained strips', scratch: 'Strips from scratch', whole: 'List written whole', slots: 'List with slots' };
 
 export class Lane {
   #scratch = null;  // the last index buffer from scratch
 
-  /// `source`: of prepared(). Policy and cost are those of strips; a list keeps none. `width`: bytes of an index.
+  /// `source`: of prepared(). Policy and cost are for strips; a list does not maintain strips. `width`: bytes of an
+  /// index.
   constructor(restrip, way, source, { policy, cost, width }) {
     Object.assign(this, { way, cost, width });
     this.mesh = restrip.progressive(source).begin({ policy: way === 'kept' ? policy : 'bare', cost });
@@ -17,8 +18,8 @@ export class Lane {
   }
   /// Steps count from here on.
   startHere() { this.total = { steps: 0, operations: 0, written: 0, drawn: 0 }; }
-  /// A step ends after that many operations, whatever the number of frames in which they were done: the index buffer follows it
-  /// once. Uploading is the caller's.
+  /// A step ends after that many operations, in any number of frames: the index buffer follows it once. Uploading is
+  /// the caller's.
   endStep(operations) {
     this.#follow();
     this.total.steps += 1;
@@ -33,7 +34,7 @@ export class Lane {
     } else this.ranges = this.isList ? this.mesh.updateList({ whole: this.way === 'whole' }) : this.mesh.update();
     this.length = this.indices.length;
   }
-  /// What is drawn: a view, valid until the next call of any mesh.
+  /// The indices to draw: a view, valid until the next call of any mesh.
   get indices() {
     if (this.way === 'kept') return this.mesh.indices;
     return this.#scratch ?? this.mesh.listIndices;

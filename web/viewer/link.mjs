@@ -1,23 +1,23 @@
-// The parts of the page, and what it shows as the part of its address behind #, so that a link shows it to others.
+// The parts of the page, and its state as the part of the address after #, so that a link shows it to others.
 
 /// A part, and what can be done on the picture while it is shown.
 const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, STL, glTF, PM, baked.';
 const parts = { ribbon: usual, cut: 'Click to cut. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
 
-/// Choices that an address names, but for these values.
+/// Choices that an address names, unless they have these values.
 const usualChoices = { policy: null, cost: 'strips', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
 
 /// The state that an address names; numbers and lists are checked where they are used.
 export const readLink = (hash) => Object.fromEntries(new URLSearchParams(hash.replace(/^#/, '')));
 
-/// Puts a state into the address; what is empty is left out.
+/// Puts a state into the address; empty values are left out.
 function writeLink(state) {
-  const told = Object.entries(state).filter(([, value]) => value !== undefined && value !== '');
-  const hash = `#${new URLSearchParams(told).toString().replaceAll('%2C', ',')}`;
+  const named = Object.entries(state).filter(([, value]) => value !== undefined && value !== '');
+  const hash = `#${new URLSearchParams(named).toString().replaceAll('%2C', ',')}`;
   if (hash !== location.hash) history.replaceState(null, '', hash);
 }
 
-/// A camera's place as text, and back; null where the text is none.
+/// A camera's place as text, and back; null if the text is not a place.
 const placeText = ({ yaw, pitch, distance, target }) => [yaw, pitch, distance, ...target].map((n) => n.toFixed(3)).join(',');
 function placeOf(text) {
   const numbers = (text ?? '').split(',').map(Number);
@@ -28,7 +28,7 @@ function placeOf(text) {
 
 export class Link {
   #telling = 0;
-  #known = '';  // the address as it was followed or told
+  #known = '';  // the address as last followed or written
 
   constructor(viewer, by) {
     this.viewer = viewer;
@@ -36,7 +36,7 @@ export class Link {
     addEventListener('hashchange', () => this.follow());
   }
 
-  /// Shows what the address names; what it does not name stays.
+  /// Shows the state that the address names; the rest does not change.
   follow() {
     const { by, viewer } = this;
     this.#known = location.hash;
@@ -73,7 +73,7 @@ export class Link {
     if (['ribbon', 'race'].includes(viewer.part)) by(`part-${viewer.part}`).querySelector('[data-level]').after(by('level-row'));
   }
 
-  /// Brings the address in step with what has settled, at most once in a while: with the light on every frame calls this.
+  /// Writes the settled state to the address, but not often: with the light on every frame calls this.
   tell() {
     this.#telling ||= setTimeout(() => {
       const { by, viewer } = this;

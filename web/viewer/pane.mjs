@@ -1,5 +1,5 @@
-// A canvas and what WebGL draws on it: its size, its colours, the rays of a camera through its pixels, and the graphics card
-// that the browser may take away and give back.
+// A canvas and what WebGL draws on it: its size, its colours, the rays of a camera through its pixels, and the graphics
+// context, which the browser may take away and restore.
 import { Scene } from './scene.mjs';
 
 const atNight = matchMedia('(prefers-color-scheme: dark)');
@@ -31,7 +31,7 @@ export class Pane {
     this.canvas.height = Math.max(1, Math.round(box.height * scale));
   }
   get aspect() { return this.canvas.width / this.canvas.height; }
-  /// Of the surface and of what is behind it.
+  /// The colours of the surface and of the background.
   get colors() {
     return atNight.matches ? { ink: [0.62, 0.66, 0.72], paper: [0.051, 0.059, 0.071] } : { ink: [0.86, 0.87, 0.88], paper: [0.914, 0.929, 0.945] };
   }

@@ -1,5 +1,5 @@
-// Patches of splits as pictures, and their keys; docs/reference/notation.md numbers their edges. The drawing is that of
-// scripts/pictures.py.
+// Patches of splits as pictures, and their keys; docs/reference/notation.md numbers their edges. The drawing is the
+// same as in scripts/pictures.py.
 
 export const middle = (...places) => [0, 1].map((n) => places.reduce((sum, p) => sum + p[n], 0) / places.length);
 export const has = (mask, bit) => (BigInt(mask) >> BigInt(bit) & 1n) === 1n;
@@ -42,10 +42,10 @@ export class Patch {
     const line = points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ');
     this.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${solid}" aria-label="${label}" data-edge="${edge}" points="${line}"/>`;
   }
-  /// A triangle in a colour of its own, and one that can be marked.
+  /// A coloured triangle, and one that can be marked.
   fill(color, corners) { this.fills += `<path class="old" style="fill:${color}" d="${outline(corners)}"/>`; }
   face(i, corners) { this.extra += `<path class="face" data-face="${i}" d="${outline(corners)}"/>`; }
-  /// The name of a triangle, beside its node: so far away, turned by so much from where something is.
+  /// The name of a triangle, next to its node: at a distance and an angle from the direction of something else.
   name(node, toward, away, turn, text) {
     const [x, y] = toward.map((c, n) => (c - node[n]) * away / Math.hypot(toward[0] - node[0], toward[1] - node[1]));
     const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
@@ -102,7 +102,7 @@ export function ringPicture(k, a, inner, ports, description, { click = false, fa
   });
   for (let i = 0; i < k; ++i) patch.port(i, rim[i], rim[i + 1], has(ports, i));
   if (named) {
-    // Between the port and an edge; behind the new triangles is nothing.
+    // Between the port and an edge; nothing lies beyond the new triangles.
     for (let i = 0; i < k; ++i) patch.name(patch.nodes[i], middle(rim[i], rim[i + 1]), 26, 0.9, names[i]);
     [rim[0], rim[a]].forEach((place, n) => patch.name(patch.nodes[k + n], place, 44, 0, names[k + n]));
   }

@@ -1,4 +1,4 @@
-// From what a mesh file has to what the viewer shows: a progressive mesh, and the normals of its finest level.
+// Prepares a mesh file for the viewer: a progressive mesh, and the normals of its finest level.
 
 function normalsOf(points, triangles) {
   const normals = new Float32Array(points.length);
@@ -16,8 +16,8 @@ function normalsOf(points, triangles) {
   return normals;
 }
 
-/// A generator of the share that is done; it returns the mesh. `read` is as the readers give it (bindings/js/formats.d.ts). Throws an
-/// Error that says what is wrong.
+/// A generator of the share that is done; it returns the mesh. `read` is the result of the readers
+/// (bindings/js/formats.d.ts). Throws an Error that says what is wrong.
 export function* prepared(restrip, name, read) {
   const mesh = read.baked ? restrip.baked(read.baked) : read.base ? restrip.progressive(read) : yield* restrip.simplifying(read);
   try {

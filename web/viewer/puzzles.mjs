@@ -20,9 +20,9 @@ export class Puzzles {
     this.#numbers = new Map(this.#rows.map((row, n) => [ruleName(row.k, row.a, row), n]));
   }
   get count() { return this.#rows.length; }
-  /// How many splits of real meshes met it.
+  /// The number of splits of real meshes that use it.
   met(n) { return this.#rows[n].met; }
-  /// The puzzle of a day, by days since 1970: no easy one, and one that real meshes meet.
+  /// The puzzle of a day, by days since 1970: not an easy one, and one from real meshes.
   daily(day) {
     const numbers = this.#rows.flatMap(({ k, met }, n) => (k >= 5 && k <= 7 && met > 0 ? [n] : []));
     return numbers[day * 7919 % numbers.length];
@@ -31,12 +31,13 @@ export class Puzzles {
     const { k, a, ports, joined } = this.#rows[n];
     return new Puzzle(k, a, fullest(k, ports, joined), ports);
   }
-  /// A patch from elsewhere, which is valid; seen from its other new triangle where that is how tables have it.
+  /// A valid patch from elsewhere; seen from its other new triangle if the tables have it so.
   of({ k, a, loop, ports }) {
     const seen = listed(k, a, BigInt(loop), BigInt(ports));
     return new Puzzle(k, seen.a, seen.loop, seen.ports);
   }
-  /// The rule of a puzzle: which it is, its name in the atlas, and its reason for the very patch. Null beyond the certificate.
+  /// The rule of a puzzle: its number, its name in the atlas, and its reason for this patch. Null beyond the
+  /// certificate.
   find(puzzle) {
     const { k, a, loop, ports } = puzzle;
     if (k > 8) return null;

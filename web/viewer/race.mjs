@@ -1,17 +1,18 @@
-// The race: four index buffers take the same steps of the level. What counts is the sum of the bytes that changes write and the bytes
-// that drawn frames read. Two of the buffers are drawn side by side; what a step has written is lit.
+// The race: four index buffers take the same steps of the level. The score is the sum of the bytes that changes write
+// and the bytes that drawn frames read. Two of the buffers are drawn next to each other; the triangles that a step has
+// written are highlighted.
 import { Pane } from './pane.mjs';
 import { Pace } from './pace.mjs';
 import { Painter } from './ribbon.mjs';
 import { Lane, ways } from './lanes.mjs';
 import { asBytes, asNumber, asRatio, barRow, fineTriangles, indexWidth, showLevel } from './figures.mjs';
 
-/// Milliseconds for which what was written is lit, where things may move.
+/// Milliseconds of the highlight, if animation is allowed.
 const litFor = 900;
-/// Steps of a run to its turning point, and as many back.
+/// Steps of a run to its turning point; the same number leads back.
 const runSteps = 100;
 
-/// One of the two pictures: a lane, drawn from a copy of its index buffer on the card or as ribbons beside it.
+/// One of the two pictures: a lane, drawn from a copy of its index buffer on the card or as ribbons.
 class Track {
   constructor(canvas, viewer, restored) {
     this.pane = new Pane(canvas, viewer.camera, { changed: () => viewer.ask(), lost: () => viewer.lost(), restored });
@@ -44,10 +45,10 @@ class Track {
 export class Race {
   lanes = null;  // by their ways
   at = 0;  // the level of all of them
-  tracks = null;  // the other's, and that of maintained strips
-  #work = null;  // what is to be done, in pieces
+  tracks = null;  // the other lane's track, and the track of maintained strips
+  #work = null;  // the work left, in pieces
   #pace = null;
-  #resting = false;  // nothing of it is left
+  #resting = false;  // none is left
   #counts = false;  // the lanes have arrived at the level from which on steps count
   #stepped = -Infinity;  // when the last step was
   #ahead = null;  // levels of a run that lie ahead
@@ -151,7 +152,7 @@ export class Race {
       this.#work = this.#pieces();
       this.#pace = new Pace();
     }
-    // Where nothing may move by itself, a run is seen at its end.
+    // Without animation a run shows only its end.
     const ends = viewer.moves ? ['step', 'rest'] : ['rest'];
     this.#pace.begin();
     const until = performance.now() + this.#pace.budget;
@@ -171,8 +172,8 @@ export class Race {
     return !this.settled || (viewer.moves && strength > 0);
   }
 
-  // ---- what is said
-  /// What a change costs with that many drawn frames: the bytes written and read, of each way.
+  // ---- text
+  /// The cost of a change with that many drawn frames: the bytes written and read, for each way.
   costs(frames) {
     return Object.fromEntries(Object.entries(this.lanes).map(([way, { total: { steps, written, drawn } }]) => {
       const [write, read] = [written / Math.max(1, steps), drawn / Math.max(1, steps)];
@@ -186,7 +187,7 @@ export class Race {
     const { steps, operations } = lanes.kept.total;
     by('sums').hidden = steps === 0;
     if (steps === 0) {
-      by('race-text').textContent = 'Move the level, or press Run. What a step writes is lit.';
+      by('race-text').textContent = 'Move the level, or press Run. The triangles that a step writes are highlighted.';
       return;
     }
     const frames = 10 ** by('frames').value;

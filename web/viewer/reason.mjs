@@ -26,9 +26,9 @@ export function casesOf(text) {
   return cases;
 }
 
-/// What each case shows of any sound colouring in it: why its sets cannot be all solid, how many edges are dashed at least,
-/// and the triangles that are then alone in one with no more. Throws where a case does not show that no sound colouring has
-/// fewer dashed edges than `inner`, or as many and fewer triangles alone.
+/// What each case shows for any sound colouring in it: why its sets cannot be all solid, the least number of dashed
+/// edges, and the triangles that are alone in a colouring with this number. Throws if a case does not show that no
+/// sound colouring has fewer dashed edges than `inner`, or the same number and fewer triangles alone.
 export function shown(puzzle, text, inner) {
   const edges = puzzle.edges.length;
   const all = (1n << BigInt(edges)) - 1n;

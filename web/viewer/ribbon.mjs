@@ -17,7 +17,7 @@ function colorOf(hue, saturation, lightness) {
 }
 /// Whether a corner is at an end of a side.
 const isEnd = (corner, side) => side >= 0 && (corner === side || corner === (side + 1) % 3);
-const fresh = colorOf(0.12, 1, 0.56);  // triangles that have just come, and are of no strip yet
+const fresh = colorOf(0.12, 1, 0.56);  // new triangles, which are not part of a strip yet
 
 export class Ribbon {
   /// `data`: StripMesh.ribbon. `before`: the ribbon whose colours continue.
@@ -70,7 +70,7 @@ export class Ribbon {
       taken.add(name);
     }
   }
-  /// One whose colour differs most from those of the neighbours, among the next few.
+  /// Of the next few names, the one whose colour differs most from the neighbours' colours.
   #newName(strip) {
     const near = new Set();
     for (let i = strip.first; i < strip.first + strip.count; ++i)
@@ -115,7 +115,7 @@ export class Ribbon {
   }
   /// Corners for the graphics card, six numbers each: a point; red, green and blue, with a bit for each side that is a wall and one
   /// for each side at the rim of `only`; how far along its strip it lies, and how long that is. `moved`: points that are elsewhere;
-  /// `only`: triangles that are to be told from all others.
+  /// `only`: triangles to be distinguished from all others.
   vertices(points, { moved = null, only = null } = {}) {
     const { data } = this;
     const out = new Float32Array(18 * this.count);
@@ -191,7 +191,7 @@ export class Ribbon {
     return out;
   }
 
-  /// The triangles of this ribbon, joined as they were in `before`: what a split leaves before anything is mended.
+  /// The triangles of this ribbon, joined as they were in `before`: the state after a split, before the rule.
   cutOf(before) {
     const data = this.data.slice();
     for (let i = 0; i < this.count; ++i) {

@@ -79,7 +79,7 @@ void main() {
   pixel = vec4(mix(color, vec3(1.0), max(max(bright.x, bright.y), bright.z)), 1.0);
 }`;
 export class Scene {
-  bytesUploaded = 0;  // of the index buffer, since it was asked last
+  bytesUploaded = 0;  // of the index buffer, since the last query
   #gl;
   #programs = {};
   #room = 0;
@@ -135,7 +135,7 @@ export class Scene {
     gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW);
     this.#room = 0;
   }
-  /// Storage for so many indices, so that none need be made while they grow.
+  /// Makes storage for `count` indices, so that growth does not need new storage.
   reserve(length) {
     const gl = this.#gl;
     gl.bindVertexArray(this.surface);
@@ -160,8 +160,8 @@ export class Scene {
     }
   }
 
-  /// Vertices of a Ribbon, for one draw call: vertices of the mesh are shared among strips, so that each triangle has three
-  /// corners of its own here.
+  /// Vertices of a Ribbon, for one draw call: vertices of the mesh are shared among strips, so each triangle has three
+  /// separate corners here.
   paint(vertices) {
     const gl = this.#gl;
     this.ribbon.size = vertices.length / 6;
@@ -176,9 +176,9 @@ export class Scene {
   }
 
   /// `style`: shaded, list (the same from a buffer that is a triangle list), strips (the ribbon as it was painted). `patch`: triangles
-  /// to be marked; `dots`: vertices. `glow`: triangles that are lit, and how much, from 0 to 1. `list`: draws these triangles instead
-  /// of the live buffer, to compare with it. `time`: of the light that runs along strips, in seconds; less than 0: none. `peel`: how
-  /// much of the ribbon lies flat, from 0 to 1.
+  /// to be marked; `dots`: vertices. `glow`: highlighted triangles, and the strength, from 0 to 1. `list`: draws these
+  /// triangles instead of the live buffer, to compare with it. `time`: of the light that runs along strips, in seconds;
+  /// less than 0: none. `peel`: how much of the ribbon lies flat, from 0 to 1.
   draw(camera, { style, length, patch, dots, glow, list, ink, paper, time = -1, peel = 0 }) {
     const gl = this.#gl;
     this.#clear(paper);

@@ -1,5 +1,5 @@
-// Your turn: a visitor colours a patch after its split; the page counts the strips, names what is wrong, and shows from the
-// certificate why nobody can do better.
+// Your turn: a visitor colours a patch after its split; the page counts the strips, names what is wrong, and shows from
+// the certificate why no colouring is better.
 import { embedded } from './embedded.mjs';
 import { fanPicture, ringPicture } from './patch.mjs';
 import { bitsIn } from './judge.mjs';
@@ -11,7 +11,7 @@ const counted = (n, what) => `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 
 const together = (words) => (words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`);
 const bitsOf = (mask) => [...mask.toString(2)].reverse().flatMap((bit, n) => (bit === '1' ? [n] : []));
 
-/// What is wrong with a colouring, in a few words.
+/// The fault of a colouring, in a few words.
 export function faultText({ names }, { kind, triangles, ports }) {
   const named = together(triangles.map((node) => names[node]));
   if (kind === 'branch') return `${named} has three solid lines, so it branches`;
@@ -36,14 +36,14 @@ const whyNot = {
 export class Turn {
   puzzle = null;
   inner = 0n;  // solid inner edges
-  seen = null;  // of the reason: { inner, fault } that is shown in place of the visitor's colours
+  seen = null;  // of the reason: { inner, fault } that is shown instead of the visitor's colours
   #loading = null;
 
   constructor(viewer, by) {
     this.viewer = viewer;
     this.by = by;
     by('take').addEventListener('click', () => this.take());
-    for (const [id, colors, clicks] of [['turn-again', 'first', 0], ['turn-rule', 'best', -Infinity]])  // what the rule solves does not count
+    for (const [id, colors, clicks] of [['turn-again', 'first', 0], ['turn-rule', 'best', -Infinity]])  // solutions by the rule do not count
       by(id).addEventListener('click', () => {
         this.clicks = clicks;
         this.#paint(this[colors]);
@@ -79,7 +79,8 @@ export class Turn {
     while (this.solved.has(number)) ++number;
     return number;
   }
-  /// The puzzle and the colours that a link names; without them what is there, at first the easiest puzzle that was not solved yet.
+  /// The puzzle and the colours of a link; without them the present ones, at first the easiest puzzle that was not
+  /// solved yet.
   async goTo({ puzzle, mine }) {
     if (this.viewer.part !== 'turn' && puzzle === undefined) return;
     await this.#load();
@@ -90,7 +91,7 @@ export class Turn {
     const inner = BigInt(`0x${mine}`);
     if (inner < 1n << BigInt(this.puzzle.edges.length) && inner !== this.inner) this.#paint(inner);
   }
-  /// What a link says of it.
+  /// Its part of a link.
   get state() {
     if (!this.puzzle || this.viewer.part !== 'turn') return {};
     return { puzzle: this.puzzle.name, mine: this.inner === this.first ? undefined : this.inner.toString(16) };
@@ -119,7 +120,7 @@ export class Turn {
     this.#paint(this.first);
   }
 
-  // ---- what is pressed
+  // ---- input
   /// The line that is nearest to a pointer, if one is near.
   #nearest({ clientX, clientY }) {
     const lines = [...this.by('turn-after').querySelectorAll('.hit')];
@@ -145,7 +146,7 @@ export class Turn {
     this.by('turn-after').querySelector(`[data-edge="${edge}"]`).focus({ preventScroll: true });
   }
 
-  // ---- what is seen
+  // ---- drawing
   #paint(inner) {
     this.inner = inner;
     this.#see(null);
@@ -170,8 +171,8 @@ export class Turn {
     this.#tellVerdict(fault);
   }
 
-  // ---- what is said
-  /// `fault`: of what is seen.
+  // ---- text
+  /// `fault`: of the colouring shown.
   #tellVerdict(fault) {
     const { puzzle, inner, best } = this;
     const verdict = this.by('turn-verdict');
@@ -186,10 +187,10 @@ export class Turn {
     }
     const { before } = puzzle;
     const count = `${counted(strips, 'strip')} in the patch; before the split there ${before === 1 ? 'was' : 'were'} ${before}.`;
-    const worth = inner === best ? 'Nobody can do better; the rule does the same.'
-      : solved ? 'Nobody can do better. The rule takes other lines, which are as good.'
+    const worth = inner === best ? 'No colouring is better; the rule does the same.'
+      : solved ? 'No colouring is better. The rule takes other lines, which are equally good.'
         : strips > least ? 'Fewer are possible.'
-          : `Nobody has fewer, but ${isAlone(puzzle, alone)}, and it can be done with ${leastAlone.length === 0 ? 'none' : 'fewer'} alone.`;
+          : `Fewer are impossible, but ${isAlone(puzzle, alone)}, and it can be done with ${leastAlone.length === 0 ? 'none' : 'fewer'} alone.`;
     verdict.textContent = `${count} ${worth}`;
     if (solved && this.clicks > 0) this.#remember();
   }
@@ -221,16 +222,15 @@ export class Turn {
     const said = `Fewer strips means fewer dashed lines. The rule leaves ${edges - bitsIn(best)} of the ${edges} lines inside dashed.`;
     this.lists = found ? shown(puzzle, found.reason, best) : [];
     this.by('turn-reason').innerHTML = found
-      ? `<p>${said} Nobody can leave fewer. Press a set of lines to see why they cannot all be solid.</p>` +
+      ? `<p>${said} Fewer are impossible. Press a set of lines to see why they cannot all be solid.</p>` +
         this.lists.map((list, n) => listText(puzzle, best, list, n)).join('')
-      : `<p>${said} Certificates with such reasons end at vertices of 8 triangles. A proof for vertices of any number of triangles says
-        that nobody can leave fewer.</p>`;
+      : `<p>${said} Certificates with such reasons end at vertices of 8 triangles. A proof for vertices of any number of triangles says that fewer are impossible.</p>`;
   }
 }
 
 const isAlone = ({ names }, triangles) => `${together(triangles.map((node) => names[node]))} ${triangles.length === 1 ? 'is' : 'are'} alone`;
 
-/// One list of a reason as a page has it: its case, its sets as buttons, and what they show.
+/// One list of a reason on the page: its case, its sets as buttons, and what they show.
 function listText(puzzle, best, { solid, dashed, why, least, left }, list) {
   const line = (edge) => puzzle.edgeName(edge);
   const given = [...bitsOf(solid).map((edge) => `${line(edge)} is solid`), ...bitsOf(dashed).map((edge) => `${line(edge)} is dashed`)];
@@ -240,14 +240,14 @@ function listText(puzzle, best, { solid, dashed, why, least, left }, list) {
     <button data-list="${list}" data-set="${n}" aria-pressed="false">${bitsOf(set).map(line).join(', ')}</button>
     ${quantity[bitsIn(set)] ?? 'all '}solid: ${faultText(puzzle, fault)}.</li>`);
   if (why.length > 0) parts.push(`<ol class="sets">${sets.join('')}</ol>`);
-  const own = why.length > 1 ? `No two sets share a line, so each has a dashed line of its own: ${why.length}`
+  const own = why.length > 1 ? `No two sets share a line, so each has a different dashed line: ${why.length}`
     : why.length === 1 ? 'One line is dashed' : 'No other line need be dashed';
   const settled = bitsIn(dashed);
   const all = settled > 0 ? `, with ${settled === 1 ? 'the line' : `the ${settled} lines`} of this case ${least}` : '';
   const ours = puzzle.edges.length - bitsIn(best);
   const its = puzzle.alone(best).length;
   const alone = least === ours && its > 0
-    ? ` With no more dashed lines than that, ${isAlone(puzzle, left)}, ${left.length > its ? 'more than' : 'as many as'} under the rule.` : '';
-  parts.push(`<p>${own}${all}. The rule leaves ${least > ours ? 'fewer' : 'as many'}.${alone}</p>`);
+    ? ` With no more dashed lines than that, ${isAlone(puzzle, left)}, ${left.length > its ? 'more than' : 'the same number as'} under the rule.` : '';
+  parts.push(`<p>${own}${all}. The rule leaves ${least > ours ? 'fewer' : 'the same number'}.${alone}</p>`);
   return parts.join('');
 }

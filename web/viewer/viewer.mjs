@@ -1,5 +1,5 @@
-// The page: a progressive mesh whose strips are kept in WebAssembly, drawn from the live index buffer or as ribbons, and
-// the parts that play with it.
+// The page: a progressive mesh whose strips are maintained in WebAssembly, drawn from the live index buffer or as
+// ribbons, and the parts that play with it.
 import { load } from '../../bindings/js/restrip.mjs';
 import { prepared } from './prepare.mjs';
 import { embedded } from './embedded.mjs';
@@ -29,10 +29,10 @@ class Viewer {
   part = 'ribbon';
   lastDone = 0;  // operations of the last frame that had any
   #asked = false;
-  #told = -1;  // the operations that the last one was told of
+  #shownOperations = -1;  // the number of operations last shown
   #moved = true;
   #done = true;
-  #waiting = false;  // the frame that was asked for is for more than the light
+  #waiting = false;  // the requested frame is not only for the light
   #seen = undefined;  // the step of a cut that is painted
   #painting = false;  // parts of the ribbon are not painted yet
   #read = false;  // the page says what a frame reads
@@ -89,15 +89,15 @@ class Viewer {
     this.race.end();
     this.begin();
   }
-  /// The base with strips from scratch; the frames that follow go up under the chosen policy. What is seen then does not
-  /// depend on what was seen before.
+  /// The base with strips from scratch; the frames that follow go up under the chosen policy. The picture then does not
+  /// depend on earlier ones.
   begin() {
     this.mesh.begin({ policy: by('policy').value, cost: by('cost').value });
     this.clicks = [];
     this.cut.end();
     this.painter.ribbon = null;
     by('cost').disabled = by('policy').value === 'baked';
-    this.#told = -1;
+    this.#shownOperations = -1;
     this.pace = new Pace();
     this.#upload();
     this.changed();
@@ -131,7 +131,7 @@ class Viewer {
     this.arrive();
     return this.mesh.ready.includes(record);
   }
-  /// What is left of the way to the level, at once.
+  /// The rest of the way to the level, at once.
   arrive() {
     if (this.#moved || !this.#done) this.#advance(Infinity);
   }
@@ -166,7 +166,7 @@ class Viewer {
     this.painter.stale();
     this.#read = false;
   }
-  /// Towards what is wanted, with at most so many operations.
+  /// Moves towards the wanted records, with at most `most` operations.
   #advance(most) {
     const { mesh } = this;
     const look = this.pane.ray(...(this.cursor ?? [0, 0]));
@@ -258,7 +258,7 @@ class Viewer {
     this.pane.save(`restrip-${this.part}-${this.level}.png`);
   }
 
-  // ---- what is said
+  // ---- text
   /// The browser has taken the graphics card, or has given it back.
   lost() {
     this.fault('The browser has taken the graphics card from this page. The picture returns when it gives it back; else load the page again.');
@@ -272,8 +272,8 @@ class Viewer {
     by('fault').hidden = false;
   }
   showLast() {
-    if (this.figures.operations === this.#told) return;
-    this.#told = this.figures.operations;
+    if (this.figures.operations === this.#shownOperations) return;
+    this.#shownOperations = this.figures.operations;
     const last = this.figures.operations > 0 ? this.mesh.last : null;
     this.marked = null;
     if (last && this.lastDone === 1) {

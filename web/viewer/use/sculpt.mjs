@@ -1,5 +1,5 @@
-// Refines the mesh where a brush is. Returns the triangles that went and those that came, each
-// with its place in the index buffer. `wanted`: a byte for each record; `seen`: the list so far.
+// Refines the mesh where a brush is. Returns the triangles removed and added, each with its place in the index buffer.
+// `wanted`: a byte for each record; `seen`: the list so far.
 export function stroke(mesh, { center, radius }, wanted, seen) {
   const { points, splits } = mesh;
   for (let i = 0; i < mesh.levels; ++i) {

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 
-// For a list the mesh has begun with the policy 'bare', which keeps no strips.
+// For a list the mesh has begun with the policy 'bare', which does not maintain strips.
 export function geometryOf(mesh) {
   const most = mesh.figures.triangles + 2 * mesh.levels;  // of the finest level
   return new BufferGeometry()
@@ -21,7 +21,7 @@ export function follow(mesh, geometry, strips = false) {
   geometry.setDrawRange(0, indices.length);
 }
 
-// An experiment: one object is drawn as a triangle strip, which three.js has no word for.
+// An experiment: one object is drawn as a triangle strip, which three.js does not support.
 export function drawAsStrips(renderer, object) {
   const gl = renderer.getContext();
   const draw = gl.drawElements.bind(gl);

@@ -59,8 +59,8 @@ enum class Refusal {
     case Refusal::vertex_in_use:
       return "the vertex named for the split is already in use";
     case Refusal::vertex_too_far:
-      return "the vertex named for the split is so far beyond those of the mesh that the vertices between would fill "
-             "the memory: build the mesh with as many vertices as it is going to have";
+      return "the vertex named for the split is so far beyond the vertices of the mesh that the gap would fill the "
+             "memory: build the mesh with its final number of vertices";
     case Refusal::other_valence:
       return "the vertex to be removed does not have the number of triangles that this operation needs";
     case Refusal::other_patch:

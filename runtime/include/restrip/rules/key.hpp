@@ -98,7 +98,7 @@ constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
   RESTRIP_ASSERT(patch.k <= max_word_valence, "key of a mask", no_such_fan);
   if ((inner & ~low_bits(patch.colors())) != 0 || (fan_ports & ~low_bits(patch.k)) != 0) return false;
   const Word edges = inner & low_bits(patch.edges());
-  const Word below = (edges << 1) | (edges >> (patch.size() - 1));  // a path has no edge to bring round
+  const Word below = (edges << 1) | (edges >> (patch.size() - 1));  // a path lacks the edge that closes a ring
   const bool chord = patch.has_chord() && has(inner, patch.chord());
   // The chord is the third edge of A and D, as a port is of the other triangles.
   const Word third = patch.spread(fan_ports) | (chord ? bit(patch.inserted) | bit(patch.opposite) : 0);

@@ -45,7 +45,7 @@ class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   /// Sets the strips to maintain, on the decimater's mesh, and the rules. The strips must outlive the decimation.
   void keep(OpenMeshStrips<MeshT>& strips, HookRules rules = HookRules::local) {
-    RESTRIP_ASSERT(&strips.mesh() == &this->mesh(), "ModStripsT::keep", "these strips are those of another mesh");
+    RESTRIP_ASSERT(&strips.mesh() == &this->mesh(), "ModStripsT::keep", "these strips belong to another mesh");
     strips_ = &strips;
     rules_ = rules;
   }
