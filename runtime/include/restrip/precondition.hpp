@@ -1,4 +1,5 @@
-// What happens when a caller breaks a precondition, and when an input turns out to be unusable.
+// What happens when a caller breaks a precondition, and when an input turns out to be unusable. Every public header
+// includes this one, so a compiler of an older standard names the cause whichever header it reads first.
 //
 // Every public function checks its preconditions through one macro:
 //
@@ -26,6 +27,10 @@
 // standard library decides what happens instead of std::bad_alloc. You may define this macro too, but your definition
 // must not return.
 #pragma once
+
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
+#error "restrip needs C++20: compile with -std=c++20 (MSVC: /std:c++20) or a later standard"
+#endif
 
 #include <cstdio>
 #include <cstdlib>

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "restrip/precondition.hpp"
+
 namespace restrip {
 
 /// User data for each record, the same number of bytes for all: a texture coordinate, an error bound, a priority.

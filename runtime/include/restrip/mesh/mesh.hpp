@@ -16,11 +16,9 @@
 // moment the colouring is the old or the new one, perhaps with fewer solid edges.
 #pragma once
 
-#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
-#error "restrip needs C++20: compile with -std=c++20 (MSVC: /std:c++20) or a later standard"
-#endif
-
 #include <concepts>
+
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 

@@ -2,6 +2,8 @@
 // (precondition.hpp).
 #pragma once
 
+#include "restrip/precondition.hpp"
+
 namespace restrip {
 
 /// Why an operation is refused.

@@ -15,6 +15,8 @@
 #include <span>
 #include <vector>
 
+#include "restrip/precondition.hpp"
+
 namespace restrip {
 
 /// Misses of a cache of `cache_size` vertices, empty at first, that reads the indices of triangle lists or strips in

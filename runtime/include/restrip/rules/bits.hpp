@@ -4,13 +4,11 @@
 // Everything here is constexpr, noexcept and constant time unless it says otherwise, and nothing allocates.
 #pragma once
 
-#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
-#error "restrip needs C++20: compile with -std=c++20 (MSVC: /std:c++20) or a later standard"
-#endif
-
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
