@@ -144,7 +144,8 @@ export class StripMesh implements Disposable {
    * the buffer has become longer than `room`, or its indices wider; make a new one of `room` indices on the device. The
    * only range is then the whole buffer. Time linear in the changes. */
   update(options?: { join?: number; align?: number }): Range[] & { outgrown: boolean };
-  /** The number of indices that the buffer on the device should have room for. */
+  /** The number of indices that the buffer on the device should have room for; for a mesh with records 2 a triangle of the
+   * finest level, or more. */
   readonly room: number;
   /** The ranges to draw: the runs of the form 'lengths', else the whole buffer. */
   readonly draws: Range[];

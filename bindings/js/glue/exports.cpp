@@ -1,6 +1,7 @@
 // The functions that JavaScript calls (bindings/js/restrip.mjs), with numbers and addresses only. A caller writes
 // arguments that are lists into memory taken by restrip_take; a function that returns a list returns the address of a
 // List, which is valid until the next call of any function.
+#include "no_imports.hpp"
 #include "picture.hpp"
 #include "session.hpp"
 #include "simplify.hpp"

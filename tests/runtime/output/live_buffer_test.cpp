@@ -126,6 +126,33 @@ TEST(LiveBuffer, WidensWhenAVertexNeedsIt) {
   }
 }
 
+/// Room that was reserved is asked for once; then no update reports an outgrown buffer.
+TEST(LiveBuffer, ReservesRoomOnTheDevice) {
+  std::mt19937 random(23);
+  for (const StripForm form : forms)
+    for (const IndexWidth width : widths) {
+      StripMesh mesh = sample::octahedron();
+      stripify(mesh);
+      Keeper keeper(mesh, Policy::quick, Cost::indices());
+      std::vector<Triangle> changed;
+      mesh.watch(&changed);
+      LiveBuffer buffer({.form = form, .width = width});
+      Device device;
+      device.upload(buffer, buffer.update(mesh, changed));
+      buffer.reserve(1000);
+      for (int round = 0; round < 150; ++round) {
+        changed.clear();
+        random_operation(keeper, random, true);
+        const Upload upload = buffer.update(mesh, changed);
+        ASSERT_EQ(upload.outgrown, round == 0);
+        device.upload(buffer, upload);
+        ASSERT_EQ(device.drawn(buffer, form), triangles_of(mesh));
+      }
+      EXPECT_GT(mesh.triangle_count(), 100U);
+      mesh.watch(nullptr);
+    }
+}
+
 TEST(LiveBuffer, HasNoBatches) {
   EXPECT_THROW(LiveBuffer({.most_vertices = 64}), std::invalid_argument);
   EXPECT_THROW(LiveBuffer({.most_indices = 64}), std::invalid_argument);

@@ -51,13 +51,13 @@ class LiveBuffer {
     whole_ = true;
     std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
     whole_ = false;
-    if (size() > room_) room_ = size() + size() / 4;
+    make_room();
   }
   /// Brings the buffer in step with the mesh, like the update() of its buffer, and throws the same; then the next
   /// update writes everything. The result is valid until the next call.
   template <NumberedMesh Mesh>
   Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {}) {
-    const std::size_t old_bytes = index_bytes() * room_;
+    const std::size_t old_bytes = device_bytes_;
     const bool widens = format_.width == IndexWidth::automatic && index_bytes() == 2 && !fits_16_bits(mesh, changed);
     std::span<const IndexRange> ranges{&all_, 1};
     if (whole_ || widens) {
@@ -68,8 +68,8 @@ class LiveBuffer {
       ranges = std::visit([&](auto& buffer) { return buffer.update(mesh, changed, options); }, buffer_);
       whole_ = false;
     }
-    if (size() > room_) room_ = size() + size() / 4;
-    outgrown_ = (outgrown_ && kept_) || index_bytes() * room_ != old_bytes;
+    make_room();
+    outgrown_ = (outgrown_ && kept_) || device_bytes_ != old_bytes;
     kept_ = false;
     if (outgrown_) {
       all_ = {0, size()};
@@ -93,9 +93,11 @@ class LiveBuffer {
   /// Makes the next update write the whole buffer: for meshes that have changed without a list of changes.
   void forget() noexcept { whole_ = true; }
 
-  /// Makes room for a mesh of this many triangle numbers.
+  /// Makes room for a mesh of this many triangle numbers, here and on the device, at 2 indices a triangle or 3 in a
+  /// list. If room() grows, the next update reports an outgrown buffer.
   void reserve(std::size_t triangles) {
     std::visit([triangles](auto& buffer) { buffer.reserve(triangles); }, buffer_);
+    room_ = std::max(room_, (format_.form == StripForm::list ? 3 : 2) * triangles);
   }
 
   [[nodiscard]] const StripFormat& format() const noexcept { return format_; }
@@ -105,7 +107,7 @@ class LiveBuffer {
     return std::visit([](const auto& buffer) { return buffer.indices().size(); }, buffer_);
   }
   /// The number of indices that the buffer on the device should have room for: a quarter more than when it was last
-  /// outgrown.
+  /// outgrown, or what was reserved.
   [[nodiscard]] std::size_t room() const noexcept { return room_; }
   /// In the byte order of this machine.
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
@@ -136,6 +138,10 @@ class LiveBuffer {
       buffer_ = wide ? Buffer(TriangleListBuffer()) : Buffer(TriangleListBuffer16());
     else
       buffer_ = wide ? Buffer(StripBuffer(format_.form)) : Buffer(StripBuffer16(format_.form));
+  }
+  void make_room() noexcept {
+    if (size() > room_) room_ = size() + size() / 4;
+    device_bytes_ = index_bytes() * room_;
   }
   template <class Index>
   [[nodiscard]] std::span<const Index> indices_of() const noexcept {
@@ -168,6 +174,7 @@ class LiveBuffer {
   bool outgrown_ = false;  // by the last update
   bool kept_ = false;
   std::size_t room_ = 0;
+  std::size_t device_bytes_ = 0;  // what the device was asked to have
   IndexRange all_;
 };
 
