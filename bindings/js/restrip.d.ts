@@ -115,7 +115,7 @@ export class StripMesh implements Disposable {
 
   /** Goes to the base, makes its strips from scratch, and maintains them with these options. Policy 'baked' begins with the
    *  baked strips instead and ignores the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex number is 65,535
-   *  or above. */
+   *  or above. Defaults: 'quick', 'indices', 'restart', 32. */
   begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto' }): this;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
    * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin(), because

@@ -208,15 +208,16 @@ RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t eff
 
 /* ---- Operations -------------------------------------------------------------------------------- */
 
-/* Policies: the steps that keep strips long, and their time relative to the mesh update alone. */
+/* Policies: the steps after the rule of an operation, for RESTRIP_FEWEST_INDICES, and the time of all, relative to the
+ * mesh update alone. README.md explains the words. */
 enum {
-  RESTRIP_POLICY_BARE = 0,   /* strips are not maintained: dual edges of changed triangles become dashed */
-  RESTRIP_POLICY_RULES = 1,  /* the proven rules, only in the patch; about twice */
-  RESTRIP_POLICY_LOCAL = 2,  /* the same, and ends of strips that meet are joined; two to three times */
-  RESTRIP_POLICY_LINKED = 3, /* along the strips that touch the patch; some six times */
-  RESTRIP_POLICY_QUICK = 4,  /* small searches; some thirty times */
-  RESTRIP_POLICY_FULL = 5,   /* large searches; some hundred times */
-  RESTRIP_POLICY_BEST = 6,   /* the largest; some five hundred times */
+  RESTRIP_POLICY_BARE = 0,   /* no rule, dual edges of changed triangles become dashed; 1 */
+  RESTRIP_POLICY_RULES = 1,  /* nothing; 2 */
+  RESTRIP_POLICY_LOCAL = 2,  /* 4 looks at the strip ends of the patch; 2 to 5 */
+  RESTRIP_POLICY_LINKED = 3, /* 5 looks, chains of 2 moves; 4 to 8 */
+  RESTRIP_POLICY_QUICK = 4,  /* 12 looks, chains of 8 moves; 9 to 30 */
+  RESTRIP_POLICY_FULL = 5,   /* 70 looks, around the patch as well; 40 to 200 */
+  RESTRIP_POLICY_BEST = 6,   /* the same, then an exact window of 40 triangles; 500 to 1,000 */
   RESTRIP_POLICY_BAKED = 7   /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
 /* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A

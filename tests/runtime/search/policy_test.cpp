@@ -37,10 +37,14 @@ void expect_less_with_each_policy(Cost cost, Policy first) {
   }
 }
 
+std::string text_of(const char* path) {
+  std::ifstream file(std::string(RESTRIP_SOURCES) + path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 // README has the table as it is here.
 TEST(Policies, ReadmeHasTheirTable) {
-  std::ifstream file(RESTRIP_README);
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string readme = text_of("README.md");
   for (const PolicyRow& row : policies) {
     const bool bare = row.policy == Policy::bare;
     const std::string strips = bare ? "–" : std::to_string(most_strips_added);
@@ -53,6 +57,43 @@ TEST(Policies, ReadmeHasTheirTable) {
   }
   static_assert(default_policy == Policy::quick && default_cost == Cost::indices() && default_effort == Effort::fast);
   EXPECT_NE(readme.find("Strips are made with `fast`\nand kept with `quick`, for few indices"), std::string::npos);
+}
+
+// The other interfaces have the same policies in the same order, and the same defaults.
+TEST(Policies, EveryInterfaceHasThem) {
+  const std::string header = text_of("bindings/c/include/restrip.h");
+  const std::string types = text_of("bindings/js/restrip.d.ts");
+  const std::string script = text_of("bindings/js/restrip.mjs");
+  const std::string python = text_of("bindings/python/src/restrip/__init__.py");
+  std::string in_types = "export type Policy =";
+  std::string in_python;
+  for (const PolicyRow& row : policies) {
+    const auto number = std::to_string(static_cast<unsigned>(row.policy));
+    std::string name = row.name;
+    in_types += (row.policy == Policy::bare ? " '" : " | '") + name + "'";
+    in_python += (row.policy == Policy::bare ? "\"" : ", \"") + name + "\"";
+    for (char& letter : name) letter = static_cast<char>(letter - 'a' + 'A');
+    const std::size_t at = header.find("  RESTRIP_POLICY_" + name + " = " + number + ", ");
+    ASSERT_NE(at, std::string::npos) << name;
+    const std::string line = header.substr(at, header.find('\n', at) - at);
+    const std::string says = row.policy == Policy::bare ? "" : std::string("/* ") + row.says_indices;
+    EXPECT_NE(line.find(says + "; " + row.price + " */"), std::string::npos) << line;
+  }
+  EXPECT_NE(types.find(in_types + " | 'baked';\n"), std::string::npos) << in_types;
+  EXPECT_NE(python.find("_POLICIES = (" + in_python + ")\n"), std::string::npos) << in_python;
+  EXPECT_NE(python.find("`policy` (" + in_python + ":"), std::string::npos) << in_python;
+
+  EXPECT_NE(header.find("policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES"), std::string::npos);
+  EXPECT_NE(types.find("Defaults: 'quick', 'indices', 'restart', 32."), std::string::npos);
+  EXPECT_NE(script.find("begin({ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 }"),
+            std::string::npos);
+  EXPECT_NE(
+      script.find("{ strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } }"),
+      std::string::npos);
+  EXPECT_NE(python.find("policy: str = \"quick\", cost: Cost = \"indices\""), std::string::npos);
+  EXPECT_NE(python.find("effort: Optional[str] = \"fast\""), std::string::npos);
+  EXPECT_NE(python.find("{\"strips\": (1, 0, 0), \"indices\": (3, 1, 0)}"), std::string::npos);
+  static_assert(Cost::strips() == Cost{1, 0, 0} && Cost::indices() == Cost{3, 1, 0});
 }
 
 TEST(Policies, EachKeepsFewerStripsThanTheOneBefore) { expect_less_with_each_policy(Cost::strips(), Policy::bare); }
