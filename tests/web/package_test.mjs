@@ -306,7 +306,7 @@ function sculpts() {
   assert.ok(mesh.collapse(a, b) === null || mesh.flip(a, b) === null || mesh.flip(b, c) === null);
   assert.throws(() => mesh.moveTo(10), /call begin\(\) again/);
   assert.throws(() => mesh.approach(new Uint8Array(mesh.levels)), /call begin\(\) again/);
-  assert.throws(() => mesh.begin({ form: 'fans' }), /no form fans/);
+  assert.throws(() => mesh.begin({ form: 'fans' }), /unknown form fans/);
   assert.throws(() => mesh.begin({ bits: 8 }), /must be 16, 32/);
   assert.throws(() => mesh.update({ align: 6 }), /multiple of 4/);
   assert.throws(() => mesh.addPoint(1, NaN, 2));
@@ -519,7 +519,7 @@ function misuseThrows() {
   throws(() => restrip.progressive({ ...source, splits: [1] }), /record: 1 numbers/);
   throws(() => restrip.simplified({ points }), /triangle: no list/);
   for (const share of [-1, NaN, 2, 'half']) throws(() => restrip.simplified({ points, triangles: base }, share), /share is/);
-  for (const [wrong, why] of [[{ k: NaN }, /k is NaN/], [{ k: 2 ** 32 + 4 }, /k is 4294967300/], [{ a: -2 }, /a is -2/], [{ edges: -1n }, /edges is -1/], [{ ports: 1n << 64n }, /bits 0 to 63/], [{ family: 'fold' }, /no family fold/]])
+  for (const [wrong, why] of [[{ k: NaN }, /k is NaN/], [{ k: 2 ** 32 + 4 }, /k is 4294967300/], [{ a: -2 }, /a is -2/], [{ edges: -1n }, /edges is -1/], [{ ports: 1n << 64n }, /bits 0 to 63/], [{ family: 'fold' }, /unknown family fold/]])
     throws(() => restrip.rule({ family: 'split', k: 4, a: 2, edges: 0, ports: 0, ...wrong }), why);
 
   const mesh = restrip.progressive(source);
@@ -532,9 +532,9 @@ function misuseThrows() {
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesh)).filter((name) => !['constructor', 'close', 'levels'].includes(name));
   assert.deepEqual(own.sort(), Object.keys({ ...needStrips, ...others }).sort());
   for (const call of Object.values(needStrips)) throws(call, /call begin\(\) first/);
-  throws(() => mesh.begin({ cost: 'bytes' }), /no cost bytes/);
+  throws(() => mesh.begin({ cost: 'bytes' }), /unknown cost bytes/);
   throws(() => mesh.begin({ cost: { restart: 1, swap: -1 } }), /weight swap is -1/);
-  throws(() => mesh.begin({ policy: 'none' }), /no policy none/);
+  throws(() => mesh.begin({ policy: 'none' }), /unknown policy none/);
   throws(needStrips.update, /call begin\(\) first/);
 
   mesh.begin({ policy: 'local' });
