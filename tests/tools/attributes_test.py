@@ -265,7 +265,7 @@ for properties, said in (([("float", "nx ny")], "normals"), ([("int", "nx ny nz"
     row = " ".join(["1"] * sum(len(names.split()) for _, names in properties))
     assert ply_text(properties, [row] * 3, said).keys() == {"POSITION"}
 for properties, row, words in (([("float", "nx ny nz")], "0 0 inf", "vertex 0 has normals that are infinite or not a number"),
-                               ([("uchar", "red green blue")], "1 2 256", "vertex 0 has a colour 256, which is none of 0 to 255"),
+                               ([("uchar", "red green blue")], "1 2 256", "vertex 0 has a colour 256, which is not from 0 to 255"),
                                ([("ushort", "red green blue")], "1 2 0.5", "vertex 0 has a colour 0.5")):
     try:
         ply_text(properties, [row] * 3)
@@ -292,6 +292,6 @@ def spoil(about, file):
 refused(lambda about, _: about.update(type="VEC2"), "is not VEC3, as normals are")
 refused(lambda about, _: about.update(count=5), "has 5 values of NORMAL, and there are 294 positions")
 refused(lambda about, _: about.update(count=500), "reach beyond")
-refused(lambda about, _: about.update(componentType=5125), "no type of an attribute")
+refused(lambda about, _: about.update(componentType=5125), "is not a type of an attribute")
 refused(spoil, "vertex 1 has normals that are infinite or not a number")
 print("attributes: all hold")

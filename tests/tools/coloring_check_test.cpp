@@ -54,7 +54,7 @@ TEST(FindFault, OfALocatorThatIsNoLongerTrue) {
   mesh.set_solid(StripMesh::halfedge(0, 0), false);
   EXPECT_EQ(find_fault(mesh, locator), "4 strips, but the locator has 3");
   mesh.set_solid(StripMesh::halfedge(0, 1), true);
-  EXPECT_NE(find_fault(mesh, locator).find("in a wrong place"), std::string::npos);
+  EXPECT_NE(find_fault(mesh, locator).find("in the wrong place"), std::string::npos);
 }
 
 TEST(DecodeStrips, FollowsTheRulesOfTheCard) {

@@ -150,8 +150,8 @@ DAMAGED = (
     (set_at("accessors", 0, "count", 1 << 52), "accessors[0].count is too large"),
     (set_at("accessors", 0, "count", 5), "indices have 5, and there are 5 positions"),
     (set_at("accessors", 1, "byteOffset", 2), "which reach beyond"),
-    (set_at("accessors", 1, "componentType", 5126), "no type of an index"),
-    (set_at("accessors", 0, "componentType", 5125), "no type of positions"),
+    (set_at("accessors", 1, "componentType", 5126), "is not a type of an index"),
+    (set_at("accessors", 0, "componentType", 5125), "is not a type of positions"),
     (set_at("accessors", 0, "normalized", 1), "normalized is not a truth value"),
     (set_at("bufferViews", 0, "byteStride", 4), "byteStride is 4, not 12 to 252"),
     (set_at("bufferViews", 1, "byteLength", 1000), "bufferViews[1] reaches beyond its buffer"),
@@ -173,7 +173,7 @@ DAMAGED = (
     (lambda made: made.doc["accessors"][0].update(count=10 ** 9) or made.doc["accessors"][0].pop("bufferView"),
      "can mean"),
     (lambda made: (made.doc["meshes"][0]["primitives"][0].update(mode=4),
-                   made.doc["accessors"][1].update(count=5)), "are 5, no multiple of three"),
+                   made.doc["accessors"][1].update(count=5)), "are 5, which is not a multiple of three"),
 )
 
 
@@ -224,7 +224,7 @@ refused("bomb.glb", made.glb(), "more than 256, the limit")
 for uri, words in (("../outside.bin", "only a file in the same folder"), ("/etc/passwd", "only a file in the same folder"),
                    ("https://host/a.bin", "only a file in the same folder"), ("%2e%2e%2fa.bin", "only a file in the same"),
                    ("%zz", "only a file in the same folder"),
-                   ("data:,abc", "is not a base64"), ("data:;base64,ab!=", "is not a base64"), ("data:;base64,abc", "is not a base64")):
+                   ("data:,abc", "is not base64"), ("data:;base64,ab!=", "is not base64"), ("data:;base64,abc", "is not base64")):
     refused("bad.gltf", whole().gltf(uri), words)
 (scratch / "lost.gltf").write_bytes(whole().gltf("none.bin"))
 lost = run("stats", scratch / "lost.gltf", code=2)

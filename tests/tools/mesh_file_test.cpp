@@ -101,17 +101,19 @@ TEST(Obj, Refusals) {
   expect_refused(bare_obj, "v 0 0 0\nf 0 1 1\n", "counted from 1");
   expect_refused(bare_obj, "v 0 0 0\nf -2 1 1\n", "is not a vertex");
   expect_refused(bare_obj, "v 0 0 0\nf 1 1 x\n", "is not a vertex");
-  expect_refused(bare_obj, "v 0 0 0\nf 1 1 2\n", "refers to vertex 1 (counted from 0), but there are 1");
+  expect_refused(bare_obj, "v 0 0 0\nf 1 1 2\n", ":2: a face refers to vertex 2 (counted from 1), but there are 1");
   expect_refused(bare_obj, "v 0 0 0\nf 1 1 99999999999999999999\n", "is not a vertex");
 }
 
 TEST(Obj, RefusalsOfAttributes) {
   const std::string two = "v 0 0 0\nv 1 0 0\n";
-  expect_refused(full_obj, two + "f 1 2 3\n", "refers to vertex 2 (counted from 0), but there are 2");
-  // What comes behind as another vertex is not a vertex of the file.
-  expect_refused(full_obj, two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", "refers to vertex 2");
-  expect_refused(full_obj, two + "vt 0\nf 1/1 2/2 1/1\n", "refers to `vt` 2 (counted from 1), but there are 1");
-  expect_refused(full_obj, two + "vn 0 0 1\nf 1//1 2//3 1//1\n", "refers to `vn` 3 (counted from 1), but there are 1");
+  expect_refused(full_obj, two + "f 1 2 3\n", ":3: a face refers to vertex 3 (counted from 1), but there are 2");
+  // A vertex added for another pair of attributes is not a vertex of the file.
+  expect_refused(full_obj, two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", ":6: a face refers to vertex 3");
+  expect_refused(full_obj, two + "vt 0\nf 1/1 2/2 1/1\n",
+                 ":4: a face refers to `vt` 2 (counted from 1), but there are 1");
+  expect_refused(full_obj, two + "vn 0 0 1\nf 1//1 2//3 1//1\n",
+                 ":4: a face refers to `vn` 3 (counted from 1), but there are 1");
   expect_refused(full_obj, two + "vn 0 1\n", ":3: a `vn` of 2 numbers needs 3");
   expect_refused(full_obj, two + "vt\n", ":3: a `vt` of 0 numbers needs 1");
   expect_refused(full_obj, two + "vn 0 0 1\nvn 0 nan 1\nf 1//1 2//2 1//1\n",
@@ -223,7 +225,7 @@ TEST(Ply, AttributesOfSomeVerticesAreLeftOut) {
   EXPECT_TRUE(soup.attributes.empty());
   EXPECT_EQ(soup.left_out_attributes, std::vector<std::string>{"COLOR_0"});
   expect_refused(full_ply, header + colors + "end_header\n0 0 9 1 2 3\n1 0 9 1 2 256\n",
-                 "vertex 1 has a colour 256, which is none of 0 to 255");
+                 "vertex 1 has a colour 256, which is not from 0 to 255");
 }
 
 std::string ply_binary(bool big) {

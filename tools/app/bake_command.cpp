@@ -1,4 +1,4 @@
-// `restrip bake`: the strips of every level of detail, decided and written beside the mesh.
+// `restrip bake`: precomputes the strips of every level of detail and writes them with the mesh.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -36,7 +36,7 @@ struct BakeCommand {
 
 int run(const BakeCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_baked));
-  const files::ReportOutput told(command.json);
+  const files::ReportOutput report_output(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_baked, ".baked");
   Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
   source.subject.mended.rounding = rounding_of(source.mesh.points);
@@ -78,7 +78,7 @@ int run(const BakeCommand& command) {
           report.most_strips, counted(report.components, "connected component"),
           100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record,
           costs.bytes_per_record, counted(bytes, "byte"), report.seconds);
-  told.print(text, json.dump(2) + "\n");
+  report_output.print(text, json.dump(2) + "\n");
   return 0;
 }
 
@@ -88,7 +88,7 @@ Subcommand add_bake(CLI::App& app) {
   const auto kept = std::make_shared<BakeCommand>();
   BakeCommand& command = *kept;
   CLI::App* sub =
-      app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
+      app.add_subcommand("bake", "Precompute the strips of every level of detail and write them with the mesh");
   add_mesh_option(*sub, command.mesh, help_of_mesh(levels_kept))->required();
   add_output_option(*sub, command.out, extensions_of(writes_baked),
                     ".baked; or .glb, whose mesh is the base, with all levels in an extension (RESTRIP_baked_strips)")

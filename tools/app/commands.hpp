@@ -6,8 +6,8 @@
 
 namespace restrip::tools {
 
-/// A subcommand as it stands on the command line. `run` does it, once the line is parsed, and returns the exit code: 0,
-/// or 1 when a check failed or simplify stopped short; bad input is thrown (BadInput).
+/// A subcommand of the command line. `run` executes it after parsing and returns the exit code: 0, or 1 if a check
+/// failed or simplify stopped short. It throws BadInput on bad input.
 struct Subcommand {
   CLI::App* line;
   std::function<int()> run;

@@ -1,4 +1,4 @@
-// `restrip convert`: any mesh in, any format out, as it is.
+// `restrip convert`: writes a mesh in another format, otherwise unchanged.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -23,7 +23,7 @@
 namespace restrip::tools {
 namespace {
 
-/// A mesh in another format. Strips of the file stay where the new format has strips; a baked mesh stays one.
+/// Writes a mesh in another format. Strips are kept if the new format has strips; a baked mesh stays baked.
 struct ConvertCommand {
   NamedFile mesh;
   NamedFile out;
@@ -34,7 +34,7 @@ struct ConvertCommand {
   std::string json;
 };
 
-/// What is written of a mesh, and what of it the format left out.
+/// What was written of a mesh, and what the format left out.
 struct Converted {
   WrittenStrips written;
   std::size_t left_out = 0;
@@ -58,7 +58,7 @@ Converted converted(const Soup& soup, const ConvertCommand& command, const MeshF
   return {std::move(written), soup.triangles.size() - drawn.size()};
 }
 
-/// A baked mesh as it is, byte by byte, from one kind of file into the other.
+/// Converts a baked mesh from one container to the other, byte by byte.
 int convert_baked(const BakedBytes& found, const ConvertCommand& command, const MeshFormat& format,
                   const files::Output& out, const files::ReportOutput& report) {
   refuse_mending(command.mesh.string(), command.mending);
@@ -75,7 +75,7 @@ int convert_baked(const BakedBytes& found, const ConvertCommand& command, const 
   return 0;
 }
 
-/// All levels of a progressive or baked mesh.
+/// Writes all levels of a progressive or baked mesh.
 int convert_progressive(const ReadMesh& read, const ConvertCommand& command, const MeshFormat& format,
                         const files::Output& out, const files::ReportOutput& report) {
   const auto* baked = std::get_if<BakedBytes>(&read);

@@ -1,4 +1,4 @@
-// `restrip draw`: a mesh and its strips as a picture, or as the facts from which scripts/pictures.py draws one.
+// `restrip draw`: draws a mesh and its strips, or writes the data from which scripts/pictures.py draws them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -40,17 +40,17 @@
 namespace restrip::tools {
 namespace {
 
-/// A mesh and its strips at one level as a picture (.svg, .png); or what scripts/pictures.py needs to draw the picture
-/// of the README (.json): the same, and the rule of one split. A file that has strips is drawn with them, unless the
-/// level, the policy, the cost or the base is named.
+/// Draws a mesh and its strips at one level (.svg, .png), or writes the data (.json) from which scripts/pictures.py
+/// draws the picture in README: the mesh, its strips, and the rule of one split. A file with strips is drawn with them
+/// unless the level, the policy, the cost or the base is named.
 struct DrawCommand {
   NamedFile mesh;  ///< may be a progressive mesh; empty: the built-in mesh
   NamedFile out;
   SimplifyOptions simplify;
   bool simplify_given = false;
-  std::string way;            ///< its name; empty: the usual one (ways.hpp)
-  std::optional<Cost> cost;   ///< what is kept low; by default what the policy can
-  std::size_t triangles = 0;  ///< of the level, at least; 0: the finest one
+  std::string way;            ///< its name; empty: the default (ways.hpp)
+  std::optional<Cost> cost;   ///< the cost to minimise; by default what the policy supports
+  std::size_t triangles = 0;  ///< minimum size of the level; 0: the finest level
   Camera camera;
   PictureSize size;
   StripStyle style = StripStyle::faces;
@@ -58,10 +58,10 @@ struct DrawCommand {
   std::string json;
 };
 
-/// Moves each vertex to the mean of its neighbours, so that the made mesh's jitter does not hide it in a picture.
+/// Moves each vertex to the mean of its neighbours, so that the jitter of the made mesh does not hide it in a picture.
 void smooth(Soup& soup, int rounds) {
   for (; rounds > 0; --rounds) {
-    std::vector<std::array<float, 3>> sum(soup.points.size());  // in 32 bits, as the shipped picture was made
+    std::vector<std::array<float, 3>> sum(soup.points.size());  // 32 bits, as in the shipped picture
     std::vector<float> count(soup.points.size(), 0);
     for (const Corners& t : soup.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -90,7 +90,7 @@ struct Colored {
   StripMesh mesh;
   std::vector<Point> points;
   Mended mended;
-  std::string policy;  ///< how the strips were kept; file: they are those of the file
+  std::string policy;  ///< how the strips were kept; file: they come from the file
 };
 
 Colored colored_as_in_file(Soup soup, const DrawCommand& command) {
@@ -111,7 +111,7 @@ Colored colored_by_policy(const Source& source, const DrawCommand& command) {
           source.mesh.points, source.subject.mended, plan.way().name};
 }
 
-/// The built-in mesh where none is named, and the strips of the file where no others are asked for.
+/// The named mesh, or the built-in one. Uses the strips of the file unless the command asks for others.
 Colored colored(const DrawCommand& command) {
   if (command.mesh.empty()) return colored_by_policy(built_in_source(command), command);
   const bool others = command.triangles != 0 || command.simplify_given || !command.way.empty() || command.cost;
@@ -122,9 +122,9 @@ Colored colored(const DrawCommand& command) {
       source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given), command);
 }
 
-/// What scripts/pictures.py draws: the mesh, its strips, and the rule of one split.
+/// The data that scripts/pictures.py draws: the mesh, its strips, and the rule of one split.
 std::string facts_of(std::span<const Point> points, const std::vector<StripCorners>& strips) {
-  // Six triangles, five of them in one strip that enters and leaves, the last one in a strip of its own.
+  // Six triangles: five in one strip that enters and leaves, the sixth in a separate strip.
   constexpr SplitPosition at{6, 3};
   constexpr Word loop = 0b001111;
   constexpr Word ports = 0b110001;
@@ -195,7 +195,7 @@ std::optional<std::array<Number, 2>> two_numbers(const std::string& word) {
   return std::array<Number, 2>{*first, *second};
 }
 
-/// --camera, --size and --lines, which are returned.
+/// Adds --camera, --size and --lines and returns them.
 std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command) {
   const Camera camera;
   const PictureSize size;

@@ -1,4 +1,4 @@
-// One level of detail as a file, with its strips.
+// Writes one level of detail to a file, with its strips.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,12 @@ struct LevelFile {
   std::size_t strips = 0;
 };
 
-/// The mesh and its strips in a format that has strips. Vertices are numbered as the strips come to
-/// them; the others are left out. Throws what the format throws.
+/// The mesh and its strips in a format that has strips. Vertices are numbered in the order in which the strips use
+/// them; unused ones are left out. Throws what the format throws.
 [[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
                                    const StripOptions& options, std::span<const Attribute> attributes = {});
-/// The level of at least so many triangles, its strips kept from the base up in the way of the plan; the finest level
-/// where there are not so many. Throws BadInput at a split that is not possible.
+/// The coarsest level with at least `triangles` triangles, or the finest level if all are smaller. Its strips are kept
+/// from the base up as the plan says. Throws BadInput at a split that is not possible.
 [[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);
 /// The level as a file.
 [[nodiscard]] LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format,

@@ -1,4 +1,4 @@
-// restrip: look at a mesh, simplify it, replay its levels of detail with their strips kept by the rules.
+// restrip: inspects a mesh, simplifies it, and replays its levels of detail while the rules keep its strips.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -54,7 +54,7 @@ int run_command_line(int argc, char** argv) {
   }
   for (const Subcommand& subcommand : subcommands)
     if (subcommand.line->parsed()) return subcommand.run();
-  return exit_bad_input;  // CLI11 wants one of them
+  return exit_bad_input;  // CLI11 requires a return value
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `restrip make-mesh`: a mesh to try things with.
+// `restrip make-mesh`: makes a mesh for experiments.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -24,7 +24,7 @@ const CLI::Validator share(
     },
     "FLOAT in [0 (excluded) - 1]", "share");
 
-/// Letters to put in, take out or exchange until one word is the other.
+/// The edit distance (Levenshtein) of two words.
 std::size_t distance(const std::string& one, const std::string& other) {
   std::vector<std::size_t> row(other.size() + 1);
   std::iota(row.begin(), row.end(), 0U);
@@ -40,7 +40,8 @@ std::size_t distance(const std::string& one, const std::string& other) {
   return row.back();
 }
 
-/// What may stand for a value: from the names of CLI11's types and checks, "UINT:INT in [2 - 1000]", "TEXT:{a,b}".
+/// Describes the values of an option, given the names of CLI11's types and checks: "UINT:INT in [2 - 1000]",
+/// "TEXT:{a,b}".
 std::string values_in_words(const std::string& type) {
   if (const std::size_t open = type.find('{'); open != std::string::npos) {
     std::string words = type.substr(open + 1, type.find('}', open) - open - 1);
@@ -49,9 +50,9 @@ std::string values_in_words(const std::string& type) {
   }
   const std::string number = type.starts_with("FLOAT") ? "X" : "N";
   if (const std::size_t range = type.find(" in ["); range != std::string::npos) {
-    const std::size_t dash = type.find(" - ", range);
-    return fmt::format("{} from {} to {}", number, type.substr(range + 5, dash - range - 5),
-                       type.substr(dash + 3, type.find(']', dash) - dash - 3));
+    const std::size_t hyphen = type.find(" - ", range);
+    return fmt::format("{} from {} to {}", number, type.substr(range + 5, hyphen - range - 5),
+                       type.substr(hyphen + 3, type.find(']', hyphen) - hyphen - 3));
   }
   return type.starts_with("TEXT") ? "FILE" : number;
 }
@@ -273,7 +274,7 @@ std::string wrong_subcommand(const CLI::App& app, const std::string& argument) {
   const auto nearest = std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
     return distance(a, argument) < distance(b, argument);
   });
-  // A third of the letters may be wrong.
+  // At most a third of the letters may differ.
   const std::string advice = nearest != names.end() && 3 * distance(*nearest, argument) <= nearest->size()
                                  ? fmt::format("did you mean {}?", *nearest)
                                  : fmt::format("there are {}", list_in_words(names, "and"));

@@ -1,4 +1,4 @@
-// `restrip paper`: the figures and experiments of the paper.
+// `restrip paper`: reproduces the figures and experiments of the paper.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,10 +17,10 @@ namespace restrip::tools {
 
 namespace {
 
-/// The paper's figures and experiments, as CSV files and a report in JSON (paper_report.hpp). Files are written whole,
-/// the report last.
+/// Writes the paper's figures and experiments as CSV files and a JSON report (paper_report.hpp). Files are written
+/// atomically, the report last.
 struct PaperCommand {
-  std::filesystem::path out;  ///< a folder; made when it is not there
+  std::filesystem::path out;  ///< a folder; created if missing
   std::vector<std::filesystem::path> meshes;
   MendingOptions mending;
   PaperOptions options;
@@ -28,7 +28,7 @@ struct PaperCommand {
 };
 
 int run(const PaperCommand& command) {
-  // The report comes last: it vouches for the figures.
+  // The report is written last: if it exists, the figures are complete.
   const auto with_report = [](std::vector<files::NamedBytes> files, std::vector<files::NamedBytes> more,
                               std::string report) {
     std::move(more.begin(), more.end(), std::back_inserter(files));
@@ -60,7 +60,7 @@ Subcommand add_paper(CLI::App& app) {
   const auto kept = std::make_shared<PaperCommand>();
   PaperCommand& command = *kept;
   CLI::App* sub =
-      app.add_subcommand("paper", "Do the paper's figures and experiments again, as CSV files and a report");
+      app.add_subcommand("paper", "Reproduce the paper's figures and experiments, as CSV files and a report");
   sub->add_option("-o,--out", command.out, "the folder for report.json and CSV files")->required();
   sub->add_option("meshes", command.meshes, help_of_mesh(levels_kept))->required();
   add_simplify_options(*sub, command.options.simplify);

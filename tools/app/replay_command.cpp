@@ -1,4 +1,4 @@
-// `restrip replay`: a mesh simplified, and every vertex split played again with its strips kept.
+// `restrip replay`: simplifies a mesh and replays every vertex split while its strips are kept.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,26 +29,26 @@ namespace restrip::tools {
 namespace {
 
 struct ReplayCommand {
-  NamedFile mesh;         ///< may be a progressive mesh (.pm, .baked): then it is replayed as it is
-  bool built_in = false;  ///< make a mesh instead
+  NamedFile mesh;         ///< may be a progressive mesh (.pm, .baked), which is replayed as it is
+  bool built_in = false;  ///< make a mesh instead of reading one
   std::size_t built_in_triangles = default_made_triangles;
   SimplifyOptions simplify;
-  bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
+  bool simplify_given = false;  ///< set by the caller; refused if nothing is simplified
   ReplayOptions replay;
-  std::string way;           ///< its name; empty: the usual one (ways.hpp)
-  std::uint32_t states = 0;  ///< of each search of a way that searches; 0: its own
-  std::optional<Cost> cost;  ///< what is kept low; by default what the policy can
+  std::string way;           ///< its name; empty: the default (ways.hpp)
+  std::uint32_t states = 0;  ///< budget of each search; 0: the default of the way
+  std::optional<Cost> cost;  ///< the cost to minimise; by default what the policy supports
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
-  NamedFile out;                  ///< where a level is written, with its strips; empty: nowhere
-  std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
+  NamedFile out;                  ///< where a level is written, with its strips; empty: not written
+  std::size_t out_triangles = 0;  ///< minimum size of that level; 0: the finest level
   StripOptions strips;
-  std::filesystem::path trace;  ///< where the operations are recorded for restrip-check; empty: nowhere
+  std::filesystem::path trace;  ///< where operations are recorded for restrip-check; empty: not recorded
   MendingOptions mending;
   std::string json;
 };
 
-/// In the way of the plan; baked strips continue by the rules where a mesh goes its own ways. `trace`: may be null.
+/// Walks as the plan says. Baked strips continue by the rules where the mesh leaves its records. `trace` may be null.
 WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan, std::optional<Trace>* trace) {
   StripMesh mesh;
   if (source.original.empty()) {
@@ -59,7 +59,7 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
   }
   stripify(mesh, default_effort, plan.cost());
   WalkTaken taken{{command.walk_steps, command.seed}, {}};
-  // A walk that fails is repeated on copies, and its trace is dropped.
+  // A walk that fails is repeated on copies without its trace.
   taken.report = walk(mesh, taken.options, [&](StripMesh& on) {
     return trace != nullptr && &on == &mesh ? traced(on, plan.begin(on), claim_of(plan), *trace) : plan.begin(on);
   });
@@ -159,7 +159,7 @@ Subcommand add_replay(CLI::App& app) {
          "the index buffer that is kept in step: strips, or a plain list of triangles to compare with")
       ->check(CLI::IsMember({"strips", "list"}))
       ->default_str("strips");
-  sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
+  sub->add_option("--cycles", command.replay.cycles, "times down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();
   add_policy_option(*sub, command.way);
@@ -178,7 +178,7 @@ Subcommand add_replay(CLI::App& app) {
   sub->add_option(
       "--trace", command.trace,
       "records the first way up and the way back for restrip-check, or with --walk the walk: each operation, "
-      "the colours that it changed and what it told");
+      "the colours that it changed and what it reported");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([=, &command] {

@@ -1,5 +1,6 @@
-# Completion of `restrip` for bash: subcommands, options and their values, as the program's own help lists them; file names
-# otherwise. Installed as share/bash-completion/completions/restrip.
+# Bash completion for `restrip`: subcommands, options and their values, as listed by the program's help; otherwise file
+# names.
+# Installed as share/bash-completion/completions/restrip.
 _restrip() {
   local program=${COMP_WORDS[0]} current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} words
   COMPREPLY=()
@@ -20,5 +21,5 @@ _restrip() {
   fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
 }
-# Where nothing fits, bash completes file names.
+# bash completes file names if nothing matches.
 complete -o bashdefault -o default -F _restrip restrip

@@ -1,4 +1,4 @@
-// `restrip simplify`: a coarser mesh, or the way back as a progressive mesh.
+// `restrip simplify`: writes a coarser mesh or a progressive mesh.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -22,12 +22,12 @@ namespace {
 
 struct SimplifyCommand {
   NamedFile mesh;
-  NamedFile out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
+  NamedFile out;  ///< .pm: a progressive mesh; otherwise its base, stripified from scratch
   StripOptions strips;
   bool progressive = false;  ///< all levels in a .glb
   SimplifyOptions simplify;
-  bool size_given = false;  ///< by the caller, not by default: then it is a failure to stop short of it
-  ReadAttributes attributes = ReadAttributes::no;  ///< kept: vertices that differ in them are several
+  bool size_given = false;                         ///< set by the caller: stopping short of it is then a failure
+  ReadAttributes attributes = ReadAttributes::no;  ///< if kept, vertices that differ in them are separate
   MendingOptions mending;
   std::string json;
 };
@@ -80,7 +80,7 @@ int run(const SimplifyCommand& command) {
 Subcommand add_simplify(CLI::App& app) {
   const auto kept = std::make_shared<SimplifyCommand>();
   SimplifyCommand& command = *kept;
-  CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it, or the way back as a progressive mesh");
+  CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it, or write a progressive mesh");
   add_mesh_option(*sub, command.mesh, help_of_mesh())->required();
   add_output_option(
       *sub, command.out, extensions_of(writes_strips_or_progressive),
@@ -98,16 +98,16 @@ Subcommand add_simplify(CLI::App& app) {
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, triangles, &command] {
-    // Both sides of a seam would move on their own.
+    // The two sides of a seam would move independently.
     if (command.attributes == ReadAttributes::yes && sub->count("--boundary") == 0)
       command.simplify.boundary = BoundaryPolicy::lock;
     refuse_strip_options_elsewhere(*sub, command.out);
     command.size_given = triangles->count() + sub->count("--base") != 0;
     if (!triangles->empty() && sub->count("--base") != 0)
-      throw CLI::ValidationError("--triangles", "and --base say the same thing twice; leave one out");
+      throw CLI::ValidationError("--triangles", "and --base both set the size; leave one out");
   });
   sub->footer(
-      "Where no edge that is left may collapse, the mesh is written as coarse as it got, and standard error and\n"
+      "If no remaining edge may collapse, the mesh is written as it is then, and standard error and\n"
       "--json say why. The exit code is 1 then, if --base or --triangles asked for a coarser one.\n"
       "Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
   return {sub, [kept] { return run(*kept); }};

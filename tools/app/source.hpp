@@ -1,4 +1,4 @@
-// A mesh on its way to be replayed: read and simplified, or as a progressive or baked file has it.
+// The mesh to be replayed: read and simplified, or taken from a progressive or baked file.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,23 @@
 
 namespace restrip::tools {
 
-/// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
+/// A mesh ready to be replayed, with the triangles of its finest level (none if the file has only the splits).
 struct Source {
   Subject subject;
   ProgressiveMesh mesh;
   std::vector<Corners> original;
-  std::optional<BakedMesh> baked;  ///< when the file has its strips
+  std::optional<BakedMesh> baked;  ///< if the file contains strips
 };
 
-/// What the strips of a baked mesh cost.
+/// The costs of the strips of a baked mesh.
 [[nodiscard]] BakedCosts costs_of(const BakedMesh& baked, double seconds);
 
 [[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
-/// Throws BadInput where the file cannot be read, and where a progressive mesh is to be simplified (`options_given`) or
+/// Throws BadInput if the file cannot be read, or if a progressive mesh is to be simplified (`options_given`) or
 /// mended.
 [[nodiscard]] Source source_of(const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
                                bool options_given);
-/// The same of what was read from the file.
+/// The same, for a mesh that has been read.
 [[nodiscard]] Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending,
                                const SimplifyOptions& options, bool options_given);
 

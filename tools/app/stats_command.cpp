@@ -1,4 +1,4 @@
-// `restrip stats`: what a mesh has, and what is wrong with it.
+// `restrip stats`: counts the parts of a mesh and reports its faults.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -29,7 +29,7 @@ int run(const StatsCommand& command) {
   Soup soup = finest_level(std::move(read));
   Mended mended = mend(soup, command.mesh.string(), command.mending);
   const MeshReport report = report_on(soup);
-  mended.left_out_attributes.clear();  // nothing is written that could have them
+  mended.left_out_attributes.clear();  // irrelevant: no file is written
   out.print(as_text(report, command.mesh.string() + level, mended), as_json(report, mended));
   return 0;
 }

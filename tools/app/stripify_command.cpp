@@ -1,4 +1,4 @@
-// `restrip stripify`: a mesh's strips from scratch, told and written.
+// `restrip stripify`: makes the strips of a mesh from scratch, reports and writes them.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,18 +30,18 @@ namespace {
 
 struct StripifyCommand {
   NamedFile mesh;
-  NamedFile out;  ///< empty: the strips are counted and not written
+  NamedFile out;  ///< empty: strips are counted, not written
   StripOptions strips;
-  bool as_in_file = false;  ///< the strips that the file has, in place of the next four
+  bool as_in_file = false;  ///< use the strips of the file; the next four are ignored
   Effort effort = Effort::fast;
   std::optional<Cost> cost;
-  std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own
+  std::uint64_t limit = 0;  ///< of stripify(), per triangle; 0: its default
   std::uint64_t seed = 1;
-  bool order_for_cache = false;  ///< strips are written in an order for a vertex cache, not in that of the triangles
+  bool order_for_cache = false;  ///< write strips in vertex-cache order instead of triangle order
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
-  bool bound = false;  ///< computes what no index buffer beats
+  bool bound = false;  ///< compute a lower bound for any index buffer
 };
 
 int run(const StripifyCommand& command) {
@@ -93,7 +93,7 @@ int run(const StripifyCommand& command) {
   const double seconds_to_build = building.nanoseconds() * 1e-9;
   const double seconds_to_write = writing.nanoseconds() * 1e-9;
   const std::size_t triangles = mesh.triangle_count();
-  // Indices that are repeated, in the middle of a strip or at its beginning.
+  // Repeated indices, within a strip or at its beginning.
   const std::size_t swaps = triangles == 0 ? 0 : indices.size() + 1 - triangles - 3 * strips.size();
   const double cache_misses = acmr(indices, 16, triangles);
   nlohmann::ordered_json json{{"triangles", triangles},
@@ -176,7 +176,7 @@ Subcommand add_stripify(CLI::App& app) {
       sub->add_option("--seed", command.seed, "of annealing and windows")->check(whole_number())->capture_default_str();
   sub->add_option_function<std::string>(
          "--order", [&command](const std::string& word) { command.order_for_cache = word == "cache"; },
-         "of the strips: that of the triangles, or one that a vertex cache of 16 misses less often; as many indices")
+         "`cache`: order strips for a 16-entry vertex cache; same index count")
       ->check(CLI::IsMember({"triangles", "cache"}))
       ->default_str("triangles");
   sub->add_flag(
@@ -194,7 +194,7 @@ Subcommand add_stripify(CLI::App& app) {
     if (*limit && command.effort == restrip::Effort::fast)
       throw CLI::ValidationError("--limit", fmt::format("only {} full and best have one", effort->get_name()));
     if (*seed && !anneals)
-      throw CLI::ValidationError("--seed", "only --effort full and best with --cost indices draw at random");
+      throw CLI::ValidationError("--seed", "only --effort full and best with --cost indices use random numbers");
   });
   sub->footer("Example: restrip stripify bunny.obj --effort full -o bunny.glb");
   return {sub, [kept] { return run(*kept); }};

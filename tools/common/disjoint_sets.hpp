@@ -15,7 +15,7 @@ class DisjointSets {
     while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
     return x;
   }
-  /// False where they were in one set already.
+  /// False if they were in the same set already.
   bool unite(std::uint32_t x, std::uint32_t y) {
     x = find(x);
     y = find(y);

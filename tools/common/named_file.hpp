@@ -1,4 +1,4 @@
-// A file as a command line names it, and its format where the name does not say it: a pipe has no extension.
+// A file named on the command line, and its format if the name does not show it: a pipe has no extension.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace restrip::tools {
 
 struct NamedFile {
   std::filesystem::path path;  ///< `-`: standard input, or output
-  std::string format;          ///< an extension without its point; empty: that of the name
+  std::string format;          ///< an extension without the dot; empty: from the name
 
   NamedFile() = default;
   NamedFile(std::filesystem::path file, std::string as = {}) : path(std::move(file)), format(std::move(as)) {}
@@ -19,7 +19,7 @@ struct NamedFile {
   [[nodiscard]] bool empty() const { return path.empty(); }
   /// For messages.
   [[nodiscard]] std::string string() const { return path.string(); }
-  /// Of the format, in lower case and with its point; empty when neither says it.
+  /// The extension of the format, in lower case with its dot; empty if unknown.
   [[nodiscard]] std::string extension() const { return format.empty() ? files::extension_of(path) : "." + format; }
 };
 

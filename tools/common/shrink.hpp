@@ -7,13 +7,13 @@
 
 namespace restrip::tools {
 
-/// A sublist of `items` that fails and of which no single item can be spared, as long as `tries` calls of fails()
-/// suffice to find it; `items` itself must fail. The order is kept.
+/// A sublist of `items` that fails, in the same order. `items` itself must fail. No single item can be removed from the
+/// result, unless `tries` calls of fails() did not suffice.
 template <class Item, class Fails>
 std::vector<Item> shrink(std::vector<Item> items, Fails&& fails, std::size_t tries) {
   for (std::size_t chunk = std::max<std::size_t>(1, items.size() / 2);;) {
     bool shorter = false;
-    // From the back: later operations are more often beside the point.
+    // From the end: later operations are more often irrelevant.
     for (std::size_t stop = items.size(); stop > 0 && tries > 0;) {
       const std::size_t start = stop > chunk ? stop - chunk : 0;
       std::vector<Item> rest(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(start));

@@ -1,5 +1,4 @@
-// Medians of repeated timings, in processor time of this thread: what others do on the machine meanwhile does not
-// count.
+// Medians of repeated timings, in processor time of this thread. Other load on the machine is not counted.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +16,7 @@ class Medians {
     work();
     runs_.push_back(now() - start);
   }
-  /// The median of all runs so far; 0 when there was none.
+  /// The median of all runs so far; 0 before the first run.
   [[nodiscard]] double nanoseconds() const {
     if (runs_.empty()) return 0;
     std::vector<double> sorted = runs_;

@@ -28,8 +28,8 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-/// What all ways of baking have in common: they walk up from the base, and the flips of a record are the dual edges
-/// whose colours have changed since its split.
+/// What all bakers share. They walk up from the base; the flips of a record are the dual edges whose colours have
+/// changed since its split.
 class Baker {
  public:
   explicit Baker(BakedMesh& baked) : baked_(baked) {}
@@ -37,7 +37,7 @@ class Baker {
   Baker(const Baker&) = delete;
   Baker& operator=(const Baker&) = delete;
 
-  /// Once.
+  /// Call it once.
   BakeReport run() {
     Medians clock;
     clock.time([this] { walk_up(); });
@@ -47,7 +47,7 @@ class Baker {
 
  protected:
   virtual void begin(StripMesh& base) = 0;
-  /// Splits by split_plainly(), then changes colours as it likes.
+  /// Splits by split_plainly(), then may change colours.
   virtual void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) = 0;
   [[nodiscard]] virtual std::size_t strips() const = 0;
   [[nodiscard]] virtual std::size_t states() const = 0;
@@ -61,7 +61,7 @@ class Baker {
     return done;
   }
 
-  /// Every change of a colour is noticed. While watching is off, only those told to changed() are.
+  /// Watches every change of a colour. While watching is off, only the triangles passed to changed() are noted.
   void watch(bool on) { mesh_.watch(on ? &changed_ : nullptr); }
   void changed(Halfedge h) {
     changed_.push_back(StripMesh::triangle(h));
@@ -70,7 +70,7 @@ class Baker {
 
   /// The dual edges whose colours have changed since the last split, sorted.
   [[nodiscard]] std::vector<Halfedge> flips() {
-    // After long searches the list is a thousand times as long as what has changed for good.
+    // After long searches the list is a thousand times longer than the lasting changes.
     std::erase_if(changed_, [this](Triangle t) { return mesh_.solid_sides(t) == noted_[t]; });
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
@@ -119,7 +119,7 @@ class Baker {
     if (strips() <= report_.components) ++report_.fewest_levels;
   }
 
-  /// The other triangles have the colours that they had.
+  /// The other triangles kept their colours.
   void note_colors() {
     noted_.resize(mesh_.triangle_bound());
     for (const Triangle t : changed_) noted_[t] = static_cast<std::uint8_t>(mesh_.solid_sides(t));
@@ -142,7 +142,7 @@ class Baker {
   std::vector<std::uint8_t> noted_;
 };
 
-/// Bakes fewest strips.
+/// Bakes for the fewest strips.
 class StripBaker final : public Baker {
  public:
   StripBaker(BakedMesh& baked, std::size_t effort)
@@ -155,7 +155,7 @@ class StripBaker final : public Baker {
   [[nodiscard]] std::size_t states() const override { return trails_.states() + tunnel_.counts().states; }
 
   void begin(StripMesh& base) override {
-    // Searches on the base are cheap, and every level inherits its strips.
+    // Searches on the base are cheap, and every level inherits the result.
     constexpr std::size_t states_per_triangle = 1000;
     stripify(base, Effort::full, Cost::strips(), states_per_triangle * base.triangle_count());
     locator_.rebuild(base);
@@ -177,31 +177,31 @@ class StripBaker final : public Baker {
     edge_triangles(mesh(), chord, patch_);
     locator_.after_patch(mesh(), patch_);
     counts_->after_split(mesh(), patch_);
-    // The inserted triangles first: trails from there are the shortest.
+    // Inserted triangles first: trails from there are the shortest.
     const auto inserted = [&](Triangle t) {
       return t == StripMesh::triangle(chord) || t == StripMesh::triangle(mesh().opposite(chord));
     };
     std::stable_partition(patch_.begin(), patch_.end(), inserted);
-    // Both alone: together they are one strip.
+    // Both isolated: together they form one strip.
     if (where.spokes == VertexSplit<Halfedge>::Spokes::both && mesh().solid_degree(patch_[0]) == 0 &&
         mesh().solid_degree(patch_[1]) == 0)
       locator_.link(mesh(), chord);
   }
 
-  /// Of the component that the patch lies in.
+  /// In the component that contains the patch.
   void add_strips_since(std::size_t before) {
     counts_->add(patch_.front(), static_cast<std::ptrdiff_t>(strips()) - static_cast<std::ptrdiff_t>(before));
   }
 
-  /// Short trails from the strip ends in the patch, until their component has no strip too many or none is found. False
-  /// when the split has `cost` a strip that they do not save.
+  /// Tries short trails from the strip ends in the patch until their component has no excess strip or no trail is
+  /// found. False if the split added a strip (`cost`) that the trails did not save.
   bool join_around(bool cost) {
     bool saved = !cost;
     while (counts_->can_spare(patch_.front())) {
       ends_.clear();
       for (const Triangle t : patch_)
         if (mesh().solid_degree(t) < 2) ends_.push_back(t);
-      // What earlier splits left behind is worth a short look only: it has been searched for already.
+      // Excess strips of earlier splits get a short search only: they were searched for already.
       constexpr std::size_t short_look = 20'000;
       if (ends_.empty() || !join(saved ? std::min(effort_, short_look) : effort_)) break;
       counts_->add(patch_.front(), -1);
@@ -210,7 +210,7 @@ class StripBaker final : public Baker {
     return saved && (!counts_->can_spare(patch_.front()) || ++waited_ < wait_);
   }
 
-  /// Unwatched, because the search tries many more colours than it keeps.
+  /// Does not watch, because the search tries many more colours than it keeps.
   bool join(std::size_t most_states) {
     watch(false);
     const bool joined = trails_.join(mesh(), locator_, ends_, most_states);
@@ -220,7 +220,7 @@ class StripBaker final : public Baker {
     return joined;
   }
 
-  /// Tunnelling: first from the patch, then from every strip end of the mesh.
+  /// Tunnels from the patch first, then from every strip end of the mesh.
   void join_from_afar() {
     const std::vector<Halfedge> flips_before = flips();
     const std::size_t strips_before = strips();
@@ -232,9 +232,8 @@ class StripBaker final : public Baker {
       rounds_.run(mesh(), locator_, tunnel_, effort_ / 4, counts_->needed(),
                   [this](Triangle t) { return counts_->can_spare(t); });
       if (strips() < strips_before) counts_->recount(mesh());
-      // Where little is found, the next try can wait, and the longer the more often that was so. Where some of many
-      // strips too many are found, as in components that need more than they are known to, waiting continues for a
-      // while.
+      // If little is found, the wait doubles. If some of many excess strips are found, as in components that need more
+      // strips than their bound, it halves. Otherwise the next attempt follows at once.
       const std::size_t found = strips_before - strips();
       const std::size_t wanted = strips_before - counts_->needed();
       waited_ = 0;
@@ -244,7 +243,7 @@ class StripBaker final : public Baker {
         wait_ = 8 * found < wanted ? std::max<std::size_t>(wait_ / 2, 1) : 1;
     }
     if (strips() < strips_before) return;
-    // Searches that found nothing have wandered, and those flips need not be played.
+    // A search that found nothing has moved strips; its flips need not be played.
     const std::vector<Halfedge> flips_after = flips();
     std::vector<Halfedge> wandered;
     std::set_symmetric_difference(flips_before.begin(), flips_before.end(), flips_after.begin(), flips_after.end(),
@@ -257,7 +256,7 @@ class StripBaker final : public Baker {
 
   std::size_t effort_;
   StripLocator locator_;
-  std::optional<ComponentStrips> counts_;  // of the mesh; from begin() on
+  std::optional<ComponentStrips> counts_;  // of the mesh; set by begin()
   TrailSearch trails_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};
@@ -267,13 +266,14 @@ class StripBaker final : public Baker {
   std::size_t waited_ = 0;
 };
 
-/// Bakes fewest indices: after each plain split a short search at the strip ends around it, with chains as long as they
-/// get, then an exact window. It changes the fewest colours that a saving takes, because each is played at run time.
+/// Bakes for the fewest indices. After each plain split, it searches briefly at the strip ends around it, with chains
+/// of any length, and then solves an exact window. It changes the fewest colours that achieve a saving, because each
+/// flip is played at run time.
 class IndexBaker final : public Baker {
  public:
   IndexBaker(BakedMesh& baked, const BakeOptions& options)
       : Baker(baked), search_(options.cost), window_(options.cost, 1, Windings::priced, Ties::fewest_changes) {
-    constexpr std::size_t effort_of_each = 3'900;  // look, and triangle of a window
+    constexpr std::size_t effort_of_each = 3'900;  // a strip end, and a triangle of a window
     const std::size_t each = options.effort / effort_of_each;
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
     limits_ = {.looks = static_cast<std::uint32_t>(std::min(each, most)), .length = EndSearch::max_length, .worse = 2};

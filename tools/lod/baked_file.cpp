@@ -62,7 +62,7 @@ class Writer {
     for (; value >= 128; value >>= 7) bytes_.push_back(static_cast<char>((value & 127U) | 128U));
     bytes_.push_back(static_cast<char>(value));
   }
-  /// Ascending numbers, each by how much it is beyond the least it could be.
+  /// Writes ascending numbers, each as its difference from the smallest possible value.
   void put_ascending(const std::vector<std::uint64_t>& numbers) {
     std::uint64_t least = 0;
     for (const std::uint64_t n : numbers) {

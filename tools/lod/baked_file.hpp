@@ -1,5 +1,5 @@
-// Baked progressive meshes as files: docs/reference/file-formats.md has the format. Compact, versioned, with a checksum
-// over every byte.
+// Baked progressive meshes as files. docs/reference/file-formats.md specifies the format: compact, versioned, with a
+// checksum over every byte.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace restrip::tools {
 
-/// Throws BadInput when the bytes are not of this format, or of another version, truncated, altered, or describe splits
-/// or colours that no mesh can have. Plays all records once.
+/// Throws BadInput if the bytes have another format or version, are truncated or altered, or describe splits or colours
+/// that no mesh can have. Plays all records once.
 [[nodiscard]] BakedMesh parse_baked(std::string_view bytes, const std::string& name);
 
 /// Renumbers the vertices in order of appearance, as pm_bytes does.

@@ -30,7 +30,7 @@ std::vector<Corners> in_order(std::span<const Corners> triangles) {
   return made;
 }
 
-/// The extension's member of the only mesh that has one.
+/// The extension object of the only mesh that has one.
 std::optional<JsonPlace> extension_in(const GltfFile& file) {
   std::optional<JsonPlace> found;
   const JsonPlace meshes = file.root()["meshes"];
@@ -46,7 +46,7 @@ std::optional<JsonPlace> extension_in(const GltfFile& file) {
 }  // namespace
 
 WrittenStrips baked_glb_bytes(std::string_view baked, const StripOptions& options) {
-  // As whoever reads the bytes sees the mesh, not as it was made: bake and convert write the same file.
+  // The mesh as a reader of the bytes sees it, so that bake and convert write the same file.
   const BakedMesh mesh = parse_baked(baked, "the baked mesh");
   WrittenStrips written;
   const IndexBuffer buffer = format_as(options, StripForm::stitched, strip_indices(mesh.base), written);
@@ -55,29 +55,29 @@ WrittenStrips baked_glb_bytes(std::string_view baked, const StripOptions& option
   return written;
 }
 
-BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
-  GltfFile file(bytes, name, beside);
+BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
+  GltfFile file(bytes, name, sibling);
   const auto extension = extension_in(file);
   if (!extension) throw BadInput(fmt::format("{}: no mesh in it has {}", name, baked_strips_extension));
   BakedBytes found{std::string(file.view((*extension)["bufferView"].whole())), {}, {}};
   found.baked = parse_baked(found.bytes, fmt::format("{}: the {} in it", name, baked_strips_extension));
-  Soup drawn = read_gltf(bytes, name, beside);
+  Soup drawn = read_gltf(bytes, name, sibling);
   const ProgressiveMesh& mesh = found.baked.mesh;
   const auto base = points_of_base(mesh);
   if (!std::equal(drawn.points.begin(), drawn.points.end(), base.begin(), base.end()) ||
       in_order(drawn.triangles) != in_order(mesh.base))
-    throw BadInput(
-        fmt::format("{}: draws something else than the base of its {}, so the levels do not fit; remove the extension, "
-                    "or write the file again (restrip bake)",
-                    name, baked_strips_extension));
+    throw BadInput(fmt::format(
+        "{}: draws something other than the base of its {}, so the levels do not fit; remove the extension, "
+        "or write the file again (restrip bake)",
+        name, baked_strips_extension));
   found.left_out_attributes = std::move(drawn.left_out_attributes);
   return found;
 }
 
-bool is_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
-  // Without its name there is no extension, and no need to take the file apart.
+bool is_baked_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
+  // If the name does not occur, the file has no extension and need not be parsed.
   return bytes.find(baked_strips_extension) != std::string_view::npos &&
-         extension_in(GltfFile(bytes, name, beside)).has_value();
+         extension_in(GltfFile(bytes, name, sibling)).has_value();
 }
 
 }  // namespace restrip::tools

@@ -29,7 +29,7 @@ const char* fault_of_triangle(const StripMesh& mesh, Triangle t) {
   return mesh.solid_degree(t) > 2 ? "a triangle has three solid edges" : nullptr;
 }
 
-/// Leaves t over its first solid edge and follows the strip: does it come back?
+/// Leaves t over its first solid edge and follows the strip; true if it returns to t.
 bool on_short_cycle(const StripMesh& mesh, Triangle t) {
   StripMesh::Halfedge out{none};
   for (unsigned side = 0; side < 3; ++side)
@@ -83,7 +83,7 @@ std::vector<std::string> find_faults(const StripMesh& mesh) {
     if (!mesh.alive(t)) continue;
     if (const char* fault = fault_of_triangle(mesh, t)) {
       faults.push_back(fmt::format("triangle {}: {}", t, fault));
-      break;  // the first says enough, and the next may be its echoes
+      break;  // one is enough; later ones may follow from it
     }
   }
   for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
@@ -122,7 +122,7 @@ std::string find_fault(const StripMesh& mesh, const StripLocator& locator) {
       const StripLocator::Position before = locator.position(strip[i - 1]);
       const StripLocator::Position here = locator.position(strip[i]);
       if (here.strip != first.strip || here.order == before.order || (before.order < here.order) != up)
-        return fmt::format("the locator has triangle {} in a wrong place", strip[i]);
+        return fmt::format("the locator has triangle {} in the wrong place", strip[i]);
     }
   }
   return {};
@@ -130,8 +130,8 @@ std::string find_fault(const StripMesh& mesh, const StripLocator& locator) {
 
 namespace {
 
-// Triangles i - 1, i and i + 1 of a strip share a vertex, which the strip turns around at i; two turns around the same
-// one are a swap.
+// Triangles i - 1, i and i + 1 of a strip share a vertex, around which the strip turns at i. Two consecutive turns
+// around the same vertex are a swap.
 std::size_t count_swaps(const StripMesh& mesh, std::span<const Triangle> strip) {
   const auto edge_after = [&](std::size_t i) {
     for (unsigned side = 0;; ++side) {
@@ -162,8 +162,8 @@ std::string find_fault(const Keeper<StripMesh>& keeper) {
     swaps += count_swaps(keeper.mesh(), strips[s]);
     isolated += static_cast<std::size_t>(strips[s].size() == 1);
   }
-  const auto differ = [](const char* what, std::size_t counted, std::size_t told) {
-    return counted == told ? std::string() : fmt::format("{} {}, but the keeper says {}", counted, what, told);
+  const auto differ = [](const char* what, std::size_t counted, std::size_t kept) {
+    return counted == kept ? std::string() : fmt::format("{} {}, but the keeper says {}", counted, what, kept);
   };
   return differ("strips", strips.size(), keeper.strips()) + differ("swaps", swaps, keeper.swaps()) +
          differ("isolated triangles", isolated, keeper.isolated());

@@ -18,15 +18,17 @@ constexpr std::size_t hoppe_face_bytes = 14;   // three wedges and a material
 constexpr std::size_t least_split_bytes = 44;  // with one wedge's normal
 constexpr std::size_t longest_header_line = 1000;
 
-/// What the bits of a split's code say.
+/// The bits of a split's code.
 struct HoppeCode {
   unsigned bits = 0;
 
-  [[nodiscard]] unsigned corner() const { return bits & 3U; }       ///< of its face: the vertex that is split
-  [[nodiscard]] unsigned centre() const { return bits >> 2 & 3U; }  ///< 0, 1, 2: v_t, the middle or v_s was the vertex
+  [[nodiscard]] unsigned corner() const { return bits & 3U; }  ///< in its face: the vertex that is split
+  [[nodiscard]] unsigned centre() const {
+    return bits >> 2 & 3U;
+  }  ///< 0, 1, 2: the vertex was v_t, the midpoint or v_s
   [[nodiscard]] bool has_materials() const { return (bits & 0xC000U) != 0; }
-  /// Does the vertex (4: the one that stays, 7: the new one) have the same wedge inside as outside on the left (0), on
-  /// the right (1), and on both sides inside (2)?
+  /// Whether the vertex (4: the old one, 7: the new one) has the same wedge inside as outside on the left (0), on the
+  /// right (1), or on both sides inside (2).
   [[nodiscard]] bool same(unsigned vertex, unsigned where) const { return (bits >> (vertex + where) & 1U) != 0; }
 
   /// Wedges whose attributes the record changes.
@@ -132,7 +134,7 @@ class HoppeReader {
   }
   void set_point(Vertex v, const Point& p) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      refuse(fmt::format("vertex {} comes to a place that is infinite or not a number", v));
+      refuse(fmt::format("vertex {} moves to a position that is infinite or not a number", v));
     mesh_.points[v] = p;
   }
 
@@ -162,7 +164,7 @@ class HoppeReader {
         if (wedge >= wedges) refuse(fmt::format("a face of its base refers to wedge {} of {}", wedge, wedges));
         corner = vertex_of[wedge];
       }
-      if (degenerate(face)) refuse("a face of its base has a corner twice; write it again without");
+      if (degenerate(face)) refuse("a face of its base has a corner twice; remove it");
       skip(2);
     }
     if (faces == 0) refuse("its base has no triangles, so there is nothing to replay");
@@ -212,7 +214,7 @@ class HoppeReader {
     move(record, code.centre(), large, small);
   }
 
-  /// Gives both vertices their places.
+  /// Sets the positions of both vertices.
   void move(const Record& record, unsigned centre, const Point& large, const Point& small) {
     const auto sum = [](const Point& a, const Point& b, double factor) {
       return Point{a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
@@ -230,9 +232,9 @@ class HoppeReader {
   }
 
   const std::string& name_;
-  std::string_view bytes_;  // what has not been read
+  std::string_view bytes_;  // unread bytes
   std::size_t splits_ = 0;
-  std::size_t wedge_bytes_ = 12;  // of its attributes: a normal at least
+  std::size_t wedge_bytes_ = 12;  // of its attributes: at least a normal
   std::size_t residual_bytes_ = 0;
   bool always_two_ = false;  // wedges change in every split
   ProgressiveMesh mesh_;

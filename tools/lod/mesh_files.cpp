@@ -13,7 +13,7 @@ namespace restrip::tools {
 
 ReadMesh read_mesh_file(const NamedFile& file, ReadAttributes attributes) {
   const std::string extension = file.extension();
-  const auto beside = [&file](const std::string& buffer) {
+  const auto sibling = [&file](const std::string& buffer) {
     return files::read_whole(file.path.parent_path() / buffer);
   };
   std::error_code error;
@@ -21,9 +21,9 @@ ReadMesh read_mesh_file(const NamedFile& file, ReadAttributes attributes) {
   const bool there = kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::directory;
   const MeshFormat* format = format_named(extension);
   const bool readable = extension.empty() || (format != nullptr && reads(*format));
-  // What cannot be understood is not read, as it may never end.
+  // An unknown format is not read, since the input may be endless.
   const std::string bytes = there && !readable ? "" : files::read_whole(file.path);
-  return parse_mesh(bytes, extension, file.string(), beside, attributes);
+  return parse_mesh(bytes, extension, file.string(), sibling, attributes);
 }
 
 Soup read_mesh(const NamedFile& file, ReadAttributes attributes) {

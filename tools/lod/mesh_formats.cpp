@@ -24,22 +24,22 @@ namespace restrip::tools {
 namespace {
 
 template <auto read>
-ReadMesh with_attributes(std::string_view bytes, const std::string& name, const ReadBeside& /*beside*/,
+ReadMesh with_attributes(std::string_view bytes, const std::string& name, const ReadSibling& /*sibling*/,
                          ReadAttributes attributes) {
   return read(bytes, name, attributes);
 }
 
 template <auto read>
-ReadMesh without_attributes(std::string_view bytes, const std::string& name, const ReadBeside& /*beside*/,
+ReadMesh without_attributes(std::string_view bytes, const std::string& name, const ReadSibling& /*sibling*/,
                             ReadAttributes /*attributes*/) {
   return read(bytes, name);
 }
 
-ReadMesh read_any_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside,
+ReadMesh read_any_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling,
                        ReadAttributes attributes) {
-  if (is_baked_gltf(bytes, name, beside)) return parse_baked_gltf(bytes, name, beside);
-  if (is_progressive_gltf(bytes, name, beside)) return parse_progressive_gltf(bytes, name, beside);
-  return read_gltf(bytes, name, beside, attributes);
+  if (is_baked_gltf(bytes, name, sibling)) return parse_baked_gltf(bytes, name, sibling);
+  if (is_progressive_gltf(bytes, name, sibling)) return parse_progressive_gltf(bytes, name, sibling);
+  return read_gltf(bytes, name, sibling, attributes);
 }
 
 BakedBytes read_baked_mesh(std::string_view bytes, const std::string& name) {
@@ -120,12 +120,12 @@ const MeshFormat& format_that(FormatCan can, std::string_view extension, std::st
   return *format;
 }
 
-/// At its finest level, with its strips: the triangles are in the order of these.
+/// The finest level with its strips. The triangles are in strip order.
 Soup finest_level(const BakedBytes& found) {
   const BakedMesh& baked = found.baked;
   StripMesh mesh = baked.base;
   BakedPlayer player(mesh, baked.records);
-  // Reading has played all of it once.
+  // Reading has already played all records once.
   for (std::size_t i = 0; i < baked.mesh.splits.size(); ++i)
     player.split(i, spokes_of(mesh, baked.mesh.splits[i]), baked.mesh.splits[i].v_t);
   Soup soup;
@@ -177,7 +177,7 @@ std::vector<std::string> extensions_of(FormatCan can) {
 }
 
 ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const std::string& name,
-                    const ReadBeside& beside, ReadAttributes attributes) {
+                    const ReadSibling& sibling, ReadAttributes attributes) {
   const MeshFormat* format = format_named(extension.empty() ? extension_of_bytes(bytes) : extension);
   if (!extension.empty() && (format == nullptr || !reads(*format)))
     throw BadInput(fmt::format("{}: unknown extension '{}'; name the format by --from: {}", name, extension,
@@ -186,7 +186,7 @@ ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const st
   if (format == nullptr)
     throw BadInput(fmt::format("{}: neither its name nor how it begins says what it is; name the format by --from: {}",
                                name, fmt::join(extensions_of(reads), ", ")));
-  return format->read(bytes, name, beside, attributes);
+  return format->read(bytes, name, sibling, attributes);
 }
 
 Soup finest_level(const ProgressiveMesh& source) {
@@ -229,7 +229,7 @@ WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> po
   const std::vector<Corners> drawn = decode_strips(indices);
   written.bytes = format.write_strips({points, buffer, drawn, attributes,
                                        format.forms && options.most_vertices + options.most_indices != 0, is_64_bits});
-  if (!format.forms && buffer.form != StripForm::list) written.index_bits = 0;  // nothing was chosen
+  if (!format.forms && buffer.form != StripForm::list) written.index_bits = 0;  // a list without a choice of form
   if (format.usual_form == StripForm::stitched && restarts(buffer))
     written.required_extensions = {std::string(restart_extension)};
   return written;

@@ -44,7 +44,7 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   if (is_hoppe_pm(bytes)) return parse_hoppe_pm(bytes, name);
   if (!bytes.starts_with(pm_magic))
     throw BadInput(
-        fmt::format("{}: no progressive mesh: it begins neither with '{}', as OpenMesh's do, nor with PM, as "
+        fmt::format("{}: not a progressive mesh: it begins neither with '{}', as OpenMesh's do, nor with PM, as "
                     "Hoppe's do",
                     name, pm_magic));
   if (bytes.size() < pm_header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));

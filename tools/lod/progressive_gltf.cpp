@@ -17,7 +17,7 @@
 namespace restrip::tools {
 namespace {
 
-/// The extension, which the proposal has in a primitive and its author's program in the mesh, and the primitive.
+/// The extension, which the proposal puts in a primitive and its author's program in the mesh; and the primitive.
 struct ExtensionPlace {
   JsonPlace extension;
   JsonPlace primitive;
@@ -58,7 +58,7 @@ std::string progressive_glb_bytes(const ProgressiveMesh& any) {
           fmt::format("split {} is at a boundary, for which {} has no record; simplify the mesh with --boundary lock",
                       i, progressive_extension));
 
-  // From the finest level down: where two vertices become one, it lies in the middle.
+  // From the finest level down: when two vertices merge, the new one lies at the midpoint.
   std::vector<Point> points = mesh.points;
   std::vector<Point> moves(mesh.splits.size());
   for (std::size_t i = mesh.splits.size(); i-- > 0;) {
@@ -86,7 +86,7 @@ std::string progressive_glb_bytes(const ProgressiveMesh& any) {
     put(binary, moves[i]);
   }
   const std::size_t stride = (binary.size() - records) / moves.size();
-  const std::size_t displacement = stride - 12;  // its place in a record
+  const std::size_t displacement = stride - 12;  // the offset within a record
   std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0","generator":"restrip"}},"extensionsUsed":["{0}"],"scene":0,"scenes":[{{"nodes":[0]}}],)"
       R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,"mode":4,)"
@@ -107,16 +107,16 @@ std::string progressive_glb_bytes(const ProgressiveMesh& any) {
   return glb_of_chunks(std::move(json), std::move(binary));
 }
 
-ProgressiveMesh parse_progressive_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
-  GltfFile file(bytes, name, beside);
+ProgressiveMesh parse_progressive_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
+  GltfFile file(bytes, name, sibling);
   const auto found = place_of_extension(file);
   if (!found) throw BadInput(fmt::format("{}: no mesh in it has {}", name, progressive_extension));
   const auto& [extension, primitive] = *found;
   for (const std::string& attribute : extension["attributes"].members())
     if (attribute != "POSITION")
-      extension["attributes"][attribute].refuse("is not read: splits have positions alone; export without it");
+      extension["attributes"][attribute].refuse("is not read: splits have positions only; export without it");
 
-  Soup drawn = read_gltf(bytes, name, beside);
+  Soup drawn = read_gltf(bytes, name, sibling);
   ProgressiveMesh mesh;
   mesh.file = name;
   mesh.left_out_attributes = std::move(drawn.left_out_attributes);
@@ -146,14 +146,14 @@ ProgressiveMesh parse_progressive_gltf(std::string_view bytes, const std::string
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     Point& p = mesh.points[v] = in_32_bits(mesh.points[v]);
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw BadInput(fmt::format("{}: vertex {} comes to a place that is infinite or not a number", name, v));
+      throw BadInput(fmt::format("{}: vertex {} moves to a position that is infinite or not a number", name, v));
   }
   return mesh;
 }
 
-bool is_progressive_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
+bool is_progressive_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
   return bytes.find(progressive_extension) != std::string_view::npos &&
-         place_of_extension(GltfFile(bytes, name, beside)).has_value();
+         place_of_extension(GltfFile(bytes, name, sibling)).has_value();
 }
 
 }  // namespace restrip::tools

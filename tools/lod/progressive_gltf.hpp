@@ -3,12 +3,12 @@
 // v_r, and a displacement d. The split adds v_t at v_s + d and moves v_s to v_s - d, and adds the triangles (v_s, v_t,
 // v_l) and (v_t, v_s, v_r).
 //
-// The proposal leaves open on which side v_l lies, and which triangles have v_t in place of v_s afterwards. Its two
-// triangles leave one answer: v_l lies to the left of v_s -> v_t where triangles run counter-clockwise, and the
+// The proposal leaves open on which side v_l lies, and which triangles refer to v_t instead of v_s after the split. Its
+// two new triangles allow one answer: with counter-clockwise triangles, v_l lies to the left of v_s -> v_t, and the
 // triangles counter-clockwise around v_s from v_r to v_l get v_t. Otherwise an edge would have both triangles on one
-// side. That is how Record has it.
+// side. Record uses the same convention.
 //
-// Only positions are read and written, and only splits with both v_l and v_r: the proposal has no other record.
+// Only positions are read and written, and only splits with both v_l and v_r: the proposal has no other records.
 #pragma once
 
 #include <string>
@@ -21,16 +21,16 @@ namespace restrip::tools {
 
 inline constexpr std::string_view progressive_extension = "MANYFOLD_mesh_progressive";
 
-/// A .glb whose vertices are numbered in order of appearance. Throws BadInput where a split is not possible or at a
-/// boundary, and where none exists.
+/// A .glb whose vertices are numbered in order of appearance. Throws BadInput if the mesh has no splits, or if a split
+/// is not possible or at a boundary.
 [[nodiscard]] std::string progressive_glb_bytes(const ProgressiveMesh& mesh);
 
-/// Every vertex has the place that it has in the finest mesh, rounded to 32 bits. Throws BadInput where the file is
-/// damaged, has other attributes in its records, or draws something else than one base.
+/// Every vertex has its position in the finest mesh, rounded to 32 bits. Throws BadInput if the file is damaged, has
+/// other attributes in its records, or draws anything but one base.
 [[nodiscard]] ProgressiveMesh parse_progressive_gltf(std::string_view bytes, const std::string& name,
-                                                     const ReadBeside& beside);
+                                                     const ReadSibling& sibling);
 
-/// Whether a mesh or primitive of the file has the extension. Throws BadInput where it is damaged.
-[[nodiscard]] bool is_progressive_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside);
+/// Whether a mesh or primitive of the file has the extension. Throws BadInput if the file is damaged.
+[[nodiscard]] bool is_progressive_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling);
 
 }  // namespace restrip::tools

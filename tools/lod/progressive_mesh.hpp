@@ -11,15 +11,15 @@
 
 namespace restrip::tools {
 
-/// One vertex split, by vertices; read backward, one edge collapse of v_t into v_s. The orientation is that of
-/// VertexSplit: v_l is the apex to the left of v_s -> v_t. Where the new mesh edge lies on the boundary, one apex is
+/// One vertex split, given by vertices; read backward, one edge collapse of v_t into v_s. The orientation is the same
+/// as in VertexSplit: v_l is the apex to the left of v_s -> v_t. If the new mesh edge lies on the boundary, one apex is
 /// `none`.
 struct Record {
-  Vertex v_s = none;  ///< is split, and stays
+  Vertex v_s = none;  ///< is split and stays
   Vertex v_t = none;  ///< is new
   Vertex v_l = none;
   Vertex v_r = none;
-  /// Triangles that the split adds.
+  /// The number of triangles that the split adds.
   [[nodiscard]] std::size_t triangles() const noexcept { return v_l != none && v_r != none ? 2 : 1; }
   friend bool operator==(const Record&, const Record&) = default;
 };
@@ -28,16 +28,17 @@ struct ProgressiveMesh {
   std::vector<Point> points;                          ///< of all vertices
   std::vector<Corners> base;                          ///< the triangles of the coarse mesh
   std::vector<Record> splits;                         ///< from coarse to fine
-  std::string file = {};                              ///< from which it was read, for messages; may be empty
-  std::vector<std::string> left_out_attributes = {};  ///< what the vertices of the file have besides
+  std::string file = {};                              ///< the source, for messages; may be empty
+  std::vector<std::string> left_out_attributes = {};  ///< other attributes in the file
 
-  /// Triangles of the fine mesh.
+  /// The number of triangles of the finest mesh.
   [[nodiscard]] std::size_t fine_triangles() const noexcept {
     std::size_t n = base.size();
     for (const Record& r : splits) n += r.triangles();
     return n;
   }
-  /// How many splits lead from the base to at least so many triangles; all of them where even these do not.
+  /// The number of splits from the base to the first level with at least `triangles` triangles; all splits if none is
+  /// as large.
   [[nodiscard]] std::size_t splits_to(std::size_t triangles) const noexcept {
     std::size_t level = 0;
     for (std::size_t n = base.size(); level < splits.size() && n < triangles; ++level) n += splits[level].triangles();
@@ -45,8 +46,7 @@ struct ProgressiveMesh {
   }
 };
 
-/// The spokes of a split, found by its vertices. Those that are not in the mesh come out as {none}; check_split refuses
-/// them.
+/// The spokes of a split, found by its vertices. Spokes that do not exist are {none}; check_split refuses them.
 [[nodiscard]] inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const Record& record) {
   using Split = VertexSplit<StripMesh::Halfedge>;
   if (record.v_r == none) return {mesh.spoke(record.v_s, record.v_l), {}, Split::Spokes::left_only};
@@ -54,8 +54,8 @@ struct ProgressiveMesh {
   return {mesh.spoke(record.v_s, record.v_l), mesh.spoke(record.v_s, record.v_r), Split::Spokes::both};
 }
 
-/// The spokes of the split of this number. Throws BadInput, which names the file and the split, where `now`, the mesh
-/// after the splits before it, does not allow it (checks.hpp).
+/// The spokes of the split with this number. Throws BadInput, naming the file and the split, if `now`, the mesh after
+/// the previous splits, does not allow it (checks.hpp).
 [[nodiscard]] VertexSplit<StripMesh::Halfedge> possible_split(const StripMesh& now, const ProgressiveMesh& mesh,
                                                               std::size_t number);
 

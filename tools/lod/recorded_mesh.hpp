@@ -1,5 +1,5 @@
-// A mesh that OpenMesh's decimater simplifies while StripMesh says what is legal and every collapse is recorded: what
-// simplify.cpp works on.
+// The mesh on which simplify.cpp works: OpenMesh's decimater simplifies it, StripMesh decides what is legal, and every
+// collapse is recorded.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ namespace restrip::tools {
 
 using KernelMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The fans of a mesh as vertices of another: what is one vertex of several fans here are several vertices there.
-/// Returns for each corner 3 t + s of each triangle its fan, and for each fan its vertex.
+/// The fans of a mesh as separate vertices: a vertex with several fans becomes one vertex for each. Returns the fan of
+/// each corner 3 t + s, and the vertex of each fan.
 struct Fans {
   std::vector<std::uint32_t> of_corner;
   std::vector<Vertex> vertex;
@@ -53,9 +53,9 @@ inline Fans fans_of(const StripMesh& mesh) {
   return fans;
 }
 
-/// OpenMesh's mesh with some members hidden by ours. The decimater is a template and calls them by name: so it never
-/// considers an edge that StripMesh refuses, every collapse is done on both meshes and recorded, and nobody turns
-/// around a vertex of more than most_neighbors neighbours.
+/// OpenMesh's mesh with some members hidden by ours. The decimater is a template and calls them by name. So it never
+/// considers an edge that StripMesh refuses, every collapse is done on both meshes and recorded, and no loop runs
+/// around a vertex with more than most_neighbors neighbours.
 class RecordedMesh : public KernelMesh {
  public:
   using Vertex = restrip::Vertex;  // not OpenMesh's
@@ -81,8 +81,8 @@ class RecordedMesh : public KernelMesh {
   }
 
   // ---- called by the decimater
-  /// Edges of h's tail one after the other: what was found out about the tail is kept until the next collapse. What
-  /// OpenMesh asks, StripMesh asks as well, so OpenMesh need not walk.
+  /// Judges the edges of h's tail one after another; what is known about the tail is cached until the next collapse.
+  /// StripMesh performs all of OpenMesh's checks, so OpenMesh need not walk.
   bool is_collapse_ok(HalfedgeHandle h) {
     ++steps_;
     const VertexHandle tail = from_vertex_handle(h);
@@ -104,13 +104,13 @@ class RecordedMesh : public KernelMesh {
 
   [[nodiscard]] unsigned valence(VertexHandle v) const { return neighbors_[index(v)]; }
 
-  /// The decimater wants to know only about vertices of valence 3 if they are neighbours.
+  /// The decimater calls this only for vertices of valence 3, to learn whether they are neighbours.
   [[nodiscard]] HalfedgeHandle find_halfedge(VertexHandle v, VertexHandle w) const {
     return valence(v) == 3 && valence(w) == 3 ? HalfedgeHandle(KernelMesh::find_halfedge(v, w)) : HalfedgeHandle();
   }
 
-  /// The neighbours whose best edge the decimater looks for again after a collapse: none that has no edge to offer
-  /// even with one neighbour less.
+  /// The neighbours whose best edge the decimater recomputes after a collapse. A neighbour that has no edge to offer
+  /// even with one neighbour less is skipped.
   class VertexVertexIter {
    public:
     VertexVertexIter() = default;
@@ -136,10 +136,11 @@ class RecordedMesh : public KernelMesh {
 
   Progress* progress = nullptr;
 
-  // ---- called when the decimater has no more edge
-  /// Collapses what is legal, the shortest edge of a vertex first, until there are so few triangles or none is: the
-  /// decimater does not come back to an edge that was not legal when its turn came, unless a neighbour collapses, and
-  /// never takes some that lead to good meshes, as in a fan of three. From here on OpenMesh's mesh is out of date.
+  // ---- called when the decimater has no more edges
+  /// Collapses what is legal, the shortest edge of a vertex first, until the wanted size is reached or no edge is
+  /// legal. The decimater does not return to an edge that was illegal at its turn unless a neighbour collapses. It also
+  /// never takes some edges that lead to good meshes, such as one in a fan of three. From here on, OpenMesh's mesh is
+  /// out of date.
   void collapse_what_is_left(const std::vector<restrip::tools::Point>& points, std::size_t wanted_triangles) {
     count_triangles_around();
     std::vector<Vertex> waiting;
@@ -160,7 +161,7 @@ class RecordedMesh : public KernelMesh {
       for_each_spoke(strips_, v_s, [&](StripMesh::Halfedge h) { wait(strips_.to(h)); });
     }
   }
-  /// Why each edge that is left cannot collapse.
+  /// For each remaining edge, why it cannot collapse.
   [[nodiscard]] std::vector<Obstacle> obstacles() {
     count_triangles_around();
     std::vector<Obstacle> found;
@@ -186,7 +187,7 @@ class RecordedMesh : public KernelMesh {
     return found;
   }
 
-  // ---- the outcome
+  // ---- results
   [[nodiscard]] const StripMesh& strips() const noexcept { return strips_; }
   [[nodiscard]] const BuildReport& report() const noexcept { return report_; }
   [[nodiscard]] const std::vector<Record>& collapses() const noexcept { return collapses_; }
@@ -216,7 +217,7 @@ class RecordedMesh : public KernelMesh {
   }
 
   void add_faces(const Fans& fans) {
-    // OpenMesh reports each face that it cannot hold; we count them.
+    // OpenMesh prints each face that it cannot hold; we count them.
     omerr().disable();
     for (Triangle t = 0; t < strips_.triangle_bound(); ++t) {
       const auto corner = [&](unsigned side) { return vertex_at(fans, StripMesh::halfedge(t, side)); };
@@ -226,8 +227,8 @@ class RecordedMesh : public KernelMesh {
     omerr().enable();
   }
 
-  /// add_face turns around each corner to find the edges there. We know them. Each vertex here is one fan, so there is
-  /// no face that cannot be held.
+  /// Adds all faces at once. add_face would turn around each corner to find the edges there, which are known here. Each
+  /// vertex here is one fan, so every face can be held.
   void add_faces_at_once(const Fans& fans) {
     std::vector<HalfedgeHandle> ours(3 * strips_.triangle_bound());
     const auto of = [&ours](StripMesh::Halfedge h) -> HalfedgeHandle& {
@@ -249,7 +250,7 @@ class RecordedMesh : public KernelMesh {
       }
       set_halfedge_handle(face, of(StripMesh::halfedge(t, 2)));
     }
-    // A vertex on the boundary begins with the one boundary halfedge that leaves it.
+    // A boundary vertex starts with the one boundary halfedge that leaves it.
     for (const HalfedgeHandle h : ours) {
       if (!halfedge_handle(from_vertex_handle(h)).is_valid()) set_halfedge_handle(from_vertex_handle(h), h);
       const HalfedgeHandle back = opposite_halfedge_handle(h);
@@ -283,7 +284,7 @@ class RecordedMesh : public KernelMesh {
     marked_tail_ = none;
     if (progress != nullptr) progress->at(collapses_.size());
   }
-  /// The boundary policy forbids it.
+  /// Whether the boundary policy protects the edge.
   [[nodiscard]] bool is_kept(StripMesh::Halfedge chord) const {
     return policy_ == BoundaryPolicy::lock &&
            (strips_.leaves_boundary(chord) || strips_.leaves_boundary(strips_.opposite(chord)));
@@ -302,7 +303,7 @@ class RecordedMesh : public KernelMesh {
   }
   [[nodiscard]] bool is_crowded(Vertex v) const { return around_[v] > most_neighbors; }
 
-  /// The chord of the shortest edge by which v_t may vanish, or {none}. A boundary vertex stays on the boundary.
+  /// The chord of the shortest edge by which v_t may be removed, or {none}. A boundary vertex stays on the boundary.
   StripMesh::Halfedge shortest_legal(const std::vector<restrip::tools::Point>& points, Vertex v_t) {
     StripMesh::Halfedge best;
     double least = 0;
@@ -322,7 +323,7 @@ class RecordedMesh : public KernelMesh {
     return best;
   }
 
-  /// The halfedge of our mesh from h's head to its tail, looked for around the end that has fewer neighbours.
+  /// The halfedge of our mesh from h's head to its tail, searched for around the end with fewer neighbours.
   StripMesh::Halfedge chord_of(HalfedgeHandle h) {
     const VertexHandle tail = from_vertex_handle(h);
     const VertexHandle head = to_vertex_handle(h);
@@ -334,7 +335,7 @@ class RecordedMesh : public KernelMesh {
     return back.id == none ? back : strips_.opposite(back);
   }
 
-  /// Marks the neighbours of the tail once for all its edges.
+  /// Marks the neighbours of the tail once, for all its edges.
   bool share_neighbor(Vertex head, Vertex tail, Vertex v_l, Vertex v_r) {
     if (tail != marked_tail_) {
       marked_tail_ = tail;
@@ -353,39 +354,38 @@ class RecordedMesh : public KernelMesh {
     return shared;
   }
 
-  /// KernelMesh::collapse(h), which turns around each apex to see if it lies on the boundary, without that where an
-  /// apex is large.
+  /// KernelMesh::collapse(h), without its turn around each large apex to see whether that lies on the boundary.
   void collapse_kernel(HalfedgeHandle h) {
     const HalfedgeHandle back = opposite_halfedge_handle(h);
     const VertexHandle tail = from_vertex_handle(h);
     const VertexHandle head = to_vertex_handle(h);
     unsigned merged = 0;
-    bool beside_large = false;
+    bool at_large = false;
     for (const HalfedgeHandle side : {h, back}) {
       if (is_boundary(side)) continue;
       const VertexHandle apex = to_vertex_handle(next_halfedge_handle(side));
-      beside_large = beside_large || large(apex);
+      at_large = at_large || large(apex);
       --neighbors_[index(apex)];
       ++merged;
     }
     neighbors_[index(head)] += neighbors_[index(tail)] - 2 - merged;
-    if (!beside_large) return KernelMesh::collapse(h);
+    if (!at_large) return KernelMesh::collapse(h);
     const std::array<HalfedgeHandle, 2> loops{is_boundary(h) ? HalfedgeHandle() : next_halfedge_handle(h),
                                               is_boundary(back) ? HalfedgeHandle() : next_halfedge_handle(back)};
     collapse_edge(h);
-    // One of the two edges between the head and each apex goes, and the one that KernelMesh::collapse keeps stays.
+    // One of the two edges between the head and each apex is removed; the same one as in KernelMesh::collapse.
     if (loops[0].is_valid()) remove_loop(next_halfedge_handle(loops[0]));
     if (loops[1].is_valid()) remove_loop(loops[1]);
   }
 
-  /// KernelMesh::collapse_loop. `gone` bounds, with the halfedge after it, a face of two corners.
+  /// KernelMesh::collapse_loop. `gone` and the halfedge after it bound a face of two corners.
   void remove_loop(HalfedgeHandle gone) {
     const HalfedgeHandle stays = next_halfedge_handle(gone);
     const HalfedgeHandle outside = opposite_halfedge_handle(gone);
     const FaceHandle inside_face = face_handle(gone);
     const FaceHandle outside_face = face_handle(outside);
     const auto keep_first = [&](VertexHandle v, HalfedgeHandle leaves) {
-      // A boundary halfedge that leaves v is its first one already, unless it is the one that goes.
+      // A boundary halfedge that leaves v is already its first one, unless it is being removed.
       const HalfedgeHandle first = halfedge_handle(v);
       if (first == outside || !is_boundary(first)) set_halfedge_handle(v, leaves);
     };
@@ -403,13 +403,13 @@ class RecordedMesh : public KernelMesh {
   BuildReport report_;
   StripMesh strips_;
   std::vector<std::uint8_t> frozen_;
-  std::vector<Vertex> vertex_;       // of the soup, for each vertex of OpenMesh's
-  std::vector<unsigned> neighbors_;  // of each vertex of OpenMesh's
-  // The soup's vertices around the tail whose edges are being judged have this mark.
+  std::vector<Vertex> vertex_;       // the soup's vertex of each OpenMesh vertex
+  std::vector<unsigned> neighbors_;  // of each OpenMesh vertex
+  // This marks the soup's vertices around the tail whose edges are being judged.
   std::vector<std::uint64_t> marked_;
   std::uint64_t mark_ = 0;
   Vertex marked_tail_ = none;
-  std::vector<std::size_t> around_;  // how many triangles of each vertex; empty while OpenMesh knows
+  std::vector<std::size_t> around_;  // triangles at each vertex; empty while OpenMesh is up to date
   std::size_t steps_ = 0;
   std::vector<Record> collapses_;
 };

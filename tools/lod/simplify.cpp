@@ -42,7 +42,7 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
     OpenMesh::Decimater::ModQuadricT<RecordedMesh>::Handle quadric;
     decimater.add(quadric);
     decimater.initialize();
-    // OpenMesh may hold fewer faces than we do.
+    // OpenMesh may hold fewer faces than StripMesh.
     const std::size_t missing = triangles - mesh.n_faces();
     decimater.decimate_to_faces(0, result.wanted_triangles - std::min(missing, result.wanted_triangles));
     mesh.progress = nullptr;

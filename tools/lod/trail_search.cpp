@@ -5,7 +5,7 @@
 namespace restrip::tools {
 namespace {
 
-// Trails of so many solid edges are measured at first, then twice as many.
+// Trails are measured up to this many solid edges first, then up to twice that number.
 constexpr unsigned first_radius = 4;
 
 }  // namespace
@@ -40,11 +40,11 @@ bool TrailSearch::join(StripMesh& mesh, StripLocator& locator, const std::vector
   return joined;
 }
 
-// ---- how far the ends are
+// ---- distances to the ends
 
-// Calls visit(x) for each triangle beside t across an edge that is solid, or dashed.
+// Calls visit(x) for each triangle adjacent to t across a solid edge, or across a dashed edge.
 template <class Visit>
-void TrailSearch::for_each_beside(Triangle t, bool solid, Visit&& visit) const {
+void TrailSearch::for_each_neighbor(Triangle t, bool solid, Visit&& visit) const {
   const unsigned sides = solid ? mesh_->solid_sides(t) : 7U & ~mesh_->solid_sides(t);
   for (unsigned side = 0; side < 3; ++side) {
     if ((sides >> side & 1U) == 0) continue;
@@ -53,9 +53,10 @@ void TrailSearch::for_each_beside(Triangle t, bool solid, Visit&& visit) const {
   }
 }
 
-// For each triangle that a trail of at most `radius` solid edges from one of `ends` leaves across a dashed edge: how
-// many more solid edges it takes at least. Alternating walks are measured, which may pass an edge twice, so
-// breadth-first searches do: one from `ends`, which finds the ends that trails can lead to, and one back from there.
+// For each triangle that a trail of at most `radius` solid edges from one of `ends` leaves across a dashed edge: a
+// lower bound of the solid edges still needed. It measures alternating walks, which may pass an edge twice, so
+// breadth-first search suffices: one search from `ends` finds the ends that trails can reach, and one runs back from
+// there.
 void TrailSearch::measure(const std::vector<Triangle>& ends, unsigned radius) {
   forget_ways();
   targets_.clear();
@@ -68,9 +69,9 @@ void TrailSearch::measure(const std::vector<Triangle>& ends, unsigned radius) {
     if (mesh_->solid_degree(end) < 2) reach(end, 0);
   for (std::size_t i = 0; i < met_.size() && states_ < last_state_; ++i, ++states_) {
     const Triangle y = met_[i];
-    for_each_beside(y, false, [&](Triangle x) {
+    for_each_neighbor(y, false, [&](Triangle x) {
       if (mesh_->solid_degree(x) < 2) targets_.push_back(x);
-      if (ways_[y].here < radius) for_each_beside(x, true, [&](Triangle z) { reach(z, ways_[y].here + 1U); });
+      if (ways_[y].here < radius) for_each_neighbor(x, true, [&](Triangle z) { reach(z, ways_[y].here + 1U); });
     });
   }
   std::sort(targets_.begin(), targets_.end());
@@ -83,11 +84,11 @@ void TrailSearch::measure(const std::vector<Triangle>& ends, unsigned radius) {
     (way.first == far ? way.first : way.second) = static_cast<std::uint8_t>(solid);
     back_.push_back({t, target, solid});
   };
-  for (const Triangle target : targets_) for_each_beside(target, false, [&](Triangle y) { lead(y, 0, target); });
+  for (const Triangle target : targets_) for_each_neighbor(target, false, [&](Triangle y) { lead(y, 0, target); });
   for (std::size_t i = 0; i < back_.size() && states_ < last_state_; ++i, ++states_) {
     const Arrival at = back_[i];
-    for_each_beside(at.triangle, true, [&](Triangle x) {
-      for_each_beside(x, false, [&](Triangle y) { lead(y, at.solid + 1, at.target); });
+    for_each_neighbor(at.triangle, true, [&](Triangle x) {
+      for_each_neighbor(x, false, [&](Triangle y) { lead(y, at.solid + 1, at.target); });
     });
   }
 }
@@ -97,7 +98,7 @@ void TrailSearch::forget_ways() {
   met_.clear();
 }
 
-// A trail may come back to the end that it begins at if this is an isolated triangle alone.
+// A trail may return to the end at which it begins only if that end is an isolated triangle.
 unsigned TrailSearch::solid_edges_from(Triangle t) const {
   const Way& way = ways_[t];
   return way.target == not_to_ ? way.second : way.first;
@@ -105,7 +106,7 @@ unsigned TrailSearch::solid_edges_from(Triangle t) const {
 
 // ---- trails
 
-// All trails that continue from `end` with at most that many solid edges more. True with the trail in trail_.
+// Tries all trails that continue from `end` with at most `solid_left` more solid edges. True with the trail in trail_.
 bool TrailSearch::walk_on(Triangle end, unsigned solid_left) {
   if (states_ >= last_state_) return false;
   for (unsigned side = 0; side < 3; ++side) {
@@ -151,7 +152,7 @@ TrailSearch::Cut TrailSearch::place_of(Triangle t) const {
   return {at.strip, at.order};
 }
 
-// The piece that a triangle is in, as a number into pieces_.
+// The piece that contains a triangle, as an index into pieces_.
 std::size_t TrailSearch::piece_of(Triangle t) {
   const Cut at = place_of(t);
   const auto number = static_cast<std::size_t>(std::upper_bound(cuts_.begin(), cuts_.end(), at) - cuts_.begin());
@@ -162,8 +163,8 @@ std::size_t TrailSearch::piece_of(Triangle t) {
   return i;
 }
 
-// The locator has the strips as they were before the trail: cut them at its solid edges, and join the pieces at its
-// dashed ones.
+// The locator has the strips as they were before the trail. This cuts them at the trail's solid edges and joins the
+// pieces at its dashed ones.
 bool TrailSearch::closes_no_cycle() {
   cuts_.clear();
   pieces_.clear();
@@ -180,7 +181,7 @@ bool TrailSearch::closes_no_cycle() {
   return true;
 }
 
-// Flips the trail in colours and locator alike. Whatever part of a valid colouring is linked first is valid.
+// Flips the trail in both colours and locator. Cuts come first, since any part of a valid colouring is valid.
 void TrailSearch::commit() {
   const std::vector<Halfedge> trail = trail_;
   while (!trail_.empty()) take_back();

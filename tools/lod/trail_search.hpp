@@ -1,13 +1,12 @@
 // A search for the fewest flips that join two strips: offline work, for baking.
 //
 // Two colourings of a mesh differ by alternating trails: dashed, solid, ..., dashed edges, one after the other across
-// the triangles. A trail that leads from a strip's end to a strip's end and is flipped whole leaves every degree as it
-// was but for the two ends, so the mesh has one strip less, if only no cycle is solid then. This search walks trails
-// depth first, shortest first, and asks about cycles only where one arrives; in between, cycles may come and go. That
-// is what it has over tunnelling (tunnel.hpp), whose every move keeps paths: it finds shorter trails, with fewer flips,
-// and is the slower the longer they are. How far the ends are is measured beforehand, along walks that alternate in the
-// same way, so that no trail is followed that must get too long. (Alternating paths: Berge, "Two theorems in graph
-// theory", 1957.)
+// the triangles. Flipping a whole trail from one strip end to another changes the degrees of the two ends only, so the
+// mesh has one strip less, provided no solid cycle results. This search walks trails depth first, shortest first, and
+// tests for cycles only when a trail arrives; in between, cycles may appear and vanish. Tunnelling (tunnel.hpp), by
+// contrast, keeps paths in every move. So this search finds shorter trails with fewer flips, but slows down as trails
+// grow. Distances to the ends are measured beforehand, along walks that alternate in the same way, so a trail that must
+// become too long is not followed. (Alternating paths: Berge, "Two theorems in graph theory", 1957.)
 #pragma once
 
 #include <cstddef>
@@ -27,22 +26,22 @@ class TrailSearch {
   static constexpr unsigned longest = 32;
 
   /// Joins two strips by the shortest trail from one of `ends` that it can find within `max_states` edges walked or
-  /// triangles measured. True
-  /// when it did: then colours and locator are changed, and flips() are the edges of the trail. Deterministic.
+  /// triangles measured. True if it succeeded: colours and locator are then updated, and flips() are the edges of the
+  /// trail. Deterministic.
   bool join(StripMesh& mesh, StripLocator& locator, const std::vector<Triangle>& ends, std::size_t max_states);
 
-  /// The trail of the last success: dashed, solid, ..., dashed before, each the other way now.
+  /// The trail of the last success. Its edges were dashed, solid, ..., dashed before it; now each has the other colour.
   [[nodiscard]] const std::vector<Halfedge>& flips() const noexcept { return trail_; }
   [[nodiscard]] std::size_t states() const noexcept { return states_; }
 
  private:
   static constexpr std::uint8_t far = 255;
   static_assert(longest < far);
-  /// Of a triangle that a trail leaves across a dashed edge, in solid edges.
+  /// Distances, in solid edges, of a triangle that a trail leaves across a dashed edge.
   struct Way {
-    std::uint8_t here = far;    // from the nearest beginning
-    std::uint8_t first = far;   // from here to the nearest end
-    std::uint8_t second = far;  // to the nearest other one
+    std::uint8_t here = far;    // from the nearest start
+    std::uint8_t first = far;   // to the nearest end
+    std::uint8_t second = far;  // to the nearest other end
     Triangle target = none;     // that nearest end
   };
   struct Arrival {
@@ -51,7 +50,7 @@ class TrailSearch {
     unsigned solid;
   };
   template <class Visit>
-  void for_each_beside(Triangle t, bool solid, Visit&& visit) const;
+  void for_each_neighbor(Triangle t, bool solid, Visit&& visit) const;
   void measure(const std::vector<Triangle>& ends, unsigned radius);
   void forget_ways();
   [[nodiscard]] unsigned solid_edges_from(Triangle t) const;
@@ -66,23 +65,23 @@ class TrailSearch {
   std::vector<std::uint8_t> on_trail_;  // by halfedge
   std::vector<Halfedge> trail_;
   std::vector<Way> ways_;      // by triangle
-  std::vector<Triangle> met_;  // those whose way is known
+  std::vector<Triangle> met_;  // triangles with a known entry in ways_
   std::vector<Triangle> targets_;
   std::vector<Arrival> back_;
-  Triangle not_to_ = none;  // the end that the trail begins at, where it must not come back to it
+  Triangle not_to_ = none;  // the start of the trail, if the trail must not return to it
   std::size_t states_ = 0;
   std::size_t last_state_ = 0;
 
-  // The strips as the trail has cut them, while cycles are looked for.
+  // The strips as cut by the trail, during the test for cycles.
   struct Cut {
     std::uint32_t strip;
-    std::uint64_t order;  // of the first triangle behind the cut
+    std::uint64_t order;  // of the first triangle after the cut
     friend auto operator<=>(const Cut&, const Cut&) = default;
   };
   struct Piece {
     std::uint32_t strip;
-    std::size_t number;  // cuts that lie before it
-    std::size_t joined;  // with: union-find
+    std::size_t number;  // the number of earlier cuts
+    std::size_t joined;  // parent in union-find
   };
   [[nodiscard]] Cut place_of(Triangle t) const;
   std::size_t piece_of(Triangle t);

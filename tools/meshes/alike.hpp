@@ -1,4 +1,4 @@
-// Which vertices are at the same place.
+// Finds vertices at the same position.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace restrip::tools {
 
-/// For each of `count` vertices the first one at the same point that has the same attributes: the same bits, the two
-/// zeros being one. Without points the attributes alone decide. Sorts, so that no input is slower than others:
-/// O(n log n).
+/// For each of `count` vertices, the first vertex with the same point and the same attributes. Values are compared bit
+/// by bit, except that both zeros are equal. Without points, only the attributes are compared. Sorting bounds the time
+/// for any input: O(n log n).
 [[nodiscard]] std::vector<std::uint32_t> first_alike(std::size_t count, std::span<const Point> points,
                                                      std::span<const Attribute> attributes = {});
 

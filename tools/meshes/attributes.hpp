@@ -1,5 +1,5 @@
-// What the vertices of a file have beside their places: normals, texture coordinates, colours. Values are kept as the
-// file encodes them, so that they leave as they came.
+// Attributes of vertices: normals, texture coordinates, colours. Values are kept as the file encodes them, so writing
+// them changes nothing.
 #pragma once
 
 #include <array>
@@ -39,34 +39,34 @@ struct Attribute {
   std::string bytes = {};   ///< the values of all vertices, without gaps, little-endian
 
   [[nodiscard]] std::size_t value_bytes() const noexcept { return std::size_t{components} * width_of(type); }
-  /// The value of a vertex, as it is: not normalised. Components that there are not are 0.
+  /// The stored value of a vertex, not normalised. Missing components are 0.
   [[nodiscard]] Value value(std::size_t vertex) const;
-  /// What that stands for: whole numbers that are normalised as 0 to 1, or -1 to 1.
+  /// The meaning of that value: normalised integers as 0 to 1, or -1 to 1.
   [[nodiscard]] Value meant(std::size_t vertex) const;
-  /// The value of the next vertex. Every component must be one of the type.
+  /// Appends the value of the next vertex. Every component must be representable in the type.
   void append(const Value& value);
-  /// Have both the same name and encoding? Then the values of one may follow those of the other.
+  /// Whether both have the same name and encoding, so that values of one may follow values of the other.
   [[nodiscard]] bool alike(const Attribute& other) const noexcept {
     return name == other.name && type == other.type && components == other.components && normalized == other.normalized;
   }
 };
 
-/// The attribute of these vertices alone, in this order.
+/// The attribute of these vertices only, in this order.
 [[nodiscard]] Attribute selected(const Attribute& attribute, std::span<const std::uint32_t> vertices);
 
 /// The attribute of this name, or null.
 [[nodiscard]] const Attribute* named(std::span<const Attribute> attributes, std::string_view name);
 
-/// glTF's normals have length one, those of other formats nearly: others are made so. What has no length stays.
+/// Scales a normal to length one, as glTF requires. A zero normal stays.
 [[nodiscard]] Attribute::Value unit_normal(const Attribute::Value& normal);
 
-/// What a vertex without a value of its own is given: a normal or tangent of length one, else zeros.
+/// The default value for a vertex without this attribute: a normal or tangent of length one, otherwise zeros.
 [[nodiscard]] Attribute::Value neutral_value(std::string_view name);
 
-/// The names, each once, as a reader knows them: "normals, texture coordinates". Others as they are.
+/// The names in words, each once: "normals, texture coordinates". Unknown names stay.
 [[nodiscard]] std::string attributes_in_words(std::span<const std::string> names);
 
-/// Puts a name at the end of a list that does not have it.
+/// Appends a name to a list unless the list has it already.
 void note(std::vector<std::string>& names, const std::string& name);
 
 }  // namespace restrip::tools

@@ -5,7 +5,7 @@
 namespace restrip::tools {
 namespace {
 
-/// The side of a triangle behind which the other one lies; {none} when none exists.
+/// The side of a triangle across which the other one lies; {none} if they share no dual edge.
 StripMesh::Halfedge shared_edge(const StripMesh& mesh, Triangle one, Triangle other) {
   for (unsigned side = 0; side < 3; ++side) {
     const StripMesh::Halfedge h = StripMesh::halfedge(one, side);
@@ -15,11 +15,11 @@ StripMesh::Halfedge shared_edge(const StripMesh& mesh, Triangle one, Triangle ot
   return {};
 }
 
-/// Calls next(soup triangle, whether it begins a strip) for each triangle that the strips draw, in their order.
+/// Calls next(soup triangle, whether it begins a strip) for each triangle that the strips draw, in order.
 template <class Next>
 void for_each_drawn(const Soup& soup, Next&& next) {
   std::size_t triangle = 0;
-  const auto to_drawn = [&] {  // degenerate ones are listed, and in no strip
+  const auto to_drawn = [&] {  // degenerate ones are listed but in no strip
     while (triangle < soup.triangles.size() && degenerate(soup.triangles[triangle])) ++triangle;
   };
   std::size_t first = 0;

@@ -21,7 +21,7 @@ constexpr std::uint32_t binary_chunk = 0x004E4942;
 
 constexpr unsigned type_float = 5126;
 
-/// Bytes of a component; 0 for what is not a type.
+/// Bytes of a component; 0 for unknown types.
 constexpr unsigned width_of(std::uint64_t type) {
   switch (type) {
     case 5120:
@@ -40,7 +40,7 @@ constexpr unsigned width_of(std::uint64_t type) {
 
 constexpr bool is_index_type(std::uint64_t type) { return type == 5121 || type == 5123 || type == 5125; }
 
-/// What a component stands for.
+/// How a stored component maps to its value.
 struct Scale {
   double factor = 1;
   bool normalized = false;
@@ -55,7 +55,7 @@ Scale scale_of(std::uint64_t type, bool normalized) {
 
 unsigned digit_of(char c, std::string_view digits) { return static_cast<unsigned>(digits.find(c)); }
 
-/// Nothing where the text is not a base64.
+/// Empty if the text is not valid base64.
 std::optional<std::string> from_base64(std::string_view text) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   if (text.size() % 4 != 0) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<std::string> from_base64(std::string_view text) {
   return bytes;
 }
 
-/// Without %XX. Nothing where these are wrong.
+/// Decodes %XX. Empty if one is invalid.
 std::optional<std::string> percent_decoded(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -96,8 +96,8 @@ std::optional<std::string> percent_decoded(std::string_view text) {
 
 }  // namespace
 
-GltfFile::GltfFile(std::string_view bytes, const std::string& name, const ReadBeside& beside)
-    : name_(name), beside_(beside), file_bytes_(bytes.size()) {
+GltfFile::GltfFile(std::string_view bytes, const std::string& name, const ReadSibling& sibling)
+    : name_(name), sibling_(sibling), file_bytes_(bytes.size()) {
   if (bytes.starts_with("glTF"))
     read_container(bytes);
   else
@@ -159,7 +159,7 @@ std::string GltfFile::load(const JsonPlace& uri) const {
     const bool base64 = comma != std::string_view::npos && text.substr(0, comma).ends_with(";base64");
     std::optional<std::string> bytes;
     if (base64) bytes = from_base64(text.substr(comma + 1));
-    if (!bytes) uri.refuse("is not a base64; is it complete?");
+    if (!bytes) uri.refuse("is not base64; is it complete?");
     return *std::move(bytes);
   }
   const std::optional<std::string> file = percent_decoded(text);
@@ -167,7 +167,7 @@ std::string GltfFile::load(const JsonPlace& uri) const {
       file->find_first_of(std::string_view("/\\:\0", 4)) != std::string::npos)
     uri.refuse(fmt::format("is '{}'; only a file in the same folder is read: put it there and name it without a folder",
                            text.substr(0, 80)));
-  return beside_(*file);
+  return sibling_(*file);
 }
 
 std::string_view GltfFile::buffer(std::uint64_t number) {
@@ -175,7 +175,7 @@ std::string_view GltfFile::buffer(std::uint64_t number) {
   const std::uint64_t length = about["byteLength"].whole();
   std::string_view bytes = binary_;
   if (about["uri"].there()) {
-    loaded_.resize(root()["buffers"].size());  // once, as views of them are kept
+    loaded_.resize(root()["buffers"].size());  // resized once, since views of the buffers are kept
     std::string& loaded = loaded_[static_cast<std::size_t>(number)];
     if (loaded.empty()) loaded = load(about["uri"]);
     bytes = loaded;
@@ -190,7 +190,7 @@ std::string_view GltfFile::buffer(std::uint64_t number) {
 void GltfFile::charge(std::uint64_t values) {
   charged_ += values;
   if (charged_ <= limit_) return;
-  if (!all_loaded_) {  // large files may have more
+  if (!all_loaded_) {  // large files may draw more
     all_loaded_ = true;
     std::uint64_t bytes = file_bytes_;
     for (std::size_t i = 0; i < root()["buffers"].size(); ++i)
@@ -231,7 +231,7 @@ GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std:
   const std::uint64_t stride = about["byteStride"].whole_or(size);
   if (stride < size || stride > 252) about["byteStride"].refuse(fmt::format("is {}, not {} to 252", stride, size));
   const std::uint64_t offset = from["byteOffset"].whole_or(0);
-  // Both are below 2^53, and a stride is small: the sum does not overflow.
+  // Both are below 2^53 and a stride is small: the sum does not overflow.
   if (count != 0 && (offset > all.size() || (count - 1) * stride + size > all.size() - offset))
     from.refuse(fmt::format("has {} elements, which reach beyond its buffer view; is the file complete?", count));
   return {all.substr(static_cast<std::size_t>(std::min<std::uint64_t>(offset, all.size()))),
@@ -240,7 +240,7 @@ GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std:
 
 std::size_t GltfFile::count_of(const JsonPlace& accessor) const {
   const std::uint64_t count = accessor["count"].whole();
-  // Elements that no buffer has are zero, which takes no bytes at all.
+  // Elements without a buffer are zero and take no bytes.
   if (!accessor["bufferView"].there() && count > file_bytes_)
     accessor.refuse(fmt::format("has {} elements, more than the {} bytes of the file can mean", count, file_bytes_));
   constexpr std::uint64_t most =
@@ -286,8 +286,8 @@ std::vector<Point> GltfFile::positions(std::uint64_t number) {
   if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as positions are");
   const std::uint64_t type = about["componentType"].whole();
   if (width_of(type) == 0 || type == 5125)
-    about["componentType"].refuse(fmt::format("is {}, no type of positions", type));
-  // KHR_mesh_quantization: integers, normalised or as they are.
+    about["componentType"].refuse(fmt::format("is {}, which is not a type of positions", type));
+  // KHR_mesh_quantization: integers, normalised or not.
   const bool normalized = about["normalized"].boolean_or(false) && type != type_float;
   const Scale scale = scale_of(type, normalized);
   std::vector<Point> points;
@@ -315,7 +315,7 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
     about["type"].refuse("is neither VEC3 nor VEC4, as colours are");
   const std::uint64_t type = about["componentType"].whole();
   if (width_of(type) == 0 || type == 5125)
-    about["componentType"].refuse(fmt::format("is {}, no type of an attribute", type));
+    about["componentType"].refuse(fmt::format("is {}, which is not a type of an attribute", type));
   const bool normalized = about["normalized"].boolean_or(false) && type != type_float;
   const bool has_fractions = (type == 5121 || type == 5123) && normalized && name != "NORMAL" && name != "TANGENT";
   const bool as_it_is = type == type_float || is_own || has_fractions;
@@ -338,7 +338,7 @@ std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number) {
   if (about["type"].text() != "SCALAR") about["type"].refuse("is not SCALAR, as indices are");
   const std::uint64_t type = about["componentType"].whole();
   if (!is_index_type(type))
-    about["componentType"].refuse(fmt::format("is {}, no type of an index (5121, 5123 or 5125)", type));
+    about["componentType"].refuse(fmt::format("is {}, which is not a type of an index (5121, 5123 or 5125)", type));
   const std::uint32_t restart = 0xFFFF'FFFFU >> (32 - 8 * width_of(type));
   std::vector<std::uint32_t> indices;
   fill(about, static_cast<unsigned>(type), 1, indices, [restart](const Elements& from, std::size_t at) {
@@ -353,7 +353,7 @@ std::vector<Corners> GltfFile::triples(std::uint64_t number) {
   if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as three indices are");
   const std::uint64_t type = about["componentType"].whole();
   if (!is_index_type(type))
-    about["componentType"].refuse(fmt::format("is {}, no type of an index (5121, 5123 or 5125)", type));
+    about["componentType"].refuse(fmt::format("is {}, which is not a type of an index (5121, 5123 or 5125)", type));
   std::vector<Corners> triples;
   fill(about, static_cast<unsigned>(type), 3, triples, [](const Elements& from, std::size_t at) {
     const auto index = [&](std::size_t component) { return static_cast<std::uint32_t>(from.value(at, component)); };

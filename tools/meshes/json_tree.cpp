@@ -13,20 +13,20 @@ namespace {
 
 bool by_name(const JsonMember& a, const JsonMember& b) { return a.name < b.name; }
 
-/// Puts the tree together as the parser of nlohmann-json finds its pieces. (Its own tree ends the program when memory
-/// runs out while it is taken down.)
+/// Builds the tree from the events of nlohmann-json's parser. (Its own tree ends the program if memory runs out during
+/// destruction.)
 class TreeBuilder {
  public:
   explicit TreeBuilder(const std::string& name) : name_(name) {}
 
-  // The names and types are those that the parser calls.
+  // The parser requires these names and types.
   bool null() { return put({nullptr}); }
   bool boolean(bool value) { return put({value}); }
   bool number_integer(std::int64_t value) { return put({static_cast<double>(value)}); }
   bool number_unsigned(std::uint64_t value) { return put({static_cast<double>(value)}); }
   bool number_float(double value, const std::string& /*text*/) { return put({value}); }
   bool string(std::string& value) { return put({std::move(value)}); }
-  bool binary(std::vector<std::uint8_t>& /*value*/) { return false; }  // JSON as text has none
+  bool binary(std::vector<std::uint8_t>& /*value*/) { return false; }  // textual JSON has none
   bool start_object(std::size_t /*size*/) { return open({std::vector<JsonMember>()}); }
   bool start_array(std::size_t /*size*/) { return open({std::vector<JsonValue>()}); }
   bool end_object() {

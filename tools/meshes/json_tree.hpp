@@ -1,5 +1,5 @@
-// JSON as a tree of values, and places in it: whoever reads a value of the wrong kind gets a message that says where it
-// stands ("accessors[3].count").
+// JSON as a tree of values and places in it. A value of the wrong kind gets a message that names its place
+// ("accessors[3].count").
 #pragma once
 
 #include <cstddef>
@@ -23,32 +23,33 @@ struct JsonMember {
   JsonValue value;
 };
 
-/// Bounds on what is made of a text: it takes some 50 times the bytes of the smallest values.
+/// Limits on a parsed text; the smallest values take about 50 times their bytes.
 inline constexpr std::size_t most_json_values = 20'000'000;
 inline constexpr std::size_t deepest_json = 64;
 
-/// Throws BadInput where the text is not a JSON or beyond the bounds; `name` is the file.
+/// Throws BadInput if the text is not JSON or exceeds the limits; `name` is the file.
 [[nodiscard]] JsonValue parse_json(std::string_view text, const std::string& name);
 
-/// A value of a tree, or the place where one might stand. The tree and the name of the file must outlive it. Every
-/// function throws BadInput if the value has the wrong type.
+/// A value of a tree, or the place of a missing one. The tree and the name of the file must outlive it. Every function
+/// throws BadInput if the value has the wrong type.
 class JsonPlace {
  public:
   JsonPlace(const JsonValue& root, const std::string& file) : file_(&file), value_(&root) {}
 
   [[nodiscard]] bool there() const noexcept { return value_ != nullptr; }
-  /// A member of an object; of what is not there, nothing. Of several of one name the last. O(log n).
+  /// A member of an object; a missing value if it does not exist. The last one of several members with one name. O(log
+  /// n).
   [[nodiscard]] JsonPlace operator[](std::string_view member) const;
-  /// An element of an array. Throws BadInput when there are fewer.
+  /// An element of an array. Throws BadInput if the index is out of range.
   [[nodiscard]] JsonPlace at(std::uint64_t index) const;
-  /// Elements of an array; 0 when it is not there.
+  /// Elements of an array; 0 if the array is missing.
   [[nodiscard]] std::size_t size() const;
 
-  /// The names of an object's members, in alphabetical order; none when it is not there.
+  /// The names of an object's members, in alphabetical order; empty if the object is missing.
   [[nodiscard]] std::vector<std::string> members() const;
 
-  /// These throw BadInput when the value is not there, but for those with a default.
-  [[nodiscard]] std::uint64_t whole() const;  ///< below 2^53, where JSON's numbers are exact
+  /// Except for functions with a default, these throw BadInput if the value is missing.
+  [[nodiscard]] std::uint64_t whole() const;  ///< below 2^53, the range of exact integers in JSON
   [[nodiscard]] std::uint64_t whole_or(std::uint64_t other) const { return there() ? whole() : other; }
   [[nodiscard]] double number() const;
   [[nodiscard]] bool boolean_or(bool other) const;

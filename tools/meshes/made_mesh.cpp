@@ -18,8 +18,8 @@ struct OnCircle {
   double y;
 };
 
-/// Point i of n on the unit circle, by the rational parametrisation of each quarter: only +, -, *, / are used, which
-/// IEEE arithmetic rounds the same everywhere; sines come from libraries that differ in the last bit.
+/// Point i of n on the unit circle, by the rational parametrisation of each quarter. It uses only +, -, * and /, which
+/// IEEE arithmetic rounds the same everywhere; sines from different libraries differ in the last bit.
 OnCircle on_circle(std::size_t i, std::size_t n) {
   const std::size_t quarter = 4 * i / n;
   const double t = (4.0 * static_cast<double>(i) - static_cast<double>(quarter * n)) / static_cast<double>(n);
@@ -43,7 +43,7 @@ Soup make_mesh(std::size_t triangles, std::uint64_t seed) {
   if (triangles < least_made_triangles || triangles > most_made_triangles)
     throw BadInput(fmt::format("a made mesh has between {} and {} triangles, not {}", least_made_triangles,
                                most_made_triangles, triangles));
-  // Twice as many steps around the long way as around the short one; at least four, so that no edge is there twice.
+  // Twice as many steps the long way around as the short way; at least four, so that every edge exists only once.
   const auto across =
       std::max<std::size_t>(4, static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles) / 4.0)));
   const std::size_t along = std::max<std::size_t>(4, (triangles + across) / (2 * across));

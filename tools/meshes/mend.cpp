@@ -16,7 +16,7 @@
 namespace restrip::tools {
 namespace {
 
-/// A triangle beside an edge.
+/// A triangle at an edge.
 struct EdgeSide {
   std::uint32_t low = 0;  ///< the vertices of the edge
   std::uint32_t high = 0;
@@ -42,7 +42,7 @@ std::vector<EdgeSide> sorted_sides(const Soup& soup) {
   return sides;
 }
 
-/// Sets of triangles in which it is known of each whether it is turned against the root.
+/// Disjoint sets of triangles; for each triangle it is known whether it is turned relative to the root.
 class TurnedSets {
  public:
   explicit TurnedSets(std::size_t size) : parent_(size), turned_(size, 0) {
@@ -64,7 +64,7 @@ class TurnedSets {
     }
     return {x, turned};
   }
-  /// False where it is known already that they are related otherwise.
+  /// False if the opposite relation is already known.
   bool relate(std::uint32_t x, std::uint32_t y, bool differ) {
     const Root a = find(x);
     const Root b = find(y);
@@ -78,26 +78,26 @@ class TurnedSets {
 
  private:
   std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> turned_;  // against the parent
+  std::vector<std::uint8_t> turned_;  // relative to the parent
 };
 
-/// Which triangles to turn; throws where that cannot be told.
+/// The triangles to turn. Throws if the surface cannot be oriented.
 std::vector<bool> to_be_turned(const Soup& soup, const std::string& name) {
   TurnedSets sets(soup.triangles.size());
   const std::vector<EdgeSide> sides = sorted_sides(soup);
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-    // Beside an edge of three triangles nobody can say which two belong together.
+    // At an edge of three triangles, it is unknown which two belong together.
     if (end == i + 2 && !sets.relate(sides[i].triangle, sides[i + 1].triangle, sides[i].upward == sides[i + 1].upward))
       throw BadInput(fmt::format(
-          "{}: --orient: the surface of triangle {} (its edge from vertex {} to {}, counted from 0) has one "
-          "side only, like a Moebius strip, and no orientation; leave the option out, or cut it there",
+          "{}: --orient: the surface of triangle {} (its edge from vertex {} to {}, counted from 0) has only one "
+          "side, like a Moebius strip, and no orientation; leave the option out, or cut it there",
           name, sides[i + 1].triangle, sides[i].low, sides[i].high));
     i = end;
   }
   const auto triangles = static_cast<std::uint32_t>(soup.triangles.size());
-  std::vector<std::uint32_t> all(triangles, 0);  // of each root
+  std::vector<std::uint32_t> all(triangles, 0);  // per root
   std::vector<std::uint32_t> turned(triangles, 0);
   for (std::uint32_t t = 0; t < triangles; ++t) {
     const TurnedSets::Root root = sets.find(t);
@@ -112,7 +112,7 @@ std::vector<bool> to_be_turned(const Soup& soup, const std::string& name) {
   return turn;
 }
 
-/// The strips after these triangles were turned.
+/// The strips after these triangles have been turned.
 std::vector<std::uint32_t> turned_strips(const Soup& soup, const std::vector<bool>& turn) {
   std::vector<std::uint32_t> made;
   const auto add = [&made](std::span<const std::uint32_t> strip) {
@@ -135,7 +135,7 @@ std::vector<std::uint32_t> turned_strips(const Soup& soup, const std::vector<boo
     const auto turned = static_cast<std::size_t>(std::count(over.begin(), over.end(), true));
     if (turned == 0) {
       add({from, to});
-    } else if (turned == over.size()) {  // one more index in front, and all turn over
+    } else if (turned == over.size()) {  // one more index in front turns the whole strip
       std::vector<std::uint32_t> longer{*from};
       longer.insert(longer.end(), from, to);
       add(longer);
@@ -150,7 +150,7 @@ std::vector<std::uint32_t> turned_strips(const Soup& soup, const std::vector<boo
   return made;
 }
 
-/// Vertices of some triangle that lie where an earlier one does and have these attributes as it has.
+/// Used vertices at the position of an earlier one that has the same value of each of these attributes.
 std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
   std::vector<bool> used(soup.points.size(), false);
   for (const Corners& t : soup.triangles)

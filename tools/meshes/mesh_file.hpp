@@ -1,10 +1,10 @@
-// The readers of meshes, OBJ, OFF, PLY, STL and glTF, and the writers of the two simplest formats. Which format a file
-// has, and what is written in which, is one table: lod/mesh_formats.hpp.
+// Readers for OBJ, OFF, PLY, STL and glTF, and writers for the two simplest formats. lod/mesh_formats.hpp has the table
+// of formats.
 //
-// The readers are our own. OpenMesh's (version 9) lose faces without a word: its OBJ reader drops repeated corners and
-// vertices that it cannot parse, so that all later indices shift, its mesh refuses faces at non-manifold places, its
-// OFF reader knows no leading comments, and a corrupt face count makes it allocate until the process ends. Here a file
-// arrives as it is or is refused.
+// OpenMesh's readers (version 9) are not used because they lose faces silently: its OBJ reader drops repeated corners
+// and vertices that it cannot parse, so that all later indices shift; its mesh refuses faces at non-manifold places;
+// its OFF reader does not accept leading comments; and a corrupt face count makes it allocate until the process ends.
+// The readers here read a file unchanged or refuse it.
 #pragma once
 
 #include <functional>
@@ -15,25 +15,25 @@
 
 namespace restrip::tools {
 
-/// The bytes of a file in the folder of the one that names it. Throws when it cannot be read.
-using ReadBeside = std::function<std::string(const std::string& file_name)>;
+/// Returns the bytes of a file in the same folder as the file that names it. Throws if it cannot be read.
+using ReadSibling = std::function<std::string(const std::string& file_name)>;
 
-/// Whether to carry what vertices have beside their places: all that is in glTF, and normals, texture coordinates and
-/// colours of OBJ and PLY. Of what is not carried Soup::left_out_attributes says that there was some.
+/// Whether to read vertex attributes: all of them in glTF; normals, texture coordinates and colours in OBJ and PLY.
+/// Other attributes are listed in Soup::left_out_attributes.
 enum class ReadAttributes { no, yes };
 
-/// The readers, one a format, on the bytes of a file. `name` is for messages.
+/// The readers, one per format, on the bytes of a file. `name` is for messages.
 [[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name,
                             ReadAttributes attributes = ReadAttributes::no);
 [[nodiscard]] Soup read_off(std::string_view bytes, const std::string& name);
 [[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name,
                             ReadAttributes attributes = ReadAttributes::no);
-/// By its size, which its count of facets says.
+/// Compares the size with the count of facets in the file.
 [[nodiscard]] bool is_binary_stl(std::string_view bytes);
-/// Corners at exactly the same place become one vertex (STL has no indices).
+/// Merges corners at exactly the same position, because STL has no indices.
 [[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
-/// Buffers in files of their own are asked of `beside`.
-[[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside,
+/// Reads buffers in other files through `sibling`.
+[[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling,
                              ReadAttributes attributes = ReadAttributes::no);
 
 /// OFF, as text.

@@ -70,7 +70,7 @@ class Surveyor {
     }
   }
 
-  /// Sides by their smaller vertex (counting sort), then by the larger one.
+  /// Sorts sides by the smaller vertex (counting sort), then by the larger one.
   void sort_sides() {
     const auto low = [&](std::uint32_t corner) { return std::min(vertex(corner), vertex(next(corner))); };
     const auto each_corner = [&](auto&& visit) {
@@ -126,8 +126,8 @@ class Surveyor {
         if (std::uint8_t& n = groups[vertex(corner)]; n < 2 && ++n == 2) ++report_.bow_tie_vertices;
   }
 
-  /// Boundary edges follow each other where they end at the same group of triangles; at a bow-tie two loops touch
-  /// without being one.
+  /// Boundary edges follow each other if they end at the same group of triangles. At a bow-tie vertex two loops touch
+  /// but stay separate.
   void count_loops(const std::vector<std::uint32_t>& boundary) {
     DisjointSets loops(3 * soup_.triangles.size());
     for (const std::uint32_t corner : boundary) loops.unite(fans_.find(corner), fans_.find(next(corner)));
@@ -160,7 +160,7 @@ class Surveyor {
 
   const Soup& soup_;
   MeshReport report_;
-  DisjointSets fans_;  ///< corners at one vertex whose triangles hang together by edges
+  DisjointSets fans_;  ///< corners at one vertex whose triangles are connected by edges
   std::vector<std::uint32_t> first_;
   std::vector<Side> sides_;
 };

@@ -1,4 +1,4 @@
-// MeshReport for people and for programs.
+// MeshReport as text and as JSON.
 #include <fmt/format.h>
 
 #include <iterator>
@@ -15,7 +15,7 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
   const auto row = [&](const char* what, auto value, const std::string& remark = "") {
     fmt::format_to(out, "  {:<28}{:>12}{}\n", what, value, remark.empty() ? "" : "   " + remark);
   };
-  // A fault is listed only where there is one.
+  // Lists faults that occur.
   const auto fault = [&](const char* what, std::size_t value, const char* remark) {
     if (value != 0) row(what, value, remark);
   };

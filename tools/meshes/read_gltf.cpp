@@ -1,7 +1,7 @@
-// glTF 2.0, as text (.gltf) and binary (.glb): lists, strips and fans of triangles, also with primitive restart, at the
-// places that the nodes of the scene give them. Points and lines are left out; materials, images, skins, morph targets
-// and animations are no business of ours. Primitives of one node that share their positions, and the attributes that
-// are carried, share vertices; what looks like one vertex and has two normals is two in the file.
+// Reads glTF 2.0, as text (.gltf) and binary (.glb): lists, strips and fans of triangles, also with primitive restart,
+// placed by the nodes of the scene. Points and lines are left out; materials, images, skins, morph targets and
+// animations are ignored. Primitives of one node share vertices if they share positions and the supported attributes. A
+// vertex with two normals is two vertices in the file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using Affine = std::array<std::array<double, 4>, 3>;
 
 constexpr Affine identity_map{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-/// First `inner`, then `outer`.
+/// Applies `inner` first.
 Affine product(const Affine& outer, const Affine& inner) {
   Affine made{};
   for (std::size_t row = 0; row < 3; ++row)
@@ -49,14 +49,14 @@ Attribute::Value at_length_one(const Attribute::Value& v) {
   return length > 0 ? Attribute::Value{v[0] / length, v[1] / length, v[2] / length, v[3]} : v;
 }
 
-/// A tangent is moved as the surface is. So is the last component, which says on which side the other tangent is.
+/// Transforms a tangent with the surface, including the last component, which gives the side of the bitangent.
 Attribute::Value moved_tangent(const Affine& m, const Attribute::Value& t) {
   Attribute::Value made{0, 0, 0, mirrors(m) ? -t[3] : t[3]};
   for (std::size_t row = 0; row < 3; ++row) made[row] = m[row][0] * t[0] + m[row][1] * t[1] + m[row][2] * t[2];
   return at_length_one(made);
 }
 
-/// A normal stays perpendicular: the matrix of cofactors moves it.
+/// Transforms a normal by the matrix of cofactors, so that it stays perpendicular.
 Attribute::Value moved_normal(const Affine& m, const Attribute::Value& n) {
   Attribute::Value made{};
   for (std::size_t row = 0; row < 3; ++row)
@@ -112,8 +112,8 @@ Affine map_of(const JsonPlace& node) {
 
 class GltfReader {
  public:
-  GltfReader(std::string_view bytes, const std::string& name, const ReadBeside& beside, ReadAttributes attributes)
-      : file_(bytes, name, beside), soup_(name), carry_(attributes == ReadAttributes::yes) {}
+  GltfReader(std::string_view bytes, const std::string& name, const ReadSibling& sibling, ReadAttributes attributes)
+      : file_(bytes, name, sibling), soup_(name), carry_(attributes == ReadAttributes::yes) {}
 
   Soup read() {
     const JsonPlace root = file_.root();
@@ -138,7 +138,7 @@ class GltfReader {
   }
 
  private:
-  /// The node and all below it.
+  /// Reads a node and all its descendants.
   void read_node(std::uint64_t top) {
     struct Open {
       std::uint64_t node;
@@ -162,14 +162,14 @@ class GltfReader {
   void read_mesh_at(std::uint64_t number, const Affine& map) {
     const JsonPlace mesh = file_.root()["meshes"].at(number);
     const JsonPlace primitives = mesh["primitives"];
-    std::map<Accessors, First> placed;  // where their points begin
+    std::map<Accessors, First> placed;  // index of their first point
     const bool mirrored = mirrors(map);
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const JsonPlace primitive = primitives.at(i);
       file_.charge(16);
       const std::uint64_t mode = primitive["mode"].whole_or(4);
       if (mode > 6) primitive["mode"].refuse(fmt::format("is {}; there are 0 to 6", mode));
-      if (mode < 4) continue;  // points and lines
+      if (mode < 4) continue;  // skip points and lines
       const Accessors accessors = accessors_of(primitive["attributes"]);
       auto known = placed.find(accessors);
       if (known == placed.end()) known = placed.emplace(accessors, add_points(accessors, map)).first;
@@ -189,10 +189,10 @@ class GltfReader {
     std::uint64_t count = 0;
   };
 
-  /// What the vertices of a primitive are made of.
+  /// The accessors of a primitive's vertices.
   struct Accessors {
     std::uint64_t positions = 0;
-    std::map<std::string, std::uint64_t> attributes = {};  // those to carry
+    std::map<std::string, std::uint64_t> attributes = {};  // the supported ones
     friend bool operator<(const Accessors& a, const Accessors& b) {
       return std::tie(a.positions, a.attributes) < std::tie(b.positions, b.attributes);
     }
@@ -216,7 +216,7 @@ class GltfReader {
     return found;
   }
 
-  /// The attributes of new points. What not all vertices have in the same encoding is left out of all.
+  /// Adds the attributes of new points. An attribute is left out if not all vertices have it in the same encoding.
   void add_attributes(const std::map<std::string, std::uint64_t>& accessors, const First& first, const Affine& map) {
     std::vector<Attribute> added;
     for (const auto& [name, accessor] : accessors) {
@@ -285,7 +285,8 @@ class GltfReader {
     for (auto from = indices.begin();; ++from) {
       const auto to = std::find(from, indices.end(), strip_end);
       const std::size_t size = static_cast<std::size_t>(to - from);
-      if (mode == 4 && size % 3 != 0) primitive["indices"].refuse(fmt::format("are {}, no multiple of three", size));
+      if (mode == 4 && size % 3 != 0)
+        primitive["indices"].refuse(fmt::format("are {}, which is not a multiple of three", size));
       run_.assign(from, to);
       add_run(mode, mirrored);
       if (to == indices.end()) return;
@@ -293,10 +294,10 @@ class GltfReader {
     }
   }
 
-  /// What one run of indices between restarts draws.
+  /// Adds the triangles of one run of indices between restarts.
   void add_run(unsigned mode, bool mirrored) {
     if (mode == 5) {
-      // One more index in front, and all triangles turn over.
+      // One more index in front turns all triangles.
       if (mirrored && !run_.empty()) run_.insert(run_.begin(), run_.front());
       soup_.add_strip(run_);
       return;
@@ -317,8 +318,8 @@ class GltfReader {
 
 }  // namespace
 
-Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside, ReadAttributes attributes) {
-  return GltfReader(bytes, name, beside, attributes).read();
+Soup read_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling, ReadAttributes attributes) {
+  return GltfReader(bytes, name, sibling, attributes).read();
 }
 
 }  // namespace restrip::tools

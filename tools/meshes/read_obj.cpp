@@ -1,9 +1,8 @@
-// Wavefront OBJ: `v x y z`, with red, green, blue and alpha behind where a program wrote them, `vt u v`, `vn x y z` and
-// `f c c c …`, a corner being v, v/vt, v//vn or v/vt/vn, counted from 1, or from the end when negative. All other lines
-// are no business of ours.
+// Reads Wavefront OBJ: `v x y z`, optionally followed by red, green, blue and alpha, `vt u v`, `vn x y z` and `f c c c
+// …`. A corner is v, v/vt, v//vn or v/vt/vn, counted from 1, or from the end if negative. All other lines are ignored.
 //
-// A vertex of the soup is a `v` with one `vt` and one `vn`. The first pair of these that a `v` is used with has the
-// number of the `v`; others come behind, in the order of the faces.
+// A vertex of the soup is a `v` with one `vt` and one `vn`. The first such pair used with a `v` has the number of the
+// `v`; other pairs follow at the end, in the order of the faces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ namespace {
 
 constexpr std::uint32_t no_value = std::numeric_limits<std::uint32_t>::max();
 
-/// One corner of a face, by places in the lists of the file.
+/// One corner of a face, as indices into the lists of the file.
 struct ObjCorner {
   std::uint32_t point = no_value;
   std::uint32_t place = no_value;  // in the texture
@@ -48,6 +47,9 @@ class ObjReader {
       else if (keyword == "f" || keyword == "fo")
         read_face();
     }
+    refuse_missing(largest_point_, soup_.point_count(), "vertex");
+    refuse_missing(largest_place_, places_.size(), "`vt`");
+    refuse_missing(largest_normal_, normals_.size(), "`vn`");
     if (carry_) make_vertices();
     return std::move(soup_).finish();
   }
@@ -83,7 +85,7 @@ class ObjReader {
     if (components < 3) components = 0;  // one more is a weight
     if (components != 0 && !carry_) soup_.leave_out("COLOR_0");
     if (!carry_) return;
-    // All vertices have colours of one kind, or none.
+    // Either all vertices have the same kind of colour, or none.
     if (soup_.point_count() == 1) {
       colors_.components = components;
     } else if (components != colors_.components) {
@@ -110,14 +112,30 @@ class ObjReader {
   }
   static const char* attribute_line(std::string_view name) { return name == "NORMAL" ? "`vn`" : "`vt`"; }
 
-  /// The place in a list of what is named in a corner; `size` of the list have been read.
-  std::uint32_t place_of(std::string_view word, std::size_t size, std::string_view corner) const {
+  /// The largest index into a list that a face has named, and the line of that face.
+  struct Largest {
+    std::uint32_t index = 0;
+    std::size_t line = 0;  ///< 0: none yet
+  };
+  /// At the end of the file: refuses a face that names an element beyond the `size` elements of the list. Lists without
+  /// elements are handled elsewhere.
+  void refuse_missing(const Largest& named, std::size_t size, const char* element) const {
+    if (size != 0 && named.line != 0 && named.index >= size)
+      throw BadInput(
+          fmt::format("{}:{}: a face refers to {} {} (counted from 1), but there are {}; is the file complete?", name_,
+                      named.line, element, std::uint64_t{named.index} + 1, size));
+  }
+
+  /// The index named in a corner; `size` elements of the list have been read.
+  std::uint32_t place_of(std::string_view word, std::size_t size, std::string_view corner, Largest& largest) const {
     const auto index = parse<long long>(word);
     const long long place = !index ? -1 : *index > 0 ? *index - 1 : static_cast<long long>(size) + *index;
     if (!index || *index == 0 || place < 0 || place > static_cast<long long>(max_vertices))
       refuse(fmt::format("'{}' is not a vertex of the {} before this face; corners are counted from 1",
                          corner.substr(0, 40), size));
-    return static_cast<std::uint32_t>(place);
+    const auto named = static_cast<std::uint32_t>(place);
+    if (largest.line == 0 || named > largest.index) largest = {named, cursor_.line()};
+    return named;
   }
 
   void read_face() {
@@ -131,12 +149,13 @@ class ObjReader {
         word.remove_prefix(stop == std::string_view::npos ? word.size() : stop + 1);
         return part;
       };
-      ObjCorner read{place_of(next_part(), soup_.point_count(), corner)};
+      ObjCorner read{place_of(next_part(), soup_.point_count(), corner, largest_point_)};
       corners.push_back(carry_ ? static_cast<std::uint32_t>(corners_.size()) : read.point);
       if (!carry_) continue;
-      if (const std::string_view part = next_part(); !part.empty()) read.place = place_of(part, places_.size(), corner);
       if (const std::string_view part = next_part(); !part.empty())
-        read.normal = place_of(part, normals_.size(), corner);
+        read.place = place_of(part, places_.size(), corner, largest_place_);
+      if (const std::string_view part = next_part(); !part.empty())
+        read.normal = place_of(part, normals_.size(), corner, largest_normal_);
       corners_.push_back(read);
     }
     if (!carry_) {
@@ -146,16 +165,12 @@ class ObjReader {
     faces_.push_back(corners.size());
   }
 
-  /// Whether the corners of all faces have one. Reported if only some have, or if the file has no values at all.
+  /// Whether the corners of all faces have one. Reports the attribute if only some have it or the file has no values.
   bool all_have(std::uint32_t ObjCorner::*part, const std::vector<Attribute::Value>& values, const char* name) {
     std::size_t have = 0;
     for (const ObjCorner& corner : corners_) {
       if (corner.*part == no_value) continue;
       ++have;
-      if (corner.*part >= values.size() && !values.empty())
-        throw BadInput(
-            fmt::format("{}: a face refers to {} {} (counted from 1), but there are {}; is the file complete?", name_,
-                        attribute_line(name), std::uint64_t{corner.*part} + 1, values.size()));
       if (!values.empty() && !is_finite(values[corner.*part]))
         throw BadInput(
             fmt::format("{}: a face refers to {} {} (counted from 1), which is infinite or not a number; "
@@ -172,7 +187,7 @@ class ObjReader {
     const bool has_places = all_have(&ObjCorner::place, places_, "TEXCOORD_0");
     const bool has_normals = all_have(&ObjCorner::normal, normals_, "NORMAL");
     const std::size_t points = soup_.point_count();
-    // With which values a vertex is drawn. Those that no face has are not drawn, and have neutral values.
+    // The values with which each vertex is drawn. Vertices in no face have neutral values.
     std::vector<ObjCorner> drawn(points);
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> others;
     std::size_t at = 0;
@@ -182,10 +197,6 @@ class ObjReader {
         ObjCorner corner = corners_[at];
         if (!has_places) corner.place = 0;
         if (!has_normals) corner.normal = 0;
-        if (corner.point >= points)
-          throw BadInput(
-              fmt::format("{}: a face refers to vertex {} (counted from 0), but there are {}; is the file complete?",
-                          name_, corner.point, points));
         face_.push_back(vertex_of(corner, drawn, others));
       }
       soup_.add_face(face_);
@@ -226,9 +237,12 @@ class ObjReader {
   bool carry_;
   std::vector<Attribute::Value> places_;
   std::vector<Attribute::Value> normals_;
-  Attribute colors_{"COLOR_0", ComponentType::real, 0};  // no components: none exist
+  Largest largest_point_;
+  Largest largest_place_;
+  Largest largest_normal_;
+  Attribute colors_{"COLOR_0", ComponentType::real, 0};  // 0 components: no colours
   std::vector<ObjCorner> corners_;                       // of all faces
-  std::vector<std::size_t> faces_;                       // how many corners each has
+  std::vector<std::size_t> faces_;                       // number of corners of each
   std::vector<std::uint32_t> face_;
 };
 

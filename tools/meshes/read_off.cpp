@@ -1,6 +1,6 @@
-// Object File Format (Geomview), as text: the keyword OFF, before it the letters of what vertices have (C, N, ST:
-// colours, normals, texture coordinates, which are left out; 4: a fourth coordinate, which must be 1; n: the dimension
-// follows, which must be 3), three counts, then vertices and faces.
+// Reads Object File Format (Geomview), as text: the keyword OFF, three counts, then vertices and faces. Letters before
+// OFF give attributes and coordinates: C, N, ST: colours, normals, texture coordinates, which are left out; 4: a fourth
+// coordinate, which must be 1; n: the dimension follows, which must be 3.
 #include <fmt/format.h>
 
 #include <vector>
@@ -13,8 +13,8 @@
 namespace restrip::tools {
 namespace {
 
-/// Writers put a vertex or a face on a line of its own and more numbers after it, which are colours and the like. In
-/// other files numbers follow each other without regard to lines, and each is needed.
+/// Most writers put each vertex or face on a separate line; further numbers on it, such as colours, are ignored. In
+/// other files line breaks have no meaning, and every number is needed.
 enum class Lines { one_each, free };
 
 class OffReader {
@@ -29,7 +29,7 @@ class OffReader {
     if (!fits(vertices, faces, Lines::one_each) && fits(vertices, faces, Lines::free)) lines_ = Lines::free;
     // The number of edges may be missing.
     if (skip_rest_of_line() == 0 && lines_ == Lines::free) number<std::uint32_t>("the number of edges");
-    // Two bytes a number at least: what cannot be there is not waited for.
+    // A number takes at least two bytes: refuses counts that the file cannot hold.
     if (vertices > cursor_.rest().size() / 6 + 1 || faces > cursor_.rest().size() / 2 + 1)
       throw BadInput(
           fmt::format("{}: announces {} vertices and {} faces, more than its {} bytes can hold; is the file complete?",
@@ -53,7 +53,7 @@ class OffReader {
     throw BadInput(fmt::format("{}:{}: {}", name_, cursor_.line(), why));
   }
 
-  /// The letters, the keyword and what is glued to it. Without any the file begins with its counts.
+  /// Reads the letters, the keyword and text joined to it. Without a keyword the file begins with its counts.
   void read_keyword() {
     glued_ = cursor_.word_on_any_line();
     if (parse<std::uint32_t>(glued_)) return;
@@ -87,7 +87,7 @@ class OffReader {
       refuse(fmt::format("points of {} dimensions; only 3 are read", dimension));
   }
 
-  /// Whether there are so many words, in free lines no more, from the counts to the end.
+  /// Whether the file has enough words from the counts to the end; for free lines, exactly enough.
   [[nodiscard]] bool fits(std::size_t vertices, std::size_t faces, Lines lines) const {
     TextCursor cursor = cursor_;
     const auto skip = [&](std::size_t words) {
@@ -132,7 +132,7 @@ class OffReader {
     if (more != 0 && left_out_.empty()) soup_.leave_out("COLOR_0");
   }
 
-  /// How many words were left on it, where lines count.
+  /// The number of words left on the line, if lines have meaning.
   std::size_t skip_rest_of_line() {
     if (lines_ == Lines::free) return 0;
     std::size_t words = 0;
@@ -145,7 +145,7 @@ class OffReader {
   Number number(const char* what) {
     return read_number<Number>(cursor_.word_on_any_line(), what);
   }
-  /// One that belongs to the same vertex or face.
+  /// The next number of the same vertex or face.
   template <class Number>
   Number next_number(const char* what) {
     return read_number<Number>(lines_ == Lines::free ? cursor_.word_on_any_line() : cursor_.word(), what);

@@ -1,7 +1,7 @@
-// PLY (the Stanford polygon format): text, little-endian and big-endian. Elements `vertex` (x, y, z), `face` and
-// `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one, written with or without a sign); all
-// else is stepped over by its declared type. Of vertices are carried nx ny nz, s t (or u v, texture_u texture_v), red
-// green blue alpha (or diffuse_red …).
+// Reads PLY (the Stanford polygon format): text, little-endian and big-endian. Elements: `vertex` (x, y, z), `face` and
+// `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one, signed or unsigned). Other elements
+// and properties are skipped by their declared type. Supported attributes of vertices are nx ny nz, s t (or u v,
+// texture_u texture_v), and red green blue alpha (or diffuse_red …).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ std::optional<Type> type_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Properties of vertices that are an attribute, the last one perhaps missing; how glTF names it.
+/// The vertex properties that form an attribute, the last of which may be missing, and the attribute's name in glTF.
 struct AttributeProperties {
   const char* name;
   unsigned least;  // components
@@ -66,7 +66,7 @@ constexpr AttributeProperties attribute_properties[]{
     {"COLOR_0", 3, {"red", "green", "blue", "alpha"}},
     {"COLOR_0", 3, {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}}};
 
-/// How an attribute is carried that the file has in such numbers.
+/// The encoding of an attribute that the file stores in numbers of this type.
 std::optional<ComponentType> carried_type(const Type& type, std::string_view name) {
   if (type.kind == Type::Kind::real) return ComponentType::real;
   if (type.kind == Type::Kind::signed_integer || type.bytes > 2 || name != "COLOR_0") return std::nullopt;
@@ -109,7 +109,7 @@ class PlyReader {
   // ---- the header
   void read_header() {
     if (cursor_.word() != "ply") refuse("does not begin with `ply`");
-    // Lines that end with CR alone end so at the body, which may begin with the byte of LF.
+    // If lines end with CR only, the header also ends with CR: the body may begin with the byte of LF.
     const bool ends_with_cr = cursor_.rest().starts_with('\r') && !cursor_.rest().starts_with("\r\n");
     bool format_known = false;
     for (cursor_.next_line();; cursor_.next_line()) {
@@ -167,10 +167,10 @@ class PlyReader {
   }
 
   // ---- the values
-  /// The bytes that a value takes at least: two as text (the very last may lack its separator).
+  /// The minimum bytes of a value: two as text (the last value may lack its separator).
   [[nodiscard]] std::size_t least_bytes(const Type& type) const { return encoding_ == Encoding::text ? 2 : type.bytes; }
 
-  /// The bytes that are left.
+  /// The number of remaining bytes.
   [[nodiscard]] std::size_t room() const {
     return encoding_ == Encoding::text ? cursor_.rest().size() + 1 : bytes_.size();
   }
@@ -226,7 +226,7 @@ class PlyReader {
   }
 
   void read_vertices(const Element& element) {
-    if (soup_.point_count() != 0) {  // more vertices, which may have others
+    if (soup_.point_count() != 0) {  // more vertices, which may have other attributes
       for (const Attribute& attribute : soup_.attributes()) soup_.leave_out(attribute.name);
       soup_.attributes().clear();
       carry_ = false;
@@ -261,14 +261,14 @@ class PlyReader {
     }
   }
 
-  /// What a property of a vertex is.
+  /// The role of a vertex property.
   struct Component {
-    std::size_t attribute = no_attribute;  // by its place in the soup
+    std::size_t attribute = no_attribute;  // index in the soup
     unsigned number = 0;
   };
   static constexpr std::size_t no_attribute = ~std::size_t{0};
 
-  /// The component that each property of the vertices is; makes the attributes, or leaves them out.
+  /// The component for each property of the vertices. Creates the attributes or leaves them out.
   std::vector<Component> components_of(const Element& element) {
     std::vector<Component> components(element.properties.size());
     std::vector<Attribute>& made = soup_.attributes();
@@ -307,7 +307,7 @@ class PlyReader {
       for (unsigned c = 0; c < attribute.components; ++c)
         if (const double most = attribute.type == ComponentType::unsigned_byte ? 255 : 65535;
             !(value[c] >= 0) || value[c] > most || value[c] != std::floor(value[c]))
-          refuse(fmt::format("vertex {} has a colour {}, which is none of 0 to {}", vertex, value[c], most));
+          refuse(fmt::format("vertex {} has a colour {}, which is not from 0 to {}", vertex, value[c], most));
     if (attribute.name == "NORMAL") value = unit_normal(value);
     if (attribute.name == "TEXCOORD_0") value[1] = 1 - value[1];  // PLY counts from below
     attribute.append(value);
@@ -323,7 +323,7 @@ class PlyReader {
     return static_cast<std::uint32_t>(index);
   }
 
-  /// Calls read(i, list) for each list of corners of element i, and steps over the rest.
+  /// Calls read(i, list) for each list of corners of element i and skips the rest.
   template <class Read>
   void for_each_list(const Element& element, Read&& read) {
     for (std::size_t i = 0; i < element.count; ++i)
@@ -336,7 +336,7 @@ class PlyReader {
 
   void read_faces(const Element& element) {
     for (const Property& property : element.properties)
-      if (property.name == "texcoord") soup_.leave_out("TEXCOORD_0");  // of corners
+      if (property.name == "texcoord") soup_.leave_out("TEXCOORD_0");  // attribute of corners
     std::vector<std::uint32_t> corners;
     for_each_list(element, [&](std::size_t i, const Property& list) {
       corners.clear();
@@ -370,7 +370,7 @@ class PlyReader {
 
   const std::string& name_;
   TextCursor cursor_;
-  std::string_view bytes_;  // of a binary body: what has not been read
+  std::string_view bytes_;  // unread bytes of a binary body
   Encoding encoding_ = Encoding::text;
   std::vector<Element> elements_;
   SoupBuilder soup_;

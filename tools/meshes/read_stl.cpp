@@ -1,6 +1,6 @@
-// STL, binary (80 bytes of anything, a count, 50 bytes a triangle) and text (`vertex x y z`, three for each `facet`, in
-// letters of either case). Many binary files begin with the word "solid" too, so the size decides, and then whether the
-// first bytes are text. The two bytes after a binary facet are 0, or its colour as some programs write it.
+// Reads STL, binary (an 80-byte header, a count, 50 bytes a triangle) and text (`vertex x y z`, three per `facet`, in
+// upper or lower case). Many binary files begin with the word "solid" too, so the format is detected by the size, then
+// by whether the first bytes are text. The two bytes after a binary facet are 0 or, from some programs, its colour.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Gives corners at the same place the same vertex.
+/// Merges corners at the same position.
 class Welder {
  public:
   explicit Welder(const std::string& name) : soup_(name) {}
@@ -112,7 +112,7 @@ Soup read_stl(std::string_view bytes, const std::string& name) {
   const std::size_t facets = may_be_binary ? read_u32(bytes, stl_header_bytes - 4) : 0;
   const std::size_t size = stl_header_bytes + facets * facet_bytes;
   if (may_be_binary && bytes.size() == size) return read_binary(bytes, name, facets);
-  // A count of less than 2^24 has a byte that no text has.
+  // A count below 2^24 contains a zero byte, which text does not.
   const bool is_text = bytes.substr(0, stl_header_bytes).find('\0') == std::string_view::npos;
   TextCursor cursor(bytes);
   if (is_text && same_letters(cursor.word_on_any_line(), "solid")) return read_text(bytes, name);

@@ -1,4 +1,4 @@
-// Coordinates are 64 bits wide here. Formats that have 32 round them, which matters far from the origin.
+// Coordinates have 64 bits here. Formats with 32 bits round them, which matters far from the origin.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace restrip::tools {
 
-/// What rounding to 32 bits does to a mesh.
+/// The effect of rounding a mesh to 32 bits.
 struct Rounding {
   double largest = 0;          ///< the largest change of a coordinate
-  std::size_t coinciding = 0;  ///< vertices that come to lie where others do
-  /// Whether it is worth a word: vertices coincide, or move by more than a millionth of the mesh's size.
+  std::size_t coinciding = 0;  ///< vertices that then coincide with others
+  /// Whether to report it: vertices coincide, or move by more than a millionth of the mesh's size.
   bool matters = false;
 };
 
-/// "x y z", each in as few digits as lead back to it, as 32 bits where it is a number of these.
+/// "x y z", each with the fewest digits that read back as the same number; in 32 bits if that is exact.
 void put_coordinates(std::string& text, const Point& p);
 
 /// O(n log n).

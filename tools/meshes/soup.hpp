@@ -18,7 +18,7 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// As most formats and graphics processors have it.
+/// As most formats and graphics processors store it.
 [[nodiscard]] constexpr Point in_32_bits(const Point& p) noexcept {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
@@ -26,36 +26,36 @@ struct Point {
 /// Three vertices, counter-clockwise.
 using Corners = std::array<std::uint32_t, 3>;
 
-/// A triangle begun at its smallest corner: equal for equal triangles of equal orientation.
+/// Rotates a triangle to start at its smallest corner: equal for equal triangles of equal orientation.
 [[nodiscard]] constexpr Corners rotated(const Corners& t) noexcept {
   if (t[0] <= t[1] && t[0] <= t[2]) return t;
   if (t[1] <= t[2]) return {t[1], t[2], t[0]};
   return {t[2], t[0], t[1]};
 }
 
-/// A corner twice.
+/// Has a corner twice.
 [[nodiscard]] constexpr bool degenerate(const Corners& t) noexcept {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Between two strips of an index buffer.
+/// Separates two strips of an index buffer.
 inline constexpr std::uint32_t strip_end = 0xFFFF'FFFF;
 
-/// Every corner is an index into `points`; nothing else is promised: corners may repeat, triangles too.
+/// Every corner is an index into `points`. Corners and triangles may repeat.
 struct Soup {
   std::vector<Point> points;
   std::vector<Corners> triangles;
-  /// The strips of a file that has some, as an index buffer with strip_end between them: it draws the triangles above
-  /// that are not degenerate, in their order. What the file lists one by one is a strip each. Empty: none exist.
+  /// The strips of the file, as an index buffer with strip_end between them. They draw all non-degenerate triangles
+  /// above, in order; a triangle that the file lists individually is one strip. Empty if the file has no strips.
   std::vector<std::uint32_t> strips = {};
   /// Faces of more than three corners; each became a fan of triangles around its first corner.
   std::size_t polygons = 0;
   std::size_t stubs = 0;  ///< faces of fewer than three corners; left out
-  /// What each point has beside its place, where that was asked for. Two points at one place that differ in these are
-  /// two vertices: a strip does not go from one to the other.
+  /// Attributes of the points, if requested. Two points at one position that differ in them are two vertices: a strip
+  /// does not cross from one to the other.
   std::vector<Attribute> attributes = {};
-  bool is_64_bits = false;                            ///< the file says so of its coordinates (`double` in PLY)
-  std::vector<std::string> left_out_attributes = {};  ///< names of those that the file has, and the soup has not
+  bool is_64_bits = false;                            ///< the file declares its coordinates so (`double` in PLY)
+  std::vector<std::string> left_out_attributes = {};  ///< names of attributes in the file but not in the soup
 };
 
 }  // namespace restrip::tools

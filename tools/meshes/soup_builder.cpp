@@ -25,7 +25,7 @@ void SoupBuilder::add_point(double x, double y, double z) {
   if (soup_.points.size() == max_vertices)
     throw BadInput(fmt::format("{}: more than {} vertices", name_, max_vertices));
   Point point{x, y, z};
-  const Point rounded = in_32_bits(point);  // nothing is beyond their range
+  const Point rounded = in_32_bits(point);  // checks the range
   if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y) || !std::isfinite(rounded.z)) {
     doubt(soup_.points.size(), "a coordinate that is");
     point = {};
@@ -95,7 +95,7 @@ void SoupBuilder::add_strip(std::span<const std::uint32_t> indices) {
     if (!degenerate(corners)) add_triangle(corners);
   }
   if (soup_.triangles.size() == first) return;
-  if (soup_.strips.empty()) add_strips_of_one(0, first);  // what came before was in no strip
+  if (soup_.strips.empty()) add_strips_of_one(0, first);  // earlier triangles were in no strip
   begin_strip();
   soup_.strips.insert(soup_.strips.end(), indices.begin(), indices.end());
 }

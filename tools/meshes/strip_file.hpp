@@ -1,4 +1,4 @@
-// Strips as a file: PLY with a `tristrips` element, binary glTF, OBJ, or the bare index buffer.
+// Writes strips to a file: PLY with a `tristrips` element, binary glTF, OBJ, or the bare index buffer.
 //
 //   .ply  binary; one list of indices, -1 between strips, as Stanford's scans have it (Cyberware's `tristrips`); faces
 //         where a list has fewer indices
@@ -20,9 +20,9 @@
 
 namespace restrip::tools {
 
-/// How strips are written, where the format of the file leaves a choice.
+/// How strips are written, if the format leaves a choice.
 struct StripOptions {
-  std::optional<StripForm> form;  ///< none: the usual one of the file format
+  std::optional<StripForm> form;  ///< none: the default of the format
   IndexWidth width = IndexWidth::automatic;
   std::size_t most_vertices = 0;  ///< of a batch, as in StripFormat
   std::size_t most_indices = 0;
@@ -32,33 +32,33 @@ struct StripOptions {
 struct StripFile {
   std::span<const Point> points;
   const IndexBuffer& buffer;
-  std::span<const Corners> triangles;  ///< the same, drawn, in order
-  /// Attributes of the points. A format holds those of which MeshFormat::holds() (lod/mesh_formats.hpp) says so.
+  std::span<const Corners> triangles;  ///< the triangles drawn, in order
+  /// Attributes of the points. A format stores the ones for which MeshFormat::holds() (lod/mesh_formats.hpp) is true.
   std::span<const Attribute> attributes = {};
-  bool in_batches = false;  ///< a limit of a batch was given
-  bool is_64_bits = false;  ///< as Soup says
+  bool in_batches = false;  ///< a batch limit was given
+  bool is_64_bits = false;  ///< as in Soup
 };
 
-/// The bytes of a file of strips, and what they have.
+/// The bytes of a file of strips, and their statistics.
 struct WrittenStrips {
   std::string bytes;
   StripForm form = StripForm::restart;
-  std::optional<StripForm> wanted = {};  ///< a list was written in its place, which has fewer indices
-  std::size_t index_bits = 0;            ///< 0 where the format has no index buffer
+  std::optional<StripForm> wanted = {};  ///< set if a list with fewer indices was written instead
+  std::size_t index_bits = 0;            ///< 0 if the format has no index buffer
   std::size_t indices = 0;
   std::size_t batches = 0;
   std::size_t strips = 0;                             ///< 0 for a list
-  std::vector<std::string> required_extensions = {};  ///< that a viewer must know to open it
+  std::vector<std::string> required_extensions = {};  ///< extensions that a viewer must support
 };
 
-/// The indices, strip_end between strips, in that form; what the buffer has is noted in `written`. Throws BadInput when
-/// 16 bits are wanted and do not suffice.
+/// Converts the indices, with strip_end between strips, to that form and fills in `written`. Throws BadInput if 16-bit
+/// indices are requested and do not suffice.
 [[nodiscard]] IndexBuffer format_as(const StripOptions& options, StripForm usual,
                                     std::span<const std::uint32_t> indices, WrittenStrips& written);
 [[nodiscard]] std::string_view name_of(StripForm form) noexcept;
-/// The tables and indices as .bin has them.
+/// The tables and indices of a .bin file.
 [[nodiscard]] std::string bin_bytes(const IndexBuffer& buffer, bool in_batches);
-/// Lines about the file of this name.
+/// Report lines about the file of this name.
 [[nodiscard]] std::string as_text(const WrittenStrips& written, const std::string& name);
 void add_to(nlohmann::ordered_json& json, const WrittenStrips& written);
 

@@ -1,5 +1,5 @@
-// Walks through a text by lines and words, and knows the line number for messages. A byte order mark is skipped; lines
-// end with LF, CRLF or CR. Never reads past the end, whatever the bytes are.
+// Walks through a text by lines and words, and knows the line number for messages. Skips a byte order mark; lines end
+// with LF, CRLF or CR. Never reads past the end, whatever the bytes are.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace restrip::tools {
 
-/// The number that a whole word spells; a leading + is allowed. None where it is beyond the range of a double, at
-/// either end.
+/// The number that a whole word spells; a leading + is allowed. Empty if it exceeds the range of a double at either
+/// end.
 template <class Number>
 [[nodiscard]] std::optional<Number> parse(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   Number number{};
-#ifndef __cpp_lib_to_chars  // a library whose from_chars knows whole numbers only, as libc++ 14
+#ifndef __cpp_lib_to_chars  // a library whose from_chars supports integers only, as libc++ 14
   if constexpr (std::is_floating_point_v<Number>) {
     const std::string text(word);
     if (text.empty() || text.front() == '+' || text.find_first_of("xX") != std::string::npos) return std::nullopt;
@@ -48,7 +48,7 @@ class TextCursor {
 
   [[nodiscard]] bool at_end() const noexcept { return rest_.empty(); }
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
-  /// What has not been read, from the current place on.
+  /// The unread text from the current position.
   [[nodiscard]] std::string_view rest() const noexcept { return rest_; }
 
   /// The next word of this line; empty at its end. A # begins a comment that lasts to the end of the line. A backslash
@@ -71,7 +71,7 @@ class TextCursor {
     }
   }
 
-  /// Leaves the rest of this line unread.
+  /// Skips the rest of this line.
   void next_line() {
     rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
     skip_line_end();
@@ -81,7 +81,7 @@ class TextCursor {
   static constexpr std::string_view line_ends = "\n\r";
   static bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool ends_line(char c) noexcept { return c == '\n' || c == '\r'; }
-  /// Whether a backslash stands there, and nothing after it on its line.
+  /// Whether a backslash stands there as the last character of its line.
   [[nodiscard]] bool continues(std::size_t at) const noexcept {
     return rest_[at] == '\\' && (at + 1 == rest_.size() || ends_line(rest_[at + 1]));
   }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_glb_bytes = std::numeric_limits<std::int32_t>::max();
 
-/// One chunk of a GLB, filled up to a multiple of four bytes.
+/// Appends one chunk of a GLB, padded to a multiple of four bytes.
 void put_chunk(std::string& glb, std::string bytes, std::uint32_t kind, char filling) {
   bytes.resize((bytes.size() + 3) / 4 * 4, filling);
   put(glb, static_cast<std::uint32_t>(bytes.size()));
@@ -25,10 +25,10 @@ void put_chunk(std::string& glb, std::string bytes, std::uint32_t kind, char fil
   glb += bytes;
 }
 
-/// The data of vertices begins at multiples of four bytes.
+/// Vertex data begins at multiples of four bytes.
 std::size_t stride_of(const Attribute& attribute) { return (attribute.value_bytes() + 3) / 4 * 4; }
 
-/// The parts of the JSON that belong together by their numbers, written side by side.
+/// Writes the parts of the JSON that refer to each other by number.
 class GlbWriter {
  public:
   GlbWriter(const StripFile& file, const GlbExtension& extension) : file_(file), extension_(extension) {
@@ -64,7 +64,7 @@ class GlbWriter {
  private:
   enum class ViewOf { vertices, indices, other };
 
-  /// The view of what was put since `begin`.
+  /// Adds the view of the bytes written since `begin`.
   void end_view(std::size_t begin, ViewOf content, std::size_t stride = 0) {
     auto out = std::back_inserter(views_);
     fmt::format_to(out, R"({}{{"buffer":0,"byteOffset":{},"byteLength":{})", view_count_ == 0 ? "" : ",", begin,

@@ -12,7 +12,7 @@
 namespace restrip::tools {
 namespace {
 
-/// 1 - v, as few digits as lead back to it.
+/// 1 - v, with the fewest digits that read back as the same number.
 std::string turned_place(double v) {
   const auto exact = static_cast<float>(v);
   const auto brief = static_cast<float>(1 - v);
@@ -46,7 +46,7 @@ class ObjWriter {
   }
 
  private:
-  /// The number of the `v` of each vertex, counted from 1.
+  /// Returns the number of the `v` of each vertex, counted from 1.
   std::vector<std::uint32_t> put_points() {
     std::vector<Attribute> all;
     for (const Attribute* attribute : {normals_, places_, colors_})
@@ -58,7 +58,7 @@ class ObjWriter {
     std::uint32_t count = 0;
     auto out = std::back_inserter(text_);
     for (std::uint32_t v = 0; v < number.size(); ++v) {
-      // Vertices that differ in nothing stay several.
+      // Identical vertices stay separate.
       if (first[v] == v && number[v] != v) {
         number[v] = number[number[v]];
         continue;
@@ -84,7 +84,7 @@ class ObjWriter {
     });
   }
 
-  /// Each value once; the number of that of each vertex, counted from 1.
+  /// Writes each value once; returns the number of each vertex's value, counted from 1.
   template <class Put>
   std::vector<std::uint32_t> put_values(const Attribute& attribute, Put&& put) {
     std::vector<std::uint32_t> number = first_alike(soup_.points.size(), {}, std::span(&attribute, 1));
@@ -99,7 +99,7 @@ class ObjWriter {
 
   const Soup& soup_;
   const Attribute* normals_;
-  const Attribute* places_;  // in textures
+  const Attribute* places_;  // texture coordinates
   const Attribute* colors_;
   std::string text_;
 };

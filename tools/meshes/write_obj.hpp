@@ -1,4 +1,4 @@
-// Wavefront OBJ out: `v`, with colours behind the coordinates as most programs read them, `vt`, `vn` and `f`.
+// Writes Wavefront OBJ: `v`, followed by colours in the usual extension, `vt`, `vn` and `f`.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace restrip::tools {
 
-/// Numbers as text that reads back the same, colours as 0 to 1. Vertices at one place that differ in normals or texture
-/// coordinates alone share their `v`, so that other programs see one surface; those that differ in nothing do not. OBJ
-/// counts the second texture coordinate from below, glTF and Soup from above: it is turned.
+/// Numbers read back exactly; colours range from 0 to 1. Vertices at one position that differ only in normals or
+/// texture coordinates share a `v`, so that other programs see a connected surface. Identical vertices do not share
+/// one. OBJ counts the second texture coordinate from below, glTF and Soup from above, so it is inverted.
 [[nodiscard]] std::string obj_bytes(const Soup& soup);
 
 }  // namespace restrip::tools

@@ -20,7 +20,7 @@ const char* name_of(ComponentType type) {
   return type == ComponentType::unsigned_short ? "ushort" : "float";
 }
 
-/// All of the file but what comes of `elements`, the rest of its header, and of the bytes that follow the vertices.
+/// The whole file, except `elements`, the rest of its header, and the bytes that follow the vertices.
 std::string ply_of_vertices(std::span<const Point> points, bool is_64_bits, std::span<const Attribute> attributes,
                             const std::string& elements) {
   const Attribute* normals = named(attributes, "NORMAL");

@@ -92,7 +92,7 @@ class Measurement {
     result_.scratch = {std::move(fast), std::move(full)};
   }
 
-  /// All splits, and a look at each level.
+  /// Plays all splits and measures each level.
   template <class Step, class AtLevel>
   void climb(const std::string& label, const StripMesh& mesh, Step&& step, AtLevel&& at_level) {
     Progress progress(result_.name + ": " + label, source_.splits.size());

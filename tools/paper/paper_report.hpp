@@ -1,5 +1,5 @@
-// The report of `restrip paper`: a CSV file for each of its figures, and all of them together as JSON, from which
-// scripts/paper_page.py makes a page. No dates and no timings: the same bytes on every run.
+// Writes the report of `restrip paper`: a CSV file for each figure, and all of them together as JSON, from which
+// scripts/paper_page.py makes a page. Without dates and timings, so the bytes are the same on every run.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace restrip::tools {
 
-/// Each has a header line; masks are decimal, numbered as in docs/reference/notation.md. Percentages have two digits.
+/// Each file has a header line; masks are decimal, numbered as in docs/reference/notation.md. Percentages have two
+/// digits.
 ///   positions.csv      k,a,b                          figure 6
 ///   rules-4.csv        a,loop,ports,inner,strips,isolated,orbit   figure 7, one line for each orbit
 ///   lonely-counts.csv  k,a,valid,lonely,rule_isolates,rule_adds_strip,orbits

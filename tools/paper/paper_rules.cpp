@@ -55,7 +55,7 @@ std::vector<Colors> orbit_of(SplitPosition at, Word loop, Word ports) {
   return orbit;
 }
 
-/// Colours of a patch as a graph: its triangles, solid edges between them, and who has a port.
+/// The colours of a patch as a graph: its triangles, the solid edges between them, and the owners of ports.
 class ColoredPatch {
  public:
   static ColoredPatch fan(std::size_t k, Word loop, Word ports) {
@@ -76,7 +76,7 @@ class ColoredPatch {
     return patch;
   }
 
-  /// Valid degrees, no cycle.
+  /// Valid degrees and no cycle.
   [[nodiscard]] bool valid() const {
     std::vector<int> all = degrees();
     return !cycle_ && std::all_of(all.begin(), all.end(), [](int d) { return d <= 2; });
@@ -116,7 +116,7 @@ class ColoredPatch {
 
   DisjointSets sets_;
   std::vector<int> degree_;
-  std::vector<std::size_t> owner_;  // of each port
+  std::vector<std::size_t> owner_;  // the triangle of each port
   Word ports_;
   bool cycle_ = false;
 };

@@ -1,4 +1,4 @@
-// Strips as a picture: SVG or PNG.
+// Draws strips as SVG or PNG.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,20 @@ namespace restrip::tools {
 
 struct Picture {
   std::string bytes;
-  std::size_t strips = 0;  ///< whose colour is somewhere in the picture
+  std::size_t strips = 0;  ///< number of strips visible by colour
 };
 
-/// One polygon for each face, far ones first, so that near ones cover them: right but where triangles of very different
-/// size overlap. Lines are drawn with their triangles.
+/// One polygon per face, far ones first, so that near ones cover them. Correct unless triangles of very different size
+/// overlap. Lines are drawn with their triangles.
 [[nodiscard]] Picture svg_of(const Scene& scene);
 
-/// By a depth buffer, which decides for each pixel; 15 bytes a pixel while it draws. Without antialiasing: every pixel
-/// has the colour of the background, of an edge, of the surface, or of a strip. Throws std::runtime_error where libpng
-/// fails.
+/// Uses a depth buffer; 15 bytes a pixel. Without antialiasing: every pixel has the colour of the background, of an
+/// edge, of the surface, or of a strip. Throws std::runtime_error if libpng fails.
 [[nodiscard]] Picture png_of(const Scene& scene);
 
-/// The extensions of both.
+/// The supported extensions.
 [[nodiscard]] std::vector<std::string> picture_extensions();
-/// The picture in the format of the extension, in lower case. Throws BadInput when it is neither.
+/// The picture in the format of the extension (in lower case). Throws BadInput for other extensions.
 [[nodiscard]] Picture picture_of(const Scene& scene, const std::string& extension);
 
 }  // namespace restrip::tools

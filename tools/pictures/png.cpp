@@ -20,7 +20,7 @@ double distance_from(const Spot& p, const Spot& q, double x, double y) noexcept 
   return std::hypot(x - p.x - share * along_x, y - p.y - share * along_y);
 }
 
-/// Which face is seen at each pixel.
+/// The visible face at each pixel.
 class FaceBuffer {
  public:
   static constexpr std::uint32_t no_face = 0xFFFF'FFFF;
@@ -79,11 +79,11 @@ class Paint {
  public:
   explicit Paint(const Scene& scene)
       : scene_(&scene),
-        // Thinner ones would have gaps: no pixel is nearer to a line than half a diagonal, at worst.
+        // Thinner edges would have gaps: the nearest pixel may be half a diagonal away.
         edge_(scene.edge_width > 0 ? std::max(scene.edge_width / 2, 0.5) : 0),
         line_(std::max(scene.line_width / 2, 0.75)) {}
 
-  /// Whether a strip's own colour, and no other one.
+  /// Whether the point has the colour of the face's strip.
   [[nodiscard]] bool is_strip(const Face& face, double x, double y) const {
     if (scene_->style == StripStyle::faces) return !is_edge(face, x, y);
     const Spot center = center_of(face);

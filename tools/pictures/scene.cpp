@@ -34,19 +34,19 @@ std::uint32_t number_of(const Color& c) noexcept {
   return std::uint32_t{c.red} << 16U | std::uint32_t{c.green} << 8U | std::uint32_t{c.blue};
 }
 
-/// The colours that are taken, by number. Each leads towards the next one that is free, and is set to lead there
-/// directly when it is asked, so that strips without end do not go through all colours one by one.
+/// The used colours, by number. Each entry leads towards the next free one and is shortened on access, so that many
+/// strips do not search all colours one by one.
 class TakenColors {
  public:
   static constexpr std::uint32_t all = 1U << 24U;
 
-  /// The colour, or the next one that is free. There must be one.
+  /// The colour or the next free one, which must exist.
   std::uint32_t take(std::uint32_t number) {
     std::uint32_t free = number;
     for (auto next = next_.find(free); next != next_.end(); next = next_.find(free)) free = next->second;
-    const std::uint32_t behind = (free + 1) % all;
-    while (number != free) number = std::exchange(next_.at(number), behind);
-    next_.emplace(free, behind);
+    const std::uint32_t next = (free + 1) % all;
+    while (number != free) number = std::exchange(next_.at(number), next);
+    next_.emplace(free, next);
     return free;
   }
 
@@ -54,7 +54,7 @@ class TakenColors {
   std::unordered_map<std::uint32_t, std::uint32_t> next_;
 };
 
-/// Where two strips would have the same colour, the later one takes the next that is free, while one is.
+/// If two strips would have the same colour, the later one takes the next free one, as long as one is free.
 std::vector<Color> distinct_colors(std::size_t count) {
   constexpr std::array others{background_color, edge_color, surface_color};
   TakenColors taken;
@@ -70,12 +70,12 @@ std::vector<Color> distinct_colors(std::size_t count) {
   return colors;
 }
 
-/// Twice the area, positive when the corners go counter-clockwise as seen: y points down.
+/// Twice the area, positive if the corners are counter-clockwise as seen: y points down.
 double doubled_area(const std::array<Spot, 3>& t) noexcept {
   return (t[2].x - t[0].x) * (t[1].y - t[0].y) - (t[1].x - t[0].x) * (t[2].y - t[0].y);
 }
 
-/// From the mesh to the picture.
+/// Projects the mesh into the picture.
 class Projection {
  public:
   Projection(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
@@ -95,7 +95,7 @@ class Projection {
           low = {std::min(low.x, s.x), std::min(low.y, s.y), 0};
           high = {std::max(high.x, s.x), std::max(high.y, s.y), 0};
         }
-    if (low.x > high.x) return;  // nothing to see
+    if (low.x > high.x) return;  // nothing is visible
     const auto width = static_cast<double>(size.width);
     const auto height = static_cast<double>(size.height);
     const double margin = std::min(width, height) / 40;
@@ -128,7 +128,7 @@ class Projection {
   Spot to_;
 };
 
-/// The middle of the edge that two triangles share.
+/// The midpoint of the edge shared by two triangles.
 Spot door_between(const Projection& project, std::span<const Point> points, const Corners& one, const Corners& other) {
   std::array<std::uint32_t, 2> ends{one[0], one[1]};
   for (std::size_t i = 0; i < 3; ++i) {

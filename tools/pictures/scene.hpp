@@ -1,4 +1,4 @@
-// A mesh and its strips as a camera sees them: what pictures of every format are made of (picture_file.hpp).
+// A mesh and its strips as seen by a camera: the input of all picture formats (picture_file.hpp).
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace restrip::tools {
 
-/// The triangles of one strip, each next to the following one.
+/// The triangles of one strip, in order.
 using StripCorners = std::vector<Corners>;
 
-/// Where the picture is taken from: far away (parallel projection), with the y axis upright. In degrees. At 0,0 the
-/// camera looks along -z; the azimuth carries it around the y axis towards +x, the elevation up towards +y.
+/// The direction of view, in degrees: a parallel projection with the y axis upright. At 0,0 the camera looks along -z;
+/// the azimuth moves it around the y axis towards +x, the elevation up towards +y.
 struct Camera {
   double azimuth = 30;
   double elevation = 20;  ///< from -90 to 90
@@ -54,7 +54,7 @@ struct Spot {
 struct Face {
   std::array<Spot, 3> corners;
   std::size_t strip = 0;
-  std::array<Spot, 2> doors{};  ///< middles of the edges that its strip crosses
+  std::array<Spot, 2> doors{};  ///< midpoints of the edges that its strip crosses
   std::size_t door_count = 0;
 };
 [[nodiscard]] Spot center_of(const Face& face) noexcept;
@@ -64,11 +64,11 @@ struct Scene {
   StripStyle style = StripStyle::faces;
   std::vector<Face> faces;    ///< far ones first, by their centres
   std::vector<Color> colors;  ///< of each strip; all differ, and differ from the three above
-  double edge_width = 0;      ///< of the edges of triangles, in pixels; 0: triangles are too small to show them
+  double edge_width = 0;      ///< width of triangle edges, in pixels; 0: triangles are too small to show them
   double line_width = 0;      ///< of the lines
 };
 
-/// The whole mesh, seen or not, fits into the picture but for a margin of a fortieth of its shorter side. Triangles
+/// The whole mesh, visible or not, fits into the picture with a margin of a fortieth of the shorter side. Triangles
 /// that face away are left out. O(n log n) for n triangles. At most 2^23 strips.
 [[nodiscard]] Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
                              const PictureSize& size, StripStyle style);

@@ -34,7 +34,7 @@ Picture svg_of(const Scene& scene) {
     svg += '\n';
     shown[face.strip] = true;
     if (scene.style == StripStyle::faces) continue;
-    // From door to door by the centre; alone, a dot.
+    // From door to door through the centre; a dot for an isolated triangle.
     const Spot center = center_of(face);
     fmt::format_to(out, R"(<path fill="none" stroke="{}" stroke-width="{:.2f}" d=")", color, scene.line_width);
     if (face.door_count == 2) fmt::format_to(out, "M{:.2f},{:.2f}L", face.doors[1].x, face.doors[1].y);

@@ -1,4 +1,4 @@
-// The levels of detail that a report is about: from the base to the finest mesh in geometric steps.
+// The levels of detail in a report: from the base to the finest mesh in geometric steps.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,26 @@ namespace restrip::tools {
 /// The mesh at one level of detail.
 struct Level {
   std::size_t triangles = 0;
-  std::size_t strips = 0;    ///< isolated triangles included
+  std::size_t strips = 0;    ///< including isolated triangles
   std::size_t isolated = 0;  ///< strips of one triangle
-  std::size_t swaps = 0;     ///< a first turn that needs one more index included
-  std::size_t indices = 0;   ///< of the index buffer: strips with primitive restart
-  /// The live buffer, as it is there after all operations that led here: its gaps are counted. 0: there was none.
+  std::size_t swaps = 0;     ///< including a first turn that needs one more index
+  std::size_t indices = 0;   ///< of an index buffer of strips with primitive restart
+  /// The live buffer after all operations so far, including its gaps. 0: no live buffer.
   std::size_t buffer_indices = 0;
-  double acmr = 0;  ///< of the live buffer, in a cache of 16 vertices, first in, first out
+  double acmr = 0;  ///< of the live buffer, in a FIFO cache of 16 vertices
 };
 
-/// Counts the strips of a mesh. `faults` receives a sentence when some triangle is in no strip. Linear time.
+/// Counts the strips of a mesh. Adds a sentence to `faults` if a triangle is in no strip. Linear time.
 [[nodiscard]] Level level_of(const StripMesh& mesh, std::vector<std::string>& faults);
 
-/// Where to stop on the way up.
+/// Decides where to stop on the way up.
 class LevelStops {
  public:
-  /// `count` levels, base and finest level among them, at least 2.
+  /// `count` levels, including base and finest level; at least 2.
   LevelStops(std::size_t base_triangles, std::size_t fine_triangles, std::size_t count);
 
-  /// To be asked before each split: is this mesh, of that many triangles, the next level? The finest level is not asked
-  /// for; it comes after the last split.
+  /// Call it before each split: whether the current mesh is the next level. The finest level follows the last split
+  /// without a call.
   [[nodiscard]] bool reached(std::size_t triangles) noexcept {
     if (next_ == sizes_.size() || triangles < sizes_[next_]) return false;
     ++next_;

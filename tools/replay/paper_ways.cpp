@@ -26,15 +26,15 @@ bool around_four_triangles(const StripMesh& mesh, Halfedge spoke) {
   return h == spoke;
 }
 
-/// Both halves of a cut edge take its colour. `inner`: the side of the new triangle on the chord.
+/// Gives both halves of a cut edge its colour. `inner`: the side of the new triangle on the chord.
 void inherit(StripMesh& mesh, Halfedge inner, bool solid) {
-  if (!solid) return;  // a new triangle's edges are dashed, and the mesh may end at one of them
+  if (!solid) return;  // a new triangle's edges are dashed, and one may be a boundary edge
   mesh.set_solid(StripMesh::next(inner), true);
   mesh.set_solid(StripMesh::next(StripMesh::next(inner)), true);
 }
 
-/// With `tunnel`: tunnels from isolated triangles while they are more than a tenth of the strips, the threshold of
-/// Porcu, Sanna, Scateni, "Efficiently keeping an optimal stripification over a CLOD mesh", 2005.
+/// With `tunnel`, tunnels from isolated triangles while they exceed a tenth of the strips, the threshold in Porcu,
+/// Sanna, Scateni, "Efficiently keeping an optimal stripification over a CLOD mesh", 2005.
 class Paper {
  public:
   Paper(StripMesh& mesh, bool join, bool tunnel) : mesh_(mesh), join_(join) {
@@ -65,7 +65,7 @@ class Paper {
     before();
     const Halfedge turned = restrip::flip(mesh_, h).halfedge;
     after();
-    // It may give ports up, and so isolate a triangle beside the patch.
+    // It may give ports up and so isolate a triangle next to the patch.
     for (const Triangle t : patch_)
       for (unsigned side = 0; side < 3; ++side)
         if (const Halfedge across = mesh_.opposite(StripMesh::halfedge(t, side));
@@ -76,7 +76,7 @@ class Paper {
 
   Mending between() {
     if (!locator_) return {};
-    // Some have found a strip meanwhile, some were noted twice, some are no more.
+    // Some are in a strip by now, some were noted twice, some no longer exist.
     const auto too_many = [&](std::size_t isolated) { return 10 * isolated > locator_->strips(); };
     if (!too_many(alone_.size())) return {};
     std::sort(alone_.begin(), alone_.end());
@@ -102,7 +102,7 @@ class Paper {
   [[nodiscard]] std::string fault() const { return locator_ ? find_fault(mesh_, *locator_) : std::string(); }
 
  private:
-  static constexpr std::uint32_t short_tunnel = 50;  // states: chains of four moves or so
+  static constexpr std::uint32_t short_tunnel = 50;  // states: chains of about four moves
 
   [[nodiscard]] bool alone(Triangle t) const { return mesh_.alive(t) && mesh_.solid_degree(t) == 0; }
   void note(Triangle t) {
@@ -119,10 +119,10 @@ class Paper {
 
   StripMesh& mesh_;
   bool join_;
-  std::optional<StripLocator> locator_;  // of those that tunnel
+  std::optional<StripLocator> locator_;  // of the variants that tunnel
   Tunnel tunnel_;
   std::vector<Triangle> patch_;
-  std::vector<Triangle> alone_;  ///< every isolated triangle, and some that no longer are
+  std::vector<Triangle> alone_;  ///< every isolated triangle, and some that are not isolated any more
 };
 
 Way way(const char* name, const char* says, bool join, bool tunnel) {

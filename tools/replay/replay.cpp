@@ -27,7 +27,7 @@ class Replay {
  public:
   Replay(const Plan& plan, const ReplayOptions& options)
       : plan_(plan), splits_(plan.mesh().splits), options_(options), mesh_(plan.base()) {
-    // One mesh serves every run, so that its memory is there before the first clock starts.
+    // One mesh serves every run, so that its memory is allocated before timing starts.
     mesh_.reserve(plan.mesh().fine_triangles(), plan.mesh().points.size());
     upkeep_ = plan.begin(mesh_);
     bare_ = way_named("bare").begin(mesh_, {});
@@ -73,7 +73,7 @@ class Replay {
   Rewrite<Halfedge> with_rest(const Rewrite<Halfedge>& done) { return detail::with(done, upkeep_->between()); }
   [[nodiscard]] VertexSplit<Halfedge> where(std::size_t i) const { return spokes_of(mesh_, splits_[i]); }
 
-  // ---- the way up, with everything counted
+  // ---- the way up, with all counts
   void watch_the_way_up() {
     start_from_base();
     LevelStops stops(report_.base_triangles, plan_.mesh().fine_triangles(), options_.levels);
@@ -88,7 +88,7 @@ class Replay {
     report_.triangles = mesh_.triangle_count();
   }
 
-  // ---- the way back, the same levels counted
+  // ---- the way back, with counts at the same levels
   void watch_the_way_down() {
     std::size_t next = report_.levels.size();
     const auto look = [&] {
@@ -110,7 +110,7 @@ class Replay {
     upkeep_ = plan_.begin(mesh_);
   }
 
-  // ---- what a renderer would have to upload, kept in step after every operation
+  // ---- the bytes that a renderer must upload, updated after every operation
   void measure_buffer() {
     if (splits_.empty() || !report_.faults.empty()) return;
     if (options_.buffer == ReplayOptions::Buffer::list)
@@ -170,7 +170,7 @@ class Replay {
     if (options_.repeats != 0) time_buffer_of<Buffer>();
   }
 
-  // Up and down with the buffer and without it by turns, the difference for each operation.
+  // Runs up and down with and without the buffer in turn and takes the difference per operation.
   template <class Buffer>
   void time_buffer_of() {
     Medians with;
@@ -236,8 +236,8 @@ class Replay {
       report_.faults.push_back(fmt::format("at {} triangles: {}", mesh_.triangle_count(), fault));
   }
 
-  // ---- the clock
-  /// With strips and bare by turns, so that a slow moment of the machine strikes both.
+  // ---- timing
+  /// Runs with and without strips in turn, so that slow moments of the machine affect both.
   void measure() {
     if (splits_.empty() || options_.repeats == 0) return;
     Medians up;
@@ -275,7 +275,7 @@ class Replay {
     for (std::string& fault : find_faults(mesh_)) report_.faults.push_back(std::move(fault));
     const std::vector<Corners> expected = sorted_triangles(original);
     if (sorted_triangles(triangles_of(mesh_)) != expected)
-      report_.faults.emplace_back("after the last split the triangles are not those of the original mesh");
+      report_.faults.emplace_back("after the last split the triangles differ from the original mesh");
     if (sorted_triangles(decode_strips(strip_indices(mesh_, extract_strips(mesh_)))) != expected)
       report_.faults.emplace_back("the index buffer does not draw the triangles of the original mesh");
   }
@@ -313,13 +313,13 @@ class Replay {
     const std::vector<std::uint32_t> indices = strip_indices(mesh_, extract_strips(mesh_));
     return fnv1a({reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(std::uint32_t)});
   }
-  /// At a level that was reported: are its strips what they were?
+  /// Compares the strips at a reported level with the earlier ones.
   bool compare_level(std::size_t i) {
     if (!plan_.way().bakes || mesh_.triangle_count() != report_.levels[i].triangles) return false;
     ++report_.levels_compared;
     if (hash_of_strips() != hashes_[i])
-      report_.faults.push_back(fmt::format("cycle {}: at {} triangles the strips are not what they were", cycle_,
-                                           report_.levels[i].triangles));
+      report_.faults.push_back(
+          fmt::format("cycle {}: at {} triangles the strips have changed", cycle_, report_.levels[i].triangles));
     return true;
   }
 
@@ -331,7 +331,7 @@ class Replay {
   std::unique_ptr<Upkeep> upkeep_;
   std::unique_ptr<Upkeep> bare_;  // on the same mesh
   std::size_t strips_now_ = 0;
-  std::size_t cycle_ = 0;              // the number of the one under way
+  std::size_t cycle_ = 0;              // the number of the current one
   std::vector<std::uint64_t> hashes_;  // of the strips at each reported level, if baked
   ReplayReport report_;
 };

@@ -1,5 +1,5 @@
-// The replay: a progressive mesh from its base to its finest level and back, with the strips kept in one way
-// (ways.hpp), measured and checked.
+// Replays a progressive mesh from its base to its finest level and back, keeping the strips in one way (ways.hpp), and
+// measures and checks it.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@
 namespace restrip::tools {
 
 struct ReplayOptions {
-  std::size_t levels = 12;  ///< at which strips are counted, base and finest level among them, at least 2
+  std::size_t levels = 12;  ///< at which strips are counted, including base and finest level; at least 2
   std::size_t repeats = 5;  ///< of each timed run; 0: no timing
   std::size_t cycles = 0;   ///< down and up again after the first way up
   enum class Buffer { strips, list };
-  Buffer buffer = Buffer::strips;  ///< which index buffer is kept in step
+  Buffer buffer = Buffer::strips;  ///< which index buffer is updated
   std::string* trace = nullptr;    ///< receives a trace of the first way up and the way back (output/trace.hpp)
-  /// Small meshes are over in a moment: there are more repeats, until so many operations have been timed.
+  /// Minimum number of timed operations: small meshes are repeated more often.
   std::size_t enough_operations = 200'000;
 };
 
-/// One way down to the base and up again.
+/// One pass down to the base and up again.
 struct Cycle {
   std::size_t number = 0;  ///< from 1
   Level base;
   Level top;
   std::size_t isolating = 0;     ///< operations that introduced an isolated triangle
-  std::size_t adding_strip = 0;  ///< operations after which there were more strips
+  std::size_t adding_strip = 0;  ///< operations that added a strip
 };
 
 inline constexpr std::size_t most_reported_cycles = 1024;
@@ -39,37 +39,37 @@ struct ReplayReport {
   std::size_t base_triangles = 0;
   std::size_t triangles = 0;  ///< at the finest level
   std::size_t operations = 0;
-  std::size_t operations_without_rule = 0;  ///< refused: the file names a split that no mesh can do
+  std::size_t operations_without_rule = 0;  ///< refused: the file names an impossible split
   std::size_t operations_isolating = 0;     ///< introduced an isolated triangle
   std::size_t operations_adding_strip = 0;
   RuleCounts rules;                     ///< of the first way up and the way back
   std::vector<std::size_t> by_valence;  ///< [k]: splits of a fan of k triangles
-  std::size_t most_strips = 0;          ///< of all levels on the first way up, every split counted
+  std::size_t most_strips = 0;          ///< over all levels on the first way up, after every split
   std::vector<Level> levels;            ///< on the way up
-  std::vector<Level> levels_down;       ///< the same levels on the way back, the coarsest first as well
+  std::vector<Level> levels_down;       ///< the same levels on the way back, coarsest first
   /// The last cycle and every n-th before it, from the first: n = 1, doubled whenever there are most_reported_cycles.
   std::vector<Cycle> cycles;
-  /// Medians over the repeats. A split starts from vertices: finding its spokes is part of it, with strips and bare
-  /// alike.
+  /// Medians over the repeats. A split starts from vertices: both with and without strips, the time includes finding
+  /// its spokes.
   double ns_per_operation = 0;
   double ns_per_operation_bare = 0;
   double ns_per_collapse = 0;
   double ns_per_collapse_bare = 0;
-  /// An index buffer kept in step after every operation of the way up and down (strip_buffer.hpp, or
+  /// An index buffer updated after every operation of the way up and down (strip_buffer.hpp, or
   /// triangle_list_buffer.hpp).
   std::size_t buffer_bytes = 0;  ///< at the finest level
   double bytes_written_per_operation = 0;
-  double ns_per_buffer_update = 0;  ///< of a timed run with the buffer less one without; 0: not timed
-  std::size_t levels_compared = 0;  ///< baked: levels reached again, with the same strips
-  std::vector<std::string> faults;  ///< what a check found; empty when all is well
+  double ns_per_buffer_update = 0;  ///< of a timed run with the buffer minus one without; 0: not timed
+  std::size_t levels_compared = 0;  ///< baked: levels reached again with the same strips
+  std::vector<std::string> faults;  ///< found by a check; empty if all is well
 
   [[nodiscard]] bool valid() const noexcept { return faults.empty(); }
 };
 
-/// Begins at the base of the plan and replays every split. At the finest level the colouring is checked from scratch,
-/// the index buffer is decoded, and the triangles are compared with `original` (as a set of oriented triangles; empty:
-/// with a replay without rules). Baked strips go down and up again once at least, and every reported level must then
-/// have, byte for byte, the strips it had at first.
+/// Starts at the base of the plan and replays every split. At the finest level, it checks the colouring from scratch,
+/// decodes the index buffer, and compares the triangles with `original` (as a set of oriented triangles; if empty, with
+/// a replay without rules). Baked strips go down and up again at least once, and every reported level must then have,
+/// byte for byte, the same strips as before.
 [[nodiscard]] ReplayReport replay(const Plan& plan, const std::vector<Corners>& original,
                                   const ReplayOptions& options = {});
 

@@ -54,7 +54,7 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   if (left.degenerate_triangles != 0)
     fmt::format_to(out, "  left out: {}\n", counted(left.degenerate_triangles, "degenerate triangle"));
   if (left.non_manifold_vertices + left.frozen_vertices != 0)
-    fmt::format_to(out, "  left alone: {} where the mesh is not manifold, {} beside them\n",
+    fmt::format_to(out, "  left alone: {} where the mesh is not manifold, {} next to them\n",
                    counted(left.non_manifold_vertices, "vertex", "vertices"), left.frozen_vertices);
 
   fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17} {:>12} {:>6}   {}\n", "triangles", "strips", "per strip",
@@ -108,7 +108,7 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   if (!report.cycles.empty()) {
     fmt::format_to(out, "\n  {:>6} {:>12} {:>12} {:>12} {:>10}\n", "cycle", "base strips", "top strips", "isolating",
                    "adding");
-    // All of a few, else the first three, some twenty of the others and the last one.
+    // All cycles if there are few; otherwise the first three, about twenty others and the last one.
     for (std::size_t i = 0, each = report.cycles.size() / 20 + 1; i < report.cycles.size(); ++i) {
       const Cycle& cycle = report.cycles[i];
       if (i >= 3 && i % each != 0 && i + 1 != report.cycles.size()) continue;
@@ -198,7 +198,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
                      {"bake_seconds", subject.baked->seconds},
                      {"levels_compared", report.levels_compared}};
   if (walk) json["walk"] = json_of(*walk);
-  // Names may hold bytes that are no UTF-8.
+  // Names may contain bytes that are not UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

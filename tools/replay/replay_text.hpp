@@ -1,4 +1,4 @@
-// ReplayReport for people, and for programs.
+// ReplayReport as text and as JSON.
 //
 // The JSON object; keys are added later, never renamed:
 //  - mesh: the file, or what was made
@@ -29,8 +29,8 @@
 //  - left_out: {degenerate_triangles, non_manifold_vertices, frozen_vertices, large_vertices}, what no operation
 //    touches
 //  - mended: {welded_vertices, vanished_triangles, turned_triangles}, when it was asked for
-//  - left_out_attributes: what the vertices of the file have beside their places, when they have something
-//  - valid, faults: every check held; what did not
+// - left_out_attributes: other attributes of the vertices in the file, if any
+// - valid, faults: whether every check passed; which did not
 #pragma once
 
 #include <optional>
@@ -43,26 +43,26 @@
 
 namespace restrip::tools {
 
-/// Baked strips: what they cost.
+/// The costs of baked strips.
 struct BakedCosts {
   double flips_per_record = 0;
   double bytes_per_record = 0;  ///< of the file, vertex positions and connectivity included
-  double seconds = 0;           ///< of baking; 0 when they came from a file
+  double seconds = 0;           ///< of baking; 0 if they were read from a file
 };
 
 /// What was replayed.
 struct Subject {
   std::string name;
-  std::size_t wanted_triangles = 0;  ///< of the base; 0 when the base was given
+  std::size_t wanted_triangles = 0;  ///< of the base; 0 if the base was given
   LeftOut left_out;
-  Mended mended;       ///< of the file, when it was read
+  Mended mended;       ///< of the file, if it was read
   std::string policy;  ///< the way's name
   Search search;       ///< of the way
-  Cost cost;           ///< what was kept low
+  Cost cost;           ///< the minimised cost
   std::optional<BakedCosts> baked;
 };
 
-/// A walk with what it was asked for.
+/// A walk and its options.
 struct WalkTaken {
   WalkOptions options;
   WalkReport report;

@@ -67,7 +67,7 @@ class TracedOperations {
 
 }  // namespace
 
-// What policies do after a rule joins strips or adopts isolated triangles.
+// What policies do after a rule joins strips or isolated triangles.
 Trace::Claim claim_of(const Plan& plan) {
   const Way& way = plan.way();
   if (!(plan.cost() == Cost::strips()) || way.bakes) return Trace::Claim::valid;

@@ -1,4 +1,4 @@
-// An upkeep whose operations are recorded (restrip/output/trace.hpp).
+// An upkeep that records its operations (restrip/output/trace.hpp).
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace restrip::tools {
 
-/// What a trace of that plan claims.
+/// The claim in a trace of that plan.
 [[nodiscard]] Trace::Claim claim_of(const Plan& plan);
 
-/// Keeps strips as `kept` does, which began on the mesh. `trace` begins with the mesh as it is now, and again with each
-/// restart. It has one record for each operation, and another one for what is done between two operations, if that is
-/// anything. Both must outlive the result. Nobody else may watch the mesh meanwhile.
+/// Keeps strips as `kept` does, which must already work on the mesh. `trace` starts with the current mesh, and again
+/// with each restart. It has one record per operation, and another one for changes between two operations, if any. Both
+/// must outlive the result. Nothing else may watch the mesh meanwhile.
 [[nodiscard]] std::unique_ptr<Upkeep> traced(StripMesh& mesh, std::unique_ptr<Upkeep> kept, Trace::Claim claim,
                                              std::optional<Trace>& trace);
 

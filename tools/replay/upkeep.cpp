@@ -18,7 +18,7 @@ Witness::Count Witness::count(const StripMesh& mesh, Edges elsewhere) {
       patch_.push_back(StripMesh::triangle(across));
   }
   once(patch_);
-  // Each triangle of the patch and beside it once, each solid edge of the patch once.
+  // Each triangle of the patch and next to it once, each solid edge of the patch once.
   std::vector<Triangle> around = patch_;
   Count count{static_cast<int>(patch_.size()), 0};
   for (const Triangle t : patch_)
@@ -35,7 +35,7 @@ Witness::Count Witness::count(const StripMesh& mesh, Edges elsewhere) {
   return count;
 }
 
-Rewrite<StripMesh::Halfedge> Witness::told(const StripMesh& mesh, Halfedge h, Edges elsewhere) {
+Rewrite<StripMesh::Halfedge> Witness::reported(const StripMesh& mesh, Halfedge h, Edges elsewhere) {
   const Count after = count(mesh, elsewhere);
   return {h, static_cast<std::uint32_t>(valence_), after.strips - before_.strips, after.isolated - before_.isolated};
 }
@@ -47,7 +47,7 @@ void Witness::before_split(const StripMesh& mesh, const VertexSplit<Halfedge>& w
 }
 Rewrite<StripMesh::Halfedge> Witness::after_split(const StripMesh& mesh, Halfedge chord, Edges elsewhere) {
   edge_triangles(mesh, chord, patch_);
-  return told(mesh, chord, elsewhere);
+  return reported(mesh, chord, elsewhere);
 }
 
 void Witness::before_collapse(const StripMesh& mesh, Halfedge chord, Edges elsewhere) {
@@ -57,7 +57,7 @@ void Witness::before_collapse(const StripMesh& mesh, Halfedge chord, Edges elsew
 Rewrite<StripMesh::Halfedge> Witness::after_collapse(const StripMesh& mesh, Halfedge spoke, Edges elsewhere) {
   fan_triangles(mesh, spoke, patch_);
   valence_ = patch_.size();
-  return told(mesh, spoke, elsewhere);
+  return reported(mesh, spoke, elsewhere);
 }
 
 void Witness::before_flip(const StripMesh& mesh, Halfedge h) {
@@ -67,7 +67,7 @@ void Witness::before_flip(const StripMesh& mesh, Halfedge h) {
 }
 Rewrite<StripMesh::Halfedge> Witness::after_flip(const StripMesh& mesh, Halfedge turned) {
   patch_.assign({StripMesh::triangle(turned), StripMesh::triangle(mesh.opposite(turned))});
-  return told(mesh, turned, {});
+  return reported(mesh, turned, {});
 }
 
 }  // namespace restrip::tools

@@ -1,8 +1,8 @@
-// Upkeep: the strips of one mesh, kept while it changes. Every way of keeping strips is one of these (ways.hpp has the
-// list), and replays, walks, benchmarks and the paper's report know nothing else.
+// Upkeep: keeps the strips of one mesh while it changes. Every way of keeping strips implements this interface
+// (ways.hpp lists them); replays, walks, benchmarks and the paper's report use nothing else.
 //
-// Single operations are virtual and say what they did. The loops exist for timing: one dispatch for all operations, and
-// nothing reported.
+// Single operations are virtual and report what they did. The loops are for timing: one dispatch for all operations,
+// and no reports.
 #pragma once
 
 #include <concepts>
@@ -20,7 +20,7 @@
 
 namespace restrip::tools {
 
-/// An operation that plays no record of a progressive mesh.
+/// The record number of an operation that plays no record of a progressive mesh.
 inline constexpr std::size_t no_record = static_cast<std::size_t>(-1);
 
 /// A split whose spokes are known.
@@ -41,39 +41,39 @@ class Upkeep {
 
   [[nodiscard]] virtual const StripMesh& mesh() const = 0;
 
-  /// Preconditions and results are those of operations.hpp; `strips` and `isolated` are those of the whole mesh.
-  /// `record`: the number of the record that is played, or no_record; strips that were decided beforehand want to know.
+  /// Preconditions and results as in operations.hpp; `strips` and `isolated` count the whole mesh. `record`: the number
+  /// of the record being played, or no_record; precomputed strips need it.
   virtual Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) = 0;
   virtual Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) = 0;
   virtual Rewrite<Halfedge> flip(Halfedge h) = 0;
   Rewrite<Halfedge> split(const Where& where, Vertex v_t) { return split(where, v_t, no_record); }
   Rewrite<Halfedge> collapse(Halfedge chord) { return collapse(chord, no_record); }
-  /// What the way does to all strips between two operations, mostly nothing. To be called after each single operation;
-  /// the loops do so themselves.
+  /// What the way does to all strips between two operations, usually nothing. Call it after each single operation; the
+  /// loops do so themselves.
   virtual Mending between() = 0;
 
-  /// Splits record after record, finding the spokes by their vertices; the first has the number `first`.
+  /// Plays split records in order, finding the spokes by their vertices. `first` is the number of the first record.
   virtual void play_up(std::span<const Record> records, std::size_t first) = 0;
   /// Collapses them again, the last one first.
   virtual void play_down(std::span<const Record> records, std::size_t first) = 0;
-  /// `chords` receives what each split returns.
+  /// `chords` receives the result of each split.
   virtual void split_all(std::span<const NamedSplit> splits, std::span<Halfedge> chords) = 0;
   virtual void collapse_all(std::span<const Halfedge> chords) = 0;
-  /// Each edge is replaced by the turned one.
+  /// Replaces each edge by the flipped one.
   virtual void flip_all(std::span<Halfedge> edges) = 0;
 
-  /// The mesh or its colours have been changed by others, to that level of the progressive mesh: reads it again.
+  /// The mesh or its colours have been changed from outside, to that level of the progressive mesh: reads it again.
   virtual void restart(std::size_t level) = 0;
-  /// What is wrong with what is kept beside the mesh; empty when nothing is.
+  /// A fault in the data kept for the mesh; empty if none is found.
   [[nodiscard]] virtual std::string fault() const = 0;
-  /// What became of the rules of all operations; zero if none is asked.
+  /// The outcomes of all rule lookups; zero if no rule is used.
   [[nodiscard]] virtual RuleCounts rule_counts() const = 0;
 };
 static_assert(KeepsStrips<Upkeep>);
 
-/// Tells what an operation did by counting strips and isolated triangles in and around its patch before and after, for
-/// operations that do not tell. `elsewhere`: dual edges outside the patch whose colour it changes, named as they are
-/// after a split and before a collapse. Time linear in both, but for a logarithm.
+/// For operations that do not report what they did: counts strips and isolated triangles in and around the patch before
+/// and after. `elsewhere`: dual edges outside the patch whose colour changes, named as they are after a split and
+/// before a collapse. Linear in both, up to a logarithm.
 class Witness {
  public:
   using Halfedge = StripMesh::Halfedge;
@@ -88,11 +88,11 @@ class Witness {
 
  private:
   struct Count {
-    int strips = 0;  // but for a constant: triangles less solid edges
+    int strips = 0;  // up to a constant: triangles minus solid edges
     int isolated = 0;
   };
   Count count(const StripMesh& mesh, Edges elsewhere);
-  Rewrite<Halfedge> told(const StripMesh& mesh, Halfedge h, Edges elsewhere);
+  Rewrite<Halfedge> reported(const StripMesh& mesh, Halfedge h, Edges elsewhere);
 
   std::vector<Triangle> patch_;
   std::size_t valence_ = 0;
@@ -100,10 +100,10 @@ class Witness {
 };
 
 /// An upkeep by a class of operations on a mesh, which has
-///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite, or a Halfedge alone, and then
-///     a witness reports the rest; or a Rewrite that tells too little, and then split_and_tell and collapse_and_tell
-///     do,
-/// and where it needs them between(), restart(level), fault() and rule_counts().
+///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite or a Halfedge only. For a
+///   Halfedge, a witness reports the rest. If the Rewrite is incomplete, split_and_report and collapse_and_report are
+///   called instead.
+/// and, if needed, between(), restart(level), fault() and rule_counts().
 template <class Operations>
 class UpkeepBy final : public Upkeep {
  public:
@@ -117,9 +117,9 @@ class UpkeepBy final : public Upkeep {
   [[nodiscard]] const StripMesh& mesh() const override { return *mesh_; }
 
   Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) override {
-    if constexpr (requires { operations_.split_and_tell(where, v_t, record); }) {
-      return operations_.split_and_tell(where, v_t, record);
-    } else if constexpr (tells) {
+    if constexpr (requires { operations_.split_and_report(where, v_t, record); }) {
+      return operations_.split_and_report(where, v_t, record);
+    } else if constexpr (reports) {
       return operations_.split(where, v_t, record);
     } else {
       witness_.before_split(*mesh_, where);
@@ -127,9 +127,9 @@ class UpkeepBy final : public Upkeep {
     }
   }
   Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) override {
-    if constexpr (requires { operations_.collapse_and_tell(chord, record); }) {
-      return operations_.collapse_and_tell(chord, record);
-    } else if constexpr (tells) {
+    if constexpr (requires { operations_.collapse_and_report(chord, record); }) {
+      return operations_.collapse_and_report(chord, record);
+    } else if constexpr (reports) {
       return operations_.collapse(chord, record);
     } else {
       witness_.before_collapse(*mesh_, chord);
@@ -137,7 +137,7 @@ class UpkeepBy final : public Upkeep {
     }
   }
   Rewrite<Halfedge> flip(Halfedge h) override {
-    if constexpr (tells) {
+    if constexpr (reports) {
       return operations_.flip(h);
     } else {
       witness_.before_flip(*mesh_, h);
@@ -199,7 +199,8 @@ class UpkeepBy final : public Upkeep {
   }
 
  private:
-  static constexpr bool tells = std::same_as<decltype(std::declval<Operations&>().flip(Halfedge{})), Rewrite<Halfedge>>;
+  static constexpr bool reports =
+      std::same_as<decltype(std::declval<Operations&>().flip(Halfedge{})), Rewrite<Halfedge>>;
   static Halfedge halfedge_of(const Rewrite<Halfedge>& done) { return done.halfedge; }
   static Halfedge halfedge_of(Halfedge h) { return h; }
 

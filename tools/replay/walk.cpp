@@ -18,7 +18,7 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 using Split = VertexSplit<Halfedge>;
 
-/// Strips and isolated triangles: of a mesh, or by how many they change.
+/// Strips and isolated triangles of a mesh, or a change in them.
 struct Account {
   std::int64_t strips = 0;
   std::int64_t isolated = 0;
@@ -32,34 +32,34 @@ Account count(const StripMesh& mesh) {
   return {static_cast<std::int64_t>(report.strips), static_cast<std::int64_t>(report.isolated)};
 }
 
-/// Takes steps on one mesh. A step is its number: what it does follows from the seed, the number and the mesh, so that
-/// steps can be left out and the others still mean something.
+/// Takes steps on one mesh. A step is given by its number: its effect depends on the seed, the number and the mesh, so
+/// steps can be left out and the others stay meaningful.
 class Walker {
  public:
   Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginUpkeep& begin)
       : mesh_(mesh), seed_(seed), home_size_(home_size), upkeep_(begin(mesh)) {}
 
-  /// Takes one step. The fault that it caused, if any.
+  /// Takes one step. Returns the fault that it caused, if any.
   std::string step(std::uint64_t number) {
     Random random(seed_ + number * 0xD1B54A32D192ED03U);
     last_.clear();
     const Halfedge h = somewhere(random);
     if (h.id == none) return {};
     const std::uint32_t dice = random.below(12);
-    // A mesh that has grown shrinks, one that has shrunk grows.
+    // A mesh that has grown is shrunk, and vice versa.
     const std::uint32_t splits = mesh_.triangle_count() > home_size_ ? 3 : 5;
     if (dice < splits) return try_split(h, random);
     if (dice < 8) return try_collapse(random.below(2) == 0 ? h : mesh_.opposite(h));
     return try_flip(h);
   }
 
-  /// Checks the whole mesh, that the operations told the truth about strips and isolated triangles, and what they keep
-  /// beside it. `start`: the numbers before the first step.
+  /// Checks the whole mesh, the reported changes of strips and isolated triangles, and the upkeep's data. `start`: the
+  /// counts before the first step.
   [[nodiscard]] std::string whole_fault(const Account& start) const {
     const std::vector<std::string> faults = find_faults(mesh_);
     if (!faults.empty()) return faults.front();
     const Account there = count(mesh_);
-    const Account expected = start + told;
+    const Account expected = start + reported;
     if (there.strips != expected.strips)
       return fmt::format("{} strips, but the operations' own account says {}", there.strips, expected.strips);
     if (there.isolated != expected.isolated)
@@ -69,7 +69,7 @@ class Walker {
   }
 
   WalkReport report;
-  Account told;  ///< the changes, as the operations told them
+  Account reported;  ///< the sum of the changes that the operations reported
 
   [[nodiscard]] const std::string& last() const noexcept { return last_; }
 
@@ -132,7 +132,7 @@ class Walker {
 
   std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
     const Mending between = upkeep_->between();
-    told = told + Account{done.strips + between.strips, done.isolated + between.isolated};
+    reported = reported + Account{done.strips + between.strips, done.isolated + between.isolated};
     for (const Vertex v : around) {
       if (v == none) continue;
       if (std::string fault = find_fault_around(mesh_, v); !fault.empty()) return fault;
@@ -148,7 +148,7 @@ class Walker {
   std::vector<Halfedge> spokes_;
 };
 
-/// The mesh of the last whole check, from which a failure can be repeated.
+/// The mesh at the last whole check, from which a failure can be repeated.
 struct Camp {
   StripMesh mesh;
   Account account;
@@ -203,7 +203,7 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& 
     const bool whole = (step + 1) % options.whole_check_every == 0 || step + 1 == options.steps;
     if (fault.empty() && whole) fault = walker.whole_fault(start);
     if (!fault.empty()) break;
-    if (whole) camp = {mesh, start + walker.told, step + 1};
+    if (whole) camp = {mesh, start + walker.reported, step + 1};
   }
   WalkReport report = walker.report;
   report.fault = fault;
@@ -213,7 +213,7 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& 
     return report;
   }
   report.triangles = mesh.triangle_count();
-  const Account end = start + walker.told;  // a recount has just agreed
+  const Account end = start + walker.reported;  // just confirmed by a recount
   report.strips = static_cast<std::size_t>(end.strips);
   report.isolated = static_cast<std::size_t>(end.isolated);
   return report;

@@ -1,5 +1,5 @@
-// A random walk through the operations: splits, collapses and flips anywhere on a mesh, each one checked at once around
-// its vertices, the whole mesh from time to time. A failure is shrunk to a short list of operations.
+// A random walk of splits, collapses and flips anywhere on a mesh. Each operation is checked around its vertices, and
+// the whole mesh from time to time. A failure is shrunk to a short list of operations.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace restrip::tools {
 
-/// Begins the upkeep under test on a mesh; the search for a short trace begins it on copies. Tests hand in faulty ones.
+/// Starts the upkeep under test on a mesh; the search for a short trace starts it on copies. Tests supply faulty ones.
 using BeginUpkeep = std::function<std::unique_ptr<Upkeep>(StripMesh&)>;
 
 struct WalkOptions {
@@ -26,20 +26,20 @@ struct WalkReport {
   std::uint64_t splits = 0;
   std::uint64_t collapses = 0;
   std::uint64_t flips = 0;
-  std::uint64_t refused = 0;          ///< steps whose operation was not possible where they wanted it
-  std::uint64_t isolating = 0;        ///< splits and collapses that added isolated triangles, anywhere in the mesh
-  std::uint64_t flips_isolating = 0;  ///< flips that did
+  std::uint64_t refused = 0;          ///< steps whose operation was not possible
+  std::uint64_t isolating = 0;        ///< splits and collapses that added isolated triangles anywhere in the mesh
+  std::uint64_t flips_isolating = 0;  ///< flips that added isolated triangles
   std::size_t triangles = 0;          ///< at the end
   std::size_t strips = 0;
   std::size_t isolated = 0;
-  std::string fault;             ///< empty when every check held
-  std::uint64_t fault_step = 0;  ///< where it was found
+  std::string fault;             ///< empty if every check passed
+  std::uint64_t fault_step = 0;  ///< where the fault was found
   std::vector<std::string>
       trace;  ///< the shortest list of operations found that leads to a fault, from the mesh of the last whole check
 };
 
-/// Walks on `mesh`, whose colouring must be valid, and leaves it where it went. The mesh keeps about its size. Step i
-/// depends on the seed, i and the mesh alone.
+/// Walks on `mesh`, whose colouring must be valid, and leaves it in its final state. The mesh keeps about its size.
+/// Step i depends only on the seed, i and the mesh.
 [[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& begin);
 
 }  // namespace restrip::tools

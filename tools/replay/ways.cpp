@@ -25,19 +25,19 @@ struct Bare {
   Halfedge flip(Halfedge h) { return mesh.turn_edge(h); }
 };
 
-/// By the library, under a policy or by baked strips.
-struct Kept {
+/// Keeps strips by the library, under a policy or with baked strips.
+struct LibraryOperations {
   Keeper<StripMesh> keeper;
   const BakedRecords<Halfedge>* records = nullptr;
   Witness witness;
 
-  Kept(StripMesh& mesh, Policy policy, const Beginning& with) : keeper(mesh, policy, with.cost) {
+  LibraryOperations(StripMesh& mesh, Policy policy, const Beginning& with) : keeper(mesh, policy, with.cost) {
     keeper.set_search(with.search);
     IndexPlan plan = row_of(policy).plan;
     plan.limits.looks = with.search.states;
     keeper.set_plan(plan);
   }
-  Kept(StripMesh& mesh, const BakedRecords<Halfedge>& of) : keeper(mesh, of), records(&of) {}
+  LibraryOperations(StripMesh& mesh, const BakedRecords<Halfedge>& of) : keeper(mesh, of), records(&of) {}
 
   Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) {
     return records != nullptr ? keeper.split_record(record, where, v_t) : keeper.split(where, v_t);
@@ -46,13 +46,13 @@ struct Kept {
     return records != nullptr ? keeper.collapse_record(record, chord) : keeper.collapse(chord);
   }
   Rewrite<Halfedge> flip(Halfedge h) { return keeper.flip(h); }
-  // In step strips alone are counted; a record may flip colours anywhere.
-  Rewrite<Halfedge> split_and_tell(const Where& where, Vertex v_t, std::size_t record) {
+  // Played records report changes in strips only, and a record may flip colours anywhere.
+  Rewrite<Halfedge> split_and_report(const Where& where, Vertex v_t, std::size_t record) {
     if (records == nullptr || !keeper.baked()->can_split(record)) return split(where, v_t, record);
     witness.before_split(keeper.mesh(), where, (*records)[record]);
     return witness.after_split(keeper.mesh(), split(where, v_t, record).halfedge, (*records)[record]);
   }
-  Rewrite<Halfedge> collapse_and_tell(Halfedge chord, std::size_t record) {
+  Rewrite<Halfedge> collapse_and_report(Halfedge chord, std::size_t record) {
     if (records == nullptr || !keeper.baked()->can_collapse(record)) return collapse(chord, record);
     witness.before_collapse(keeper.mesh(), chord, (*records)[record]);
     return witness.after_collapse(keeper.mesh(), collapse(chord, record).halfedge, (*records)[record]);
@@ -78,17 +78,17 @@ Way kept(const PolicyRow& row) {
                                ? "the rule of each operation and nothing else"
                                : fmt::format("the rule, then {}; for indices {}", row.says, row.says_indices);
   Way way{row.name, says, policy == Policy::rules ? Way::Kind::rules : Way::Kind::ours,
-          [policy](StripMesh& mesh, const Beginning& with) { return begin_by<Kept>(mesh, policy, with); }};
+          [policy](StripMesh& mesh, const Beginning& with) { return begin_by<LibraryOperations>(mesh, policy, with); }};
   way.search = row.search;
   way.weighed = {row.plan.limits.looks, 0};
   return way;
 }
 
 Way baked() {
-  Way way{"baked", "strips decided beforehand for every level, and played back", Way::Kind::ours,
+  Way way{"baked", "strips precomputed for every level and played back", Way::Kind::ours,
           [](StripMesh& mesh, const Beginning& with) {
-            if (with.baked == nullptr) throw std::invalid_argument("baked strips want a baked mesh");
-            return begin_by<Kept>(mesh, with.baked->records);
+            if (with.baked == nullptr) throw std::invalid_argument("baked strips need a baked mesh");
+            return begin_by<LibraryOperations>(mesh, with.baked->records);
           }};
   way.bakes = true;
   return way;
@@ -116,7 +116,7 @@ const std::vector<Way>& ways() {
 
 const Way& way_named(const std::string& name) {
   const auto found = std::find_if(ways().begin(), ways().end(), [&](const Way& way) { return way.name == name; });
-  if (found == ways().end()) throw std::invalid_argument("there is no way of keeping strips named " + name);
+  if (found == ways().end()) throw std::invalid_argument("unknown way of keeping strips: " + name);
   return *found;
 }
 
@@ -128,7 +128,7 @@ Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
     : way_(&way), mesh_(&mesh), cost_(given.cost.value_or(way.usual_cost())) {
   search_ = given.search.value_or(way.search_under(cost_));
   if (!(cost_ == Cost::strips()) && !way.weighs())
-    throw std::invalid_argument("the way of keeping strips named " + way.name + " knows no cost but strips");
+    throw std::invalid_argument("the way of keeping strips named " + way.name + " supports only --cost strips");
   if (way.bakes) {
     baked_ = given.baked;
     if (baked_ == nullptr) {

@@ -106,12 +106,12 @@ void* readers_take(std::uint32_t bytes) { return std::malloc(bytes); }
 READERS_EXPORT(readers_read)
 const Found* readers_read(const char* bytes, std::uint32_t count, const char* name, std::uint32_t name_bytes) {
   const std::string file(name, name_bytes);
-  const ReadBeside nothing_beside = [&](const std::string& other) -> std::string {
+  const ReadSibling no_sibling = [&](const std::string& other) -> std::string {
     throw BadInput(file + ": keeps part of itself in '" + other +
                    "', which is not at hand; save it as one file (.glb)");
   };
   const std::string extension = extension_of(file);
-  mesh = parse_mesh({bytes, count}, extension, file, nothing_beside);
+  mesh = parse_mesh({bytes, count}, extension, file, no_sibling);
   if (auto* soup = std::get_if<Soup>(&mesh)) set_found(*soup, extension == ".glb" || extension == ".gltf");
   if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) set_found(*progressive);
   if (const auto* baked = std::get_if<BakedBytes>(&mesh)) set_found(*baked);
