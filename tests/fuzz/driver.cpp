@@ -1,5 +1,6 @@
-// The fuzzer of plain builds: the command line of libFuzzer (-runs=N, -seed=N, files and folders to try first), changes
-// without feedback, the same on every machine. With --allocations every allocation of reading each seed fails in turn.
+// The fuzzer of plain builds. It has the command line of libFuzzer (-runs=N, -seed=N, files and folders to try first)
+// and makes random changes without feedback, the same on every machine. With --allocations, every allocation of reading
+// each seed fails in turn.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -36,13 +37,13 @@ std::string altered(std::string bytes, const std::string& other, Random& random)
       case 4:
         bytes.resize(at);
         break;
-      case 5:  // a piece from elsewhere in it
+      case 5:  // a piece from another place in it
         bytes.insert(at, bytes.substr(below(bytes.size()), random.below(40)));
         break;
       case 6:  // a piece of another seed
         if (!other.empty()) bytes.replace(at, random.below(40), other.substr(below(other.size()), random.below(40)));
         break;
-      case 7: {  // a line more than once, or not at all
+      case 7: {  // a line repeated or removed
         const std::size_t start = bytes.rfind('\n', at) + 1;
         const std::size_t size = std::min(bytes.find('\n', at), bytes.size() - 1) + 1 - start;
         const std::string line = bytes.substr(start, size);
@@ -62,11 +63,11 @@ struct Counts {
   unsigned refused = 0;
 };
 
-/// False when the reader broke its word; then the bytes are kept for whoever mends it.
+/// False if the reader broke its promise; the bytes are then saved.
 bool run(const std::string& bytes, Counts& counts) {
   const std::string kept = "fuzz-" + chosen_target().name + ".bytes";
   try {
-    // A copy of just this size: the sanitizers see whoever reads beyond it.
+    // A copy of exactly this size, so that sanitizers detect reads beyond it.
     const std::vector<char> copy(bytes.begin(), bytes.end());
     ++(chosen_target().read({copy.data(), copy.size()}) ? counts.accepted : counts.refused);
     return true;
@@ -96,7 +97,7 @@ bool fuzz(unsigned runs, std::uint64_t seed, const std::vector<std::string>& fou
     if (!run(altered(any(), any(), random), counts)) return false;
   std::printf("%s: seed %llu, %u accepted, %u refused\n", target.name.c_str(), static_cast<unsigned long long>(seed),
               counts.accepted, counts.refused);
-  // A fuzzer whose inputs are all alike tests nothing.
+  // A fuzzer whose inputs all have the same outcome tests nothing.
   return runs == 0 || (counts.accepted > target.seeds.size() && counts.refused > 0);
 }
 
@@ -106,8 +107,8 @@ bool fail_allocations() {
     std::size_t failures = 0;
     const std::size_t allocations = testing_support::for_each_allocation(
         [&] { ++(chosen_target().read(bytes) ? counts.accepted : counts.refused); }, [&] { ++failures; });
-    // Accepted when there was memory enough, or where the library does without (std::stable_sort); a shortage is never
-    // taken for a bad file.
+    // Accepted if memory sufficed or the library manages without (std::stable_sort); a shortage is never reported as a
+    // bad file.
     std::printf("%s: %zu allocations, %zu failures, %u accepted, %u refused\n", chosen_target().name.c_str(),
                 allocations, failures, counts.accepted, counts.refused);
     if (allocations == 0 || failures != 2 * allocations || counts.accepted < 1 || counts.refused != 0) return false;

@@ -59,7 +59,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // A copy of just this size: the sanitizers see whoever reads beyond it.
+  // A copy of exactly this size, so that sanitizers detect reads beyond it.
   const std::vector<char> bytes(data, data + size);
   restrip::fuzz::chosen_target().read({bytes.data(), bytes.size()});
   return 0;

@@ -1,4 +1,4 @@
-// The command line that libFuzzer and our own driver share.
+// The command line shared by libFuzzer and our driver.
 #pragma once
 
 #include <cstddef>
@@ -6,14 +6,14 @@
 
 #include "target.hpp"
 
-/// Understands --target=NAME and --write-seeds=FOLDER (one file for each seed, then the end of the program).
+/// Parses --target=NAME and --write-seeds=FOLDER (writes one file for each seed, then exits).
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
 /// Reads the bytes with the chosen target.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace restrip::fuzz {
 
-/// The one that LLVMFuzzerInitialize chose.
+/// The target chosen in LLVMFuzzerInitialize.
 [[nodiscard]] const Target& chosen_target();
 
 }  // namespace restrip::fuzz

@@ -1,4 +1,4 @@
-// Meshes and progressive meshes. Of an accepted mesh strips are made; an accepted baked one is written and read again.
+// Meshes and progressive meshes. Accepted meshes are stripified; accepted baked ones are written and read again.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -48,12 +48,12 @@ bool play(Soup soup) {
   if (!soup.strips.empty()) check_strips_of_file(soup);
   Mended mended;
   weld(soup, mended);
-  promise(coincident_vertices(soup) == 0, "no two vertices are at one place when they are welded");
+  promise(coincident_vertices(soup) == 0, "welded vertices have distinct positions");
   try {
     orient(soup, "f", mended);
     BuildReport report;
     (void)StripMesh::build(soup.triangles, soup.points.size(), &report);
-    promise(report.inconsistent_edges == 0, "neighbours agree when they are turned");
+    promise(report.inconsistent_edges == 0, "neighbours agree after orienting");
   } catch (const BadInput&) {
     // it has no orientation
   }
@@ -113,14 +113,14 @@ std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: ther
 
 bool check_pm(std::string_view bytes) {
   const ProgressiveMesh mesh = parse_pm(bytes, "f");
-  promise(mesh.points.size() * 12 < bytes.size(), "there are no more vertices than bytes for them");
+  promise(mesh.points.size() * 12 < bytes.size(), "the vertices fit into the bytes");
   const std::size_t base_points = mesh.points.size() - mesh.splits.size();
   for (const Corners& t : mesh.base)
     for (const std::uint32_t corner : t) promise(corner < base_points, "a corner of the base is a vertex of the base");
   for (const Record& record : mesh.splits) {
-    promise(record.v_s < record.v_t && record.v_t < mesh.points.size(), "a vertex is split that is there already");
+    promise(record.v_s < record.v_t && record.v_t < mesh.points.size(), "the split vertex exists already");
     for (const Vertex apex : {record.v_l, record.v_r})
-      promise(apex == none || apex < record.v_t, "an apex is there already");
+      promise(apex == none || apex < record.v_t, "the apex exists already");
   }
   try {
     const ProgressiveMesh again = parse_progressive_gltf(progressive_glb_bytes(mesh), "g", no_other_file);
@@ -131,7 +131,7 @@ bool check_pm(std::string_view bytes) {
   return true;
 }
 
-/// With the checksum that the other bytes ask for, so that alterations reach the reader.
+/// With a matching checksum, so that alterations reach the reader.
 std::string sealed(std::string_view bytes) {
   std::string all(bytes.substr(0, bytes.size() - std::min<std::size_t>(bytes.size(), 8)));
   const std::uint64_t hash = fnv1a(all);
@@ -231,7 +231,7 @@ std::vector<Target> mesh_targets() {
   const auto soup = [](auto read) {
     return refusing([read](std::string_view bytes) { return play(read(bytes, "f")); });
   };
-  // What was read is written, and read with as many attributes of the same length.
+  // A result is written and read back with the same number of attributes of the same length.
   const auto with_attributes = [](auto read) {
     return refusing([read](std::string_view bytes) {
       Soup found = read(bytes, "f", ReadAttributes::yes);

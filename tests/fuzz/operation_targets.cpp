@@ -1,4 +1,4 @@
-// What the verifier reads of operations of a user's own: their files, certificates and dumps.
+// The verifier's readers for custom operations: operation files, certificates and dumps.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -20,7 +20,7 @@ using namespace verify;
 std::string corpus_text(const char* name) { return read_file(fmt::format("{}/{}.json", RESTRIP_OPERATIONS, name)); }
 
 /// The shipped families, under other names.
-std::string families_of_ones_own() {
+std::string custom_families() {
   std::string text(families_text);
   for (const std::string_view member : {"\"name\": \"", "\"certificate\": \""})
     for (std::size_t at = text.find(member); at != std::string::npos; at = text.find(member, at + 1))
@@ -54,14 +54,14 @@ Target file_target() {
     const Operation operation = descriptions.front().at(positions.front());
     promise_limits(operation.before);
     promise_limits(operation.after);
-    promise(operation.before.ports() == operation.after.ports(), "as many ports on both sides");
+    promise(operation.before.ports() == operation.after.ports(), "the same number of ports on both sides");
     promise(!operation.cost.empty() && operation.cost.size() <= most_criteria, "criteria within limits");
     promise(operation.may_give_up < mask_count(operation.ports()), "ports that may be given up are ports");
     return true;
   };
   return {"operation-file",
-          {corpus_text("split-face-graph"), corpus_text("bisect-costs"), corpus_text("flip-forest"),
-           families_of_ones_own(), read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
+          {corpus_text("split-face-graph"), corpus_text("bisect-costs"), corpus_text("flip-forest"), custom_families(),
+           read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
           refusing(read),
           10000};
 }
@@ -94,7 +94,7 @@ Target operation_dump_target() {
   seed += "end 8\n";
   const auto read = [family](std::string_view bytes) {
     std::string text(bytes);
-    if (text.empty()) return false;  // fmemopen takes no less
+    if (text.empty()) return false;  // fmemopen requires at least one byte
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(fmemopen(text.data(), text.size(), "r"), std::fclose);
     promise(stream != nullptr, "a stream of bytes opens");
     ExpectedDump expected;

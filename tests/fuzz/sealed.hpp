@@ -1,4 +1,4 @@
-// What the targets of certificates have in common.
+// Shared by the targets of certificates.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace restrip::fuzz {
 
-/// With the sums in its last line that the lines above ask for, so that alterations reach the reader.
+/// Replaces the sums in the last line by matching ones, so that alterations reach the reader.
 std::string sealed(std::string_view text);
 
 std::vector<std::string> lines_of(std::string_view text);
 
-/// False where the reader throws InputError.
+/// False if the reader throws InputError.
 template <class Read>
 std::function<bool(std::string_view)> refusing(Read&& read) {
   return [read](std::string_view bytes) {

@@ -13,7 +13,7 @@ using namespace generator;
 
 const std::string id = "1.2.3 abc";
 
-/// With the digest that the lines above ask for, so that alterations reach the reader.
+/// With a matching digest, so that alterations reach the reader.
 std::string sealed(std::string_view text) {
   const std::string above(text.substr(0, text.rfind("end ")));
   return above + "end " + sha256(above) + "\n";

@@ -1,4 +1,4 @@
-// What the verifier reads: manifests, certificates of rules and of linked rules, dumps of tables and of linked rules.
+// The verifier's readers: manifests, certificates of rules and of linked rules, dumps of tables and of linked rules.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -69,14 +69,14 @@ template <class Read>
 auto of_stream(Read read) {
   return [read](std::string_view bytes) {
     std::string text(bytes);
-    if (text.empty()) return false;  // fmemopen takes no less
+    if (text.empty()) return false;  // fmemopen requires at least one byte
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(fmemopen(text.data(), text.size(), "r"), std::fclose);
     promise(stream != nullptr, "a stream of bytes opens");
     return read(stream.get());
   };
 }
 
-/// What the linked look-up picks for k = 3: `restrip-dump-tables --linked --max-k 3`.
+/// The linked look-up's choices for k = 3: `restrip-dump-tables --linked --max-k 3`.
 Target linked_dump_target() {
   return {"linked-dump",
           {read_file(RESTRIP_CORPUS "/dumps/linked-3.txt")},
@@ -84,7 +84,7 @@ Target linked_dump_target() {
           2000};
 }
 
-/// A dump of flips and of one table of lists, which are read and not compared, and of splits, which are judged.
+/// A dump of flips and of one table of lists, which are only read, and of splits, which are judged.
 Target dump_target() {
   struct Expected {
     std::vector<Family> families = all_families(3);

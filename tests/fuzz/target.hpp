@@ -1,4 +1,4 @@
-// What a fuzz target is: one reader of the programs, with small files to begin from.
+// A fuzz target: one reader of the programs, with small files to start from.
 #pragma once
 
 #include <functional>
@@ -10,21 +10,21 @@ namespace restrip::fuzz {
 
 struct Target {
   std::string name;
-  std::vector<std::string> seeds;  ///< accepted, all of them; written by our own programs where they write the format
-  /// Reads the bytes as the programs do, and checks what must hold of a result. True when they are accepted, false when
-  /// they are refused as the reader promises. Throws or ends the process when the reader breaks its word.
+  std::vector<std::string> seeds;  ///< all are accepted; written by our programs where these write the format
+  /// Reads the bytes as the programs do, and checks the result. True if they are accepted, false if they are refused as
+  /// promised. Throws or ends the process if the reader breaks its promise.
   std::function<bool(std::string_view)> read;
-  unsigned runs = 0;  ///< that a test makes; some two seconds with sanitizers
+  unsigned runs = 0;  ///< default number of runs in a test; about two seconds with sanitizers
 };
 
-/// The readers of meshes, of tables as the verifier reads them, of operations of a user's own as it reads those, and of
-/// the generator's shards.
+/// Readers of meshes, of tables (by the verifier), of custom operations (by the verifier), and of the generator's
+/// shards.
 [[nodiscard]] std::vector<Target> mesh_targets();
 [[nodiscard]] std::vector<Target> table_targets();
 [[nodiscard]] std::vector<Target> operation_targets();
 [[nodiscard]] std::vector<Target> shard_targets();
 
-/// A promise of a reader: throws std::logic_error when it is broken.
+/// A promise of a reader: throws std::logic_error if it is broken.
 void promise(bool kept, const char* what);
 
 }  // namespace restrip::fuzz

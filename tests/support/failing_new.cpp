@@ -7,7 +7,7 @@
 namespace restrip::testing_support {
 namespace {
 
-std::atomic<std::size_t> countdown{0};  // 0: memory is there
+std::atomic<std::size_t> countdown{0};  // 0: allocations succeed
 std::atomic<bool> for_good{false};
 std::atomic<bool> failed{false};
 

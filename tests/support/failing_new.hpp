@@ -1,4 +1,4 @@
-// Memory that runs out on demand: a program that links failing_new.cpp can make an allocation of its choice fail.
+// Simulated shortage of memory: a program that links failing_new.cpp can make a chosen allocation fail.
 #pragma once
 
 #include <cstddef>
@@ -7,16 +7,16 @@
 
 namespace restrip::testing_support {
 
-enum class Shortage { once, for_good };  ///< only that allocation fails, or all that follow too
+enum class Shortage { once, for_good };  ///< only that allocation fails, or all later ones too
 
-/// From now on allocation number `countdown` (from 1) of this process throws std::bad_alloc.
+/// Allocation number `countdown` from now (starting at 1) throws std::bad_alloc.
 void fail_allocation(std::size_t countdown, Shortage shortage) noexcept;
-/// Memory is there again. True when an allocation has failed since the call above.
+/// Ends the shortage. True if an allocation has failed since the call above.
 bool end_shortage() noexcept;
 
-/// Calls `work` with its first allocation failing, then with its second, and so on until none fails any more, each
-/// under both shortages. Calls `check` after each failure. Exceptions other than std::bad_alloc pass. Returns the
-/// number of allocations that `work` makes.
+/// Calls `work` with its first allocation failing, then with its second, and so on until none fails, each under both
+/// shortages. Calls `check` after each failure. Exceptions other than std::bad_alloc propagate. Returns the number of
+/// allocations of `work`.
 template <class Work, class Check>
 std::size_t for_each_allocation(Work&& work, Check&& check) {
   for (std::size_t n = 1;; ++n)
@@ -25,7 +25,7 @@ std::size_t for_each_allocation(Work&& work, Check&& check) {
       try {
         work();
       } catch (const std::bad_alloc&) {
-        // as it should be
+        // expected
       } catch (...) {
         end_shortage();
         throw;

@@ -1,4 +1,4 @@
-"""Whether a value is as a JSON Schema says; of the words of JSON Schema those that the schemas in docs/ use."""
+"""Validates a value against a JSON Schema, for the keywords that the schemas in docs/ use."""
 import re
 
 KINDS = {"object": dict, "array": list, "integer": int, "string": str, "boolean": bool}
@@ -6,7 +6,7 @@ ANNOTATIONS = {"$schema", "$id", "$defs", "title", "description", "default"}
 
 
 def fits(schema, value, whole):
-    """True when the value is as the schema says; `whole` is the schema that has the definitions."""
+    """True if the value fits the schema; `whole` is the schema with the definitions."""
     for word, argument in schema.items():
         if word in ANNOTATIONS:
             continue

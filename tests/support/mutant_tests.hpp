@@ -1,6 +1,6 @@
 #pragma once
-// A program that has tests in it, and a copy of what they test that has the deliberate faults of a list
-// (tests/runtime/mutate.py). It runs the tests with each fault, and reports for each the first that fails.
+// A program with tests and a copy of the tested code that contains the deliberate faults of a list
+// (tests/runtime/mutate.py). It runs the tests with each fault and reports the first test that fails.
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -20,9 +20,9 @@
 namespace restrip::testing_support {
 
 struct MutantTests {
-  std::vector<std::string> stages;  ///< filters of GoogleTest, run one after the other; then all other tests
-  std::string left_out;             ///< of the last stage: tests that are run by name alone, or never
-  /// Processor time of a stage: a multiple of what it takes without a fault, because a test that is merely slow proves
+  std::vector<std::string> stages;  ///< filters of GoogleTest, run in order, followed by all other tests
+  std::string left_out;             ///< of the last stage: tests that run only by name, or never
+  /// Processor time of a stage: a multiple of its time without a fault, because a test that is merely slow proves
   /// nothing.
   rlim_t seconds = 60;
 };
@@ -35,7 +35,7 @@ class MutantRun {
     tests_.stages.push_back(others);
   }
 
-  /// By the arguments of the program; its exit code.
+  /// Acts on the program's arguments; returns its exit code.
   int run(int argc, char** argv) {
     ::testing::InitGoogleTest(&argc, argv);
     void* const memory = mmap(nullptr, longest_name, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -56,15 +56,15 @@ class MutantRun {
     }
     std::size_t wrong = 0;
     for (std::size_t number = part; number <= faults; number += parts) wrong += judge(number) ? 0U : 1U;
-    std::printf("%zu of %zu are not as they should be\n", wrong, (faults - part) / parts + 1);
+    std::printf("%zu of %zu have an unexpected outcome\n", wrong, (faults - part) / parts + 1);
     return wrong == 0 ? 0 : 1;
   }
 
  private:
   static constexpr std::size_t longest_name = 200;
   static constexpr rlim_t seconds_if_endless = 2;
-  static constexpr rlim_t bytes = rlim_t{1}
-                                  << 30;  // that may be written; one test takes more addresses and touches none
+  static constexpr rlim_t bytes =
+      rlim_t{1} << 30;  // upper limit of written memory; one test maps more addresses without touching them
 
   class Watch : public ::testing::EmptyTestEventListener {
    public:
@@ -80,8 +80,8 @@ class MutantRun {
     char* running_;
   };
 
-  /// Runs the tests of this filter with the fault of this number (0: none), up to the first that fails, in a process of
-  /// their own; its status, or -1.
+  /// Runs the tests of this filter with the fault of this number (0: none), up to the first failure, in a separate
+  /// process. Returns its status, or -1.
   int status_of(std::size_t number, const std::string& filter, rlim_t limit) const {
     std::fflush(stdout);
     const pid_t child = fork();
@@ -100,26 +100,26 @@ class MutantRun {
       active_mutant = static_cast<int>(number);
       const bool passed = RUN_ALL_TESTS() == 0;
       std::fflush(stdout);
-      if (::testing::UnitTest::GetInstance()->test_to_run_count() == 0) _exit(2);  // the filter names no test
+      if (::testing::UnitTest::GetInstance()->test_to_run_count() == 0) _exit(2);  // the filter matches no test
       _exit(passed ? 0 : 1);
     }
     int status = 0;
     return waitpid(child, &status, 0) == child ? status : -1;
   }
 
-  /// Runs the tests with the fault of this number and reports the outcome. True if that is as it should be.
+  /// Runs the tests with the fault of this number and reports the outcome. True if the outcome is as expected.
   bool judge(std::size_t number) const {
     const MutantName fault = number > 0 ? mutant_names[number - 1] : MutantName{"none", false, true, ""};
     const rlim_t limit = fault.endless ? seconds_if_endless : tests_.seconds;
     int status = *fault.test != '\0' ? status_of(number, fault.test, limit) : 0;
     for (std::size_t stage = 0; stage < tests_.stages.size() && status == 0; ++stage) {
-      // A fault that changes nothing has passed the quick tests; the slow ones would say no more.
+      // A fault without effect has passed the quick tests; the slow ones add nothing.
       if (stage + 1 == tests_.stages.size() && fault.equivalent && number > 0) break;
       status = status_of(number, tests_.stages[stage], limit);
     }
     std::printf("%s: ", fault.name);
     if (status == 0) {
-      std::printf("%s\n", fault.equivalent ? "not noticed, and that is right" : "NOT NOTICED");
+      std::printf("%s\n", fault.equivalent ? "not noticed, as expected" : "NOT NOTICED");
       return fault.equivalent;
     }
     if (status < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 2)) {
@@ -135,7 +135,7 @@ class MutantRun {
   }
 
   MutantTests tests_;
-  char* running_ = nullptr;  ///< the name of the test that runs, in memory that the processes share
+  char* running_ = nullptr;  ///< name of the current test, in memory shared by the processes
 };
 
 }  // namespace restrip::testing_support

@@ -1,5 +1,5 @@
 #pragma once
-// Sanitizers make a test many times slower. What a test shows of a large mesh it shows there of a smaller one.
+// Sanitizers make tests many times slower, so tests use smaller meshes under them.
 
 #include <cstdint>
 

@@ -31,7 +31,7 @@ def minus(a, b):
 
 
 def exploded(triangles):
-    """The same corners, each a vertex of its own."""
+    """The same corners, each a separate vertex."""
     corners = [c for t in triangles for c in t]
     made = File()
     attributes = {}
@@ -53,9 +53,9 @@ for name, file, places in (("cube", cube(), 6 * N * N + 2), ("sphere", sphere(),
     assert len({next(v for v in c if v[0][0] == "POSITION") for c in used}) == places < len(used), "there are seams"
     out = scratch / f"{name}-out.glb"
     for mode, weld in itertools.product(("restart", "strips", "list"), ((), ("--weld",))):
-        told = run("stripify", source, "-o", out, "--gltf", mode, *weld).stdout
-        assert corners_of_glb(out) == expected and "left out:" not in told, (name, mode, weld, told)
-        assert f"{len(used) - places} vertices lie where others do and have other attributes" in told, told
+        printed = run("stripify", source, "-o", out, "--gltf", mode, *weld).stdout
+        assert corners_of_glb(out) == expected and "left out:" not in printed, (name, mode, weld, printed)
+        assert f"{len(used) - places} vertices lie where others do and have other attributes" in printed, printed
     again = scratch / f"{name}-again.glb"
     run("stripify", source, "-o", out)
     for mode in ("restart", "strips", "list"):
@@ -64,22 +64,22 @@ for name, file, places in (("cube", cube(), 6 * N * N + 2), ("sphere", sphere(),
     run("convert", source, "-o", again)
     assert corners_of_glb(again) == expected
 
-    # Welding: everything agrees, or nothing is joined; and by places alone, when that is asked for.
+    # Welding joins everything if all values agree, and nothing if they differ; on request it compares positions only.
     apart = save(exploded(expected), scratch / f"{name}-apart.glb")
     assert 3 * len(expected) > len(used)
     run("stripify", apart, "-o", out, "--weld")
     assert corners_of_glb(out) == expected and len(glb(out)[0]) == len(used), name
-    told = run("stripify", source, "-o", out, "--weld", "--no-attributes").stdout
-    assert len(glb(out)[0]) == places and "other attributes" not in told
-    assert "left out: " in told and "normals" in told and corners_of_glb(out) != expected
+    printed = run("stripify", source, "-o", out, "--weld", "--no-attributes").stdout
+    assert len(glb(out)[0]) == places and "other attributes" not in printed
+    assert "left out: " in printed and "normals" in printed and corners_of_glb(out) != expected
 
-# Normals in bytes leave as floats: without an extension glTF has no others.
+# Normals in bytes become floats: glTF without extensions has only floats.
 quantized, plain = save(cube(BYTE), scratch / "quantized.glb"), save(cube(), scratch / "cube.glb")
 run("convert", quantized, "-o", scratch / "out.glb")
 assert corners_of_glb(scratch / "out.glb") == corners_of_glb(plain)
 
-# Moved by a node: of a side of the cube, which stays flat, the normal is that of its triangles as they are drawn, and the
-# tangents run as the texture does.
+# Moved by a node: on a flat side of the cube, the normal is the normal of its triangles as drawn, and the tangents
+# follow the texture.
 for node in ({"rotation": [0.5, 0.5, -0.5, 0.5], "scale": [3, 0.25, 1], "translation": [5, 6, 7]},
              {"matrix": [-2, 0, 0, 0, 0.5, 1, 0, 0, 0.25, 0, 3, 0, 1, 2, 3, 1]}):
     file = cube()
@@ -100,7 +100,8 @@ for node in ({"rotation": [0.5, 0.5, -0.5, 0.5], "scale": [3, 0.25, 1], "transla
             assert max(map(abs, minus(tangent[:3], unit(along_u)))) < 1e-4
             assert tangent[3] * dot(cross(normal, tangent[:3]), along_v) > 0
 
-# Several primitives: what all have is kept; one accessor of positions with two of an attribute is two sets of vertices.
+# Several primitives: attributes common to all are kept; one accessor of positions with two of an attribute gives two
+# sets of vertices.
 file, P = File(), [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
 points, up = file.positions(P), file.positions([(0, 0, 1)] * 3)
 uv = [file.accessor([(x + s, y) for x, y, _ in P], "VEC2", FLOAT) for s in (0, 5)]
@@ -108,13 +109,13 @@ joints = file.accessor([(0, 0, 0, 0)] * 3, "VEC4", UBYTE)
 colors = file.accessor([(1, 1, 1)] * 3, "VEC3", FLOAT)
 file.primitive(points, file.indices([0, 1, 2]), NORMAL=up, TEXCOORD_0=uv[0], JOINTS_0=joints, COLOR_0=colors)
 file.primitive(points, file.indices([2, 1, 0]), NORMAL=up, TEXCOORD_0=uv[1])
-told = json.loads(run("convert", save(file, scratch / "two.glb"), "-o", scratch / "out.glb", "--json", "-").stdout)
-assert told["left_out_attributes"] == ["JOINTS_0", "COLOR_0"] and told["vertices"] == 6, told
+printed = json.loads(run("convert", save(file, scratch / "two.glb"), "-o", scratch / "out.glb", "--json", "-").stdout)
+assert printed["left_out_attributes"] == ["JOINTS_0", "COLOR_0"] and printed["vertices"] == 6, printed
 found = {tuple(sorted(v[1:] for c in t for v in c if v[0][0] == "TEXCOORD_0")) for t in corners_of_glb(scratch / "out.glb")}
 assert found == {((0, 0), (0, 1), (1, 0)), ((5, 0), (5, 1), (6, 0))}, found
 assert {v[0][0] for t in corners_of_glb(scratch / "out.glb") for c in t for v in c} == {"POSITION", "NORMAL", "TEXCOORD_0"}
 
-# What is left out is named: by formats without attributes, and by everything that changes the mesh.
+# Left-out attributes are reported, by formats without attributes and by every command that changes the mesh.
 source = save(sphere(), scratch / "sphere.glb")
 for arguments in (("convert", source, "-o", scratch / "out.off"), ("stripify", source, "-o", scratch / "out.bin"),
                   ("simplify", source, "--weld", "--base", 0.5, "-o", scratch / "out.pm"),
@@ -122,10 +123,11 @@ for arguments in (("convert", source, "-o", scratch / "out.off"), ("stripify", s
                   ("replay", source, "--weld", "--base", 0.5, "--repeats", 0)):
     (line,) = [line for line in run(*arguments).stdout.splitlines() if line.startswith("left out:")]
     assert sorted(line.removeprefix("left out: ").split(", ")) == ["colours", "normals", "texture coordinates"], line
-    told = json.loads(run(*arguments, "--json", "-").stdout)
-    assert sorted(told["left_out_attributes"]) == ["COLOR_0", "NORMAL", "TEXCOORD_0"], told
+    printed = json.loads(run(*arguments, "--json", "-").stdout)
+    assert sorted(printed["left_out_attributes"]) == ["COLOR_0", "NORMAL", "TEXCOORD_0"], printed
 assert "left out:" not in run("stats", source).stdout
-# simplify says so once, and how to keep them; or it keeps them: what is left are drawn vertices of the source, those at seams all of them.
+# simplify reports it once, and how to keep them; or it keeps them: the remaining vertices are drawn vertices of the
+# source, including all at seams.
 done = run("simplify", source, "--base", 0.5, "-o", scratch / "out.glb")
 assert done.stderr == "" and done.stdout.count("texture coordinates") == 1 and "with --attributes" in done.stdout, done
 for shape, base in ((cube(), 0.5), (sphere(), 0.7)):
@@ -186,11 +188,11 @@ for name, file, places in (("cube", cube(), 6 * N * N + 2), ("sphere", sphere(),
     for command in ("convert", "stripify"):
         out = {end: scratch / f"{name}-{command}.{end}" for end in ("obj", "ply")}
         for path in out.values():
-            told = run(command, source, "-o", path).stdout
-            assert others in told and ("left out:" in told) == bool(others), told
+            printed = run(command, source, "-o", path).stdout
+            assert others in printed and ("left out:" in printed) == bool(others), printed
         triangles, lines = drawn_obj(out["obj"])
         expect_near(by_places(triangles), wanted)
-        # A place is one `v` for each of its colours, however many normals and texture coordinates it has.
+        # A position is one `v` for each of its colours, whatever the number of normals and texture coordinates.
         assert lines["v"] == len(colors) and lines["vn"] < len(rows[0]) >= lines["vt"]
         triangles, types = drawn_ply(out["ply"])
         kinds = {kind for t in corners for c in t for kind, *_ in c if kind[0] == "COLOR_0"}
@@ -198,7 +200,7 @@ for name, file, places in (("cube", cube(), 6 * N * N + 2), ("sphere", sphere(),
         assert ("alpha" in types) == (kinds == {("COLOR_0", "VEC4", UBYTE, True)}), kinds
         expect_near(by_places([[c | {"COLOR_0": tuple(x / 255 for x in c["COLOR_0"])} for c in t] for t in triangles]), wanted)
 
-        # And back; from then on nothing changes any more.
+        # And back; further conversions change nothing.
         for end, path in out.items():
             back, again, third = (scratch / f"{name}-{end}-{i}.{e}" for i, e in ((1, "glb"), (2, end), (3, "glb")))
             for one, other in ((path, back), (back, again), (again, third)):
@@ -208,7 +210,7 @@ for name, file, places in (("cube", cube(), 6 * N * N + 2), ("sphere", sphere(),
             assert {v for t in corners_of_glb(back) for c in t for v in c if v[0][0] == "COLOR_0"} == {
                 v for t in corners for c in t for v in c if v[0][0] == "COLOR_0"} or end == "obj"
             assert len({c for t in corners_of_glb(back) for c in t}) == len(used)
-            # By places alone the seams are gone, as they are with glTF.
+            # By positions only the seams are gone, as in glTF.
             run("stripify", path, "--no-attributes", "--weld", "-o", scratch / "out.glb")
             assert len(glb(scratch / "out.glb")[0]) == places
 
@@ -216,9 +218,9 @@ for name, file, places in (("cube", cube(), 6 * N * N + 2), ("sphere", sphere(),
 def values(lines, end, *others):
     """The one triangle of a file, by names: the values of its three corners in a GLB."""
     (scratch / f"in.{end}").write_text(lines)
-    told = run("convert", scratch / f"in.{end}", "-o", scratch / "out.glb").stdout
-    (line,) = [line for line in told.splitlines() if line.startswith("left out:")] or [""]
-    assert line == "".join(f"left out: {other}" for other in others), told
+    printed = run("convert", scratch / f"in.{end}", "-o", scratch / "out.glb").stdout
+    (line,) = [line for line in printed.splitlines() if line.startswith("left out:")] or [""]
+    assert line == "".join(f"left out: {other}" for other in others), printed
     doc, accessor = parts_of_glb(scratch / "out.glb")
     found = {}
     for name, number in doc["meshes"][0]["primitives"][0]["attributes"].items():
@@ -233,7 +235,7 @@ V = "vt 0 0.25\nvt 1 0\nvt 0.5\nvn 0 0 2\nvn 1 0 0\n"
 assert values(P + V + "f 1/1/1 2/2/2 3/3/1\n", "obj") == values(P + V + "f -3/-3/-2 -2/-2/-1 -1/-1/-2\n", "obj") == {
     "POSITION": [(0, 0, 0), (1, 0, 0), (0, 1, 0)], "NORMAL": [(0, 0, 1), (1, 0, 0), (0, 0, 1)],
     "TEXCOORD_0": [(0, 0.75), (1, 1), (0.5, 1)]}
-# Other pairs of a `v` come behind it.
+# Other pairs of a `v` follow at the end.
 assert values(P + V + "f 1/1 2/1 3/1\nf 1/2 2/2 3/1\n", "obj", "normals") == {
     "POSITION": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, 0, 0)],
     "TEXCOORD_0": [(0, 0.75)] * 3 + [(1, 1)] * 2}

@@ -1,5 +1,5 @@
-// Claims: the strips of every level are valid, as few as the report says, and those that the file gives back; a closed
-// mesh has one strip at every level.
+// Claims: the strips of every level are valid, equal the report in number, and survive a file unchanged; a closed mesh
+// has one strip at every level.
 #include "lod/bake.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
   EXPECT_EQ(played.levels_compared, 2 * 3 * played.levels.size());
 }
 
-// Every level has fewer indices, most by a seventh, and the colours that change take few bytes.
+// Every level has fewer indices, most by a seventh, and the changed colours take few bytes.
 TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   const Soup soup = make_mesh(4000);
   const ProgressiveMesh mesh = simplify(soup, {0.05, BoundaryPolicy::move}).mesh;
@@ -91,7 +91,7 @@ TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   ASSERT_EQ(of_strips.levels.size(), of_indices.levels.size());
   for (std::size_t i = 0; i < of_strips.levels.size(); ++i)
     EXPECT_LT(of_indices.levels[i].indices * 10, of_strips.levels[i].indices * 9) << i;
-  constexpr std::size_t bytes_a_record = 30;  // what docs/reference/policies.md aims at; here the base counts too
+  constexpr std::size_t bytes_a_record = 30;  // the goal in docs/reference/policies.md; here the base counts too
   EXPECT_LE(baked_bytes(indices).size(), bytes_a_record * indices.records.size());
 }
 
@@ -126,7 +126,7 @@ TEST(Bake, IsReproducible) {
 
 TEST(Bake, NamesASplitThatDoesNotFit) {
   ProgressiveMesh mesh = simplify(make_mesh(500)).mesh;
-  mesh.splits[7].v_l = mesh.splits.back().v_t;  // not there yet
+  mesh.splits[7].v_l = mesh.splits.back().v_t;  // does not exist yet
   try {
     (void)bake(mesh);
     FAIL();
@@ -138,7 +138,7 @@ TEST(Bake, NamesASplitThatDoesNotFit) {
 class OneStrip : public testing::TestWithParam<const char*> {};
 
 TEST_P(OneStrip, AtEveryLevelOfARealMesh) {
-  if (real_mesh(GetParam()).empty()) GTEST_SKIP() << GetParam() << " is not to be had: set RESTRIP_MESHES";
+  if (real_mesh(GetParam()).empty()) GTEST_SKIP() << GetParam() << " is missing: set RESTRIP_MESHES";
   BakeReport report;
   (void)bake(simplify(read_mesh(real_mesh(GetParam())), {0.02, BoundaryPolicy::move}).mesh, {}, &report);
   EXPECT_EQ(report.most_strips, 1U);

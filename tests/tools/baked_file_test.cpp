@@ -1,6 +1,6 @@
-// Claims: what is written is read, mesh, strips and all; nothing truncated, altered or of another version is; and what
-// is built to deceive is refused or at least a mesh. A payload of the user's is where docs/reference/file-formats.md
-// says, and handed out record by record.
+// Claims: a written file reads back unchanged, including mesh and strips; truncated, altered or other-version files are
+// refused; a file built to deceive is refused or at least is a mesh. User payload is stored as
+// docs/reference/file-formats.md says and returned record by record.
 #include "lod/baked_file.hpp"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ TEST(BakedFile, APayloadIsHandedOutRecordByRecord) {
         for (std::size_t j = 0; j < each; ++j)
           ASSERT_EQ(file.payload[i][j], static_cast<std::byte>((i * each + j) & 255U));
       }
-      // The tools keep it, another one takes its place, and without one the file is what it was.
+      // The tools keep the payload, another one replaces it, and without one the file equals the original.
       ASSERT_EQ(baked_bytes(parse_baked(loaded, "some.baked")), loaded);
       ASSERT_EQ(with_payload(with_payload(plain, 7), each), loaded);
       std::vector<std::byte> bytes = as_vector(loaded);
@@ -110,7 +110,7 @@ TEST(BakedFile, APayloadThatDoesNotFitIsRefused) {
   std::vector<std::byte> altered = as_vector(broken);
   EXPECT_NE(set_payload(altered, std::vector<std::byte>(records)).find("checksum"), std::string::npos);
   EXPECT_EQ(as_string(file) + as_string(altered), plain + broken);
-  // A header that says more, or less, than there is.
+  // A header that announces more, or less, than the file has.
   const std::string loaded = with_payload(plain, 4);
   for (const auto& [said, text] : std::map<std::uint32_t, std::string>{{0, "behind its last record"},
                                                                        {3, "behind its last record"},

@@ -62,7 +62,7 @@ def check(name, mode_of_bake, mesh, *options):
     run("convert", baked, "-o", glb)
     assert "extensionsRequired" not in parts_of_glb(glb)[0]
 
-    # Every level by a player of its own.
+    # Every level, by an independent player.
     player = Player(in_glb(glb))
     levels = {0, 1, player.records // 3, player.records}
     for record in range(player.records + 1):
@@ -88,18 +88,18 @@ glb = check("torus", (), torus, "--base", 0.1)
 doc, accessor = parts_of_glb(glb)
 base = accessor(doc["meshes"][0]["primitives"][0]["indices"])
 
-# All that read baked meshes.
+# Every command that reads baked meshes.
 plain = scratch / "torus.baked"
 for arguments in (("stats",), ("replay", "--repeats", 0, "--levels", 3)):
-    told = [json.loads(run(arguments[0], mesh, *arguments[1:], "--json", "-").stdout) for mesh in (glb, plain)]
-    for report in told:
+    printed = [json.loads(run(arguments[0], mesh, *arguments[1:], "--json", "-").stdout) for mesh in (glb, plain)]
+    for report in printed:
         report.pop("mesh", None)
         report.pop("name", None)
-    assert told[0].keys() == told[1].keys()
+    assert printed[0].keys() == printed[1].keys()
     if arguments[0] == "stats":
-        assert told[0] == told[1]
+        assert printed[0] == printed[1]
     else:
-        assert told[0]["policy"] == told[1]["policy"] == "baked", told
+        assert printed[0]["policy"] == printed[1]["policy"] == "baked", printed
 for mesh, out in ((glb, "glb.svg"), (plain, "plain.svg")):
     run("draw", mesh, "-o", scratch / out, "--triangles", 400)
 assert (scratch / "glb.svg").read_bytes() == (scratch / "plain.svg").read_bytes()
@@ -107,14 +107,14 @@ for mesh, out in ((glb, "glb-again.baked"), (plain, "plain-again.baked")):
     run("bake", mesh, "-o", scratch / out)
 assert (scratch / "glb-again.baked").read_bytes() == (scratch / "plain-again.baked").read_bytes()
 
-# A payload goes along.
+# A payload is kept.
 (scratch / "payload.baked").write_bytes(with_payload(plain.read_bytes(), 5))
 run("convert", scratch / "payload.baked", "-o", scratch / "payload.glb")
 assert in_glb(scratch / "payload.glb") == (scratch / "payload.baked").read_bytes() != plain.read_bytes()
 run("bake", scratch / "payload.glb", "-o", scratch / "payload-again.glb")
 assert struct.unpack_from("<I", in_glb(scratch / "payload-again.glb"), 8) == (2,)
 
-# The others take the finest level, with its strips.
+# The others use the finest level, with its strips.
 finest = Player(in_glb(glb))
 for record in range(finest.records):
     finest.split()
@@ -124,17 +124,17 @@ for mesh in (glb, plain):
     run("stripify", mesh, "-o", scratch / "finest.obj")
     points, triangles = obj(scratch / "finest.obj")
     assert at_points(points, triangles) == all_triangles
-    told = json.loads(run("stripify", mesh, "--effort", "file", "--json", "-").stdout)
-    assert (told["strips"], told["cut_strips"]) == (len(strips), 0), told
+    printed = json.loads(run("stripify", mesh, "--effort", "file", "--json", "-").stdout)
+    assert (printed["strips"], printed["cut_strips"]) == (len(strips), 0), printed
     run("convert", mesh, "-o", scratch / "finest.ply")
     points, indices = ply(scratch / "finest.ply")
     assert {at_points(points, triangles_of_strip(strip)) for strip in indices} == strips
     run("simplify", mesh, "--base", 0.5, "-o", scratch / "again.pm")
     assert json.loads(run("stats", scratch / "again.pm", "--json", "-").stdout)["triangles"] == len(finest.triangles)
-told = run("convert", scratch / "payload.baked", "-o", scratch / "finest.ply").stdout
-assert "left out: payload" in told, told
+printed = run("convert", scratch / "payload.baked", "-o", scratch / "finest.ply").stdout
+assert "left out: payload" in printed, printed
 
-# What cannot be done is said.
+# Impossible requests are refused with a reason.
 for arguments, words in (((glb, "-o", scratch / "never.baked", "--weld"), "is taken as it is"),
                          ((torus, "-o", scratch / "never.baked"), "is not a baked mesh; restrip bake makes one")):
     assert words in run("convert", *arguments, code=2).stderr, words

@@ -1,4 +1,4 @@
-// Claims: the checks pass what is right and reject each kind of fault. A check that rejects nothing proves nothing.
+// Claims: the checks pass correct meshes and reject each kind of fault. A check that rejects nothing proves nothing.
 #include "lod/coloring_check.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(FindFault, OfALocatorThatIsNoLongerTrue) {
 }
 
 TEST(DecodeStrips, FollowsTheRulesOfTheCard) {
-  // Two strips; the second turns twice the same way, so one index is there twice.
+  // Two strips; the second turns the same way twice, so one index is repeated.
   const std::vector<std::uint32_t> indices{0, 1, 2, 3, restart_index, 4, 5, 6, 5, 7};
   EXPECT_EQ(decode_strips(indices), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}, {6, 5, 7}}));
   EXPECT_TRUE(decode_strips(std::vector<std::uint32_t>{0, 1, restart_index, 2, 3}).empty());

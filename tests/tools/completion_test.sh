@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Claim: bash completes the subcommands, the options and the values of options that the program has, and leaves all else to
-# the completion of file names.
+# Claim: bash completes the program's subcommands, options and values of options, and completes file names otherwise.
 #
 #   completion_test.sh restrip restrip.bash
 set -euo pipefail

@@ -1,5 +1,5 @@
-// Claims: no colouring has fewer strips than are needed; the counts of components follow splits and changes of colours
-// as if they were read again.
+// Claims: no colouring has fewer strips than the bound; the counts of components after splits and changes of colours
+// equal a new count.
 #include "lod/component_strips.hpp"
 
 #include <gtest/gtest.h>

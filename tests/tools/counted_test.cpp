@@ -1,4 +1,4 @@
-// Claim: counts are reported in English, one of a thing in the singular, by every command of the program.
+// Claim: every command reports counts in correct English, with a singular for one.
 #include "common/counted.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ TEST(Counted, OneIsSingular) {
   EXPECT_EQ(counted(11, "vertex", "vertices"), "11 vertices");
 }
 
-/// "1 strips", "1 degenerate triangles", "1 vertices lie"; empty if there is nothing to count.
+/// "1 strips", "1 degenerate triangles", "1 vertices lie"; empty if the text has no such fault.
 std::string plural_of_one(const std::string& text) {
   static const std::regex plural(
       R"((?:^|[^\d.,])(1 (?:(?:degenerate|connected|solid) )?(?!(?:is|has|was|as)\b)[a-z]+s)\b)");
@@ -40,16 +40,16 @@ TEST(Counted, ThePluralOfOneIsRecognised) {
 
 class CountedByTheProgram : public ScratchFolder {
  protected:
-  /// A mesh of these lines of an .obj file.
+  /// Writes a mesh of these lines of an .obj file.
   void make(const std::string& lines) { std::ofstream(file("mesh.obj")) << lines; }
-  /// What a command says of the mesh, on both streams, having seen to it that it is all right and in English.
+  /// What a command reports about the mesh, on both streams, after checking its exit code and its English.
   std::string reported(const std::string& command, const std::string& more = "") {
     const Outcome outcome = run_program(fmt::format("{} '{}' {}", command, file("mesh.obj"), more), true);
     EXPECT_EQ(outcome.code, 0) << command << outcome.out;
     EXPECT_EQ(plural_of_one(outcome.out), "") << command;
     return outcome.out;
   }
-  std::string told_and_written(const std::string& command, const char* out) {
+  std::string reported_and_written(const std::string& command, const char* out) {
     return reported(command, fmt::format("-o '{}'", file(out)));
   }
   static void expect(const std::string& text, const char* part) {
@@ -60,15 +60,15 @@ class CountedByTheProgram : public ScratchFolder {
 TEST_F(CountedByTheProgram, OneTriangle) {
   make("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   expect(reported("stats"), "in 1 loop\n");
-  expect(told_and_written("stripify", "a.glb"),
+  expect(reported_and_written("stripify", "a.glb"),
          "1 triangle (0 degenerate ones left out) in 1 strip, 1 connected component\n");
-  expect(told_and_written("convert", "a.ply"), "3 vertices, 1 triangle\n");
-  expect(told_and_written("simplify", "a.pm"), "1 triangle and 0 splits to 1\n");
-  expect(told_and_written("simplify", "b.glb"), "1 of 1 triangle, in 1 strip\n");
-  expect(told_and_written("replay", "a.bin"), "1 triangle in 1 strip\n");
+  expect(reported_and_written("convert", "a.ply"), "3 vertices, 1 triangle\n");
+  expect(reported_and_written("simplify", "a.pm"), "1 triangle and 0 splits to 1\n");
+  expect(reported_and_written("simplify", "b.glb"), "1 of 1 triangle, in 1 strip\n");
+  expect(reported_and_written("replay", "a.bin"), "1 triangle in 1 strip\n");
   expect(reported("replay", "--repeats 0 --walk 1 --seed 1"), "walk of 1 step, seed 1: ");
-  expect(told_and_written("bake", "a.baked"), "1 triangle and 0 records to 1\n1 strip at the base");
-  expect(told_and_written("draw", "a.svg"), "1 triangle in 1 strip; ");
+  expect(reported_and_written("bake", "a.baked"), "1 triangle and 0 records to 1\n1 strip at the base");
+  expect(reported_and_written("draw", "a.svg"), "1 triangle in 1 strip; ");
   expect(reported("paper", fmt::format("-o '{}'", file("figures"))), "mesh.obj: 1 triangle, base 1\n");
 }
 

@@ -108,7 +108,7 @@ expect(file, [(10 - 2 * x, -y, z) for x, y, z in P] + [(-x, y, z + 5) for x, y, 
        STRIP + [(c + 6, b + 6, a + 6) for a, b, c in STRIP], "roots without scenes")
 
 
-# ---- the damaged ones
+# ---- damaged files
 def whole():
     made = File()
     made.primitive(made.positions(P), made.indices([0, 1, 2, 3, 4, 5]), 5)
@@ -191,7 +191,7 @@ for edit, words in DAMAGED:
         refused("bad.gltf", made.gltf(), words)
 
 
-# Small files that draw much: values without bytes, and one mesh in many nodes; and many members, each looked up.
+# Small files that draw much: values without bytes, one mesh in many nodes, and many members, each looked up.
 def many_zeros():
     made = File()
     made.doc["accessors"] = [{"componentType": FLOAT, "count": 60_000, "type": "VEC3"}] * 300

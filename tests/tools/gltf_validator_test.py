@@ -24,7 +24,7 @@ run, scratch, node, npm = Program(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.a
 may_be_missing = "--may-be-missing" in sys.argv[5:]
 here = pathlib.Path(__file__).parent / "gltf-validator"
 VERSION = json.loads((here / "package.json").read_text())["dependencies"]["gltf-validator"]
-LEFT_OUT = 77  # as CTest was told
+LEFT_OUT = 77  # expected by CTest
 
 
 def install():
@@ -103,7 +103,7 @@ for name, triangles in (("small", 600), ("large", 140_000)):  # indices of 16 an
         run("convert", scratch / f"{name}-restart.glb", "-o", converted, "--gltf", mode)
         (with_restarts if mode == "restart" else plain).extend([written, converted])
     run("convert", source, "-o", scratch / f"{name}-bare.glb")
-    # As they are written where nothing else is asked for.
+    # With the default options.
     run("stripify", source, "-o", scratch / f"{name}-default.glb")
     run("simplify", source, "--base", 0.4, "-o", scratch / f"{name}-level.glb")
     run("stripify", source, "-o", scratch / f"{name}-batches.glb", "--batch-vertices", 60)
@@ -115,12 +115,12 @@ for name, shape in (("cube", cube()), ("sphere", sphere())):  # with attributes
         written = scratch / f"{name}-{mode}.glb"
         run("stripify", source, "-o", written, "--gltf", mode)
         (with_restarts if mode == "restart" else plain).append(written)
-# Normals, texture coordinates and colours that came through other formats.
+# Normals, texture coordinates and colours after conversion through other formats.
 for end in ("obj", "ply"):
     run("convert", scratch / "cube.glb", "-o", scratch / f"cube.{end}")
     run("convert", scratch / f"cube.{end}", "-o", scratch / f"cube-{end}.glb")
     plain.append(scratch / f"cube-{end}.glb")
-# A baked mesh: viewers need to know nothing of its extension.
+# A baked mesh: viewers need not know its extension.
 for mode in ("stitched", "strips", "list"):
     written = scratch / f"baked-{mode}.glb"
     run("bake", scratch / "small.obj", "--cost", "indices", "--base", 0.3, "-o", written, "--gltf", mode)

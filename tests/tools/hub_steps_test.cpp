@@ -1,5 +1,5 @@
-// Simplifying, baking, replaying and drawing take linear time however many triangles share one vertex; the steps are
-// counted at two sizes, one twice the other. tests/runtime/hub_steps_test.cpp does so for what the library promises.
+// Simplifying, baking, replaying and drawing take linear time however many triangles share one vertex. Steps are
+// counted at two sizes, one twice the other. tests/runtime/hub_steps_test.cpp does the same for the library.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ TEST(Reading, MembersOfAnObjectAreFoundWithoutWalkingOverIt) {
   EXPECT_TRUE(grows_at_most(linear, work(1000), work(2000)));
 }
 
-/// On a spiral: no two points at one place, and no three in a line.
+/// On a spiral: no two points coincide, and no three are collinear.
 Soup soup_of(const sample::HubMesh& mesh) {
   Soup soup;
   soup.triangles = mesh.triangles;
@@ -125,7 +125,7 @@ const std::vector<Simplified>& simplified(std::uint32_t n) {
   return place->second;
 }
 
-/// What run(soup, mesh) takes on each mesh with a hub of n and of 2 n triangles; `mesh` is simplified to a tenth.
+/// The steps of run(soup, mesh) on each mesh with a hub of n and of 2 n triangles; `mesh` is simplified to a tenth.
 template <class Run>
 void expect_linear(std::uint32_t n, Run&& run) {
   constexpr std::size_t kinds = 3;
@@ -150,7 +150,7 @@ TEST(ToolsHubSteps, SimplifyingIsLinear) {
   });
 }
 
-// Nothing may collapse at the faults, and everything that is left is looked at.
+// Nothing may collapse at the faults, and every remaining edge is examined.
 TEST(ToolsHubSteps, StoppingShortIsLinear) {
   expect_linear(3'000, [](const Soup& soup, const ProgressiveMesh&) {
     EXPECT_TRUE(simplify(soup, {0.5, BoundaryPolicy::lock, 1}).stopped_short());
@@ -189,7 +189,7 @@ TEST(ToolsHubSteps, DrawingIsLinear) {
   });
 }
 
-// Strips without end have colours of their own, each found without going through those that are taken.
+// Any number of strips get distinct colours, each found without a search through the used ones.
 TEST(ToolsHubSteps, ColoringStripsIsLinear) {
   std::array<Work, 2> work;
   for (const unsigned size : {0U, 1U}) {

@@ -1,4 +1,4 @@
-// Claims: a made mesh is a closed oriented manifold of genus 1 with irregular valences, of about the size asked for,
+// Claims: a made mesh is a closed oriented manifold of genus 1 with irregular valences, of about the requested size,
 // and the same on every machine.
 #include "meshes/made_mesh.hpp"
 

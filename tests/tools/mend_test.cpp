@@ -1,6 +1,6 @@
-// Claims: welding makes vertices at one place one and nothing else; orienting turns the fewest triangles so that
-// neighbours agree, and refuses what has no orientation; strips that came with the mesh draw the mended triangles; and
-// they become its colouring.
+// Claims: welding joins vertices at one position and changes nothing else; orienting turns the fewest triangles so that
+// neighbours agree, and refuses non-orientable surfaces; strips in the file draw the mended triangles and become the
+// colouring of the mesh.
 #include "meshes/mend.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace restrip::tools {
 namespace {
 
-/// Every triangle with three vertices of its own.
+/// Every triangle with three separate vertices.
 Soup apart(const Soup& soup) {
   Soup made;
   for (const Corners& t : soup.triangles) {
@@ -29,7 +29,7 @@ Soup apart(const Soup& soup) {
   return made;
 }
 
-/// The places of the corners, which welding must not change.
+/// The positions of the corners, which welding must not change.
 std::vector<Point> places(const Soup& soup) {
   std::vector<Point> found;
   for (const Corners& t : soup.triangles)
@@ -69,7 +69,7 @@ TEST(Mend, OrientingTurnsTheFewest) {
   orient(soup, "f", mended);
   EXPECT_EQ(mended.turned_triangles, 4U);
   EXPECT_EQ(sorted_triangles(soup.triangles), sorted_triangles(whole.triangles));
-  // Each component by itself; and across an edge of three triangles nothing is concluded.
+  // Each component separately; an edge of three triangles decides nothing.
   Soup fins{{{}, {}, {}, {}, {}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}};
   orient(fins, "f", mended);
   EXPECT_EQ(mended.turned_triangles, 4U);
@@ -107,7 +107,7 @@ TEST(Mend, StripsOfTheFileStayWhatIsDrawn) {
     std::vector<std::uint32_t> strip = row(i);
     const std::vector<Corners> drawn = decode_strips(strip);
     whole.insert(whole.end(), drawn.begin(), drawn.end());
-    if (i == 1) strip.insert(strip.begin(), strip.front());  // one index more, and all of it is turned over
+    if (i == 1) strip.insert(strip.begin(), strip.front());  // one more index turns the whole strip
     if (i == 2) {                                            // stitched to the next row, which is turned over
       const std::vector<std::uint32_t> next = row(3);
       strip.insert(strip.end(), {strip.back(), strip.back(), next.front()});

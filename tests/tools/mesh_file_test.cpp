@@ -1,5 +1,5 @@
-// Claims: a mesh file arrives triangle by triangle as it is, in every format; and what cannot be read is refused with a
-// sentence that names the file and the fault.
+// Claims: a mesh file of any format is read triangle by triangle without changes, or refused with a sentence that names
+// the file and the fault.
 #include "meshes/mesh_file.hpp"
 
 #include <fmt/format.h>
@@ -159,7 +159,7 @@ TEST(Off, WhatIsLeftOutIsReported) {
   EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "");
 }
 
-// Of every text format: a byte order mark, and each end of lines.
+// For every text format: a byte order mark, and each kind of line end.
 TEST(Texts, MayBeginWithAByteOrderMarkAndEndLinesInAnyWay) {
   using Read = Soup (*)(std::string_view, const std::string&);
   for (const auto& [read, text] : std::vector<std::pair<Read, std::string>>{
@@ -188,7 +188,7 @@ TEST(Off, Refusals) {
   expect_refused(read_off, "4OFF\n3 1 0\n0 0 0 2\n1 0 0 1\n0 1 0 1\n3 0 1 2\n",
                  ":3: vertex 0 has the fourth coordinate 2");
   expect_refused(read_off, "nOFF 4\n3 1 0\n", "points of 4 dimensions");
-  // One number is missing and another one is too many: neither lines nor numbers alone fit.
+  // One number is missing and another one is extra: neither lines nor numbers alone fit.
   expect_refused(read_off, "OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n", ":3: expected a coordinate, found ''");
   expect_refused(read_off, "OFF BINARY\n", "binary OFF");
   expect_refused(read_off, "OFF\n3\n", "the file ends");
@@ -311,7 +311,7 @@ TEST(Ply, ABodyMayBeginWithTheByteOfALineFeed) {
   }
 }
 
-// A turn the other way is a repeated index; what draws nothing is not a triangle.
+// A turn the other way is a repeated index, which draws no triangle.
 TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   const auto with = [](std::string_view lists) {
     return fmt::format(
@@ -329,7 +329,7 @@ TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   EXPECT_EQ(strips("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
             (std::vector<std::uint32_t>{0, 1, 2, strip_end, 2, 1, 3, strip_end, 2, 3, 4}));
   EXPECT_EQ(strips("9 5 0 1 2 1 3\n"), (std::vector<std::uint32_t>{0, 1, 2, 1, 3}));
-  // The restart as a number without a sign.
+  // The restart as an unsigned number.
   EXPECT_EQ(triangles("9 7 0 1 2 4294967295 2 1 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
   expect_refused(bare_ply, with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
   expect_refused(bare_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
@@ -406,7 +406,7 @@ TEST_F(InFolder, WhatIsWrittenIsRead) {
     EXPECT_TRUE(again.points == soup.points) << name;
     EXPECT_EQ(again.triangles, soup.triangles) << name;
   }
-  // STL has corners without indices: the same triangles in the same places.
+  // STL has corners without indices: the same triangles at the same positions.
   const Soup stl = read_stl(mesh_bytes(soup, ".stl"), "f");
   ASSERT_EQ(stl.triangles.size(), soup.triangles.size());
   EXPECT_EQ(stl.points.size(), soup.points.size());

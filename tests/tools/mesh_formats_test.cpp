@@ -1,6 +1,6 @@
-// Claims: what a format writes it reads, and what a viewer must know for it is known; a progressive or baked mesh is at
-// its finest level the mesh that it was made from, with the strips that were baked; a file is opened once, so pipes
-// serve as well as files; and README's table of formats says what the program's table does.
+// Claims: each format reads what it writes and names the extensions that a viewer needs. The finest level of a
+// progressive or baked mesh is the original mesh, with its baked strips. A file is opened once, so pipes work like
+// files. The tables of formats in the documents and in the program agree.
 #include "lod/mesh_formats.hpp"
 
 #include <gtest/gtest.h>
@@ -32,13 +32,13 @@
 namespace restrip::tools {
 namespace {
 
-std::string no_file_beside(const std::string& /*file*/) { throw BadInput("no file beside"); }
+std::string no_sibling(const std::string& /*file*/) { throw BadInput("no other file"); }
 
 ReadMesh parsed(const MeshFormat& format, const std::string& bytes) {
-  return parse_mesh(bytes, format.extension, "some file", no_file_beside);
+  return parse_mesh(bytes, format.extension, "some file", no_sibling);
 }
 
-/// The triangles by their points, so that the numbers of vertices do not matter.
+/// The triangles by their points, so that vertex numbers do not matter.
 std::vector<std::array<std::array<double, 3>, 3>> by_points(const Soup& soup) {
   std::vector<std::array<std::array<double, 3>, 3>> all;  // in 32 bits: text has no more digits than these need
   for (const Corners& t : soup.triangles) {
@@ -53,7 +53,7 @@ std::vector<std::array<std::array<double, 3>, 3>> by_points(const Soup& soup) {
   return all;
 }
 
-/// A mesh in all that is written.
+/// A mesh in every format that is written.
 struct Everything {
   Soup mesh;
   std::vector<std::uint32_t> indices;
@@ -107,7 +107,8 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
             EXPECT_TRUE(read.strips.empty()) << in;
           }
         }
-      if (format.write_progressive != nullptr && !writes_strips(format)) {  // progressive_gltf_test.py has the other
+      if (format.write_progressive != nullptr &&
+          !writes_strips(format)) {  // progressive_gltf_test.py tests the other one
         ++ways;
         const auto read = std::get<ProgressiveMesh>(parsed(format, format.write_progressive(all.progressive)));
         EXPECT_EQ(read.splits.size(), all.progressive.splits.size());
@@ -142,8 +143,7 @@ TEST(MeshFormats, TheFinestLevelIsTheMeshThatWasSimplified) {
   }
 }
 
-// Coordinates far from the origin: text and PLY keep every digit, and where 32 bits would join vertices that is
-// reported.
+// Coordinates far from the origin: text and PLY keep every digit. If 32 bits would join vertices, that is reported.
 TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
   const std::string far =
       "v 500000.001 4649776.251 10.004\nv 500000.501 4649776.251 10.004\nv 500000.001 4649776.501 10.004\n"
@@ -160,7 +160,7 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
     const Soup again = std::get<Soup>(parsed(format, format.write_mesh(soup)));
     EXPECT_TRUE(again.points == soup.points) << format.extension;
   }
-  // What the file has in 64 bits is written in 64 bits; else no more bits are written than matter.
+  // 64-bit input is written in 64 bits; otherwise only as many bits as matter.
   const auto ply = [](const char* type) {
     return fmt::format(
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty {0} x\nproperty {0} y\nproperty {0} z\nelement face 1\n"
@@ -174,7 +174,7 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
 
 using FormatsInFolder = ScratchFolder;
 
-// A pipe can be read once: whoever opens it again waits for ever.
+// A pipe can be read once: a second open would block for ever.
 TEST_F(FormatsInFolder, AFileIsOpenedOnce) {
   const Everything all(sheet(6));
   std::map<std::string, std::string> written{{".pm", pm_bytes(all.progressive)}};
@@ -195,8 +195,8 @@ TEST_F(FormatsInFolder, AFileIsOpenedOnce) {
   }
 }
 
-/// The rows of docs/reference/file-formats.md: what is read and what is written, by extension; several rows of one are
-/// joined.
+/// The rows of docs/reference/file-formats.md: formats read and written, by extension. Several rows of one extension
+/// are joined.
 std::map<std::string, std::array<std::string, 2>> table_of_formats() {
   std::ifstream page(RESTRIP_FORMATS);
   std::map<std::string, std::array<std::string, 2>> rows;

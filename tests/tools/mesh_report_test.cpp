@@ -1,5 +1,5 @@
-// Claims: the counts follow the definitions on meshes small enough to count by hand, and equal the paper's
-// tables on its own meshes.
+// Claims: the counts follow the definitions on meshes small enough to count by hand, and equal the paper's tables on
+// its meshes.
 #include "meshes/mesh_report.hpp"
 
 #include <gtest/gtest.h>
@@ -108,7 +108,7 @@ class KnownFaults : public testing::TestWithParam<Known> {};
 
 TEST_P(KnownFaults, AreFound) {
   const Known& known = GetParam();
-  if (real_mesh(known.file).empty()) GTEST_SKIP() << known.file << " is not to be had: set RESTRIP_MESHES";
+  if (real_mesh(known.file).empty()) GTEST_SKIP() << known.file << " is missing: set RESTRIP_MESHES";
   const MeshReport r = report_on(read_mesh(real_mesh(known.file)));
   EXPECT_EQ(r.boundary_edges, known.boundary_edges);
   EXPECT_EQ(r.non_manifold_edges, known.non_manifold_edges);

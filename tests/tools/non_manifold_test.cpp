@@ -1,5 +1,5 @@
-// Real meshes with edges of more than two triangles take no more indices than meshoptimizer needs, in the order given
-// and in the one that it makes for a vertex cache, with restarts and without.
+// Real meshes with edges of more than two triangles take no more indices than meshoptimizer needs, in the given order
+// and in its vertex-cache order, with and without restarts.
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 

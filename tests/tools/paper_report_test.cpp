@@ -1,6 +1,6 @@
-// Claims: `restrip paper` writes CSV files and a report, of which scripts/paper_page.py makes one page of well-formed
-// HTML that needs nothing from outside, with every figure on it and the numbers of the CSV files; the same bytes on
-// every run; nothing where the input is bad. (The script's pictures: pictures_test.py.)
+// Claims: `restrip paper` writes CSV files and a report, from which scripts/paper_page.py makes one page of
+// well-formed, self-contained HTML with every figure and the numbers of the CSV files. Every run produces the same
+// bytes. Bad input produces no files. (pictures_test.py tests the script's pictures.)
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-/// Empty, or the first place where a tag is not closed in its order.
+/// Empty, or the first place where tags are not properly nested.
 std::string tag_fault(const std::string& html) {
   std::vector<std::string> open;
   for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
@@ -63,7 +63,7 @@ std::vector<std::vector<std::string>> table(const std::string& html, const std::
   return rows;
 }
 
-/// The rows of a CSV file below its header, without the mesh's name, whose quotes are not looked into.
+/// The rows of a CSV file below its header, without the mesh's name, whose quotes are not parsed.
 std::vector<std::vector<std::string>> csv_rows(const std::string& bytes, const std::string& mesh) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(bytes);
@@ -87,7 +87,7 @@ Outcome make_page(const std::string& folder) {
 }
 
 TEST_F(PaperReport, PageAndFiguresAgree) {
-  const std::string mesh = file("a<b>&\"c\",d.ply");  // as awkward as a name may be
+  const std::string mesh = file("a<b>&\"c\",d.ply");  // as awkward as a name can be
   const std::string in_csv = "\"a<b>&\"\"c\"\",d.ply\"";
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles {} -o '{}'", test::large(3000), mesh)).code, 0);
   const Outcome paper = run_program(fmt::format("paper --out '{}' --base 0.05 --json - '{}'", file("one"), mesh));

@@ -1,6 +1,6 @@
-// Claims: the paper's policy isolates a triangle in about half of the splits where ours isolate none, and keeps strips
-// valid; the drawn rules are every rule, each once up to symmetry; the lonely configurations are those in which no
-// recolouring keeps the passing strips whole without leaving a triangle alone.
+// Claims: the paper's policy isolates a triangle in about half of the splits, ours in none, and keeps strips valid; the
+// drawn rules are all rules, each once up to symmetry; the lonely configurations are exactly those in which no
+// recolouring keeps the passing strips whole without isolating a triangle.
 #include "paper/paper.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Paper, IsolatesInHalfOfTheSplitsAndWeInNone) {
     EXPECT_EQ(run.levels.back().triangles, mesh.triangles) << run.name;
     if (run.of_paper) continue;
     EXPECT_LT(run.levels.back().strips, runs.at("paper").levels.back().strips) << run.name;
-    // Baking counts strips alone, so it may isolate a triangle now and then; the others promise not to.
+    // Baking counts only strips, so it may isolate a triangle occasionally; the others promise not to.
     if (run.name == "baked") {
       EXPECT_LT(run.isolating_percent(), 1);
       continue;
@@ -45,7 +45,7 @@ TEST(Paper, IsolatesInHalfOfTheSplitsAndWeInNone) {
     EXPECT_EQ(run.isolating, 0U) << run.name;
     EXPECT_EQ(run.levels.back().isolated, 0U) << run.name;
   }
-  // Tunnelling keeps isolated triangles below a tenth of the strips, or about there where a tunnel is not found.
+  // Tunnelling keeps isolated triangles below about a tenth of the strips.
   const Level& top = runs.at("paper-tunnel").levels.back();
   EXPECT_LE(top.isolated * 8, top.strips);
   EXPECT_EQ(std::accumulate(mesh.splits_by_valence.begin(), mesh.splits_by_valence.end(), std::size_t{0}),
@@ -109,7 +109,7 @@ TEST(PaperRules, ReducedRulesCoverEveryConfiguration) {
   EXPECT_EQ(reduced_rules({5, 2}).size(), 305U);
 }
 
-/// A split without a rule: colours are inherited, the new triangles join where both cut edges were dashed.
+/// A split without a rule: colours are inherited; the new triangles join if both cut edges were dashed.
 Word inherited(SplitPosition at, Word loop) {
   const bool at_a = has(loop, at.k - 1);
   const bool at_d = has(loop, at.a - 1);
@@ -134,7 +134,7 @@ TEST(PaperRules, LonelyConfigurations) {
       covered += one.rule.orbit;
     }
     EXPECT_EQ(covered, count.lonely);
-    // The claim itself, by the library's own notion of validity and of who is joined.
+    // The claim itself, by the library's definitions of validity and of joined ports.
     std::size_t valid = 0;
     std::size_t lonely = 0;
     for (Word loop = 0; loop < bit(at.k); ++loop) {

@@ -1,5 +1,5 @@
-// Claims: OpenMesh's progressive meshes are read with the orientation they were written with, what is written is read
-// again, and nothing else is taken for one.
+// Claims: OpenMesh's progressive meshes are read with their original orientation, a written file reads back unchanged,
+// and no other file is taken for one.
 #include "lod/pm_file.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(PmFile, WhatIsWrittenIsRead) {
     EXPECT_EQ(again.base.size(), mesh.base.size());
     EXPECT_EQ(again.splits.size(), mesh.splits.size());
     EXPECT_EQ(again.fine_triangles(), soup.triangles.size());
-    // Numbered in order of appearance, it stays as it is.
+    // A mesh numbered in order of appearance stays as it is.
     EXPECT_EQ(pm_bytes(again), bytes);
     const ReplayReport report = replay(Plan("local", again), {}, {2, 0, 0});
     EXPECT_TRUE(report.valid());
@@ -49,7 +49,7 @@ TEST(PmFile, RefusesWhatItIsNot) {
   EXPECT_NE(pm_refusal(whole.substr(0, 12)).find("ends inside its header"), std::string::npos);
   EXPECT_NE(pm_refusal(whole.substr(0, whole.size() - 1)).find("is it complete?"), std::string::npos);
   std::string wrong = whole;
-  wrong[wrong.size() - 10] = '\x7F';  // the last split names a vertex that is not there
+  wrong[wrong.size() - 10] = '\x7F';  // the last split names a missing vertex
   EXPECT_NE(pm_refusal(wrong).find("refers to vertices"), std::string::npos);
 }
 

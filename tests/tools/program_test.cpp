@@ -1,5 +1,5 @@
-// Claims: the program keeps its word to the shell: exit codes, JSON keys, files whole or not at all, examples that
-// work.
+// Claims: the program behaves as documented: exit codes, JSON keys, files written whole or not at all, working
+// examples.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -189,7 +189,7 @@ TEST_F(Program, BakedStripsArePlayed) {
   const auto made = nlohmann::json::parse(bake.out);
   EXPECT_EQ(made.at("most_strips"), 1);
   EXPECT_EQ(made.at("bytes"), std::filesystem::file_size(file("a.baked")));
-  // A baked mesh is played by default; its mesh can be replayed by the rules as well, and baked again.
+  // A baked mesh is played by default; its mesh can also be replayed by the rules, or baked again.
   for (const char* policy : {"", "--policy baked", "--policy local"}) {
     const Outcome run = run_program(fmt::format("replay '{}' --repeats 1 {} --json -", file("a.baked"), policy));
     ASSERT_EQ(run.code, 0) << policy;
@@ -225,7 +225,7 @@ TEST_F(Program, SimplifyingWhatIsProgressiveIsRefused) {
     }
 }
 
-// Where a mesh is wanted, a progressive or a baked one is its finest level.
+// Where a mesh is expected, a progressive or baked one stands for its finest level.
 TEST_F(Program, LevelsAreReadWhereverAMeshIs) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.ply"))).code, 0);
   ASSERT_EQ(run_program(fmt::format("simplify '{}' -o '{}'", file("a.ply"), file("a.pm"))).code, 0);
@@ -253,7 +253,7 @@ TEST_F(Program, AnOutputThatIsNoFileIsWrittenTo) {
   EXPECT_TRUE(std::filesystem::is_symlink(file("link.json")));
   std::ifstream in(file("target"));
   EXPECT_TRUE(nlohmann::json::parse(in).at("valid"));
-  // A pipe: what goes in comes out, and the pipe is still there.
+  // A pipe: the output arrives, and the pipe still exists.
   const Outcome piped = run_program("replay --built-in --triangles 500 --repeats 0 --json /dev/stdout");
   EXPECT_EQ(piped.code, 0);
   EXPECT_TRUE(piped.out.starts_with("{"));
@@ -296,7 +296,7 @@ TEST_F(Program, AProgressiveMeshThatDoesNotFitIsOne) {
   EXPECT_NE(replay.out.find("FAULT"), std::string::npos);
 }
 
-/// What is said of a command that is refused: exit code 2 and one line.
+/// The message of a refused command: exit code 2 and one line.
 std::string refusal(const std::string& arguments) {
   const Outcome refused = run_program(arguments, true);
   EXPECT_EQ(refused.code, 2) << arguments << '\n' << refused.out;
@@ -304,7 +304,7 @@ std::string refusal(const std::string& arguments) {
   return refused.out;
 }
 
-/// A mesh in three forms.
+/// A mesh in three formats.
 class Meshes : public ScratchFolder {
  protected:
   void SetUp() override {
@@ -342,7 +342,7 @@ TEST_F(Meshes, AnInputIsNoOutput) {
   EXPECT_EQ(bytes_of(file("a.baked")), baked);
 }
 
-// Of every subcommand: no output is another output, nor a file that the input names.
+// For every subcommand: no output is another output, nor a file that the input names.
 TEST_F(Meshes, NoFileIsWrittenTwice) {
   std::ofstream(file("x.gltf"))
       << R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
@@ -373,7 +373,7 @@ TEST_F(Meshes, NoFileIsWrittenTwice) {
   EXPECT_FALSE(std::filesystem::exists(file("new.json")));
 }
 
-// Pipes have no name: how a file begins says what it is, in every format that is read, or the user does.
+// Pipes have no name: the format is detected from the first bytes, for every readable format, or named by the user.
 TEST_F(Meshes, PipesAreReadAndWritten) {
   const std::string folder = folder_.string();
   const auto shell = [&](const std::string& command) {
@@ -387,14 +387,14 @@ TEST_F(Meshes, PipesAreReadAndWritten) {
   for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.glb", "a.pm", "a.baked"})
     for (const char* command : {"$restrip stats - --json - < {}", "cat {} | $restrip stats /dev/stdin --json -",
                                 "cp {0} bare; $restrip stats bare --json -"}) {
-      const Outcome told = shell(fmt::format(fmt::runtime(command), name) + " | grep '\"triangles\"'");
-      EXPECT_EQ(told.out, triangles) << name << ' ' << command;
+      const Outcome counted = shell(fmt::format(fmt::runtime(command), name) + " | grep '\"triangles\"'");
+      EXPECT_EQ(counted.out, triangles) << name << ' ' << command;
     }
   EXPECT_EQ(
       shell("$restrip convert a.obj -o - --to off 2>/dev/null | $restrip convert - -o - --to obj 2>/dev/null").out,
       bytes_of(file("a.obj")));
   EXPECT_EQ(shell("$restrip make-mesh --triangles 500 -o - --to obj 2>/dev/null").out, bytes_of(file("a.obj")));
-  EXPECT_EQ(shell("cp a.off a.txt; $restrip convert a.txt --from off -o same --to obj > told && cat same").out,
+  EXPECT_EQ(shell("cp a.off a.txt; $restrip convert a.txt --from off -o same --to obj > text && cat same").out,
             bytes_of(file("a.obj")));
   EXPECT_TRUE(shell("$restrip draw a.obj -o - --to svg 2>/dev/null").out.starts_with("<svg"));
   EXPECT_NE(refusal(fmt::format("convert '{}' -o -", file("a.obj"))).find("name it by --to"), std::string::npos);
@@ -402,7 +402,7 @@ TEST_F(Meshes, PipesAreReadAndWritten) {
             std::string::npos);
 }
 
-// What is written to standard output is alone there.
+// Standard output contains only the file written there.
 TEST_F(Meshes, TextMakesRoomForAFile) {
   const Outcome piped = run_program(fmt::format("bake '{}' -o -", file("a.pm")));
   EXPECT_EQ(piped.code, 0);
@@ -427,7 +427,7 @@ TEST_F(Meshes, AnOutputIsOfItsFormat) {
 }
 
 TEST_F(Meshes, OutputsAreTestedBeforeTheWork) {
-  // So a bad output is named even where the input would be at fault as well.
+  // So a bad output is reported even if the input is at fault as well.
   std::filesystem::create_directory(file("folder.pm"));
   for (const auto& [command, complaint] : std::vector<std::array<const char*, 2>>{
            {"simplify '{0}/none.obj' -o '{0}/none/b.pm'", "does not exist; make it first"},
@@ -469,14 +469,14 @@ TEST_F(Meshes, InputsThatCannotBeReadAreNamed) {
        })
     EXPECT_NE(refusal(fmt::format(fmt::runtime(command), folder_.string())).find(complaint), std::string::npos)
         << command;
-  EXPECT_FALSE(std::filesystem::exists(file("report")));  // made for the test of the output, and gone again
+  EXPECT_FALSE(std::filesystem::exists(file("report")));  // created by the test of the output, and removed again
 }
 
 TEST_F(Meshes, InputWithoutEndIsRefusedWithTheLimit) {
   std::filesystem::create_symlink("/dev/zero", file("zero.obj"));
   EXPECT_NE(refusal(fmt::format("stats '{}'", file("zero.obj"))).find("larger than 256 MiB, the limit"),
             std::string::npos);
-  // A line of a gigabyte, and a file of a terabyte: both hold nothing, and take no room on the disk.
+  // A line of a gigabyte, and a file of a terabyte: both are sparse and take no room on the disk.
   for (const auto& [name, bytes, limit] : std::vector<std::tuple<const char*, std::uintmax_t, const char*>>{
            {"line.off", std::uintmax_t{65} << 20, "line.off:1: a line of more than 64 MiB, the limit"},
            {"huge.ply", std::uintmax_t{1} << 40, "huge.ply: is larger than 16 GiB, the limit for a file"}}) {
@@ -489,7 +489,7 @@ TEST_F(Meshes, InputWithoutEndIsRefusedWithTheLimit) {
 TEST_F(Meshes, AFullDiskLeavesTheTargetAlone) {
   std::ofstream(file("old.json")) << "mine";
   std::filesystem::create_symlink("old.json", file("link.json"));
-  // The limit on the size of files, a kilobyte at most, stands for the end of the disk.
+  // The limit on file sizes, at most a kilobyte, simulates a full disk.
   for (const char* name : {"old.json", "link.json"}) {
     const Outcome full =
         run_command(fmt::format("ulimit -f 1; '{}' replay --built-in --triangles 500 --repeats 0 --json '{}' 2>&1",
@@ -522,7 +522,7 @@ TEST_F(Meshes, AProgressiveMeshThatDoesNotFitIsNamed) {
   }
 }
 
-// A terminal obeys some bytes, and nobody reads a line of a megabyte.
+// A terminal executes some bytes, and a line of a megabyte is unreadable.
 TEST_F(Meshes, MessagesArePlainAndShort) {
   std::ofstream(file("bad.ply")) << "ply\nformat \033[2J\u009b1m\377\n";
   std::string name = "\033]0;x\a";

@@ -77,10 +77,10 @@ def refined(data):
 def check(source, name):
     there, back = scratch / f"{name}.glb", scratch / f"{name}_back.pm"
     run("convert", source, "-o", there, "--gltf", "progressive")
-    told = run("convert", there, "-o", back).stdout
+    printed = run("convert", there, "-o", back).stdout
     _, base, splits, places = pm(source)
     _, base_back, splits_back, places_back = pm(back)
-    assert (base_back, splits_back) == (base, splits) and str(len(splits)) in told, told
+    assert (base_back, splits_back) == (base, splits) and str(len(splits)) in printed, printed
     size = max(abs(x) for p in places for x in p)
     most = max(abs(x - y) for p, q in zip(places, places_back) for x, y in zip(p, q))
     assert most < 1e-6 * size, (most, size)
@@ -104,7 +104,7 @@ if meshes:
 else:
     print("left out: the bunny, for which RESTRIP_MESHES must name its folder")
 
-# Straight from a mesh, and from a baked one.
+# Directly from a mesh, and from a baked one.
 run("simplify", scratch / "torus.obj", "--base", 0.05, "-o", scratch / "straight.glb", "--gltf", "progressive")
 assert refined((scratch / "straight.glb").read_bytes())[1] == refined(made)[1]
 run("bake", scratch / "torus.pm", "-o", scratch / "torus.baked")
@@ -118,7 +118,7 @@ for arguments, words in (((scratch / "square.pm",), "is at a boundary, for which
                          ((scratch / "torus.obj",), "has no levels; restrip simplify makes some")):
     said = run("convert", *arguments, "-o", scratch / "never.glb", "--gltf", "progressive", code=2).stderr
     assert words in said and arguments[0].name in said and not (scratch / "never.glb").exists(), said
-# A split of a vertex that no triangle uses: fuzzing found it.
+# A split of an unused vertex, found by fuzzing.
 corners = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))
 (scratch / "unused.pm").write_bytes(b"ProgMesh" + struct.pack("<3I15f", 5, 4, 1, *[0.0] * 3, 1, 0, 0, 0, 1, 0, 0, 0, 1, 9, 9, 9)
                                     + b"".join(struct.pack("<3I", *c) for c in corners) + struct.pack("<3f3i", 1, 1, 1, 4, 1, 0))
@@ -157,7 +157,7 @@ refused(lambda doc, _: doc["nodes"][0].update(scale=[2, 2, 2]), "belongs to a me
 refused(second, "is the second one")
 refused(bad_record, "split 0 refers to vertices 60000")
 refused(lambda doc, binary: struct.pack_into("<H", binary, doc["bufferViews"][2]["byteOffset"] + 2, 0), "split 0")
-# Its author's program has the extension in the mesh.
+# Its author's program puts the extension in the mesh.
 moved = edited_glb(made, lambda doc, _: doc["meshes"][0].update(extensions=doc["meshes"][0]["primitives"][0].pop("extensions")))
 (scratch / "moved.glb").write_bytes(moved)
 run("convert", scratch / "moved.glb", "-o", scratch / "moved.pm")

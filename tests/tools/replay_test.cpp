@@ -1,5 +1,5 @@
-// Claims: a replay gives back the original triangles in valid strips, its counts add up, a wrong progressive mesh is
-// found out, and what the splits walk over grows as the mesh does, whatever its valences.
+// Claims: a replay ends with the original triangles in valid strips, its counts add up, a wrong progressive mesh is
+// detected, and the spokes walked over grow linearly with the mesh, whatever its valences.
 #include "replay/replay.hpp"
 
 #include <gtest/gtest.h>
@@ -112,13 +112,13 @@ TEST(Replay, FindsATurnedTriangle) {
 TEST(Replay, FindsASplitThatDoesNotFit) {
   const Soup soup = make_mesh(500);
   ProgressiveMesh mesh = simplify(soup).mesh;
-  mesh.splits[7].v_l = mesh.splits.back().v_t;  // not there yet
+  mesh.splits[7].v_l = mesh.splits.back().v_t;  // does not exist yet
   const ReplayReport report = replay(Plan("local", mesh), soup.triangles, quick);
   EXPECT_GT(report.operations_without_rule, 0U);
   EXPECT_FALSE(report.valid());
 }
 
-/// Triangles around the vertices that are split.
+/// Triangles around the split vertices.
 std::size_t walked(const ReplayReport& report) {
   std::size_t sum = 0;
   for (std::size_t k = 0; k < report.by_valence.size(); ++k) sum += k * report.by_valence[k];
@@ -152,15 +152,15 @@ TEST(Replay, LargeFansUnderEveryPolicy) {
 
 struct Real {
   const char* file;
-  double least_per_strip;  ///< triangles per strip that local rules keep at the finest level
-  double least_linked;     ///< and linked rules
+  double least_per_strip;  ///< triangles per strip that policy `local` keeps at the finest level
+  double least_linked;     ///< and policy `linked`
 };
 
 class WithoutLoss : public testing::TestWithParam<Real> {};
 
 TEST_P(WithoutLoss, NoSplitIsolatesATriangle) {
   const Real& real = GetParam();
-  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is not to be had: set RESTRIP_MESHES";
+  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is missing: set RESTRIP_MESHES";
   const ReplayReport report = replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::lock);
   EXPECT_TRUE(report.valid());
   EXPECT_EQ(report.operations_without_rule, 0U);
@@ -171,7 +171,7 @@ TEST_P(WithoutLoss, NoSplitIsolatesATriangle) {
 
 TEST_P(WithoutLoss, LinkedRulesKeepLongerStrips) {
   const Real& real = GetParam();
-  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is not to be had: set RESTRIP_MESHES";
+  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is missing: set RESTRIP_MESHES";
   const ReplayReport report = replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::move, {2, 0, 0}, "linked");
   EXPECT_TRUE(report.valid());
   EXPECT_EQ(report.operations_isolating, 0U);

@@ -1,4 +1,4 @@
-// The program as the shell runs it: exit code and output.
+// Runs the program through the shell and returns exit code and output.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ struct Outcome {
   std::string out;
 };
 
-/// Standard output of a shell's command.
+/// Standard output of a shell command.
 inline Outcome run_command(const std::string& command) {
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
@@ -25,7 +25,7 @@ inline Outcome run_command(const std::string& command) {
   return outcome;
 }
 
-/// Standard output, and standard error behind it when `errors`.
+/// Standard output, followed by standard error if `errors`.
 inline Outcome run_program(const std::string& arguments, bool errors = false) {
   return run_command(fmt::format("'{}' {} {}", RESTRIP_PROGRAM, arguments, errors ? "2>&1" : "2>/dev/null"));
 }

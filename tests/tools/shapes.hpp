@@ -1,4 +1,4 @@
-// Small meshes that fit in the head.
+// Small meshes that are easy to imagine.
 #pragma once
 
 #include <cmath>
@@ -58,7 +58,7 @@ inline Soup open_cone(std::uint32_t n) {
   return soup;
 }
 
-/// A cylinder as CAD programs write it: walls in two rows, and each cap a fan of n triangles around its middle.
+/// A cylinder as CAD programs write it: walls in two rows, and each cap a fan of n triangles around its centre.
 inline Soup cylinder(std::uint32_t n) {
   Soup soup;
   for (const float height : {0.0F, 1.0F, 2.0F}) add_circle(soup, n, height);

@@ -1,5 +1,5 @@
-// Claims: simplification reaches its target unless no edge that is left may collapse, its splits lead back to exactly
-// the triangles of the soup, what is not manifold is left alone and counted, and its cost grows as the mesh does,
+// Claims: simplification reaches its target unless no remaining edge may collapse, its splits lead back to exactly the
+// triangles of the soup, non-manifold parts are left unchanged and counted, and its cost grows linearly with the mesh,
 // whatever the valences.
 #include "lod/simplify.hpp"
 
@@ -20,7 +20,7 @@
 namespace restrip::tools {
 namespace {
 
-/// Splits the base back up, each split checked, and compares.
+/// Splits the base back up, checks each split, and compares.
 void expect_leads_back(const ProgressiveMesh& progressive, const Soup& soup) {
   StripMesh mesh = StripMesh::build(progressive.base, progressive.points.size());
   for (const Record& record : progressive.splits) {
@@ -75,9 +75,9 @@ TEST(Simplify, StopsWhereNoCollapseIsLegal) {
   EXPECT_EQ(result.wanted_triangles, 1U);
 }
 
-/// Edges of the base that may collapse, whatever the decimater thinks of them.
+/// Edges of the base that may collapse, whatever the decimater decides.
 std::size_t legal_edges(const Soup& soup, const Simplification& result, BoundaryPolicy policy) {
-  // The base alone would have other faults than the mesh that it was.
+  // The base alone would have other faults than the original mesh.
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
   for (auto record = result.mesh.splits.rbegin(); record != result.mesh.splits.rend(); ++record)
     mesh.remove_vertex(mesh.spoke(record->v_s, record->v_t));
@@ -129,7 +129,7 @@ TEST(Simplify, StopsShortOnlyWhereNothingMayCollapse) {
 }
 
 // OpenMesh's decimater does not take the last two edges here.
-TEST(Simplify, GoesOnWhereTheDecimaterGivesUp) {
+TEST(Simplify, ContinuesAfterTheDecimaterGivesUp) {
   const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3F, 0.3F, 1}}, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   const Simplification result = simplify(soup, {0.5, BoundaryPolicy::move, 1});
   EXPECT_EQ(result.mesh.base.size(), 1U);
@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Simplify, LargeFans,
 class RealMeshes : public testing::TestWithParam<const char*> {};
 
 TEST_P(RealMeshes, LeadBack) {
-  if (real_mesh(GetParam()).empty()) GTEST_SKIP() << GetParam() << " is not to be had: set RESTRIP_MESHES";
+  if (real_mesh(GetParam()).empty()) GTEST_SKIP() << GetParam() << " is missing: set RESTRIP_MESHES";
   const Soup soup = read_mesh(real_mesh(GetParam()));
   for (const BoundaryPolicy policy : {BoundaryPolicy::lock, BoundaryPolicy::move})
     expect_leads_back(simplify(soup, {0.02, policy}).mesh, soup);

@@ -59,10 +59,10 @@ def check_forms(name, source, expected, width):
                 about = json.loads(run("stripify", source, "-o", out, "--form", form, "--index", index, *limit, "--json", "-").stdout)
                 calls = read_bin(out, form, bytes_each, bool(limit))
                 assert triangles_of_calls(calls, form, bytes_each) == expected, (form, index, limit)
-                told = about["file"]
-                assert (told["form"], told["index_bits"], told["indices"]) == (form, 8 * bytes_each, sum(map(len, calls)))
+                printed = about["file"]
+                assert (printed["form"], printed["index_bits"], printed["indices"]) == (form, 8 * bytes_each, sum(map(len, calls)))
                 if limit and form != "lengths":
-                    assert told["batches"] == len(calls) > 1
+                    assert printed["batches"] == len(calls) > 1
                 for call in calls if limit else ():
                     used = len(call) if "--batch-indices" in limit else len(set(call) - {RESTART[bytes_each]})
                     assert used <= limit[1], (form, limit)
@@ -81,28 +81,28 @@ def check(name, triangles, width):
     source = scratch / f"{name}.obj"
     run("make-mesh", "-o", source, "--triangles", triangles)
     points, expected = obj(source)
-    told = None
+    printed = None
     for out, *form in ((f"{name}.ply",), (f"{name}.bin",), (f"{name}-list.obj",), (f"{name}-default.glb",),
                        (f"{name}.glb", "--gltf", "strips")):
         report = run("stripify", source, "--cost", "indices", "-o", scratch / out, *form, "--json", "-").stdout
-        told = json.loads(report)
-        assert told["triangles"] == len(expected) and told["left_out"] == 0
+        printed = json.loads(report)
+        assert printed["triangles"] == len(expected) and printed["left_out"] == 0
 
     ply_points, strips = ply(scratch / f"{name}.ply")
-    assert ply_points == points and len(strips) == told["strips"] and drawn(strips) == expected
-    assert sum(map(len, strips)) + len(strips) - 1 == told["indices"]
+    assert ply_points == points and len(strips) == printed["strips"] and drawn(strips) == expected
+    assert sum(map(len, strips)) + len(strips) - 1 == printed["indices"]
 
     indices = [index for (index,) in struct.iter_unpack("<H" if width == 2 else "<I", (scratch / f"{name}.bin").read_bytes())]
-    assert len(indices) == told["indices"] and strips_between(indices, RESTART[width]) == strips
+    assert len(indices) == printed["indices"] and strips_between(indices, RESTART[width]) == strips
     assert obj(scratch / f"{name}-list.obj") == (points, expected)
 
-    # By default every viewer opens the file; where it must know a proposal, the report says so.
-    assert "required_extensions" not in told and required(scratch / f"{name}.glb") is None
+    # By default every viewer can open the file; if a viewer needs a proposed extension, the report says so.
+    assert "required_extensions" not in printed and required(scratch / f"{name}.glb") is None
     assert glb(scratch / f"{name}.glb") == (points, [(5, strip, width) for strip in strips])
-    # The usual form is one draw call: one stitched strip, without restarts.
+    # The default form is one draw call: one stitched strip, without restarts.
     glb_points, ((mode, stitched, stitched_width),) = glb(scratch / f"{name}-default.glb")
     assert (glb_points, mode, stitched_width) == (points, 5, width) and RESTART[width] not in stitched
-    assert drawn([stitched]) == expected and len(stitched) <= told["indices"] + told["strips"]
+    assert drawn([stitched]) == expected and len(stitched) <= printed["indices"] + printed["strips"]
     check_forms(name, source, expected, width)
     restart = ("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-restart.glb", "--gltf", "restart")
     assert "requires KHR_mesh_primitive_restart, a proposal" in run(*restart).stdout
@@ -115,25 +115,25 @@ def check(name, triangles, width):
     assert (mode, list_width) == (4, width)
     assert sorted(rotated(flat[i:i + 3]) for i in range(0, len(flat), 3)) == expected
 
-    # Back in: the same oriented triangles, whatever strips they came in, and the same strips where they are wanted.
+    # Read back: the same oriented triangles, whatever their strips, and the same strips on request.
     every = (f"{name}.ply", f"{name}.glb", f"{name}-restart.glb", f"{name}-default.glb")
     for back in every if width == 2 else [f"{name}.glb"]:
         run("stripify", scratch / back, "-o", scratch / f"{name}-again.obj")
         assert obj(scratch / f"{name}-again.obj") == (points, expected), back
         report = run("stripify", scratch / back, "--effort", "file", "-o", scratch / f"{name}-kept.ply", "--json", "-").stdout
         kept = json.loads(report)
-        assert (kept["strips"], kept["cut_strips"], kept["valid"]) == (told["strips"], 0, True), (back, kept)
+        assert (kept["strips"], kept["cut_strips"], kept["valid"]) == (printed["strips"], 0, True), (back, kept)
         assert sorted(sorted(triangles_of_strip(strip)) for strip in ply(scratch / f"{name}-kept.ply")[1]) == \
             sorted(sorted(triangles_of_strip(strip)) for strip in strips), back
         about = json.loads(run("stats", scratch / back, "--json", "-").stdout)
-        assert (about["strips"], about["cut_strips"]) == (told["strips"], 0), about
-        # Converted, the index buffer is the very same; what was stitched is taken apart.
+        assert (about["strips"], about["cut_strips"]) == (printed["strips"], 0), about
+        # Converted, the index buffer is identical; stitched strips are separated.
         run("convert", scratch / back, "-o", scratch / f"{name}-converted.ply")
         if "default" in back:
             converted_points, converted = ply(scratch / f"{name}-converted.ply")
-            assert (converted_points, len(converted), drawn(converted)) == (points, told["strips"], expected)
+            assert (converted_points, len(converted), drawn(converted)) == (points, printed["strips"], expected)
             continue
-        assert about["strip_indices"] == told["indices"], about
+        assert about["strip_indices"] == printed["indices"], about
         assert ply(scratch / f"{name}-converted.ply") == (points, strips), back
         run("convert", scratch / back, "-o", scratch / f"{name}-converted.bin")
         assert (scratch / f"{name}-converted.bin").read_bytes() == (scratch / f"{name}.bin").read_bytes(), back
@@ -167,7 +167,8 @@ def euler(triangles):
     return len({v for t in triangles for v in t}) - len(edges) + len(triangles)
 
 
-# Triangles without neighbours: a list has fewer indices than strips with restarts or stitches, so it is written, and said.
+# Triangles without neighbours: a list has fewer indices than strips with restarts or stitches, so a list is written and
+# reported.
 with open(scratch / "islands.obj", "w") as file:
     file.write("".join(f"v {i} {i * i % 7} {i % 3}\n" for i in range(90)) + "".join(f"f {i} {i + 1} {i + 2}\n" for i in range(1, 91, 3)))
 islands = [(i, i + 1, i + 2) for i in range(0, 90, 3)]
@@ -185,24 +186,24 @@ for out, *form in (("islands.glb",), ("islands.glb", "--gltf", "stitched"), ("is
         assert obj(scratch / "islands-back.obj")[1] == islands
 assert "a triangle list has fewer indices" in run("stripify", scratch / "islands.obj").stdout
 
-# Levels of detail: of the size asked for, a torus still, and the finest one the mesh itself.
+# Levels of detail: of the requested size, still a torus; the finest one is the mesh itself.
 mesh = scratch / "small.obj"
 points, expected = obj(mesh)
-told = json.loads(run("simplify", mesh, "--triangles", 100, "-o", scratch / "level.ply", "--json", "-").stdout)
+printed = json.loads(run("simplify", mesh, "--triangles", 100, "-o", scratch / "level.ply", "--json", "-").stdout)
 _, strips = ply(scratch / "level.ply")
-assert len(drawn(strips)) == told["base_triangles"] == told["wanted_base_triangles"] == 100 and euler(drawn(strips)) == 0
-assert len(strips) == told["strips"] and told["stopped_short"] is False and "obstacles" not in told
+assert len(drawn(strips)) == printed["base_triangles"] == printed["wanted_base_triangles"] == 100 and euler(drawn(strips)) == 0
+assert len(strips) == printed["strips"] and printed["stopped_short"] is False and "obstacles" not in printed
 assert "strips of the file" not in run("stats", mesh).stdout and "strips of the file" in run("stats", scratch / "level.ply").stdout
-# Where nothing may collapse any more the level is written, and three places say that it is not what was asked for.
+# If nothing may collapse any more, the level is written, and three places report that it is larger than requested.
 for out in ("short.ply", "short.pm"):
     short = run("simplify", mesh, "--triangles", 2, "-o", scratch / out, "--json", scratch / "short.json", code=1)
-    told = json.loads((scratch / "short.json").read_text())
-    assert told["stopped_short"] and 2 == told["wanted_base_triangles"] < told["base_triangles"], told
-    assert sum(o["edges"] for o in told["obstacles"]) == 3 * told["base_triangles"] // 2
-    assert f"stopped at {told['base_triangles']} triangles, where 2 were asked for" in short.stderr, short.stderr
-    assert all(f"{o['edges']}: {o['why']}" in short.stderr for o in told["obstacles"])
-assert len(drawn(ply(scratch / "short.ply")[1])) == told["base_triangles"]
-assert "stopped at" in run("simplify", mesh, "-o", scratch / "short.pm").stderr  # nobody asked for the usual share
+    printed = json.loads((scratch / "short.json").read_text())
+    assert printed["stopped_short"] and 2 == printed["wanted_base_triangles"] < printed["base_triangles"], printed
+    assert sum(o["edges"] for o in printed["obstacles"]) == 3 * printed["base_triangles"] // 2
+    assert f"stopped at {printed['base_triangles']} triangles, where 2 were asked for" in short.stderr, short.stderr
+    assert all(f"{o['edges']}: {o['why']}" in short.stderr for o in printed["obstacles"])
+assert len(drawn(ply(scratch / "short.ply")[1])) == printed["base_triangles"]
+assert "stopped at" in run("simplify", mesh, "-o", scratch / "short.pm").stderr  # the default share was not requested explicitly
 for policy, size in (("local", 300), ("baked", 301), ("linked", None)):
     run("replay", mesh, "--repeats", 0, "--policy", policy, *(("--triangles", size) if size else ()), "-o", scratch / "level.glb",
         "--gltf", "strips")
@@ -214,7 +215,7 @@ for policy, size in (("local", 300), ("baked", 301), ("linked", None)):
 refused = run("replay", "--built-in", "-o", scratch / "x.ply", code=2).stderr
 assert "--built-in" in refused, refused
 
-# Welding and orienting: taken apart and turned over here, the mesh comes back.
+# Welding and orienting: cut apart and turned over here, the mesh is restored.
 with open(scratch / "apart.obj", "w") as file:
     for number, t in enumerate(expected):
         for v in t if number % 5 else t[::-1]:
@@ -222,8 +223,8 @@ with open(scratch / "apart.obj", "w") as file:
         file.write(f"f {3 * number + 1} {3 * number + 2} {3 * number + 3}\n")
 about = run("stats", scratch / "apart.obj").stdout
 assert "--weld" in about, about
-told = json.loads(run("convert", scratch / "apart.obj", "--weld", "-o", scratch / "welded.obj", "--json", "-").stdout)
-assert told["mended"] == {"welded_vertices": 3 * len(expected) - len(points), "vanished_triangles": 0, "turned_triangles": 0}
+printed = json.loads(run("convert", scratch / "apart.obj", "--weld", "-o", scratch / "welded.obj", "--json", "-").stdout)
+assert printed["mended"] == {"welded_vertices": 3 * len(expected) - len(points), "vanished_triangles": 0, "turned_triangles": 0}
 about = run("stripify", scratch / "welded.obj").stdout
 assert "--orient" in about and "--weld" not in about, about
 about = run("stripify", scratch / "apart.obj", "--weld", "--orient", "--json", scratch / "mended.json",

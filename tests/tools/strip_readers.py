@@ -175,8 +175,8 @@ def glb(path):
     points = list(zip(*[iter(flat)] * 3))
     for axis in range(3):
         for bound, of in ((about["min"], min), (about["max"], max)):
-            told = struct.unpack("<f", struct.pack("<f", bound[axis]))[0]
-            assert told == of(point[axis] for point in points)
+            stated = struct.unpack("<f", struct.pack("<f", bound[axis]))[0]
+            assert stated == of(point[axis] for point in points)
     made = []
     for primitive in primitives:
         assert primitive["attributes"] == primitives[0]["attributes"]

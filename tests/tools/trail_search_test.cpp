@@ -1,5 +1,5 @@
-// Claims: a trail joins two strips and flips what it says, on any mesh; a shorter search finds no more than a longer
-// one; where nothing can be joined nothing is changed.
+// Claims: a trail joins two strips and reports its flips, on any mesh; a shorter search never finds more than a longer
+// one; if nothing can be joined, nothing is changed.
 #include "lod/trail_search.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::size_t solid_edges_that_differ(const StripMesh& one, const StripMesh& other
 TEST(TrailSearch, EverySuccessIsOneStripLess) {
   for (const Soup& soup : {make_mesh(2000), sheet(20), tetrahedron()}) {
     StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-    StripLocator locator(mesh);  // every triangle alone
+    StripLocator locator(mesh);  // every triangle isolated
     TrailSearch search;
     std::size_t joined = 0;
     for (;;) {
@@ -67,7 +67,7 @@ TEST(TrailSearch, KeepsToItsBudget) {
   StripLocator locator(mesh);
   TrailSearch search;
   ASSERT_EQ(locator.strips(), 1U);
-  EXPECT_FALSE(search.join(mesh, locator, ends_of(mesh), 10'000));  // one strip has none to join
+  EXPECT_FALSE(search.join(mesh, locator, ends_of(mesh), 10'000));  // one strip has no other to join
   EXPECT_LE(search.states(), 10'000U + 3 * TrailSearch::longest);
 }
 

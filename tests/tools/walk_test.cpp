@@ -26,12 +26,12 @@ StripMesh stripified(const Soup& soup) {
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 
-/// In one way of the list.
+/// Under one way of the list.
 BeginUpkeep by(const std::string& way) {
   return [&way = way_named(way)](StripMesh& mesh) { return way.begin(mesh, {way.search}); };
 }
 
-/// The local rules, for tests to spoil.
+/// The rules, for tests to spoil.
 struct Operations {
   StripMesh& mesh;
   explicit Operations(StripMesh& on) : mesh(on) {}
@@ -61,7 +61,7 @@ TEST(Walk, EveryWay) {
       if (!(cost == Cost::strips()) && !way.weighs()) continue;
       for (const Soup& soup : {make_mesh(1000), sheet(15), bow_tie()}) {
         StripMesh mesh = stripified(soup);
-        const BakedMesh nothing;  // a walk leaves what was baked at its first step
+        const BakedMesh nothing;  // a walk leaves the baked levels at its first step
         const WalkReport report = walk(mesh, {2'000, 6, 50}, [&](StripMesh& on) {
           return way.begin(on, {way.search_under(cost), cost, &nothing});
         });
@@ -117,7 +117,7 @@ TEST(Walk, SameSeedSameWalk) {
   EXPECT_EQ(first.strips, second.strips);
 }
 
-/// Now and then a split colours its chord against the rule.
+/// Some splits colour the chord against the rule.
 struct WithAFaultySplit : Operations {
   using Operations::Operations;
   Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) {
@@ -163,8 +163,8 @@ TEST(Walk, FindsAnOperationThatMiscountsItsIsolatedTriangles) {
   EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, begin<Miscounting>).fault.find("isolated triangles, but"), std::string::npos);
 }
 
-// A witness counts what operations do that do not tell; it agrees with those that do.
-TEST(Walk, AWitnessTellsWhatTheRulesTell) {
+// A witness counts the effects of operations that do not report them; it agrees with operations that do.
+TEST(Walk, AWitnessAgreesWithTheRules) {
   for (const Soup& soup : {make_mesh(500), sheet(12), bow_tie()}) {
     struct Watched : Operations {
       using Operations::Operations;
@@ -199,8 +199,8 @@ TEST(Walk, AWitnessTellsWhatTheRulesTell) {
   }
 }
 
-// Flips by the rules alone isolate triangles behind the ports that they give up; the account counts those too.
-TEST(Walk, RulesAloneTellOfEveryTriangleThatTheyIsolate) {
+// Flips by the rules alone isolate triangles across ports that they give up; the account includes them.
+TEST(Walk, RulesAloneReportEveryTriangleThatTheyIsolate) {
   for (const Soup& soup : {make_mesh(1000), sheet(15)}) {
     StripMesh mesh = stripified(soup);
     const WalkReport report = walk(mesh, {10'000, 8, 100}, by("rules"));

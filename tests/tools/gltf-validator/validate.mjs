@@ -1,4 +1,4 @@
-// validate.mjs FOLDER FILE…: what the validator in FOLDER/node_modules says of each GLB, as a line of JSON.
+// validate.mjs FOLDER FILE…: prints the result of the validator in FOLDER/node_modules for each GLB, as a line of JSON.
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {resolve} from 'node:path';
