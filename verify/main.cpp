@@ -1,6 +1,6 @@
-// restrip-verify: proves certificates by exhaustion. Those of the families from docs/reference/notation.md and
-// docs/reference/certificate.md alone, those of an operation of a user's own from its file and
-// docs/reference/operation-file.md alone.
+// restrip-verify: proves certificates exhaustively. It uses only docs/reference/notation.md and
+// docs/reference/certificate.md for families, and only docs/reference/operation-file.md and the operation file for
+// custom operations.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace restrip::verify;
 
-/// `verify` takes a listener and returns totals; `last` makes the last line of them.
+/// `verify` takes a listener and returns totals; `last` formats the last line.
 template <class Verify, class Last>
 int run(const Verify& verify, const Last& last, const Options& options, const std::string& json) {
   const restrip::files::ReportOutput out(
@@ -33,8 +33,7 @@ int run(const Verify& verify, const Last& last, const Options& options, const st
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
-/// Throws std::invalid_argument for options that do not go together: what one asks for is then not done, and that is no
-/// way to ignore it.
+/// Throws std::invalid_argument for options that conflict: otherwise a request would be silently ignored.
 void refuse_if(bool condition, const std::string& what) {
   if (condition) throw std::invalid_argument(what);
 }
@@ -57,14 +56,14 @@ int main(int argc, char** argv) {
       "    --certificate tables/certificates/operations/bisect.cert");
   CLI::Option* const operation =
       app.add_option("--operation", options.operation,
-                     "An operation or family of one's own: its file. With it go only "
+                     "The file of a custom operation or family. It can be combined only with "
                      "--certificate, --linked-certificate, --header, --dump-command, --max-k, --threads and --json");
   CLI::Option* const certificate =
       app.add_option("--certificate", options.certificate, "The certificate of the operation")->needs(operation);
   app.add_option("--linked-certificate", options.linked_certificate, "The certificate of its linked rules")
       ->needs(certificate);
   app.add_option("--header", options.header,
-                 "The header of the operation's table, which is read before a program made of it is run")
+                 "The header of the operation's table, which is checked before a program compiled from it is run")
       ->needs(operation);
   app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
       ->capture_default_str();
@@ -72,23 +71,23 @@ int main(int argc, char** argv) {
       app.add_option("--dump-command", options.dump_command,
                      "A program that prints the compiled tables; they are compared with the certificates");
   app.add_option("--linked-dump-command", options.linked_dump_command,
-                 "A program that prints what the linked look-up picks; all of it is judged");
+                 "A program that prints what the linked look-up picks; every choice is judged");
   app.add_option("--digest-command", options.digest_commands,
                  "A program that prints digests of the answers of a look-up in another language "
                  "(docs/how-to/other-languages.md); "
-                 "may be repeated. They are compared with those of what --dump-command prints")
+                 "may be repeated. They are compared with digests of the output of --dump-command")
       ->needs(dump_command);
   app.add_flag("--headers", options.headers_only,
                "Read no certificates: judge what the dump commands print in every position by itself");
   app.add_option(
          "--max-k", options.max_k,
          "The largest fans of the certificates, or with --headers of the dumps. Beyond k = 8 rules are proved by "
-         "their reasons, and not searched for a second time")
+         "their reasons, and not searched again")
       ->capture_default_str()
       ->check(CLI::Range(3U, largest_judged_fan));
   add_json_option(app, json);
   app.add_option("--family", options.families, "Only this certificate, such as split; may be repeated");
-  app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
+  app.add_option("--threads", options.threads, "The number of threads; the result does not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   for (CLI::Option* option : app.get_options())

@@ -20,16 +20,16 @@
 namespace restrip::verify {
 namespace {
 
-/// How many ports a pairing has in tables up to this k (docs/reference/verifiers.md, "Table dump").
+/// The number of ports in a pairing of tables up to this k (docs/reference/verifiers.md, "Table dump").
 unsigned pairing_places(unsigned max_k) { return max_k <= 8 ? 8 : 16; }
 
-/// The certificate of a linked family, and for each section what a dump must say.
+/// The certificate of a linked family, and the expected dump of each section.
 struct Lists {
   LinkedCertificate certificate;
   std::vector<std::vector<std::string>> lines;
 };
 
-/// What is to be said of the families: the shipped ones, or those of an operation file.
+/// Verifies the shipped families, or the families of an operation file.
 class Verification {
  public:
   Verification(const Options& options, const ClaimListener& listener)
@@ -93,12 +93,12 @@ class Verification {
     const bool is_table = options_.header.empty() || check_header(descriptions.front(), expected);
     if (options_.dump_command.empty()) return totals_;
     totals_.read.of_headers.emplace_back("compiled tables");
-    totals_.answers.clear();  // those of the header's text are the same
+    totals_.answers.clear();  // the same answers as in the header's text
     totals_.not_compared.clear();
     check_dump(family.name, "its dump", [&] {
       if (is_table) return compare_dump_of(options_.dump_command, expected);
       DumpComparison not_run;
-      not_run.fault = "was not run, because the header is not that of a table";
+      not_run.fault = "was not run, because the header is not the text of a table";
       return not_run;
     });
     return totals_;
@@ -118,7 +118,7 @@ class Verification {
       const auto is_called = [&](const auto& family) { return family.name == name; };
       if (std::none_of(families_.begin(), families_.end(), is_called) &&
           std::none_of(linked_.begin(), linked_.end(), is_called))
-        throw InputError("--family", 0, fmt::format("there is no family \"{}\"", name));
+        throw InputError("--family", 0, fmt::format("unknown family \"{}\"", name));
     }
   }
 
@@ -132,7 +132,7 @@ class Verification {
       listener_({"files", claim, method, manifest.size(), seconds, failures.count, failures.first});
     };
     const std::vector<std::string> faults = manifest_faults(options_.tables_dir, manifest);
-    report("the files are those of the MANIFEST", "SHA-256, sizes, no file unlisted", faults, thread_seconds() - start);
+    report("the files match the MANIFEST", "SHA-256, sizes, no file unlisted", faults, thread_seconds() - start);
     report("the files have as many rows as listed", "counted", row_faults(options_.tables_dir, manifest), 0);
   }
 
@@ -146,13 +146,13 @@ class Verification {
     totals_.alternatives += read.certificate.rows;
   }
 
-  /// Null where no certificate was read.
+  /// Null if no certificate was read.
   const Certificate* rules_of(const Family& family) const {
     const auto found = rules_.find(&family);
     return found == rules_.end() ? nullptr : &found->second;
   }
 
-  /// Checks what was chosen, each family with its certificate or with none, then the lists.
+  /// Checks the chosen families, with or without a certificate, then the lists.
   void check_families() {
     std::vector<PositionTask> tasks;
     for (const Family& family : families_)
@@ -191,8 +191,8 @@ class Verification {
     report_linked(family, check, listener_);
   }
 
-  /// What the tables must answer: the rows and lists of the certificates that were read; elsewhere what is best, as far
-  /// as it was chosen and can be searched.
+  /// The expected answers of the tables: the rows and lists of the certificates that were read; otherwise the best
+  /// answers, if chosen and searchable.
   ExpectedDump expected_dump() const {
     ExpectedDump expected;
     for (const Family& family : families_) {
@@ -217,7 +217,7 @@ class Verification {
     return expected;
   }
 
-  /// Makes a claim of each way in which the answers of a dump program were compared; returns their digests.
+  /// Reports a claim for each way in which the answers of a dump program were compared; returns their digests.
   template <class Compare>
   AnswerDigests check_dump(const std::string& subject, const std::string& how_read, const Compare& compare) {
     const double start = thread_seconds();
@@ -226,7 +226,7 @@ class Verification {
     const Compared& listed = comparison.of(Against::certificate);
     const Compared& unlisted = comparison.of(Against::own_patch);
     const auto report = [&](const AnswerCount& count, Failures failures, const char* claim, const char* method) {
-      // What was to be compared and was not, because the dump could not be read, does not hold.
+      // A planned comparison fails if the dump could not be read.
       if (!comparison.fault.empty()) failures.add(comparison.fault);
       if (count.entries == 0 && failures.count == 0) return;
       listener_({subject, claim, fmt::format("{}, {}", method, quantity(count.positions, "position")), count.entries,
@@ -257,33 +257,32 @@ class Verification {
     return comparison.digests;
   }
 
-  /// Compares digests of the answers of another look-up with those of the answers that were judged.
+  /// Compares digests of another look-up's answers with digests of the judged answers.
   void check_digests(const std::string& command, const AnswerDigests& digests) const {
     const double start = thread_seconds();
     const DigestComparison found = compare_digests_of(command, digests.by_position());
     Failures failures = found.differences;
     if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
     if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");
-    listener_({"other languages", "the answers are those of the headers", "digests, " + command, found.positions,
+    listener_({"other languages", "the answers equal the headers' answers", "digests, " + command, found.positions,
                thread_seconds() - start, failures.count, failures.first});
   }
 
-  /// Reads the header of an operation, and judges the table that its text says. Whoever compiled the header runs what
-  /// it says, so code in it would be run with the dump; false when there may be any.
+  /// Checks the header of an operation, and judges the table in its text. Code in the header would be executed together
+  /// with the dump program; returns false if it may contain any.
   bool check_header(const Description& description, const ExpectedDump& expected) {
     const double start = thread_seconds();
     const HeaderCheck header =
         check_operation_header(options_.header, read_file(options_.header), description, options_.max_k);
-    listener_({description.name, "the header is the text of a table and nothing else",
-               "line by line, all but its entries", header.lines, thread_seconds() - start, header.wrong.count,
-               header.wrong.first});
+    listener_({description.name, "the header is exactly the text of a table", "line by line, all but its entries",
+               header.lines, thread_seconds() - start, header.wrong.count, header.wrong.first});
     totals_.read.of_headers.emplace_back("header texts");
     if (header.wrong.count != 0) return false;
     check_dump(description.name, "the header's text", [&] { return compare_header(header, expected); });
     return true;
   }
 
-  /// Runs the dump program of linked rules and claims that what it picks is the best.
+  /// Runs the dump program of linked rules and claims that its choices are the best.
   void check_linked_picks() {
     const double start = thread_seconds();
     const LinkedDumpCheck check = check_linked_dump_of(options_.linked_dump_command, options_.max_k);
@@ -291,7 +290,7 @@ class Verification {
     if (!check.fault.empty()) failures.add(check.fault);
     if (!check.holds() && failures.count == 0) failures.add("nothing was picked");
     listener_(
-        {"linked look-up", "the best for all that is known of the outside",
+        {"linked look-up", "the best in all outsides that fit the answers",
          fmt::format("{}, {}", quantity(check.configurations, "configuration"), quantity(check.positions, "position")),
          check.leaves, thread_seconds() - start, failures.count, failures.first});
     if (check.holds()) totals_.answers["linked look-up"] = {check.positions, check.leaves};
@@ -300,7 +299,7 @@ class Verification {
 
   const Options& options_;
   Totals totals_;
-  ClaimListener listener_;  ///< counts what it hands on
+  ClaimListener listener_;  ///< counts claims and passes them on
   std::vector<Family> families_;
   std::vector<LinkedFamily> linked_;
   std::map<const Family*, Certificate> rules_;

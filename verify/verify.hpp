@@ -12,33 +12,33 @@ namespace restrip::verify {
 struct Options {
   std::string tables_dir = "tables";
   std::string dump_command;  ///< prints the compiled tables; empty: not compared
-  /// Each prints digests of the answers of a look-up in another language, which are compared with those of the tables.
+  /// Programs that print digests of look-ups in other languages, which are compared with the tables.
   std::vector<std::string> digest_commands;
-  std::string linked_dump_command;    ///< prints what the linked look-up picks; empty: not judged
-  bool headers_only = false;          ///< no certificates are read: the dumps are judged by themselves
+  std::string linked_dump_command;    ///< prints the choices of the linked look-up; empty: not judged
+  bool headers_only = false;          ///< no certificates are read: the dumps are judged on their own
   std::vector<std::string> families;  ///< of certificates; empty: all
   unsigned threads = 2;
   unsigned max_k = largest_fan;  ///< tests use smaller tables
   bool show_progress = false;    ///< on standard error
 
-  // Of an operation, or family, of a user's own, beside the dump command and what follows the families.
-  std::string operation;           ///< the file that describes it
-  std::string operation_text;      ///< and what is in it
-  std::string certificate;         ///< the file with its rules; empty: none is checked
-  std::string linked_certificate;  ///< the file with its linked rules, which are compared with the others; or empty
-  std::string header;              ///< the table as the generator wrote it; empty: it is not read
+  // For a custom operation or family; also used: the dump command and the options after the families.
+  std::string operation;           ///< its description
+  std::string operation_text;      ///< the content of that file
+  std::string certificate;         ///< the file with its rules; empty: not checked
+  std::string linked_certificate;  ///< the file with its linked rules, which are compared with the others; may be empty
+  std::string header;              ///< the table as written by the generator; empty: not read
 };
 
-/// Checks everything and hands each claim to the listener. InputError when a certificate or the manifest is not well
-/// formed.
+/// Checks everything and reports each claim to the listener. Throws InputError if a certificate or the manifest is
+/// malformed.
 Totals verify_tables(const Options& options, const ClaimListener& listener);
 
-/// Verifies the one family, or operation, that the file describes, and the answers of its dump command, whose header is
-/// read before it is run. InputError when the description or a certificate is not well formed. Memory grows with 2 to
-/// the number of inner edges and ports of a side: docs/reference/operation-file.md has figures.
+/// Verifies the family or operation described by the file, and the answers of its dump command, whose header is checked
+/// before it is run. Throws InputError if the description or a certificate is malformed. Memory grows with 2 to the
+/// number of inner edges and ports of a side: docs/reference/operation-file.md has figures.
 Totals verify_operation(const Options& options, const ClaimListener& listener);
 
-/// Whether the operation file describes a family. InputError as above.
+/// Whether the operation file describes a family. Throws InputError as above.
 bool has_family(const Options& options);
 
 /// "verified: split-face.json: 20 rules, …", or "NOT verified: …".

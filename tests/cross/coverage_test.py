@@ -14,7 +14,7 @@ spec = importlib.util.spec_from_file_location("coverage", ROOT / "scripts/covera
 coverage = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(coverage)
 
-LINKED = """holds  linked look-up  the best for all that is known of the outside              12 configurations, 2 positions    34     0.00
+LINKED = """holds  linked look-up  the best in all outsides that fit the answers              12 configurations, 2 positions    34     0.00
 verified: 0 rules, 1 claim, k <= 5; read: compiled linked look-up only; no certificate was read
 """
 

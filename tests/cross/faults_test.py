@@ -69,7 +69,7 @@ HEADERS = {
         ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers make it"),
     ],
     "told": [
-        ("the strips that a rule tells", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table tells "),
+        ("the strips that a rule tells", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table states "),
         ("the isolated triangles that a flip tells", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, there are"),
         ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers make it"),
     ],
@@ -78,7 +78,7 @@ HEADERS = {
 OPERATION = [
     ("the entry of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
     ("a triangle of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("{0, 64, 65}", "{0, 65, 64}"), "expected the triangles"),
-    ("the format of operations", "include/restrip/tables/operation_format.hpp", token("strips_after - strips_before", "strips_before - strips_after"), "the table tells "),
+    ("the format of operations", "include/restrip/tables/operation_format.hpp", token("strips_after - strips_before", "strips_before - strips_after"), "the table states "),
     ("the certificate of an operation", "certificates/operations/bisect.cert", token("rule 0 0 7 0", "rule 0 0 6 0"), "was altered"),
     ("an operation file", "operations/bisect.json", token('["b", "a", "d"]', '["a", "b", "d"]'), "is an operation of restrip"),
     ("what an operation file asks for", "operations/bisect.json", token('"strips"', '"matching"'), ""),
@@ -96,7 +96,7 @@ FILES = [
 OPERATION_IN_C = [
     ("an entry in C", "restrip_bisect.h", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
     ("a token in C", "restrip_bisect.h", token("rule.colors = entry >> port_count", "rule.colors = entry << port_count"), "line 3: table bisect: expected"),
-    ("what an answer in C tells", "restrip_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table tells "),
+    ("what an answer in C tells", "restrip_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table states "),
 ]
 # Tables in other languages: the digests of the answers differ, or what they tell. Both shaders read the same data.
 LANGUAGES = [

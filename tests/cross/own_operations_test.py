@@ -71,7 +71,7 @@ BEFORE, LAST = TRIANGLES["before"]
 REFUSED_TRIANGLES = {
     "no such number": ({"after": [["u[0]", "u[j]", "u[j+m]", "j[1,k-1)"]]}, "expected a number of the family", "expected a sum of k, i, j"),
     "an index without values": ({"after": [["u[0]", "u[j]", "u[j+1]"]]}, "expected a number of the family", "expected a sum of k, i"),
-    "an index that is a number": ({"after": [["u[0]", "u[i]", "u[i+1]", "i[1,k-1)"]]}, "that no number is named as", "none of the numbers"),
+    "an index that is a number": ({"after": [["u[0]", "u[i]", "u[i+1]", "i[1,k-1)"]]}, "that no number is named as", "other than the numbers of the family"),
     "an index without end": ({"after": [["u[0]", "u[j]", "u[j+1]", "j"]]}, "expected an index with its values", "expected a range"),
     "five words": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-1)", "j"]]}, "three vertices, and an index", "three vertices, and an index"),
     "an open bracket": ({"after": [["u[0]", "u[j]", "u[j+1", "j[1,k-1)"]]}, 'expected "]"', "expected a vertex as"),

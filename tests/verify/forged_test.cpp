@@ -116,7 +116,7 @@ TEST(ForgedCertificate, WhereThereCanBeNoReasons) {
     if (row.by.empty()) row.because = "-";
   const Verdict found = verdict_on(good.path, certificate_text("merge-face-matching", {table}), {});
   EXPECT_EQ(found.exit_code, 2);
-  EXPECT_TRUE(found.says("reasons are for strips and forests")) << found.text;
+  EXPECT_TRUE(found.says("reasons require strips or forests")) << found.text;
 }
 
 TEST(ForgedCertificate, WithoutItsEnd) {

@@ -111,7 +111,7 @@ Crimes NaiveLinked::crimes(const NaiveLists& lists) const {
             }));
     }
     for (std::size_t world = 0; world < section_->operations.front().worlds(ports).size(); ++world)
-      count("in any outside nothing beats the first sound one", !best_beside(ports, list, world));
+      count("in every world the first sound one is best", !best_beside(ports, list, world));
   }
   NaiveLists counted = lists;
   counted.count();

@@ -33,7 +33,7 @@ Row parse_row(const LineReader& reader, const Operation& operation) {
   if (row.copy)
     reader.expect_words(6 + ports, fmt::format("\"copy\", 4 masks, \"by\" and {} ports", ports));
   else if (reader.words().size() < 7 || reader.words()[5] != "because")
-    reader.expect_words(5, "\"rule\" and 4 masks, or behind them \"because\" and a reason");
+    reader.expect_words(5, "\"rule\" and 4 masks, optionally followed by \"because\" and a reason");
   row.key = {reader.mask(1, ports), {reader.wide_mask(2, ports * (ports - 1) / 2)}};
   row.after = {reader.mask(3, operation.after.inner_edges()), reader.mask(4, ports)};
   if (row.copy) {
@@ -41,7 +41,7 @@ Row parse_row(const LineReader& reader, const Operation& operation) {
     row.by = parse_ports(reader, 6, ports);
   } else if (reader.words().size() > 5) {
     if (!may_have_reasons(operation))
-      reader.fail("reasons are for strips and forests whose cost begins as it does by default; expected none");
+      reader.fail("expected no reason: reasons require strips or forests whose cost begins like the default cost");
     row.reason = parse_reason(reader, 6, operation.after.inner_edges() + ports);
   }
   return row;
@@ -64,8 +64,8 @@ void expect_reasons_as_before(const LineReader& reader, const Certificate& certi
   if (row.copy) return;
   const Row* const rule = first_rule(certificate.sections.empty() ? rows : certificate.sections.front());
   if (rule != nullptr && rule->reason.has_value() != row.reason.has_value())
-    reader.fail(fmt::format("the rule in line {} has {} reason: expected the same of all", rule->line,
-                            rule->reason ? "a" : "no"));
+    reader.fail(fmt::format("the rule in line {} has {} reason: expected a reason for all rules or for none",
+                            rule->line, rule->reason ? "a" : "no"));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// A certificate in memory, and its parser (docs/reference/certificate.md). The parser settles form: grammar, sections,
-// claims and rows in order, sums. Whether a row is true is checked elsewhere.
+// A certificate in memory, and its parser (docs/reference/certificate.md). The parser checks form: grammar, sections,
+// claims and rows in order, sums. The truth of rows is checked elsewhere.
 
 #include <array>
 #include <optional>
@@ -18,8 +18,8 @@ struct Row {
   bool copy = false;
   Key key;
   Colors after;
-  Permutation by;                ///< of a copy: where each port goes
-  std::optional<Reason> reason;  ///< of a rule; all rules of a certificate have one, or none has
+  Permutation by;                ///< of a copy: the destination of each port
+  std::optional<Reason> reason;  ///< of a rule; all rules of a certificate have one, or none
   unsigned line = 0;
 
   /// The row as the certificate writes it.
@@ -33,7 +33,7 @@ struct SectionRows {
   std::array<StatedClaim, claim_words.size()> claims;
   std::vector<Row> rows;  ///< in ascending order of key
 
-  /// Null when none exists.
+  /// Null if the key has no row.
   const Row* row_of(Key key) const;
 };
 
@@ -43,14 +43,14 @@ struct Certificate {
   std::size_t rows = 0;
 };
 
-/// InputError when anything is not as docs/reference/certificate.md says.
+/// Throws InputError if anything differs from docs/reference/certificate.md.
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family);
 
-/// The rows of a section; leaves the reader on the first line behind them. All rules of a certificate have a reason, or
-/// none has.
+/// Parses the rows of a section and leaves the reader on the first line after them. All rules of a certificate have a
+/// reason, or none.
 void parse_rows(LineReader& reader, const Section& section, const Certificate& certificate, SectionRows& result);
 
-/// Rows come in ascending order, each key once.
+/// Checks that rows are in ascending order and each key occurs once.
 void expect_order(const LineReader& reader, const std::vector<Row>& rows, const Row& row);
 
 }  // namespace restrip::verify

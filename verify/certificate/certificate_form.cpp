@@ -11,8 +11,13 @@
 namespace restrip::verify {
 namespace {
 
+std::string more_than_end(const LineReader& reader) {
+  const std::string text = fmt::format("expected \"end\", found \"{}\"", reader.rest(0));
+  return reader.starts_with("section") ? text + "; if the certificate covers larger fans, raise --max-k" : text;
+}
+
 void parse_end(const LineReader& reader, std::size_t rows) {
-  if (!reader.starts_with("end")) reader.fail(fmt::format("expected \"end\", found \"{}\"", reader.rest(0)));
+  if (!reader.starts_with("end")) reader.fail(more_than_end(reader));
   reader.expect_words(4, "\"end\" number sum sum");
   if (reader.number(1) != static_cast<std::int64_t>(rows))
     reader.fail(fmt::format("expected \"end {}\", the number of rows of this file", rows));
@@ -36,7 +41,7 @@ void parse_form(const std::string& file, std::string text, const FormHead& head,
   if (altered.has_value())
     throw InputError(
         file, altered->line,
-        fmt::format("byte {} of this line was altered, or more than one byte: the sums in the last line tell",
+        fmt::format("according to the sums in the last line, byte {} of this line was altered, or more than one byte",
                     altered->byte));
   LineReader reader(file, std::move(text));
   for (const std::string& line : {head.title, head.subject}) {

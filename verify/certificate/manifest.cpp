@@ -28,13 +28,13 @@ std::size_t natural(const LineReader& reader, std::size_t index) {
   return static_cast<std::size_t>(value);
 }
 
-/// What lies among the tables and is not a part of them.
+/// Files in the folder of the tables that need no line.
 bool needs_no_line(const std::string& path) {
   return path == "MANIFEST" || path == "restrip-digests.txt" || path.ends_with("CMakeLists.txt") ||
          path.ends_with(".cmake");
 }
 
-/// The number in the last line of a certificate, "end NUMBER …"; 0 when it has no such line.
+/// The number in the last line of a certificate, "end NUMBER …"; 0 if it has no such line.
 std::size_t rows_at_end(const std::string& text) {
   const std::size_t line = text.rfind("\nend ");
   std::size_t rows = 0;
@@ -42,7 +42,7 @@ std::size_t rows_at_end(const std::string& text) {
   return rows;
 }
 
-/// The certificates of which a header is made. Those of operations lie in a folder of their own on both sides.
+/// The certificates from which a header is made. Certificates and headers of operations are in separate folders.
 std::vector<std::string> certificates_of(const std::string& path) {
   constexpr std::string_view headers = "include/restrip/tables/";
   if (!path.starts_with(headers) || !path.ends_with(".hpp")) return {};
@@ -52,7 +52,7 @@ std::vector<std::string> certificates_of(const std::string& path) {
   return {"certificates/" + name + ".cert"};
 }
 
-/// How many rows a file has.
+/// The number of rows of a file.
 std::size_t rows_of(const std::string& tables_dir, const std::string& path) {
   if (path.ends_with(".cert")) return rows_at_end(read_file(tables_dir + "/" + path));
   std::size_t rows = 0;
@@ -111,7 +111,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
   }
   if (const std::string families = tables_dir + "/families.json";
       fs::is_regular_file(families) && read_file(families) != families_text)
-    faults.push_back(families + ": other families than those that this program was built with");
+    faults.push_back(families + "differs from the families that this program was built with");
   std::set<std::string> unlisted;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tables_dir)) {
     if (entry.is_directory() && !entry.is_symlink()) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// tables/MANIFEST: the list of the files of the tables with their SHA-256, sizes and numbers of rules.
+// tables/MANIFEST: the list of table files with SHA-256, size and number of rules.
 
 #include <cstddef>
 #include <string>
@@ -15,17 +15,17 @@ struct ManifestLine {
   unsigned line = 0;
 };
 
-/// The lines of a manifest; `file` is named in errors. InputError when it is not well formed.
+/// The lines of a manifest; `file` is named in errors. Throws InputError if it is malformed.
 std::vector<ManifestLine> parse_manifest(const std::string& file, const std::string& text);
-/// The lines of the folder's MANIFEST. InputError as well when it cannot be read.
+/// The lines of the folder's MANIFEST. Also throws InputError if it cannot be read.
 std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 
-/// What is wrong with the files below the folder, one sentence each, empty when they are exactly those listed.
-/// MANIFEST itself and files of CMake need no line. Families that are there must be those that this program knows.
+/// Compares the files below the folder with the list; one sentence per fault, empty if they match. MANIFEST itself and
+/// files of CMake need no line. The families must equal the families of this program.
 std::vector<std::string> manifest_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines);
 
-/// The files that are there and listed with another number of rows than they have, one sentence each. A certificate has
-/// as many as its last line says, a header as many as the certificates of which it was made, other files none.
+/// Files whose number of rows differs from the list, one sentence each. The rows of a certificate are counted by its
+/// last line, the rows of a header by its certificates; other files have none.
 std::vector<std::string> row_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines);
 
 }  // namespace restrip::verify

@@ -6,7 +6,7 @@
 namespace restrip::verify {
 namespace {
 
-/// Reads a reason that starts at word `at`, which is left behind it. `asked` are the edges of the cases around it.
+/// Reads a reason that starts at word `at` and moves `at` past it. `asked` are the edges of the enclosing cases.
 Reason parse_part(const LineReader& reader, std::size_t& at, unsigned edges, Mask asked) {
   const auto word = [&] { return at < reader.words().size() ? reader.words()[at] : "the end of the line"; };
   const auto expect = [&](std::string_view expected) {
@@ -22,7 +22,7 @@ Reason parse_part(const LineReader& reader, std::size_t& at, unsigned edges, Mas
     const std::int64_t edge = reader.number(at++);
     if (edge < 0 || edge >= edges) reader.fail(fmt::format("expected an edge from 0 to {}, found {}", edges - 1, edge));
     reason.edge = static_cast<unsigned>(edge);
-    if (is_solid(asked, reason.edge)) reader.fail(fmt::format("edge {} makes cases of a case of its own", edge));
+    if (is_solid(asked, reason.edge)) reader.fail(fmt::format("edge {} is already split on", edge));
     asked |= single(reason.edge);
     expect("then");
     reason.cases.push_back(parse_part(reader, at, edges, asked));

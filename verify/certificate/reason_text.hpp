@@ -1,5 +1,6 @@
 #pragma once
-// A reason as certificates write it (docs/reference/certificate.md, "Reasons"). Whether it is one is checked elsewhere.
+// The text form of reasons in certificates (docs/reference/certificate.md, "Reasons"). Their validity is checked
+// elsewhere.
 
 #include <string>
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace restrip::verify {
 
-/// Why nothing is preferred to a rule: two cases, an edge solid and the same edge dashed, or sets of edges that cannot
-/// all be solid.
+/// Why no recolouring is preferred to a rule: either two cases (an edge solid, and the same edge dashed), or sets of
+/// edges that cannot all be solid.
 struct Reason {
   unsigned edge = 0;
   std::vector<Reason> cases;  ///< solid, dashed; empty for a leaf
@@ -20,10 +21,10 @@ struct Reason {
   std::string text() const;
 };
 
-/// Reads the reason that starts at word `first` of the line and ends with it. Its edges are those below `edges`.
+/// Reads the reason from word `first` to the end of the line. Its edges are below `edges`.
 Reason parse_reason(const LineReader& reader, std::size_t first, unsigned edges);
 
-/// The leaves of its tree.
+/// The number of leaves of its tree.
 std::size_t cases_of(const Reason& reason);
 
 }  // namespace restrip::verify

@@ -1,5 +1,5 @@
 #pragma once
-// The lines of a dump, which is too long to be kept.
+// The lines of a dump, which is too long to be kept in memory.
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -18,18 +18,18 @@
 
 namespace restrip::verify {
 
-/// A line that has no place in a dump.
+/// A line that does not belong in a dump.
 class BadDump : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Lines of a stream. Millions of them: no allocation for each line. Whatever does not fit is a BadDump.
+/// Lines of a stream. There are millions, so lines are not allocated individually. Any deviation is a BadDump.
 class StreamLines {
  public:
   explicit StreamLines(std::FILE* stream) : stream_(stream), buffer_(1U << 18U) {}
 
-  /// The next line without its newline; nullopt at the end. A last line without a newline is not a line.
+  /// The next line without its newline; nullopt at the end. A last line without a newline is ignored.
   std::optional<std::string_view> next() {
     while (true) {
       const std::string_view waiting(buffer_.data() + start_, end_ - start_);
@@ -46,7 +46,7 @@ class StreamLines {
   [[noreturn]] void fail(const std::string& what) const {
     throw BadDump(fmt::format("line {}{}: {}", number_, place, what));
   }
-  /// The next line, which must be there; `expected` says what it is.
+  /// The next line, which must exist; `expected` describes it.
   std::string_view next(const std::string& expected) {
     const std::optional<std::string_view> line = next();
     if (!line) fail(fmt::format("expected \"{}\", found the end", expected));
@@ -56,12 +56,12 @@ class StreamLines {
     if (const std::string_view line = next(whole); line != whole)
       fail(fmt::format("expected \"{}\", found \"{}\"", whole, line));
   }
-  /// The last line, and nothing behind it.
+  /// Reads the last line and checks that nothing follows.
   void expect_last(const std::string& whole) {
     expect(whole);
     if (next() || start_ != end_) fail("text after the end");
   }
-  /// All of a word of the line as a number.
+  /// A whole word of the line as a number.
   std::uint64_t number_in(std::string_view digits, int base) const {
     std::uint64_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, base);
@@ -70,7 +70,7 @@ class StreamLines {
     return number;
   }
 
-  std::string place;  ///< in the dump, for messages: ", table flip"
+  std::string place;  ///< position in the dump, for messages: ", table flip"
 
  private:
   bool refill() {
@@ -92,7 +92,7 @@ class StreamLines {
   std::uint64_t number_ = 0;
 };
 
-/// What `read` finds in a dump, as far as it can be read; why it could not be read further is its fault.
+/// Runs `read` on a dump as far as it can be read; the reason why it stopped is stored in `fault`.
 template <class Found, class Read>
 Found found_in(std::FILE* stream, const Read& read) {
   Found found;
@@ -105,8 +105,8 @@ Found found_in(std::FILE* stream, const Read& read) {
   return found;
 }
 
-/// Runs a program and has `read` check what it prints. A program that fails is a fault of what is found; one that
-/// cannot be run is an InputError.
+/// Runs a program and lets `read` check its output. A failing program is a fault of the result; a program that cannot
+/// be run is an InputError.
 template <class Read>
 auto checked_output_of(const std::string& program, const Read& read) {
   decltype(read(static_cast<std::FILE*>(nullptr))) found{};
@@ -114,7 +114,8 @@ auto checked_output_of(const std::string& program, const Read& read) {
   if (stream == nullptr) throw InputError(program, 0, "cannot be run");
   found = read(stream);
   const int status = pclose(stream);
-  if (const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0; code == 126 || code == 127)  // so say shells
+  if (const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+      code == 126 || code == 127)  // the exit codes of shells
     throw InputError(program, 0, "cannot be run");
   if (found.fault.empty() && status != 0) found.fault = program + " failed";
   return found;

@@ -1,6 +1,6 @@
 #pragma once
-// The two sums that end a certificate: with them a single altered byte gives itself away, wherever it is and however
-// right the altered file may look.
+// The two sums at the end of a certificate. They detect any single altered byte, however plausible the altered file
+// looks.
 
 #include <cstdint>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace restrip::verify {
 
-/// Sums of bytes taken as numbers 0 … 255.
+/// Sums of bytes as numbers 0 … 255.
 struct ByteSums {
   std::uint64_t plain = 0;
   std::uint64_t weighted = 0;  ///< each byte times its number; the first byte has number 1
@@ -22,8 +22,8 @@ struct BytePosition {
   unsigned byte = 0;  ///< in its line, from 1; the newline is the last
 };
 
-/// Where a single byte of a certificate must have been altered, by what its last line states; nullopt when that cannot
-/// be told, as with an intact file or more than one altered byte.
+/// The position of a single altered byte, derived from the last line; nullopt if it is unknown: the file is intact or
+/// several bytes were altered.
 std::optional<BytePosition> altered_byte(std::string_view certificate);
 
 }  // namespace restrip::verify

@@ -31,7 +31,7 @@ let rec options found = function
   | "--json" :: file :: rest ->
       if file <> "-" && not (Filename.check_suffix file ".json") then wrong_use (file ^ ": the name must end in .json");
       options { found with json = Some file } rest
-  | [ "--json" ] -> wrong_use "--json wants a file"
+  | [ "--json" ] -> wrong_use "--json needs a file"
   | word :: _ when String.length word > 1 && word.[0] = '-' -> wrong_use ("unknown option " ^ word)
   | file :: _ when found.trace <> None -> wrong_use ("unexpected " ^ file)
   | file :: rest -> options { found with trace = Some file } rest
@@ -53,7 +53,7 @@ let json members =
   let line (name, value) = Printf.sprintf "  %s: %s" (json_string name) value in
   "{\n" ^ String.concat ",\n" (List.map line members) ^ "\n}\n"
 
-(* Whole or not at all. *)
+(* Writes the whole file or nothing. *)
 let write_file file text =
   let draft = file ^ ".draft" in
   let channel = open_out_bin draft in
@@ -73,11 +73,11 @@ let report options ~text ~members =
       print_string text
   | None -> print_string text
 
-(* What was decided besides, of all but other operations. *)
+(* Optimality, for all operations except `others`. *)
 let optimality (result : Run.result) =
   let judged = counted (Run.operations result.account - result.account.others) "operation" ^ " judged" in
   match result.claim with
-  | Valid -> "whether recolourings are optimal was not claimed and not looked at"
+  | Valid -> "optimality was neither claimed nor checked"
   | No_worse -> judged ^ ": none does worse than the best sound recolouring of its patch"
   | Best -> judged ^ ": each is a best sound recolouring of its patch"
 
@@ -99,7 +99,7 @@ let accepted options trace (result : Run.result) =
           (counted (Mesh.strips result.mesh) "strip") result.mesh.isolated;
         String.concat "" (List.map (fun (name, (n, k)) -> line_of name n k) judged);
         Printf.sprintf
-          "accepted: the trace was read to its end; after each of %s the colouring is valid and what was told is \
+          "accepted: the trace was read to its end; after each of %s the colouring is valid and the stated changes are \
            true; %s\n"
           (counted operations "operation") (optimality result);
       ]
@@ -138,7 +138,7 @@ let () =
   Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
   let options = options { trace = None; json = None } (List.tl (Array.to_list Sys.argv)) in
   match options.trace with
-  | None -> wrong_use "a trace is wanted"
+  | None -> wrong_use "name a trace"
   | Some trace -> (
       let fail text =
         Printf.eprintf "restrip-check: %s\n" text;

@@ -1,7 +1,7 @@
-(* The checker's own mesh: triangles by vertex numbers, and which mesh edges are crossed by a solid dual edge. It knows
-   nothing but what a trace says, and refuses what cannot be.
+(* The checker's mesh: triangles by vertex numbers, and the mesh edges that are crossed by a solid dual edge. It knows only
+   what a trace says, and refuses what is impossible.
 
-   The dual edge across the mesh edge u-v is called u-v here, too. *)
+   The dual edge across the mesh edge u-v is also called u-v here. *)
 
 exception Refused of string
 
@@ -15,7 +15,7 @@ let largest_vertex = (1 lsl bits) - 1
 let directed u v = (u lsl bits) lor v
 let undirected u v = if u < v then directed u v else directed v u
 
-(* Numbers by mesh edge: a key lies in the first free place at or after its own, so that there is no gap between the two. *)
+(* Maps mesh edges to numbers: a key lies in the first free slot at or after its own, without gaps in between. *)
 module Edges = struct
   type t = { mutable keys : int array; mutable values : int array; mutable length : int }
 
@@ -29,7 +29,7 @@ module Edges = struct
     let mixed = key * 0x1E3779B97F4A7C15 in
     (mixed lxor (mixed lsr 29)) land (Array.length keys - 1)
 
-  (* Where the key lies, or where it would. *)
+  (* The slot of the key, or the slot where it belongs. *)
   let place keys (key : int) =
     let rec from i =
       let there = keys.(i) in
@@ -63,7 +63,7 @@ module Edges = struct
       edges.values.(i) <- value;
       edges.length <- edges.length + 1)
 
-  (* The keys behind it, up to the next gap, are put in again. *)
+  (* The keys after it, up to the next gap, are inserted again. *)
   let remove edges key =
     let i = place edges.keys key in
     if edges.keys.(i) = key then (
@@ -90,7 +90,7 @@ type t = {
 
 let empty () = { third = Edges.create 1024; solid = Edges.create 1024; triangles = 0; isolated = 0 }
 
-(* Where colourings are valid: a strip has one triangle more than it has solid edges. *)
+(* For valid colourings: a strip has one triangle more than solid edges. *)
 let strips mesh = mesh.triangles - Edges.length mesh.solid
 let has_left mesh u v = Edges.mem mesh.third (directed u v)
 let is_solid mesh u v = Edges.mem mesh.solid (undirected u v)
@@ -118,7 +118,7 @@ let add_triangle mesh ((a, b, c) : triangle) =
   if a = b || b = c || c = a then refuse "triangle %d %d %d has a corner twice" a b c;
   List.iter
     (fun (u, v) ->
-      if has_left mesh u v then refuse "triangle %d %d %d lies beside edge %d %d, where there is one already" a b c u v)
+      if has_left mesh u v then refuse "triangle %d %d %d lies at edge %d %d, which already has one on that side" a b c u v)
     [ (a, b); (b, c); (c, a) ];
   Edges.replace mesh.third (directed a b) c;
   Edges.replace mesh.third (directed b c) a;
@@ -126,7 +126,7 @@ let add_triangle mesh ((a, b, c) : triangle) =
   mesh.triangles <- mesh.triangles + 1
 
 let remove_triangle mesh ((a, b, c) as t : triangle) =
-  if not (has_triangle mesh t) then refuse "triangle %d %d %d goes, but the mesh has no such triangle" a b c;
+  if not (has_triangle mesh t) then refuse "triangle %d %d %d is removed, but the mesh has no such triangle" a b c;
   Edges.remove mesh.third (directed a b);
   Edges.remove mesh.third (directed b c);
   Edges.remove mesh.third (directed c a);
@@ -145,14 +145,14 @@ let make_dashed mesh (u, v) =
   if not (is_solid mesh u v) then refuse "edge %d %d becomes dashed, but it is not solid" u v;
   Edges.remove mesh.solid (undirected u v)
 
-(* ---- valid: no degree above two, no cycle *)
+(* ---- validity: no degree above two, no cycle *)
 
 let expect_degree mesh ((a, b, c) as t : triangle) =
   let degree = degree mesh t in
   if degree > 2 then refuse "triangle %d %d %d has three solid edges" a b c;
   degree
 
-(* A strip that was followed over u-v into the triangle u v w: the next triangle, entered likewise. *)
+(* Follows a strip over u-v into the triangle u v w and returns the next triangle in the same form. *)
 let onward mesh ((u, v, w) : triangle) =
   let across x y = Some (y, x, Edges.find mesh.third (directed y x)) in
   match (is_solid mesh v w, is_solid mesh w u) with
@@ -161,9 +161,9 @@ let onward mesh ((u, v, w) : triangle) =
   | false, false -> None
   | true, true -> refuse "triangle %d %d %d has three solid edges" u v w
 
-(* The strips through the triangles must have ends. Degrees are at most two, so that a strip that ends is a
-   path. Both ways are followed by turns, which takes twice as many steps as the nearer end is away; triangles that are
-   met on the way need not be looked at again. *)
+(* Checks that the strips through the triangles have ends. Degrees are at most two, so a strip with an end is a path.
+   Both directions are followed in turn, which takes at most twice the distance to the nearer end. Triangles met on the
+   way need no further check. *)
 let rec expect_paths mesh = function
   | [] -> ()
   | ((a, b, c) as t) :: others -> (
@@ -179,7 +179,7 @@ let rec expect_paths mesh = function
                 let pending = List.exists (same_triangle met) others in
                 follow other next (if pending then List.filter (fun t -> not (same_triangle met t)) others else others)
           in
-          (* As entered from beyond [two] and from beyond [one]. *)
+          (* Entered from beyond [two] and from beyond [one]. *)
           expect_paths mesh (follow two one others)
       | _ -> expect_paths mesh others)
 
@@ -192,7 +192,7 @@ let iter_triangles mesh f =
       if u < v && u < w then f (u, v, w))
     mesh.third
 
-(* Counts everything again, by walking along all strips from their ends. *)
+(* Recounts everything, by walking along all strips from their ends. *)
 let expect_whole mesh =
   Edges.iter (fun key _ -> expect_both_sides mesh (key lsr bits) (key land largest_vertex)) mesh.solid;
   let triangles = ref 0 and isolated = ref 0 and ends = ref 0 and passed = ref 0 in
@@ -205,7 +205,7 @@ let expect_whole mesh =
           follow (onward mesh entered)
     in
     incr passed;
-    (* As if it had been entered over a dashed edge. *)
+    (* As if entered over a dashed edge. *)
     follow (onward mesh (if is_solid mesh a b then (b, c, a) else (a, b, c)))
   in
   iter_triangles mesh (fun t ->

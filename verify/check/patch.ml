@@ -1,13 +1,13 @@
-(* The patch of an operation, found in the checker's mesh by walking around its vertices. Nothing here need be trusted:
-   Judge refuses triangles that do not lie as the patch that it is told. *)
+(* Finds the patch of an operation in the checker's mesh by walking around its vertices. This code need not be trusted:
+   Judge refuses triangles that do not lie as the given patch. *)
 
 open Mesh
 
 let rec nat n : Judge.nat = if n <= 0 then O else S (nat (n - 1))
 let rec int : Judge.nat -> int = function O -> 0 | S n -> 1 + int n
 
-(* The side with the new triangles, the larger one: t_0 ... t_{k-1}, then A, and D where there is one. Each t_i is
-   (centre, x, y) with the port x-y. *)
+(* The side with the new triangles, the larger one: t_0 ... t_{k-1}, then A, and D if it exists. Each t_i is (centre, x, y)
+   with the port x-y. *)
 type larger = { triangles : triangle list; valence : int; at : at }
 and at = Ring of int | Path of int * int | End of int
 
@@ -23,7 +23,7 @@ let fan_from mesh c x =
   in
   on [] x
 
-(* The spoke from which all triangles of c are met: on the boundary the first one, else x. *)
+(* The spoke from which all triangles of c are reached: the first one on the boundary, otherwise x. *)
 let first_spoke mesh c x =
   let rec back at =
     match left_of mesh at c with Some (_, _, w) when w <> x -> back w | Some _ -> (x, true) | None -> (at, false)
@@ -33,7 +33,7 @@ let first_spoke mesh c x =
 let rec without_last = function [] | [ _ ] -> [] | x :: rest -> x :: without_last rest
 let inner triangles = match triangles with [] -> [] | _ :: rest -> without_last rest
 
-(* The patch around the mesh edge s-t, as a split has left it or a collapse finds it. *)
+(* The patch around the mesh edge s-t after a split or before a collapse. *)
 let around mesh s t =
   let one_sided u v =
     let w = match left_of mesh u v with Some (_, _, w) -> w | None -> cannot s t in
@@ -78,11 +78,11 @@ let flip mesh u v =
 
 let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
 
-(* The other side: the vertex is s again, and the new triangles are not there. *)
+(* The other side: the vertex is s again, and the new triangles are absent. *)
 let smaller s larger = List.map (fun (_, x, y) -> (s, x, y)) (take larger.valence larger.triangles)
 let ports larger = List.map (fun (_, x, y) -> (x, y)) (take larger.valence larger.triangles)
 
-(* In the words of docs/reference/notation.md. *)
+(* The terms of docs/reference/notation.md. *)
 let families = [ "split"; "collapse"; "open split"; "open collapse"; "boundary split"; "boundary collapse"; "flip" ]
 
 let family : Judge.position -> string = function

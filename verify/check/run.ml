@@ -1,5 +1,5 @@
-(* Goes through a trace: applies each operation to the checker's own mesh, compares what was told with what happened, and
-   asks Judge about its patch. *)
+(* Replays a trace: applies each operation to the checker's mesh, compares the stated changes with the actual ones, and asks
+   Judge about its patch. *)
 
 open Mesh
 open Trace
@@ -16,27 +16,27 @@ let judged_of account family = Option.value (Hashtbl.find_opt account.judged fam
 
 let operations account = account.splits + account.collapses + account.flips + account.others
 
-(* Triangles whose colours or corners an operation changes: before it with [turned] = those that go, after it with those
-   that come; besides these, the triangles beside edges that change their colour. *)
+(* Triangles whose colours or corners an operation changes: with [turned], before it, the removed ones, after it, the added
+   ones; and the triangles at edges that change their colour. *)
 let touched mesh turned operation =
-  let beside found (u, v) =
+  let add_sides found (u, v) =
     let add found t = match t with Some t -> canonical t :: found | None -> found in
     add (add found (left_of mesh u v)) (left_of mesh v u)
   in
   let found = List.rev_map canonical turned in
-  let found = List.fold_left beside found operation.dashed in
-  List.sort_uniq compare_triangles (List.fold_left beside found operation.solid)
+  let found = List.fold_left add_sides found operation.dashed in
+  List.sort_uniq compare_triangles (List.fold_left add_sides found operation.solid)
 
-(* How many are isolated; none may have three solid edges. *)
+(* Counts isolated triangles; none may have three solid edges. *)
 let isolated_among mesh triangles = List.fold_left (fun n t -> if expect_degree mesh t = 0 then n + 1 else n) 0 triangles
 
-let expect_told what told found = if told <> found then refuse "told of %s: %+d, found: %+d" what told found
+let expect_stated what stated found = if stated <> found then refuse "%s: stated %+d, found %+d" what stated found
 
 let sides ((a, b, c) : triangle) = [ (a, b); (b, c); (c, a) ]
 
 let apply mesh operation =
   List.iter
-    (fun ((a, b, c) as t) -> if not (has_triangle mesh t) then refuse "triangle %d %d %d goes, but is not there" a b c)
+    (fun ((a, b, c) as t) -> if not (has_triangle mesh t) then refuse "triangle %d %d %d is removed, but does not exist" a b c)
     operation.gone;
   let strips_before = strips mesh in
   let isolated_before = isolated_among mesh (touched mesh operation.gone operation) in
@@ -51,8 +51,8 @@ let apply mesh operation =
   let isolated_change = isolated_among mesh after - isolated_before in
   expect_paths mesh after;
   mesh.isolated <- mesh.isolated + isolated_change;
-  expect_told "strips" operation.strips (strips mesh - strips_before);
-  expect_told "isolated triangles" operation.isolated isolated_change
+  expect_stated "strips" operation.strips (strips mesh - strips_before);
+  expect_stated "isolated triangles" operation.isolated isolated_change
 
 (* ---- optimality *)
 
@@ -65,8 +65,8 @@ let expect_in_patch found what family ((a, b, c) as t) =
 let same_way ((u, v) : int * int) (x, y) = u = x && v = y
 let same_edge e ((x, y) as f) = same_way e f || same_way e (y, x)
 
-(* After an operation: what Judge says of the patch. Of the mesh before it is known what has changed since. [ask] is one
-   of the functions of Judge, still to be told of the mesh. *)
+(* Judge's verdict on the patch, after an operation. The mesh before it is reconstructed from the changes. [ask] is a
+   function of Judge that still needs the mesh. *)
 let judged account mesh operation ~family ~valence ~olds ~news ~ports ask =
   let among list t = List.exists (fun u -> same_triangle (canonical t) (canonical u)) list in
   let there_before t = among operation.gone t || (has_triangle mesh (canonical t) && not (among operation.come t)) in
@@ -75,19 +75,19 @@ let judged account mesh operation ~family ~valence ~olds ~news ~ports ask =
     || (is_solid mesh (fst e) (snd e) && not (List.exists (same_edge e) operation.solid))
   in
   let is (u, v) = is_solid mesh u v in
-  let beside_before (u, v) =
+  let left_before (u, v) =
     let has list = List.exists (fun t -> List.exists (same_way (v, u)) (sides t)) list in
     has operation.gone || (has_left mesh v u && not (has operation.come))
   in
-  let beside (u, v) = has_left mesh v u in
-  (* Else a worse rule could be paid for with triangles elsewhere. *)
-  List.iter (expect_in_patch (among olds) "goes" family) operation.gone;
-  List.iter (expect_in_patch (among news) "comes" family) operation.come;
+  let left_now (u, v) = has_left mesh v u in
+  (* Otherwise a worse rule could be hidden by changes elsewhere. *)
+  List.iter (expect_in_patch (among olds) "is removed" family) operation.gone;
+  List.iter (expect_in_patch (among news) "is added" family) operation.come;
   List.iter (expect_there there_before) olds;
   List.iter (expect_there (has_triangle mesh)) news;
   let corners = List.map (fun (a, b, c) -> ((a, b), c)) in
-  match ask (corners olds) (corners news) ports was is beside_before beside (operation.dashed @ operation.solid) with
-  | None -> refuse "the operation is no %s of %d and %d" family operation.from operation.into
+  match ask (corners olds) (corners news) ports was is left_before left_now (operation.dashed @ operation.solid) with
+  | None -> refuse "the operation is not the %s of %d and %d" family operation.from operation.into
   | Some verdict ->
       let count, largest = judged_of account family in
       Hashtbl.replace account.judged family (count + 1, max valence largest);
@@ -100,7 +100,7 @@ let judged_fan account mesh operation kind (larger : Patch.larger) =
   judged account mesh operation ~family:(Patch.family position) ~valence:larger.valence ~olds ~news
     ~ports:(Patch.ports larger) (Judge.judge Int.equal position)
 
-(* What was told is true; is it as good as the best? *)
+(* The stated changes are true; this checks that they are optimal. *)
 let expect_good claim operation ((verdict : Judge.Runs.verdict), more_triangles) =
   let strips = more_triangles - (Patch.int verdict.solid_best - Patch.int verdict.solid_before) in
   let isolated = Patch.int verdict.alone_best - Patch.int verdict.alone_before in
@@ -136,7 +136,7 @@ let count account = function
 
 type result = { claim : claim; account : account; mesh : Mesh.t; largest : int (* triangles at any moment *) }
 
-(* Raises Refused; the reader then knows the line. *)
+(* Raises Refused; the reader has the line number. *)
 let check reader =
   let claim = head reader in
   let mesh = empty () in
@@ -144,7 +144,7 @@ let check reader =
   let largest = ref 0 in
   let expect_end n =
     if n <> operations account then refuse "the end states %d operations, but there are %d" n (operations account);
-    if next reader <> None then refuse "there is something after the end"
+    if next reader <> None then refuse "text after the end"
   in
   let read () =
     match next reader with Some text -> line_of text | None -> refuse "the trace ends without its last line"
@@ -175,7 +175,7 @@ let check reader =
         let isolated = expect_whole mesh in
         if isolated <> mesh.isolated then
           refuse "there are %d isolated triangles, but %d were counted" isolated mesh.isolated
-    | Triangle _ | Solid _ -> refuse "the mesh is told before the operations, triangles before edges"
+    | Triangle _ | Solid _ -> refuse "the mesh comes before the operations, triangles before edges"
   in
   triangles_first ();
   { claim; account; mesh; largest = !largest }

@@ -1,4 +1,4 @@
-(* Reads a trace line by line (docs/reference/file-formats.md). Every line is refused that is not exactly of the format. *)
+(* Reads a trace line by line (docs/reference/file-formats.md). Refuses every line that deviates from the format. *)
 
 open Mesh
 
@@ -50,7 +50,7 @@ let change word =
 
 let is_sign = function "-" | "+" | "d" | "s" -> true | _ -> false
 
-(* Groups of words up to the next sign, last first. *)
+(* Words up to the next sign in groups, last first. *)
 let rec triangles found = function
   | a :: rest when is_sign a -> (List.rev found, a :: rest)
   | a :: b :: c :: rest -> triangles ((vertex a, vertex b, vertex c) :: found) rest
@@ -89,7 +89,7 @@ let operation kind = function
           dashed;
           solid;
         }
-  | _ -> refuse "an operation has two vertices and two numbers that it told"
+  | _ -> refuse "an operation has two vertices and two changes"
 
 let line_of text =
   match words text with
@@ -100,10 +100,10 @@ let line_of text =
   | "flip" :: rest -> operation Flip rest
   | "other" :: rest -> operation Other rest
   | [ "end"; n ] -> End (number n)
-  | word :: _ -> refuse "%S does not begin a line of a trace" word
+  | word :: _ -> refuse "%S is not the beginning of a line of a trace" word
   | [] -> refuse "an empty line"
 
-type reader = { channel : in_channel; mutable line : int (* the last one read *) }
+type reader = { channel : in_channel; mutable line : int (* number of the last line read *)
 
 let reader channel = { channel; line = 0 }
 

@@ -11,7 +11,7 @@
 
 namespace restrip::verify {
 
-// Not in the unnamed namespace: PatchInWorlds::Graphs, which is declared in the header, has them as members.
+// Not in the unnamed namespace: PatchInWorlds::Graphs, declared in the header, has these as members.
 namespace worlds {
 constexpr unsigned outside = most_colors;
 struct DualEdge {
@@ -25,12 +25,12 @@ namespace {
 using worlds::Graph;
 using worlds::outside;
 
-/// Adds the worlds that extend `world` by what happens to `port` and the ports after it.
+/// Adds all worlds that extend `world` at `port` and the ports after it.
 void extend(Constraint constraint, unsigned ports, unsigned port, const World& world, std::vector<World>& all) {
   if (port == ports || constraint == Constraint::matching) return all.push_back(world);
-  extend(constraint, ports, port + 1, world, all);  // it is connected to no later one
+  extend(constraint, ports, port + 1, world, all);  // it is not connected to any later port
   if (is_solid(world.ports, port)) return;
-  // Or begins a set, with one later port or any number of them.
+  // Or it starts a set with one later port or more.
   const Mask later = (mask_count(ports) - 1) & ~(mask_count(port + 1) - 1) & ~world.ports;
   for (Mask others = later; others != 0; others = (others - 1) & later) {
     if (constraint == Constraint::strips && solid_count(others) != 1) continue;
@@ -43,7 +43,7 @@ void extend(Constraint constraint, unsigned ports, unsigned port, const World& w
   }
 }
 
-/// Which edges are solid.
+/// The solid edges.
 struct Solid {
   const Graph* graph = nullptr;
   Mask colors = 0;
@@ -102,7 +102,7 @@ bool PatchInWorlds::valid(Colors colors, std::size_t world) const {
   for (unsigned triangle = 0; triangle < triangles_; ++triangle)
     if (degree[triangle] > most_solid_) return false;
 
-  // A graph is a forest when its edges are its nodes less its connected components.
+  // A graph is a forest if its edges are as many as its nodes minus its connected components.
   std::array<std::size_t, most_triangles + most_ports> rank;
   std::array<std::size_t, most_triangles + most_ports> parent;
   boost::disjoint_sets<std::size_t*, std::size_t*> components(rank.data(), parent.data());

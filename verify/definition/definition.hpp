@@ -1,18 +1,18 @@
 #pragma once
-// What a sound and best rule is. This is the definition itself (docs/reference/operation-file.md, "What a rule must
-// be"), written with the Boost Graph Library; the keys, reasons and symmetries of certificates are theorems about it.
+// Defines sound and best rules. This is the definition itself (docs/reference/operation-file.md, "What a rule must
+// be"), written with the Boost Graph Library. The keys, reasons and symmetries of certificates are theorems about it.
 //
-//   * A patch in a *world* is a graph. Its nodes are the triangles of a side and the outer ends of its ports, its edges
-//     the inner edges, the ports, and what the world joins: outer ends that are connected outside.
-//   * A colouring is *valid* in a world when no triangle has more solid edges than the constraint allows and the solid
+//   - A patch in a *world* is a graph. Its nodes are the triangles of a side and the outer ends of its ports. Its edges
+//     are the inner edges, the ports, and the connections of outer ends in the world.
+//   - A colouring is *valid* in a world if no triangle has more solid edges than the constraint allows and the solid
 //     edges form a forest. The edges of the world are solid.
-//   * A configuration may stand in every world of its solid ports in which it is valid.
-//   * A recolouring is *sound* when it is valid in every world in which the configuration may stand. It takes no port,
+//   - A configuration may occur in every world of its solid ports in which it is valid.
+//   - A recolouring is *sound* if it is valid in every world in which the configuration may occur. It takes no port,
 //     and gives up only ports that may be given up.
-//   * It is *best* when no sound recolouring costs less.
+//   - It is *best* if no sound recolouring costs less.
 //
-// Everything is found by trying everything. Configurations with the same solid ports that may stand in literally the
-// same worlds share their answer, which is looked for once.
+// Everything is found by exhaustive search. Configurations with the same solid ports and the same possible worlds share
+// their answer, which is computed once.
 
 #include <cstdint>
 #include <memory>
@@ -26,28 +26,28 @@
 
 namespace restrip::verify {
 
-/// What solid edges do outside: sets of two ports or more that are connected there. Pairs for strips, parts of any size
-/// for forests; nothing for matchings, where no strip continues.
+/// The effect of solid edges outside: sets of at least two ports that are connected there. Pairs for strips, sets of
+/// any size for forests; none for matchings, where no strip continues.
 struct World {
   Mask ports = 0;  ///< all that are in some set
   std::vector<std::vector<unsigned>> connected;
 };
 
-/// Every world of so many ports, those that connect the fewest first: number 0 connects nothing.
+/// Every world of this number of ports, fewest connections first: number 0 connects nothing.
 std::vector<World> worlds_of(Constraint constraint, unsigned ports);
 /// "ports 0-1 2-3 connected outside" or "no ports connected outside".
 std::string text_of(const World& world);
 
-/// One side of an operation, in all worlds.
+/// One side of an operation in all worlds.
 class PatchInWorlds {
  public:
   PatchInWorlds(const Side& side, Constraint constraint, const std::vector<World>& worlds);
 
   /// Cost: linear in the triangles, edges and ports.
   bool valid(Colors colors, std::size_t world) const;
-  /// Whether degrees and the edges of the patch allow it: in the world that connects nothing.
+  /// Whether degrees and the edges of the patch allow it: valid in the world that connects nothing.
   bool valid(Colors colors) const { return valid(colors, 0); }
-  /// How many graphs were judged.
+  /// The number of graphs judged.
   std::uint64_t graphs() const { return graphs_; }
 
  private:
@@ -60,7 +60,7 @@ class PatchInWorlds {
   mutable std::uint64_t graphs_ = 0;
 };
 
-/// A valid colouring after the operation, and what it costs where the ports before are known.
+/// A valid colouring after the operation, and its cost for known ports before.
 struct Candidate {
   CostValues cost{};
   Colors colors;
@@ -73,7 +73,7 @@ struct Candidate {
 enum class Verdict { right, wrong_ports, unsound, not_best };
 struct Judged {
   Verdict verdict = Verdict::right;
-  unsigned criterion = 0;  ///< of `not_best`: the first in which something is better
+  unsigned criterion = 0;  ///< of `not_best`: the first criterion that can be improved
 };
 
 /// One operation at one position. Time and memory grow with 2 to the number of edges and ports of a side, and with the
@@ -84,19 +84,18 @@ class Definition {
 
   const Operation& operation() const { return operation_; }
   bool valid(Colors configuration) const { return question_number(configuration) != none; }
-  /// The worlds in which a valid configuration may stand, by their numbers in `worlds_of`.
+  /// The worlds in which a valid configuration may occur, as indices into `worlds_of`.
   const std::vector<unsigned>& worlds(Colors configuration) const { return question(configuration).worlds; }
   const World& world(unsigned number) const { return worlds_[number]; }
 
-  /// Judges a recolouring of a valid configuration. Each question is answered once and remembered.
+  /// Judges a recolouring of a valid configuration. Each question is answered once and cached.
   Judged judged(Colors configuration, Colors recoloring) const;
-  /// A world in which a valid configuration may stand, and the recolouring is not valid: the first, or nothing. Ports
-  /// are not looked at.
+  /// The first world in which a valid configuration may occur and the recolouring is not valid, if any. Ignores ports.
   std::optional<unsigned> refuting_world(Colors configuration, Colors recoloring) const;
-  /// The first of the best recolourings; nothing where none is sound.
+  /// The first of the best recolourings; empty if none is sound.
   const std::optional<Candidate>& best(Colors configuration) const { return question(configuration).best; }
 
-  /// The recolourings of these solid ports that are valid and give up nothing that must stay, the preferred ones first.
+  /// The valid recolourings of these solid ports that keep all ports that must stay, in order of preference.
   std::vector<Candidate> in_order_of_preference(Mask ports) const;
   CostValues cost(Colors configuration, Colors recoloring) const {
     return cost_of(operation_, recoloring, solid_count(configuration.ports & ~recoloring.ports));
@@ -107,7 +106,7 @@ class Definition {
 
  private:
   static constexpr unsigned none = 0xffffffff;
-  /// What is best in all of these worlds?
+  /// The best recolouring for all of these worlds.
   struct Question {
     std::vector<unsigned> worlds;
     std::optional<Candidate> best;

@@ -6,12 +6,12 @@
 
 Tables: a table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
 Linked.v how the lists of linked rules are. What the answers tell becomes a trie as well, which Told.v reads. Only the
-flip keeps other ports than there were; the mask of its answer is after | kept << 1. At the end of a file stands the
+flip may keep fewer ports; the mask of its answer is after | kept << 1. At the end of a file is the
 function from positions, lists of numbers such as [8; 3], to the family's tables. Printed to the standard output: each
 family, how many positions it has, and how many answers (of linked rules: lists).
 
-Rows: the recolouring of a copy is left out: Rows.v works it out again from the symmetry. Reasons and sums are left out,
-too: the proof searches. At the end of the file stands the function from positions, lists of numbers such as [8; 3], to
+Rows: the recolouring of a copy is left out: Rows.v derives it from the symmetry. Reasons and sums are left out,
+too: the proof searches. At the end of the file is the function from positions, lists of numbers such as [8; 3], to
 the rows of their sections.
 
 Automaton: the numbers of the arrays as they are; the answers as lists of families, positions and digests. Header.v and
@@ -38,10 +38,10 @@ def write(directory, name, text):
         file.write(text)
 
 
-BITS = {  # of the masks before and after, beside k
+BITS = {  # of the masks before and after, given k
     "split": (0, 3), "collapse": (3, 0), "open-split": (-1, 2), "open-collapse": (2, -1), "boundary-split": (-1, 0),
     "boundary-collapse": (0, -1), "linked-split": (None, 3), "linked-collapse": (None, 0)}
-LEAF = 0xffff  # in place of a fork's first node; behind it the mask
+LEAF = 0xffff  # instead of a fork's first node; followed by the mask
 PIECE = 2000  # digits of a text
 PART = 500  # rows of a list
 
@@ -298,5 +298,5 @@ if sys.argv[1] == "tables":  # millions of lines
 else:
     all_lines = sys.stdin.read().split("\n")
     if len(all_lines) < 4 or all_lines.pop() != "":
-        fail("what is read is cut off")
+        fail("the input is cut off")
     PRINTERS[sys.argv[1]](all_lines, sys.argv[2])

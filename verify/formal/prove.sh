@@ -6,7 +6,7 @@
 #   verify/formal/prove.sh --full    coqchk for everything: an hour or more, without the virtual machine
 #
 # Prints the shipped tables and the certificates as Coq files into build/formal, compiles them with the theory of
-# verify/formal, and wants Coq to say of each theorem that it assumes nothing.
+# verify/formal, and requires Coq to report for each theorem that it assumes nothing.
 set -Eeuo pipefail
 cd "$(dirname "$0")/../.."
 source scripts/setup.sh
@@ -43,7 +43,7 @@ for family in "${certificates[@]}"; do
 done
 cp verify/formal/*.v "$out/fresh/"
 
-# Only what changed is copied, so that a second run compiles nothing twice; what is gone goes.
+# Only changed files are copied, so that a second run compiles nothing twice; removed files are deleted.
 cd "$out/coq"
 for old in *.v; do
   [ -e "../fresh/$old" ] || rm -f "${old%.v}".*
@@ -62,7 +62,7 @@ if ! make -j "$(nproc)" TIMED=1 "${objects[@]}" >"$out/compile.log" 2>&1; then
   grep -B 2 -A 12 -m 1 '^Error' "$out/compile.log" >&2 || tail -n 20 "$out/compile.log" >&2
   false
 fi
-# File and seconds of processor time, kept from run to run: what has not changed is not compiled again.
+# Files and seconds of processor time, kept from run to run: unchanged files are not compiled again.
 touch "$out/seconds"
 sed -n 's/^\([A-Za-z_]*\)\.vo (.*user: \([0-9.]*\),.*/\1 \2/p' "$out/compile.log" >"$out/seconds.new"
 awk '!seen[$1]++' "$out/seconds.new" "$out/seconds" >"$out/seconds.all"
@@ -74,7 +74,7 @@ mapfile -t theorems < <(sed -n 's/^Theorem \([a-z_]*\).*/\1/p' Main.v)
 mapfile -t printed < <(sed -n 's/^Print Assumptions \([a-z_]*\)\.$/\1/p' Main.v)
 mapfile -t said <"$out/assumptions.log"
 if [ ${#theorems[@]} -eq 0 ] || [ "${theorems[*]}" != "${printed[*]}" ] || [ ${#said[@]} -ne ${#theorems[@]} ]; then
-  echo "Main.v: Print Assumptions does not follow each theorem, or Coq said something else" >&2
+  echo "Main.v: Print Assumptions does not follow each theorem, or Coq printed something else" >&2
   false
 fi
 for line in "${said[@]}"; do
@@ -84,7 +84,7 @@ for line in "${said[@]}"; do
   fi
 done
 
-say "extracting what restrip-check decides"
+say "extracting the decisions of restrip-check"
 mkdir -p "$out/extracted"
 rm -f "$out/extracted"/*
 cp "$root/verify/check/Extract.v" "$out/extracted/"
@@ -96,7 +96,7 @@ for file in judge.{ml,mli}; do
   fi
 done
 
-# What the printer has read, family by family, against what the theorems speak of.
+# Compares what the printer has read, family by family, with the subjects of the theorems.
 printf '%s\n' 'From Coq Require Import NArith List.' 'From Restrip Require Import Answers.' 'Set Printing Width 1000.' 'Eval vm_compute in counts.' \
   'From Restrip Require Positions AutomatonNumbers.' 'Eval vm_compute in (list_max (map fst Positions.arcs),' \
   '  list_max (map (fun d => hd 0 (snd (fst d))) AutomatonNumbers.digests))%nat.' >"$out/counts.v"
@@ -105,18 +105,18 @@ mapfile -t proved < <(grep -o '[0-9]*%N' "$out/counts" | paste - - | tr -d 'N%')
 mapfile -t printed < <(cat "$out/printed")
 read -r told looked_up < <(sed -nE 's/^ *= \(([0-9]+), ([0-9]+)\)$/\1 \2/p' "$out/counts")
 if [ ${#proved[@]} -eq 0 ] || [ ${#proved[@]} -ne ${#printed[@]} ]; then
-  echo "the theorems speak of ${#proved[@]} families, the dump of ${#printed[@]}" >&2
+  echo "the theorems cover ${#proved[@]} families, the dump has ${#printed[@]}" >&2
   false
 fi
 for i in "${!proved[@]}"; do
   read -r family positions answers <<<"${printed[i]}"
   if [ "$positions"$'\t'"$answers" != "${proved[i]}" ]; then
-    echo "$family: the dump has $positions positions and $answers answers, the theorems speak of ${proved[i]}" >&2
+    echo "$family: the dump has $positions positions and $answers answers, the theorems cover ${proved[i]}" >&2
     false
   fi
 done
 
-# took FILE…: the seconds of the files together.
+# took FILE…: the total seconds of the files.
 took() {
   awk -v files=" $* " 'index(files, " " $1 " ") { sum += $2 } END { printf "%.0f", sum }' "$out/seconds"
 }
@@ -182,7 +182,7 @@ for line in "${printed[@]}"; do
   case $family in linked_*) ;; *) sum=$((sum + answers)) ;; esac
 done
 printf '%-26s %8s %12s  %s\n\n' "all but the lists" "" "$sum" "every position"
-echo "what answers tell was compared for k <= $told"
-echo "what the automaton answers and tells was compared for k <= $looked_up"
-echo "Theorems about the same files come from one run; its seconds are given for each."
+echo "the stated changes of answers were compared for k <= $told"
+echo "the automaton's answers and their stated changes were compared for k <= $looked_up"
+echo "Theorems about the same files share one run; its seconds are shown for each."
 echo "All proved in $((SECONDS - started)) s; read: certificates, compiled tables, lists of the compiled tables, numbers of the compiled automaton"

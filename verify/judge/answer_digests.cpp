@@ -11,12 +11,12 @@
 namespace restrip::verify {
 namespace {
 
-/// Operations are named by their places here.
+/// Operations are identified by their index here.
 constexpr std::array<std::string_view, 7> names = {"split",          "collapse",          "open-split", "open-collapse",
                                                    "boundary-split", "boundary-collapse", "flip"};
 constexpr std::string_view end_of_digests = "rules outside the tables: 0";
 
-/// The operation's number, and its position in three numbers, of which those that it does not have are 0.
+/// The operation's number, and its position as three numbers; unused ones are 0.
 std::string words_of(const Operation& operation) {
   const auto name = std::find(names.begin(), names.end(), operation.family);
   if (name == names.end()) throw std::logic_error(operation.family + " has no digests");
@@ -25,7 +25,7 @@ std::string words_of(const Operation& operation) {
   return fmt::format("{} {} {} {}", name - names.begin(), numbers[0], numbers[1], numbers[2]);
 }
 
-/// The lines that are still missing are those of `expected`.
+/// `expected` has the lines that are still missing.
 void read_lines(StreamLines& lines, Digests expected, DigestComparison& result) {
   while (!expected.empty()) {
     const std::string& missing = expected.begin()->first;
@@ -37,7 +37,7 @@ void read_lines(StreamLines& lines, Digests expected, DigestComparison& result) 
     ++result.positions;
     if (const std::string right = fmt::format("{} {:08x}", position->first, position->second); line != right)
       result.differences.add(
-          fmt::format("line {}: \"{}\", the answers that were judged make it \"{}\"\n", lines.number(), line, right));
+          fmt::format("line {}: \"{}\", the judged answers give \"{}\"\n", lines.number(), line, right));
     expected.erase(position);
   }
   lines.expect_last(std::string(end_of_digests));
@@ -48,7 +48,7 @@ void read_lines(StreamLines& lines, Digests expected, DigestComparison& result) 
 void AnswerDigests::add(const Operation& operation, Colors configuration, const std::optional<Answer>& answer) {
   if (last_ != &operation) digest_ = &digests_[words_of(operation)];
   last_ = &operation;
-  // The flip's answer has the ports that it keeps below its inner edge; the others keep all ports.
+  // The flip's answer has its kept ports below its inner edge; the others keep all ports.
   std::optional<AnswerBits> bits;
   if (answer)
     bits = AnswerBits{operation.may_give_up != 0

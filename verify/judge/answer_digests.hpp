@@ -1,7 +1,6 @@
 #pragma once
-// Digests of what tables answer (docs/reference/verifiers.md, "Digests of answers"): a line for each position. So
-// look-ups in other languages, which answer where no dump of millions of lines can be printed, are compared with
-// answers that were judged.
+// Digests of the answers of tables (docs/reference/verifiers.md, "Digests of answers"): one line per position. They
+// compare look-ups in other languages, which cannot print dumps of millions of lines, with judged answers.
 
 #include <cstdint>
 #include <cstdio>
@@ -19,10 +18,10 @@ struct Answer;
 /// Digests by the words of their lines: "0 3 1 0".
 using Digests = std::map<std::string, std::uint32_t>;
 
-/// Those of shipped operations.
+/// The digests of shipped operations.
 class AnswerDigests {
  public:
-  /// Counts an answer in; its changes must be told.
+  /// Adds an answer, whose changes must be known.
   void add(const Operation& operation, Colors configuration, const std::optional<Answer>& answer);
   const Digests& by_position() const { return digests_; }
 
@@ -35,13 +34,13 @@ class AnswerDigests {
 struct DigestComparison {
   std::uint64_t positions = 0;
   Failures differences;
-  std::string fault;  ///< why the lines could not be read; empty when they could
+  std::string fault;  ///< why the lines could not be read; otherwise empty
 };
 
-/// Every position must have its line, in any order; the last line says that there are no rules elsewhere.
+/// Every position must have a line, in any order; the last line says that no rules exist elsewhere.
 DigestComparison compare_digests(std::FILE* stream, const Digests& expected);
 
-/// Runs the program and compares what it prints; a program that fails is a fault.
+/// Runs the program and compares its output; a failing program is a fault.
 DigestComparison compare_digests_of(const std::string& program, const Digests& expected);
 
 }  // namespace restrip::verify

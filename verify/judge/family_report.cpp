@@ -62,7 +62,7 @@ class FamilyReport {
     for (const PositionCheck& check : checks_) all.add(check.*claim);
     return all;
   }
-  /// Calls back with each position and what was found there.
+  /// Calls back with each position and its results.
   template <class Visit>
   void for_each_position(const Visit& visit) const {
     auto check = checks_.begin();
@@ -96,7 +96,7 @@ class FamilyReport {
     report("every valid configuration has a row", "definition" + limit_, sum(&PositionCheck::valid),
            sum(&PositionCheck::Seconds::judging), sum(&PositionCheck::missing));
     report("every row has a valid configuration", "definition" + limit_, certificate_->rows, 0, extra_);
-    report("no port is taken, none given up that must stay", "ports before and after compared",
+    report("no port is taken, and ports that must stay are kept", "ports before and after compared",
            sum(&PositionCheck::with_row), 0, sum(&PositionCheck::wrong_ports));
     report("every row is sound", definition, sum(&PositionCheck::with_row), 0, sum(&PositionCheck::unsound));
     for (std::size_t i = 0; i < operation_.cost.size(); ++i) {
@@ -130,7 +130,7 @@ class FamilyReport {
                                check.merged.all, check.merged.valid, check.nauty->all, check.nauty->valid));
     });
     if (counted != 0)
-      report("the orbits once more", "nauty, canonical coloured graphs" + limit_, counted,
+      report("the orbits, counted again", "nauty, canonical coloured graphs" + limit_, counted,
              sum(&PositionCheck::Seconds::nauty), orbits);
   }
 
@@ -187,7 +187,7 @@ class FamilyReport {
   const Certificate* certificate_;
   std::span<const PositionCheck> checks_;
   const ClaimListener& listener_;
-  std::string limit_;  ///< what is said where not all positions are searched
+  std::string limit_;  ///< a note, if not all positions are searched
   Failures extra_;
   Failures copies_;
   Failures claims_;

@@ -1,12 +1,12 @@
 #pragma once
-// The checks of a family's positions and sections, put together and reported claim by claim.
+// Combines the checks of a family's positions and sections and reports them claim by claim.
 
 #include "certificate/certificate.hpp"
 #include "judge/position.hpp"
 
 namespace restrip::verify {
 
-/// The tasks of a family, section by section, position by position. Without a certificate configurations are only
+/// The tasks of a family, section by section, position by position. Without a certificate, configurations are only
 /// counted.
 std::vector<PositionTask> tasks_of(const Family& family, const Certificate* certificate);
 

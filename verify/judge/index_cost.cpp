@@ -15,7 +15,7 @@
 namespace restrip::verify {
 namespace {
 
-/// The edges of one side of an operation as they lie around its triangles.
+/// The edges of one side of an operation in their order around its triangles.
 class Turns {
  public:
   explicit Turns(const Side& side) : side_(side), around_(side.triangles) {
@@ -44,7 +44,8 @@ class Turns {
     }
   }
 
-  /// How the strip turns at the owner of a port, seen from there: 0 it ends, 1 over the next side counter-clockwise, 2.
+  /// How the strip turns at the owner of a port, seen from the port: 0: it ends; 1: over the next side
+  /// counter-clockwise; 2: over the other one.
   unsigned at_port(unsigned port, Mask both) const {
     return turn(side_.owner_of_port[port], side_.inner_edges() + port, both);
   }
@@ -60,7 +61,8 @@ class Turns {
   static constexpr unsigned no_edge = 31;
   struct Around {
     unsigned before = no_edge;
-    unsigned third = no_edge;  ///< a fan triangle's port lies between its two inner edges, a new triangle's chord not
+    unsigned third =
+        no_edge;  ///< a fan triangle's port lies between its two inner edges; a new triangle's chord does not
     unsigned after = no_edge;
     bool is_fan = false;
   };
@@ -77,11 +79,11 @@ class Turns {
   std::vector<Around> around_;
 };
 
-/// Where one side has a fan and the other the same fan with triangles inserted: inner edges of both sides that carry
-/// the same strip.
+/// If one side has a fan and the other the same fan with inserted triangles: inner edges of both sides that carry the
+/// same strip.
 struct Carried {
   unsigned fan = 0;            ///< an edge of the side without inserted triangles
-  std::array<unsigned, 2> in;  ///< one or two of the other side
+  std::array<unsigned, 2> in;  ///< one or two edges of the other side
 };
 std::optional<std::vector<Carried>> carried(const Side& fan, const Side& with) {
   if (fan.triangles >= with.triangles || fan.ports() != fan.triangles) return {};
@@ -167,7 +169,7 @@ class IndexCost {
     }
     return passed;
   }
-  /// The most that the recolouring adds, over all turns behind the ports.
+  /// The most that the recolouring adds, over all turns beyond the ports.
   int added(Colors before, Colors after) const {
     const auto both = [](const Side& side, Colors colors) { return colors.inner | colors.ports << side.inner_edges(); };
     const Mask old = both(operation_.before, before);
@@ -175,9 +177,9 @@ class IndexCost {
     int added = 3 * (strips_of(operation_.after, after) - strips_of(operation_.before, before)) +
                 turns_after_.inner_swaps(now) - turns_before_.inner_swaps(old);
     for (unsigned port = 0; port < operation_.ports(); ++port) {
-      if (!is_solid(after.ports, port)) continue;  // what is given up is not a swap any more
+      if (!is_solid(after.ports, port)) continue;  // a port that is given up is not a swap any more
       const unsigned turn = turns_after_.at_port(port, now);
-      if (turn != 0 && turn != turns_before_.at_port(port, old)) ++added;  // behind it the strip turns the other way
+      if (turn != 0 && turn != turns_before_.at_port(port, old)) ++added;  // beyond it the strip turns the other way
     }
     return added;
   }

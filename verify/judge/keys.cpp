@@ -3,7 +3,7 @@
 namespace restrip::verify {
 
 Keys::Keys(const Operation& operation) : operation_(operation), joinable_(mask_count(operation.ports())) {
-  std::vector<PortPairs> joined(joinable_.size());  // by the ports that are kept
+  std::vector<PortPairs> joined(joinable_.size());  // by kept ports
   for_each_valid(operation.after, most_solid(operation.constraint), [&](Colors after, const SolidGraph& inner) {
     joined[after.ports].add(joined_ports(operation.after, inner, after.ports));
   });

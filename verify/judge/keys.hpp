@@ -1,6 +1,6 @@
 #pragma once
-// The keys of configurations (docs/reference/operation-file.md), by which certificates list rules. That a key says all
-// that a rule must know is a theorem about the definition; no verdict on a row that is searched depends on it.
+// The keys of configurations (docs/reference/operation-file.md), by which certificates list rules. It is a theorem
+// about the definition that a key contains all that a rule must know; verdicts on searched rows do not depend on it.
 
 #include <vector>
 
@@ -13,9 +13,9 @@ class Keys {
  public:
   explicit Keys(const Operation& operation);
 
-  /// Nothing for a configuration that is not valid.
+  /// Empty for a configuration that is not valid.
   std::optional<Key> key_of(Colors configuration) const;
-  /// Whether a recolouring with admissible ports is sound for all configurations with this key: where it is valid and
+  /// Whether a recolouring with admissible ports is sound for all configurations with this key: if it is valid and
   /// joins no other ports (the locality lemma).
   bool sound(const Key& key, Colors recoloring) const;
 

@@ -18,13 +18,13 @@ namespace {
 /// All ones.
 constexpr std::uint64_t largest_of(unsigned width) { return wide_mask_count(width) - 1; }
 
-/// How many configurations the table of an operation answers.
+/// The number of configurations that the table of an operation answers.
 std::uint64_t entries_of(const Operation& operation) {
   return wide_mask_count(operation.ports() +
                          (operation.constraint == Constraint::matching ? 0 : operation.before.inner_edges()));
 }
 
-/// A triangle of a header: over which side of an earlier one it is met, and itself.
+/// A triangle of a header, and the side of an earlier triangle across which it is reached.
 struct MetTriangle {
   unsigned from = 0;
   unsigned from_side = 0;
@@ -41,7 +41,7 @@ PlacedTriangle turned(const PlacedTriangle& triangle, unsigned by) {
   return result;
 }
 
-/// The triangles of a side as one meets them from the first side of the first: over the sides of each in turn.
+/// The triangles of a side in traversal order: across the sides of each in turn, starting from the first.
 std::vector<MetTriangle> met_triangles(const std::vector<PlacedTriangle>& placed) {
   std::vector<MetTriangle> met{{0, 0, placed.front()}};
   const auto is_known = [&](const PlacedTriangle& one) {
@@ -72,7 +72,7 @@ class HeaderReader {
       throw InputError(description.file(), 0, fmt::format("{} has no position up to {}", description.name, max_k));
   }
 
-  /// Stops at the first line that is not right.
+  /// Stops at the first wrong line.
   void read() {
     const bool good = expect_all(lines_before()) &&
                       expect_all(is_family() ? lines_of_family() : lines_of_operation()) && take_entries() &&
@@ -97,7 +97,7 @@ class HeaderReader {
     for (const Operation& operation : operations_) all += entries_of(operation);
     return all;
   }
-  /// Of all positions.
+  /// For all positions.
   [[nodiscard]] std::string triangle_counts() const {
     unsigned before = 0;
     unsigned after = 0;
@@ -141,7 +141,7 @@ class HeaderReader {
         "    {"};
   }
 
-  /// The same of a family.
+  /// The same for a family.
   [[nodiscard]] std::vector<std::string> lines_of_family() const {
     const bool surface = first().on_a_mesh();
     std::vector<std::string> lines{
@@ -161,7 +161,7 @@ class HeaderReader {
     return lines;
   }
 
-  /// As a string literal holds it: with the places of the numbers for their names, and a backslash where one must be.
+  /// As in a string literal: numbers replaced by their places, with backslashes where needed.
   [[nodiscard]] std::string position() const {
     std::string literal;
     for (const char c : description_.position) {
@@ -175,7 +175,7 @@ class HeaderReader {
     return literal;
   }
 
-  /// The next line with its end, or what is left.
+  /// The next line with its end, or the rest.
   std::string_view next() {
     ++check_.lines;
     const std::size_t end = rest_.find('\n');
@@ -208,7 +208,7 @@ class HeaderReader {
     return error == std::errc{} && std::to_string(number) == word && fits(number);
   }
 
-  /// Lines of so many elements, a space before each and a comma behind it; `take_one` takes what is between.
+  /// Reads lines of `count` elements, each after a space and followed by a comma; `take_one` takes the element.
   template <class TakeOne>
   bool take_elements(std::uint64_t count, const std::string& expected, const TakeOne& take_one) {
     for (std::uint64_t taken = 0; taken < count;) {
@@ -245,7 +245,7 @@ class HeaderReader {
   }
 
   static std::string vertices_of(const Operation& operation) { return fmt::format("    {},", operation.vertices); }
-  /// For each position how many vertices there are, and where its triangles begin.
+  /// For each position, the number of vertices and the start of its triangles.
   [[nodiscard]] std::vector<std::string> triangles_of_positions() const {
     std::vector<std::string> lines{"    {{"};
     unsigned before = 0;

@@ -36,7 +36,7 @@ std::string OperationJudge::explained(Colors configuration, Colors recoloring, c
     case Verdict::wrong_ports:
       for (unsigned port = 0; port < operation_.ports(); ++port) {
         if (is_solid(taken, port)) return text + fmt::format("  port {} was dashed and becomes solid\n", port);
-        if (is_solid(refused, port)) return text + fmt::format("  port {} is given up and may not be\n", port);
+        if (is_solid(refused, port)) return text + fmt::format("  port {} must stay but is given up\n", port);
       }
       break;
     case Verdict::unsound: {
@@ -45,12 +45,12 @@ std::string OperationJudge::explained(Colors configuration, Colors recoloring, c
         text += fmt::format("  unsound: {} after\n", invalid);
       else if (definition_)
         text +=
-            fmt::format("  unsound: with {}, there is no solid cycle before, but one after\n",
+            fmt::format("  unsound: with {}, the solid edges have no cycle before, but one after\n",
                         text_of(definition_->world(definition_->refuting_world(configuration, recoloring).value())));
       else
         text += "  unsound: it joins ports that were not joined before\n";
       if (definition_ && !definition_->best(configuration))
-        text += "  no recolouring is sound here; the operation would have to give up more ports\n";
+        text += "  no recolouring is sound here; the operation must be allowed to give up more ports\n";
       break;
     }
     case Verdict::not_best: {

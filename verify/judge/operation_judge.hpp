@@ -1,6 +1,6 @@
 #pragma once
-// Judges the rules of one operation at one position: by the definition, or, of more ports than are searched, what keys
-// say of soundness; what nothing is better than is then for reasons to show.
+// Judges the rules of one operation at one position: by the definition or, beyond the searched number of ports, by the
+// theorem about keys. In the latter case reasons must show that nothing is better.
 
 #include <string>
 
@@ -16,13 +16,13 @@ class OperationJudge {
   const Operation& operation() const { return operation_; }
   const std::optional<Definition>& definition() const { return definition_; }
 
-  /// Nothing for a configuration that is not valid.
+  /// Empty for a configuration that is not valid.
   std::optional<Key> key_of(Colors configuration) const;
-  /// Judges a recolouring of a valid configuration; never `not_best` when the operation is not searched.
+  /// Judges a recolouring of a valid configuration; never `not_best` if the operation is not searched.
   Judged judged(Colors configuration, Colors recoloring) const;
-  /// Of a valid configuration.
+  /// For a valid configuration.
   bool is_sound(Colors configuration, Colors recoloring) const;
-  /// What is wrong, in full: colours drawn, the world in which they are not valid, the recolouring that is better.
+  /// A full explanation: colours drawn, the world in which they are not valid, the better recolouring.
   std::string explained(Colors configuration, Colors recoloring, const Judged& judged) const;
 
  private:

@@ -1,12 +1,12 @@
-// For nauty, one graph for each configuration of an operation: two configurations are in one orbit when their coloured
-// graphs are isomorphic. Its nodes:
-//   * one for each port, coloured solid or dashed, and whether it may be given up; where no triangle of a side has
-//     several ports, it stands for the triangle as well;
-//   * one for each other triangle, coloured by the side (before or after) that it belongs to;
-//   * one in the middle of each inner edge before the operation, coloured solid or dashed.
-// The inner edges after the operation are plain edges: they hold the position fast.
+// Compares configurations by nauty: two configurations are in one orbit if their coloured graphs are isomorphic. The
+// graph of a configuration has these nodes:
+//   - one for each port, coloured by solid or dashed and by whether it may be given up; if no triangle of a side has
+//     several ports, it represents the triangle too;
+//   - one for each other triangle, coloured by its side (before or after);
+//   - one in the middle of each inner edge before the operation, coloured solid or dashed.
+// The inner edges after the operation are plain edges, which fix the position.
 //
-// nauty's canonical graph does not say how large the colour classes are: all edges solid and all edges dashed have
+// nauty's canonical graph does not contain the sizes of the colour classes: all edges solid and all edges dashed have
 // the same canonical graph. So the class sizes are part of a configuration's canonical form.
 
 #include "judge/orbits.hpp"
@@ -59,7 +59,7 @@ class ConfigurationGraph {
     }
   }
 
-  /// How many nodes the graph has.
+  /// The number of nodes of the graph.
   static std::size_t size_for(const Operation& operation) {
     std::size_t nodes = operation.ports() + operation.before.inner_edges();
     for (const Side* side : {&operation.before, &operation.after})
@@ -67,7 +67,7 @@ class ConfigurationGraph {
     return nodes;
   }
 
-  /// nauty keeps working memory for each thread; a thread that ends must give it back.
+  /// nauty keeps working memory for each thread, which an ending thread must release.
   ~ConfigurationGraph() {
     nauty_freedyn();
     nautil_freedyn();
@@ -83,7 +83,7 @@ class ConfigurationGraph {
           is_solid(inner, static_cast<unsigned>(i - first_edge_)) ? NodeClass::solid_edge : NodeClass::dashed_edge;
   }
 
-  /// True when only the identity carries the graph onto itself with its present colours.
+  /// True if the identity is the only automorphism of the graph with its present colours.
   bool rigid() {
     run(nullptr);
     return stats_.grpsize1 == 1.0 && stats_.grpsize2 == 0;
@@ -124,8 +124,8 @@ class ConfigurationGraph {
       ports_of[side.owner_of_port[port]].push_back(static_cast<int>(port));
     return ports_of;
   }
-  /// Whether the only port of a triangle is its node as well. Beside a triangle with several ports, an inner edge
-  /// between the two could be taken for one more port of it.
+  /// Whether the only port of a triangle represents it as well. Next to a triangle with several ports this is wrong: an
+  /// inner edge between the two could be mistaken for one more port.
   static bool stands_for(const std::vector<int>& ports, const Side& side) {
     const std::set<unsigned> owners(side.owner_of_port.begin(), side.owner_of_port.end());
     return ports.size() == 1 && owners.size() == side.ports();
@@ -184,7 +184,7 @@ std::uint64_t different(std::vector<CanonicalForm>& forms) {
   return static_cast<std::uint64_t>(std::unique(forms.begin(), forms.end()) - forms.begin());
 }
 
-/// Costs that count all there is look the same from every symmetry of the patch.
+/// A cost that counts all members is invariant under every symmetry of the patch.
 bool counts_everything(const Operation& operation) {
   for (const Criterion& criterion : operation.cost)
     for (const Term& term : criterion)

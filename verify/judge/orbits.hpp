@@ -1,6 +1,6 @@
 #pragma once
-// Orbits of configurations, counted twice: by merging each with its images under the symmetries that are found here,
-// and by nauty, which knows nothing of these and compares coloured graphs.
+// Counts orbits of configurations in two ways: by merging each with its images under the symmetries found here, and by
+// nauty, which compares coloured graphs independently.
 
 #include <cstdint>
 #include <optional>
@@ -16,12 +16,12 @@ struct OrbitCounts {
   friend bool operator==(const OrbitCounts&, const OrbitCounts&) = default;
 };
 
-/// `valid` says of each configuration, by concatenated(inner, ports), whether it is valid.
+/// `valid` gives for each configuration, indexed by concatenated(inner, ports), whether it is valid.
 OrbitCounts merged_orbits(const Operation& operation, const Symmetries& symmetries, const std::vector<bool>& valid);
 
-/// The number of different canonical forms. Where the bare operation has no symmetry but the trivial one (nauty says
-/// so too), every configuration is an orbit of its own and none needs a canonical form. nullopt where a graph would
-/// have to know more: of costs that count some members only, or of more nodes than it has room for.
+/// The number of different canonical forms. If the bare operation has only the trivial symmetry (also according to
+/// nauty), every configuration is a separate orbit and no canonical form is needed. nullopt if the graph cannot express
+/// the operation: a cost that counts some members only, or too many nodes.
 std::optional<OrbitCounts> nauty_orbits(const Operation& operation, const std::vector<bool>& valid);
 
 }  // namespace restrip::verify

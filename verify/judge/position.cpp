@@ -32,14 +32,14 @@ class RowChecker {
                                            drawn(operation_.before, configuration)));
     }
   }
-  /// In the first configuration that each rule serves.
+  /// For the first configuration that each rule serves.
   void check_reasons() {
     if (!may_have_reasons(operation_)) return;
     for (const auto& [row, configuration] : first_) {
       if (row->copy) continue;
       std::string& fault = check_.reason_faults[index_of(*row)];
       if (row->reason) fault = fault_of_reason(judge_, configuration, row->after, *row->reason);
-      if (!row->reason && !searched(operation_)) fault = "none exists, and more ports than are searched";
+      if (!row->reason && !searched(operation_)) fault = "missing, and the operation has too many ports to be searched";
     }
   }
 
@@ -74,7 +74,7 @@ class RowChecker {
                                       judge_.explained(configuration, row.after, judged)));
   }
 
-  /// What the rule does to the numbers of strips and of isolated triangles.
+  /// The rule's change of the numbers of strips and of isolated triangles.
   void count_cost(const Row& row, Colors configuration) {
     const auto given_up = static_cast<int>(solid_count(configuration.ports & ~row.after.ports));
     const int strips = strips_of(operation_.after, row.after) - strips_of(operation_.before, configuration);

@@ -1,5 +1,5 @@
 #pragma once
-// Everything that is checked of one operation at one position, and the threads that do it.
+// All checks of one operation at one position, and the threads that run them.
 
 #include <functional>
 #include <set>
@@ -15,7 +15,7 @@ struct PositionCheck {
   std::uint64_t configurations = 0;
   std::uint64_t valid = 0;
   std::uint64_t with_row = 0;        ///< valid ones that have a row
-  std::uint64_t with_sound_row = 0;  ///< those of them whose row is sound
+  std::uint64_t with_sound_row = 0;  ///< valid ones whose row is sound
   std::uint64_t graphs = 0;          ///< colourings of a patch in a world that were judged
   std::uint64_t costing = 0;
   std::optional<int> worst_strips;
@@ -26,7 +26,7 @@ struct PositionCheck {
   Failures unsound;
   std::array<Failures, most_criteria> not_best;
   std::vector<bool> row_used;
-  std::vector<std::string> reason_faults;  ///< by row; of the rules that serve a configuration here
+  std::vector<std::string> reason_faults;  ///< by row; for rules that serve a configuration here
   OrbitCounts merged;
   std::optional<OrbitCounts> nauty;
 
@@ -39,7 +39,7 @@ struct PositionCheck {
   } seconds;
 };
 
-/// One piece of work: an operation and the rows that serve it; without rows its configurations are only counted.
+/// One task: an operation and the rows that serve it. Without rows, its configurations are only counted.
 struct PositionTask {
   const Section* section = nullptr;
   const Operation* operation = nullptr;
@@ -49,8 +49,8 @@ struct PositionTask {
 
 PositionCheck check_position(const PositionTask& task);
 
-/// All tasks on so many threads; the result has the order of the tasks, whatever the threads do. `on_done` is called
-/// with the number of finished tasks, from one thread at a time.
+/// Runs all tasks on this number of threads; results are in the order of the tasks. `on_done` is called with the number
+/// of finished tasks, from one thread at a time.
 std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, unsigned threads,
                                            const std::function<void(std::size_t)>& on_done);
 

@@ -5,16 +5,16 @@
 namespace restrip::verify {
 namespace {
 
-/// What a recolouring gives away, in the order in which it counts; less is better.
+/// The losses of a recolouring, most important first; less is better.
 struct Loss {
-  int dashed = 0;    ///< edges, ports given up included
-  int isolated = 0;  ///< triangles, every port given up counting as one
+  int dashed = 0;    ///< edges, including ports given up
+  int isolated = 0;  ///< triangles; every port given up counts as one
   int given_up = 0;  ///< ports
   friend constexpr auto operator<=>(const Loss&, const Loss&) = default;
 };
 
-/// The reason of one rule. Sets of edges are masks: inner edges first, then ports, of which those that may be given up
-/// are edges.
+/// The reason of one rule. Sets of edges are masks: inner edges first, then ports; ports that may be given up are
+/// edges.
 class RuleReason {
  public:
   RuleReason(const OperationJudge& judge, Colors configuration, Colors recoloring)
@@ -26,7 +26,8 @@ class RuleReason {
     row_loss_ = loss(edges_ & ~concatenated(recoloring.ports & open_ports, recoloring.inner, inner));
   }
 
-  /// What is wrong with a reason, where the edges `solid` are solid and the edges `dashed` are not; or nothing.
+  /// The fault of a reason, given that the edges `solid` are solid and the edges `dashed` are not; empty if it is
+  /// correct.
   std::string fault(const Reason& reason, Mask solid, Mask dashed) const {
     if (reason.cases.empty()) return fault_of_leaf(reason.sets, solid, dashed);
     const Mask edge = single(reason.edge);
@@ -45,9 +46,9 @@ class RuleReason {
     Mask taken = solid | dashed;
     Mask surely_dashed = dashed;
     for (const Mask set : sets) {
-      if (!is_subset(set, edges_)) return fmt::format("the set {:x} has an edge that is fixed", set);
+      if (!is_subset(set, edges_)) return fmt::format("the set {:x} has a fixed edge", set);
       if ((set & taken) != 0)
-        return fmt::format("the set {:x} has an edge that another set has or a case settles", set);
+        return fmt::format("the set {:x} has an edge that is in another set or settled by a case", set);
       if (judge_.is_sound(configuration_, colors_of(set | solid)))
         return fmt::format("the set {:x} may be all solid", set);
       taken |= set;
@@ -60,7 +61,7 @@ class RuleReason {
                        least.isolated, least.given_up, row_loss_.dashed, row_loss_.isolated, row_loss_.given_up);
   }
 
-  /// The loss of a recolouring that leaves these edges dashed and no other.
+  /// The loss of a recolouring in which exactly these edges are dashed.
   Loss loss(Mask dashed) const {
     const auto given_up = static_cast<int>(solid_count(high_part(dashed, operation_.after.inner_edges())));
     const auto isolated = static_cast<int>(isolated_of(operation_.after, colors_of(edges_ & ~dashed)));

@@ -1,7 +1,7 @@
 #pragma once
-// Reasons: why nothing is better than a rule (docs/reference/certificate.md, "Reasons"). Every set and every case that
-// is looked at stands in the file; a set "cannot be all solid" when the colouring in which just it is solid is not
-// sound, by the worlds. docs/reference/verifiers.md proves that a reason that passes is one.
+// Checks reasons: why nothing is better than a rule (docs/reference/certificate.md, "Reasons"). All sets and cases are
+// in the file. A set "cannot be all solid" if the colouring in which exactly it is solid is not sound, by the worlds.
+// docs/reference/verifiers.md proves that a reason that passes is valid.
 
 #include <string>
 
@@ -10,8 +10,8 @@
 
 namespace restrip::verify {
 
-/// What is wrong with the reason why nothing is better than this recolouring of a valid configuration; empty when it is
-/// one. The operation must be one that may have reasons.
+/// The fault of a reason why nothing is better than this recolouring of a valid configuration; empty if the reason is
+/// valid. Precondition: the operation may have reasons.
 std::string fault_of_reason(const OperationJudge& judge, Colors configuration, Colors recoloring, const Reason& reason);
 
 }  // namespace restrip::verify

@@ -1,6 +1,6 @@
 #pragma once
-// Figures published in docs/explanation/theory.md (section 5), counted there by a program that is not part of this
-// project. They are typed, not computed: that is their use.
+// Figures published in docs/explanation/theory.md (section 5), counted there by an independent program. They are typed
+// on purpose, for comparison.
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// What was claimed, how it was checked, whether it held.
+// The results: claims, how they were checked, and whether they hold.
 
 #include <cstdint>
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace restrip::verify {
 
-/// How often something did not hold, and the first time in full.
+/// The number of failures, and the first one in full.
 struct Failures {
   std::uint64_t count = 0;
   std::string first;
@@ -25,18 +25,18 @@ struct Failures {
 };
 
 struct ClaimResult {
-  std::string subject;  ///< a family, or what else the claim is about
+  std::string subject;  ///< a family, or another subject
   std::string claim;
   std::string method;
   std::uint64_t cases = 0;
-  double seconds = 0;  ///< of processor time
+  double seconds = 0;  ///< processor time
   std::uint64_t failures = 0;
-  std::string counterexample;  ///< the first
+  std::string counterexample;  ///< the first one
 
   bool held() const { return failures == 0; }
 };
 
-/// What a program has read to come to its result.
+/// The inputs of a result.
 struct Sources {
   bool certificates = false;
   std::vector<std::string> of_headers;  ///< "compiled tables"
@@ -44,7 +44,7 @@ struct Sources {
 /// "certificates and compiled tables", or "certificates only; no header was read".
 std::string text_of(const Sources& sources);
 
-/// Answers of tables, and in how many positions they are.
+/// The number of answers of tables, and of their positions.
 struct AnswerCount {
   std::uint64_t positions = 0;
   std::uint64_t entries = 0;
@@ -55,38 +55,38 @@ struct AnswerCount {
     return *this;
   }
 };
-/// By the word that the headers of the tables begin with: "open-collapse".
+/// By the first word in the headers of the tables: "open-collapse".
 using AnswerCounts = std::map<std::string, AnswerCount>;
 AnswerCount sum_of(const AnswerCounts& counts);
 
 struct Totals {
   unsigned max_k = 0;                ///< of the largest fans
-  std::uint64_t rules = 0;           ///< rows, copies included
+  std::uint64_t rules = 0;           ///< rows, including copies
   std::uint64_t alternatives = 0;    ///< rows of linked families
-  std::uint64_t configurations = 0;  ///< valid ones, all families and positions
-  std::uint64_t graphs = 0;          ///< that were held against the definition
+  std::uint64_t configurations = 0;  ///< valid ones, over all families and positions
+  std::uint64_t graphs = 0;          ///< graphs compared with the definition
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
   Sources read;
-  bool graph_only = false;      ///< an operation that is not checked to be one on a mesh
-  bool lists_not_read = false;  ///< a family has linked rules, and their certificate was not given
-  /// Answers of the shipped headers by operation: those that were all found right, and those that were read but not
-  /// looked at, because their family was not chosen.
+  bool graph_only = false;      ///< an operation that is not checked to be possible on a mesh
+  bool lists_not_read = false;  ///< a family has linked rules, but their certificate was not given
+  /// Answers of the shipped headers by operation: answers proved right, and answers read but not checked because their
+  /// family was not chosen.
   AnswerCounts answers;
   AnswerCounts not_compared;
 };
 
-/// Called for each claim as soon as it is settled, in a fixed order.
+/// Called for each claim as soon as it is decided, in a fixed order.
 using ClaimListener = std::function<void(const ClaimResult&)>;
 
 std::string heading();
 std::string line_of(const ClaimResult& result);
-/// The answers of the shipped headers, a line each for what was proved and what was not compared, if there is any; then
-/// "verified: …" or "NOT verified: …", and at its end what was read.
+/// One line each for the answers of the shipped headers that were proved and that were not compared, if any; then
+/// "verified: …" or "NOT verified: …", ending with the inputs.
 std::string last_line(const Totals& totals);
 nlohmann::ordered_json json_of(const std::vector<ClaimResult>& claims);
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals);
-/// What a program printed may be in a counterexample: bytes that are not UTF-8 are shown as replaced.
+/// Counterexamples may contain output of a program: bytes that are not UTF-8 are replaced.
 std::string text_of(const nlohmann::ordered_json& report);
 
 }  // namespace restrip::verify

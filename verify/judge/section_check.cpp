@@ -12,21 +12,21 @@ std::string at_row(const CheckedSection& checked, const Row& row) {
 }
 
 std::string fault_of_copy(const Row& row, const CheckedSection& checked, const Symmetries& symmetries) {
-  if (!symmetries.allows(row.by)) return "wrong witness: no symmetry moves the ports so";
+  if (!symmetries.allows(row.by)) return "wrong witness: no symmetry moves the ports in this way";
   const Key image = moved(row.key, row.by);
   const Row* const rule = checked.rows.row_of(image);
   if (rule == nullptr || rule->copy)
     return fmt::format("wrong witness: it takes the key to {:x} {:x}, which has no rule row", image.ports,
                        image.joined.bits);
   if (!symmetries.carries(row.by, row.after, rule->after))
-    return fmt::format("wrong witness: no symmetry that moves the ports so takes the recolouring to that of line {}",
-                       rule->line);
+    return fmt::format(
+        "wrong witness: no symmetry with this permutation of ports maps the recolouring to the one in line {}",
+        rule->line);
   return {};
 }
 
-/// For each row the smallest key that has a row, in the orbit of its own. Images without a row are gone through as
-/// well: where a section serves several positions, no configuration may have them. That a row is missing, another claim
-/// says.
+/// For each row, the smallest key with a row in its orbit. Images without a row are followed too: if a section serves
+/// several positions, no configuration may have them. Missing rows are reported by another claim.
 std::vector<Key> smallest_keys(const SectionRows& rows, const Symmetries& symmetries) {
   std::map<Key, Key> smallest;
   std::vector<Key> result;

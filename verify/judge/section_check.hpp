@@ -1,5 +1,5 @@
 #pragma once
-// Claims about a section as a whole, once its rows have been judged in each of its positions.
+// Checks claims about a section as a whole, after its rows have been judged in each of its positions.
 
 #include <span>
 
@@ -7,7 +7,7 @@
 
 namespace restrip::verify {
 
-/// A section with its rows and what was found in its positions.
+/// A section with its rows and the results of its positions.
 struct CheckedSection {
   const Section& section;
   const SectionRows& rows;
@@ -15,19 +15,19 @@ struct CheckedSection {
   const std::string& file;
 };
 
-/// Every row's key belongs to a valid configuration of some position of the section.
+/// Rows whose key belongs to no valid configuration of any position of the section.
 Failures extra_rows(const CheckedSection& checked);
 
-/// Every orbit of keys has its `rule` row at its smallest key, every other key is a `copy` whose symmetry keeps the
-/// operation and takes key and recolouring to those of the `rule` row.
+/// Checks that every orbit of keys has its `rule` row at its smallest key, and that every other key is a `copy` whose
+/// symmetry preserves the operation and maps key and recolouring to the `rule` row.
 Failures wrong_copies(const CheckedSection& checked, const Symmetries& symmetries);
 
-/// The numbers that the section states, counted again.
+/// Recounts the numbers that the section states.
 Failures wrong_claims(const CheckedSection& checked);
 
 struct ReasonTally {
-  std::uint64_t rules = 0;  ///< that have a reason
-  std::uint64_t trees = 0;  ///< those with cases
+  std::uint64_t rules = 0;  ///< rules with a reason
+  std::uint64_t trees = 0;  ///< rules whose reason has cases
   std::size_t most_cases = 0;
   Failures wrong;
 };

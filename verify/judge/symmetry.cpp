@@ -24,7 +24,7 @@ enum NodeColor : unsigned {
 };
 enum EdgeColor : unsigned { owner_before = 1, owner_after, inner_before, end_of_inner_after, counted };
 
-/// A term of the cost, with the place of its criterion.
+/// A term of the cost, with the index of its criterion.
 using PlacedTerm = std::pair<std::size_t, Term>;
 
 /// How often each term occurs in its criterion.
@@ -41,7 +41,7 @@ unsigned edge_between(const Side& side, unsigned one, unsigned other) {
   throw std::logic_error("a symmetry takes an edge to none");
 }
 
-/// What can be taken to what has the same color.
+/// Nodes may be mapped to nodes of the same colour.
 using ColoredGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
                                            boost::property<boost::vertex_color_t, unsigned>,
                                            boost::property<boost::edge_color_t, unsigned>>;
@@ -69,7 +69,7 @@ ColoredGraph graph_of(const Operation& operation, bool before_too, Colors after)
     for (const unsigned triangle : operation.after.edges[edge])
       add_edge(first_edge + edge, first_after + triangle, end_of_inner_after, graph);
 
-  // A term is joined to all that it counts. Terms have one colour when they differ in nothing else.
+  // A term is joined to all that it counts. Terms that differ in nothing else have one colour.
   std::map<std::pair<PlacedTerm, unsigned>, unsigned> colors;
   for (const auto& [placed, times] : counted_terms(operation)) {
     PlacedTerm kind = placed;
@@ -84,13 +84,13 @@ ColoredGraph graph_of(const Operation& operation, bool before_too, Colors after)
   return graph;
 }
 
-/// Isomorphisms of the graphs of one operation, found by VF2. A patch of many equal parts has too many to try: the
-/// search gives up after some seconds, all that are looked for together.
+/// Isomorphisms of the graphs of one operation, found by VF2. A patch with many equal parts has too many candidates:
+/// the search, over all isomorphisms, gives up after a few seconds.
 class Isomorphisms {
  public:
   explicit Isomorphisms(const Operation& operation) : name_(operation.name()) {}
 
-  /// One that takes the first nodes where `fixed` says, as many as it has; nullopt when none exists.
+  /// One that maps the first nodes as `fixed` says; nullopt if none exists.
   std::optional<Permutation> find(ColoredGraph from, ColoredGraph to, const Permutation& fixed);
 
  private:
@@ -100,7 +100,7 @@ class Isomorphisms {
 
 std::optional<Permutation> Isomorphisms::find(ColoredGraph from, ColoredGraph to, const Permutation& fixed) {
   constexpr unsigned steps = 20'000'000;
-  constexpr unsigned pinned = 1'000'000;  // a color that only this node has, the same at both places
+  constexpr unsigned pinned = 1'000'000;  // a colour that only this node has, the same in both graphs
   if (num_vertices(from) != num_vertices(to)) return {};
   for (unsigned node = 0; node < fixed.size(); ++node) {
     if (fixed[node] >= num_vertices(to) ||
@@ -122,7 +122,7 @@ std::optional<Permutation> Isomorphisms::find(ColoredGraph from, ColoredGraph to
         found.emplace();
         for (unsigned node = 0; node < num_vertices(from); ++node)
           found->push_back(static_cast<unsigned>(get(image_of, node)));
-        return false;  // one is enough
+        return false;  // stop at the first
       },
       boost::vertex_order_by_mult(from),
       boost::vertices_equivalent(same_color)
@@ -135,11 +135,11 @@ std::optional<Permutation> Isomorphisms::find(ColoredGraph from, ColoredGraph to
 
 Symmetries::Symmetries(const Operation& operation, Keep keep)
     : operation_(operation), before_too_(keep == Keep::both_sides) {
-  // From the last node to the first: the symmetries that leave all nodes before it where they are.
+  // From the last node to the first: the symmetries that fix all earlier nodes.
   const ColoredGraph plain = graph_of(operation, before_too_, {});
   Isomorphisms isomorphisms(operation);
   const auto size = static_cast<unsigned>(num_vertices(plain));
-  boost::disjoint_sets_with_storage<> orbits(size);  // of nodes that generators take to each other
+  boost::disjoint_sets_with_storage<> orbits(size);  // of nodes that generators map to each other
   for (unsigned node = size; node-- > 0;) {
     Permutation fixed(node + 1);
     std::iota(fixed.begin(), fixed.end(), 0U);
@@ -183,7 +183,7 @@ const Symmetry* Symmetries::with(const Permutation& ports) const {
 bool Symmetries::carries(const Permutation& ports, Colors from, Colors to) const {
   const Symmetry* const symmetry = with(ports);
   if (symmetry == nullptr || moved(from.ports, ports) != to.ports) return false;
-  // Another one may move the ports in the same way, and other triangles.
+  // Another symmetry may move the ports in the same way and other triangles.
   return moved(from.inner, symmetry->edges_after) == to.inner ||
          Isomorphisms(operation_)
              .find(graph_of(operation_, before_too_, from), graph_of(operation_, before_too_, to), ports)

@@ -22,7 +22,7 @@ void append_mask(std::string& text, Mask mask) {
   text += digits[mask % 16];
 }
 
-/// Takes a mask as certificates write it off the beginning of a line.
+/// Takes a mask in the notation of certificates off the beginning of a line.
 std::optional<Mask> taken_mask(std::string_view& line, unsigned bits) {
   Mask mask = 0;
   std::size_t digits = 0;
@@ -50,8 +50,8 @@ std::optional<int> taken_change(std::string_view& line) {
   return change;
 }
 
-/// Every configuration, in the order of a dump: of a matching every colouring of the ports, because it serves every
-/// colouring of the inner edges alike.
+/// Visits every configuration in the order of a dump. For a matching, every colouring of the ports, because it serves
+/// all colourings of the inner edges.
 template <class Visit>
 void for_each_configuration(const Operation& operation, const Visit& visit) {
   const Mask inner_masks =
@@ -60,8 +60,7 @@ void for_each_configuration(const Operation& operation, const Visit& visit) {
     for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) visit(Colors{inner, ports});
 }
 
-/// Judges the answers of one table: against the rows of a certificate, which are judged elsewhere, or by the
-/// definition.
+/// Judges the answers of one table: by the rows of a certificate, which are judged elsewhere, or by the definition.
 class TableJudge {
  public:
   TableJudge(const ExpectedTable& table, Compared& compared) : table_(table), compared_(compared) {
@@ -105,13 +104,13 @@ class TableJudge {
   }
 
  private:
-  /// What the answer tells must be what its colours change.
+  /// The stated changes of an answer must equal the changes of its colours.
   template <class Where>
   void told(Colors configuration, const Answer& answer, const Where& where) {
     const auto compare = [&](const std::optional<int>& told, const char* what, int before, int after) {
       if (told && *told != after - before)
-        compared_.told.add(fmt::format("{}the table tells {:+d} {}, there are {} before and {} after\n", where(), *told,
-                                       what, before, after));
+        compared_.told.add(fmt::format("{}the table states {:+d} {}, but there are {} before and {} after\n", where(),
+                                       *told, what, before, after));
     };
     const Operation& operation = *table_.operation;
     compare(answer.strips, "strips", strips_of(operation.before, configuration),
@@ -170,7 +169,7 @@ class DumpReader {
     compared.families[operation.family] += {1, result_.lines - lines_before};
   }
 
-  /// What the next line answers; nullopt when it says that there is nothing to answer.
+  /// The answer in the next line; nullopt if it says that there is nothing to answer.
   std::optional<Answer> answer_to(Colors configuration, const Operation& operation) {
     prefix_.clear();
     append_mask(prefix_, configuration.inner);

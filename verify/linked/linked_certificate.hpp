@@ -29,7 +29,7 @@ struct SectionLists {
   std::array<StatedClaim, linked_claim_words.size()> claims;
   std::vector<Alternative> rows;  ///< in ascending order of ports
 
-  /// Empty when the section has none for these ports.
+  /// Empty if the section has none for these ports.
   List list(Mask ports) const;
 };
 
@@ -39,7 +39,7 @@ struct LinkedCertificate {
   std::size_t rows = 0;
 };
 
-/// InputError when anything is not as docs/reference/certificate.md says.
+/// Throws InputError if anything differs from docs/reference/certificate.md.
 LinkedCertificate parse_linked_certificate(const std::string& file, std::string text, const LinkedFamily& family);
 
 }  // namespace restrip::verify

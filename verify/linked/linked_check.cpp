@@ -10,7 +10,7 @@
 namespace restrip::verify {
 namespace {
 
-/// The lists of one section in every world.
+/// Checks the lists of one section in every world.
 class WorldCheck {
  public:
   WorldCheck(const LinkedTask& task, LinkedCheck& check)
@@ -20,7 +20,7 @@ class WorldCheck {
         in_worlds_(after_, Constraint::strips, worlds_),
         check_(check) {}
 
-  /// The first alternative that is valid in a world is as good as the first recolouring of all that is.
+  /// Checks that the first alternative that is valid in a world is as good as the first valid recolouring.
   void check(Mask ports, const std::vector<Recoloring>& recolorings, List list) {
     std::vector<const Recoloring*> in_order;
     for (const Recoloring& recoloring : recolorings)
@@ -65,7 +65,7 @@ void check_claims(const LinkedTask& task, const ClaimedNumbers& counts, Failures
                             linked_claim_words[i], claim.number, counts[i]));
 }
 
-/// The partner of each port, four bits each: itself where it has none, as have those behind the patch's own.
+/// The partner of each port, four bits each: itself if it has none, or if it is beyond the ports of the patch.
 std::uint64_t partners(PortPairs joined, unsigned ports, unsigned places) {
   std::uint64_t all = 0;
   for (unsigned i = places; i-- > 0;) {
@@ -118,7 +118,7 @@ void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const Cla
   report("no alternative is covered by an earlier one", "ports joined compared", sum.rows, 0, of(ListClaim::uncovered));
   report("lists are complete", "all recolourings, ports joined compared", sum.recolorings, sum.listing_seconds,
          of(ListClaim::complete));
-  report("in any outside nothing beats the first sound one", "definition, all worlds", sum.worlds, sum.world_seconds,
+  report("in every world the first sound one is best", "definition, all worlds", sum.worlds, sum.world_seconds,
          sum.best);
   report("the stated numbers", "recounted", linked_claim_words.size() * sum.sections, 0, sum.claims);
 }

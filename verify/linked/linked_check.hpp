@@ -1,16 +1,16 @@
 #pragma once
-// Everything that is checked of one section of linked rules.
+// All checks of one section of linked rules.
 
 #include "linked/list_check.hpp"
 
 namespace restrip::verify {
 
-/// What was found in sections, all together.
+/// The combined results of sections.
 struct LinkedCheck {
-  std::uint64_t recolorings = 0;  ///< of all ports
+  std::uint64_t recolorings = 0;  ///< over all ports
   std::uint64_t worlds = 0;       ///< (ports, world)
   ListFailures lists;
-  Failures best;  ///< in some world the first sound row is not the best
+  Failures best;  ///< the first sound row is not the best in some world
   Failures claims;
   std::uint64_t sections = 0;
   std::uint64_t rows = 0;
@@ -18,21 +18,21 @@ struct LinkedCheck {
   double world_seconds = 0;
 };
 
-/// One piece of work: the lists of a section.
+/// One task: the lists of a section.
 struct LinkedTask {
   const Section* section = nullptr;
   const SectionLists* lists = nullptr;
   std::string file;
 };
 
-/// Adds what is found there.
+/// Checks a section and adds the results.
 void check_linked(const LinkedTask& task, LinkedCheck& check);
 
-/// Reports claim by claim what was found in all sections.
+/// Reports the results of all sections, claim by claim.
 void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const ClaimListener& listener);
 
-/// The lines that a dump of the compiled tables must have for this section, without newlines: for each port mask its
-/// list, with the pairings as they are found on the graph, of so many ports each.
+/// The lines, without newlines, that a dump of the compiled tables must have for this section: for each port mask its
+/// list, with the pairings found on the graph, each with `places` ports.
 std::vector<std::string> dump_of(const Section& section, const SectionLists& lists, unsigned places);
 
 }  // namespace restrip::verify

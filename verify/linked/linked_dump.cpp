@@ -17,7 +17,7 @@ class Reader {
   void run() {
     lines_.expect("restrip-linked-dump 1");
     for (const LinkedFamily& family : linked_families(max_k_)) {
-      std::map<Numbers, const Operation*> operations;  // in the order in which they come
+      std::map<Numbers, const Operation*> operations;  // in order of appearance
       for (const Section& section : family.local.sections)
         for (const Operation& operation : section.operations) operations.emplace(operation.numbers, &operation);
       for (const Operation& operation : family.local.unlisted) operations.emplace(operation.numbers, &operation);
@@ -42,12 +42,12 @@ class Reader {
     const std::string_view found = word();
     if (!found.starts_with('#')) return {Branch::Kind::leaf, mask_in(found)};
     const Mask node = mask_in(found.substr(1));
-    if (node >= questions_.size()) lines_.fail(fmt::format("there is no node {:x} above \"{}\"", node, line_));
+    if (node >= questions_.size()) lines_.fail(fmt::format("node {:x} does not exist above \"{}\"", node, line_));
     return {Branch::Kind::node, node};
   }
   unsigned port() {
     const Mask port = mask_in(word());
-    if (port >= operation_->before.ports()) lines_.fail(fmt::format("there is no port {} in \"{}\"", port, line_));
+    if (port >= operation_->before.ports()) lines_.fail(fmt::format("port {} does not exist in \"{}\"", port, line_));
     return port;
   }
 
@@ -91,7 +91,7 @@ class Reader {
     const Branch root = answered ? branch() : Branch{};
     if (answered && !rest_.empty()) lines_.fail(fmt::format("more words than an entry has: \"{}\"", line_));
     const bool valid = before_->valid(before);
-    if (valid != answered) return wrong(before, valid ? "valid, and nothing picked" : "not valid");
+    if (valid != answered) return wrong(before, valid ? "valid, but nothing picked" : "not valid");
     if (!answered) return;
     ++check_.configurations;
     std::vector<unsigned> worlds;

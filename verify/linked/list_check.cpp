@@ -45,7 +45,7 @@ void check_list(const Side& after, const std::vector<Recoloring>& recolorings, M
     });
     if (cover != legal.end())
       fail(ListClaim::uncovered, row,
-           fmt::format("covered alternative: it joins {}; line {} is preferred and joins nothing else: {}",
+           fmt::format("covered alternative: it joins {}; line {} is preferred and joins no other ports: {}",
                        listed(own.survey.joined, after.ports()), cover->row->line,
                        listed(cover->own->survey.joined, after.ports())));
     legal.push_back({&row, &own});
@@ -53,19 +53,18 @@ void check_list(const Side& after, const std::vector<Recoloring>& recolorings, M
   Failures& incomplete = failures[static_cast<std::size_t>(ListClaim::complete)];
   for (const Recoloring& recoloring : recolorings) {
     if (!recoloring.survey.valid) continue;
-    // Stands in wherever the recolouring would be sound, and is as good.
+    // Sound wherever the recolouring is sound, and as good.
     const auto serves = [&](const Legal& row) {
       return row.own->merit >= recoloring.merit && row.own->survey.joined.within(recoloring.survey.joined);
     };
     if (std::any_of(legal.begin(), legal.end(), serves)) continue;
-    // Only the first is put into words.
-    incomplete.add(
-        incomplete.count != 0
-            ? std::string{}
-            : fmt::format("{}: the list of the ports {:x}\n  incomplete list: it has nothing as good for whoever "
-                          "may join {} and nothing else as\n    {}",
-                          file, ports, listed(recoloring.survey.joined, after.ports()),
-                          drawn(after, recoloring.colors)));
+    // Only the first one is reported in words.
+    incomplete.add(incomplete.count != 0
+                       ? std::string{}
+                       : fmt::format("{}: the list of the ports {:x}\n  incomplete list (joinable ports: {}): nothing "
+                                     "in it is as good as\n    {}",
+                                     file, ports, listed(recoloring.survey.joined, after.ports()),
+                                     drawn(after, recoloring.colors)));
   }
 }
 

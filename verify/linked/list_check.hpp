@@ -1,6 +1,6 @@
 #pragma once
-// Points 1 to 4 of docs/reference/certificate.md, "Linked rules", for one list of alternatives: what it takes for its
-// first row that is sound to be the best, whatever lies outside.
+// Points 1 to 4 of docs/reference/certificate.md, "Linked rules", for one list of alternatives: the conditions under
+// which its first sound row is the best, whatever lies outside.
 
 #include <array>
 #include <string>
@@ -30,10 +30,10 @@ inline constexpr std::size_t list_claim_count = 5;
 
 using ListFailures = std::array<Failures, list_claim_count>;
 
-/// All recolourings beside these solid ports, by their inner mask.
+/// All recolourings with these solid ports, by their inner mask.
 std::vector<Recoloring> recolorings_of(const Side& after, Mask ports);
 
-/// Adds what is wrong with the list of these ports. An illegal row fails that claim alone and counts nowhere else.
+/// Adds the faults of the list of these ports. An illegal row fails only that claim and is otherwise ignored.
 void check_list(const Side& after, const std::vector<Recoloring>& recolorings, Mask ports, List list,
                 const std::string& file, ListFailures& failures);
 

@@ -51,16 +51,16 @@ TreeJudge::Verdict TreeJudge::judge(const std::vector<Question>& questions, Bran
 
 void TreeJudge::descend(const std::vector<Question>& questions, Branch branch, const Knowledge& known,
                         Verdict& verdict) {
-  if (known.possible.empty() || !verdict.fault.empty()) return;  // no outside is like that
+  if (known.possible.empty() || !verdict.fault.empty()) return;  // no outside agrees with these answers
   if (branch.kind == Branch::Kind::none) {
-    verdict.fault = "nothing is said for an outside that can be:" + known.text;
+    verdict.fault = "no answer for a possible outside:" + known.text;
     return;
   }
   if (branch.kind == Branch::Kind::leaf) return judge_leaf(branch.number, known, verdict);
   const Question& question = questions.at(branch.number);
   const unsigned port = question.port;
   if (!is_solid(ports_, port) || is_solid(known.asked, port)) {
-    verdict.fault = fmt::format("port {} is asked about, which is dashed or known:{}", port, known.text);
+    verdict.fault = fmt::format("the question is about port {}, which is dashed or known:{}", port, known.text);
     return;
   }
   const auto answered = [&](unsigned partner, const std::string& text) {
@@ -75,7 +75,7 @@ void TreeJudge::descend(const std::vector<Question>& questions, Branch branch, c
           {known.asked | single(port), known.unknown | single(port), known.possible,
            known.text + fmt::format(" {} unknown", port)},
           verdict);
-  // What sees nothing is seen by nothing.
+  // Unknown ports have no partner.
   for (unsigned other = 0; other < most_partners; ++other)
     if (is_solid(ports_ & ~known.asked, other) && other != port)
       descend(questions, question.back[other], answered(other, fmt::format(" {} comes back through {}", port, other)),
@@ -107,9 +107,9 @@ void TreeJudge::judge_leaf(Mask inner, const Knowledge& known, Verdict& verdict)
   }
 }
 
-/// Whatever else might be found out about the ports that were not asked about: is the choice still unsound beside
-/// something possible? The least is left possible when all of it is found out, so these cases are looked at: outsides
-/// that are equal at the ports that were not asked about, and join none of them with a port that was.
+/// Whether the choice stays unsound for some possible outside, even if more were known about the ports that were not
+/// asked about. Full knowledge leaves the fewest possibilities, so these cases are checked: outsides that agree at the
+/// ports that were not asked about, and join none of them with a port that was.
 bool TreeJudge::always_unsound(const Choice& choice, const Knowledge& known) const {
   std::map<Partners, bool> unsound;
   const Mask open = ports_ & ~known.asked;

@@ -1,5 +1,5 @@
 #pragma once
-// Is what a tree of questions picks the best for all that its answers leave possible outside?
+// Judges whether the choice of a tree of questions is the best in all outsides that its answers allow.
 
 #include <array>
 #include <map>
@@ -11,11 +11,11 @@
 
 namespace restrip::verify {
 
-/// Where a path of a tree continues: at a node, or with a recolouring that is picked.
+/// The continuation of a path of a tree: a node, or the chosen recolouring.
 struct Branch {
   enum class Kind { none, node, leaf };
   Kind kind = Kind::none;
-  Mask number = 0;  ///< of the node; the recolouring
+  Mask number = 0;  ///< of the node; or the recolouring
 };
 
 /// A question about one port.
@@ -23,19 +23,19 @@ struct Question {
   unsigned port = 0;
   Branch ends;
   Branch unknown;
-  std::array<Branch, 8> back;  ///< by the port that the strip comes back through
+  std::array<Branch, 8> back;  ///< by the port through which the strip comes back
 };
 
-/// All trees of one position and one port mask are judged by one of these.
+/// Judges all trees of one position and one port mask.
 class TreeJudge {
  public:
   TreeJudge(const Side& after, const PatchInWorlds& in_worlds, const std::vector<World>& worlds, Mask ports);
 
   struct Verdict {
-    std::uint64_t leaves = 0;  ///< those that can be reached
-    std::string fault;         ///< the first; empty when none exists
+    std::uint64_t leaves = 0;  ///< reachable ones
+    std::string fault;         ///< the first one; empty if there is none
   };
-  /// The tree that begins at `root`, for a configuration that may stand in these worlds.
+  /// The tree that starts at `root`, for a configuration that may occur in these worlds.
   Verdict judge(const std::vector<Question>& questions, Branch root, const std::vector<unsigned>& worlds);
 
  private:
@@ -43,15 +43,15 @@ class TreeJudge {
   static constexpr unsigned nobody = most_partners;
 
   using Partners = std::array<unsigned, most_partners>;
-  /// The worlds in which recolourings are valid, and the best merit among these recolourings.
+  /// The worlds in which recolourings are valid, and the best merit among them.
   struct Choice {
     Merit merit;
     std::vector<bool> sound;
   };
   /// The answers on the way to a leaf.
   struct Knowledge {
-    Mask asked = 0;                  ///< ports, those that strips come back through included
-    Mask unknown = 0;                ///< those of them that nothing is known of
+    Mask asked = 0;                  ///< ports, including ports through which strips come back
+    Mask unknown = 0;                ///< ports among them without a known partner
     std::vector<unsigned> possible;  ///< worlds
     std::string text;
   };
@@ -66,8 +66,8 @@ class TreeJudge {
   const std::vector<World>& worlds_;
   Mask ports_;
   std::vector<Recoloring> recolorings_;
-  std::vector<Partners> partners_;           ///< by world: the port that each one is joined with
-  std::vector<Choice> choices_;              ///< the preferred ones first
+  std::vector<Partners> partners_;           ///< by world: the partner of each port
+  std::vector<Choice> choices_;              ///< in order of preference
   std::map<Mask, std::vector<bool>> sound_;  ///< by inner edges
 };
 

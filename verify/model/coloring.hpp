@@ -1,5 +1,5 @@
 #pragma once
-// The colours of one side of an operation: degrees, cycles, joined ports, and a line of text.
+// The colours of one side of an operation: degrees, cycles, joined ports, and text.
 
 #include <array>
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace restrip::verify {
 
-/// Solid edges as a graph that grows edge by edge, and tells when an edge closes a cycle. Its nodes are the triangles
-/// of a side and, behind them, what connects ports outside.
+/// The solid edges as a graph that grows edge by edge and reports when an edge closes a cycle. Its nodes are the
+/// triangles of a side, followed by nodes that connect ports outside.
 class SolidGraph {
  public:
   SolidGraph() {
     for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<std::uint8_t>(i);
   }
 
-  /// False when the edge closes a cycle.
+  /// False if the edge closes a cycle.
   bool join(unsigned one, unsigned other) {
     const unsigned a = root(one);
     const unsigned b = root(other);
@@ -27,7 +27,7 @@ class SolidGraph {
     return true;
   }
   bool connected(unsigned one, unsigned other) const { return root(one) == root(other); }
-  /// One node that stands for all that are connected with this one.
+  /// The node that represents the connected component of this one.
   unsigned root(unsigned node) const {
     while (parent_[node] != node) node = parent_[node];
     return node;
@@ -39,15 +39,15 @@ class SolidGraph {
   std::array<std::uint8_t, most_triangles + most_ports> parent_{};
 };
 
-/// The solid inner edges; nullopt when they close a cycle.
+/// The solid inner edges; nullopt if they close a cycle.
 std::optional<SolidGraph> inner_graph(const Side& side, Mask inner);
 
 using Degrees = std::array<unsigned, most_triangles>;
-/// How many solid edges each triangle has, ports counted.
+/// The number of solid edges of each triangle, including ports.
 Degrees degrees(const Side& side, Colors colors);
 
-/// The solid inner edges of a valid colouring: no triangle has more than `most_solid`, ports counted, and no cycle is
-/// solid. Nullopt when it is not valid.
+/// The solid inner edges of a valid colouring: no triangle has more than `most_solid` edges, including ports, and no
+/// cycle is solid. nullopt if it is not valid.
 std::optional<SolidGraph> valid_graph(const Side& side, Colors colors, unsigned most_solid);
 
 /// Calls back with each valid colouring and its solid inner edges.
@@ -62,24 +62,24 @@ void for_each_valid(const Side& side, unsigned most_solid, const Visit& visit) {
 /// The pairs of solid ports whose triangles are connected by solid inner edges.
 PortPairs joined_ports(const Side& side, const SolidGraph& inner, Mask ports);
 
-/// Triangles without a solid edge, ports counted.
+/// Triangles without a solid edge, including ports.
 unsigned isolated_of(const Side& side, Colors colors);
 
-/// The number of strips that a side counts: its triangles minus its solid edges, ports included.
+/// The strips of a side: its triangles minus its solid edges, including ports.
 int strips_of(const Side& side, Colors colors);
 
-/// What colours are where solid edges are strips.
+/// Properties of colours whose solid edges are strips.
 struct Survey {
-  bool valid = false;  ///< degrees at most two, no cycle; the rest means something only then
+  bool valid = false;  ///< degrees at most two, no cycle; otherwise the rest has no meaning
   unsigned isolated = 0;
   PortPairs joined;
 };
 Survey survey(const Side& side, Colors colors);
 
-/// The name of a triangle as the description has it.
+/// The name of a triangle in the description.
 std::string name_of(const Side& side, unsigned triangle);
 
-/// Why the colours are not valid: "triangle 2 has 3 solid edges"; empty when they are.
+/// Why the colours are not valid: "triangle 2 has 3 solid edges"; empty if they are.
 std::string invalid_because(const Side& side, Colors colors, unsigned most_solid);
 
 /// "edges 0=1 1-2, ports 0" 1:", with = and " for solid, - and : for dashed.

@@ -8,7 +8,7 @@
 namespace restrip::verify {
 namespace {
 
-/// What several counts are read off.
+/// Intermediate values shared by several counts.
 struct Counted {
   const Side& side;
   Colors colors;
@@ -18,7 +18,7 @@ struct Counted {
   bool is_end(unsigned triangle) const { return degree[triangle] == 1; }
 };
 
-/// For each connected set of triangles the square of the number of its ports.
+/// The sum over connected sets of triangles of the squared number of ports.
 std::int64_t squares(const Counted& counted) {
   const std::optional<SolidGraph> graph = inner_graph(counted.side, counted.colors.inner);
   if (!graph) throw std::logic_error("the cost of a colouring with a cycle");

@@ -16,7 +16,7 @@ struct DescriptionSource {
   std::string file;
   Json json;
   Author author;
-  std::string list;  ///< the member that has the descriptions; empty where the file is one
+  std::string list;  ///< the member with the descriptions; empty if the file is a single one
 
   JsonValue description(std::size_t place) const {
     const JsonValue whole(file, json, {});
@@ -43,20 +43,19 @@ std::string name_of(const JsonValue& value, Author author) {
   if (const std::optional<std::string> owner = author == Author::restrip ? std::nullopt : owner_of_name(name))
     value.fail_found(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
   if (author == Author::user && name.starts_with("linked-"))
-    value.fail("a name that does not begin with \"linked-\", as the certificates of linked rules do");
+    value.fail("a name that does not begin with \"linked-\", which is reserved for certificates of linked rules");
   return name;
 }
 
-/// A text for people, which stands in a comment of the table.
+/// A sentence that becomes a comment of the table.
 std::string sentence_of(const JsonValue& value) {
   std::string text = value.string("a sentence in quotes");
   if (const std::optional<std::string> stranger = no_comment(text))
-    value.fail_found(
-        fmt::format("expected words that can stand in a comment, found {}; write the sentence without", *stranger));
+    value.fail_found(fmt::format("expected words that can stand in a comment, found {}; remove it", *stranger));
   return text;
 }
 
-/// A position as certificates and reports write it.
+/// A position in the form of certificates and reports.
 std::string words_of(const JsonValue& description, std::string_view name, const std::vector<std::string>& numbers,
                      const std::string& otherwise) {
   const std::optional<JsonValue> value = description.member(name);
@@ -74,7 +73,7 @@ std::string words_of(const JsonValue& description, std::string_view name, const 
   return text;
 }
 
-/// The name of a number, which the others before it must not have.
+/// The name of a number, which must differ from the earlier ones.
 std::string number_name_of(const JsonValue& value, const std::vector<std::string>& others) {
   std::string name = value.string("a text");
   if (name.empty() || name.size() > longest_word || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz") < name.size())
@@ -109,7 +108,7 @@ Mask give_up_of(const JsonValue& value, unsigned ports) {
   return word == "all" ? mask_count(ports) - 1 : 0;
 }
 
-/// How many members there are of what a count may be restricted to.
+/// The number of members that a count may be restricted to.
 unsigned members(Among among, const Side& after) {
   return among == Among::edges ? after.inner_edges() : among == Among::triangles ? after.triangles : after.ports();
 }
@@ -148,14 +147,14 @@ std::vector<Criterion> cost_of(const JsonValue& value, const Side& after) {
   return cost;
 }
 
-/// Takes the smaller bound, where there are two; both are looked at whether they hold here or not.
+/// Takes the smaller of two bounds; the value is checked even if the bound does not apply here.
 void lower(std::optional<int>& bound, const std::optional<JsonValue>& value, bool holds) {
   if (!value) return;
   const auto found = static_cast<int>(value->integer(-16, 16, "a number"));
   if (holds) bound = std::min(bound.value_or(found), found);
 }
 
-/// What a file of a user's own may have; the shipped families go further.
+/// The limits of a user's file; the shipped families exceed them.
 void expect_limits(const JsonValue& description, const Operation& operation) {
   for (const auto& [member, side] : {std::pair("before", &operation.before), {"after", &operation.after}})
     if (side->ports() > most_ports_of_a_graph || side->colors() > most_colors_of_a_graph)
@@ -181,7 +180,7 @@ Description::Description(std::shared_ptr<const DescriptionSource> source, std::s
     : source_(std::move(source)), place_(place) {
   const JsonValue value = source_->description(place_);
   if (const std::optional<JsonValue> take = value.member("take"))
-    take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
+    take->fail_found("expected no taken ports, since a rule does not see the triangle beyond a dashed port");
   value.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
                        "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
                        "at_most"});

@@ -8,19 +8,19 @@
 
 namespace restrip::verify {
 
-/// One section of a certificate and the operations that its rows serve. They have one patch after.
+/// One section of a certificate and the operations that its rows serve, which share the patch after.
 struct Section {
   std::string position;  ///< as the certificate writes it: "k 8"
   unsigned ports = 0;
-  bool serves_every_position = false;  ///< it leaves some number of the position out: one rule for all values of it
+  bool serves_every_position = false;  ///< it omits some number of the position: one rule for all values of it
   std::vector<Operation> operations;
 };
 
-/// What one certificate proves.
+/// The content of one certificate.
 struct Family {
   std::string name;  ///< of the certificate
   std::vector<Section> sections;
-  std::vector<Operation> unlisted;  ///< in the positions that are images of those of the sections
+  std::vector<Operation> unlisted;  ///< in positions that are images of positions in the sections
 };
 
 /// The largest fan that the shipped tables cover.
@@ -28,8 +28,8 @@ inline constexpr unsigned largest_fan = 8;
 /// The largest fan that can be judged.
 inline constexpr unsigned largest_judged_fan = 10;
 
-/// One for each certificate that the descriptions name, where the last of its descriptions stands; positions whose
-/// first number is at most `max_k`. InputError when a description has none of them.
+/// One for each certificate named in the descriptions, at the index of the last of its descriptions; positions whose
+/// first number is at most `max_k`. Throws InputError if a description has no such position.
 std::vector<Family> families_of(const std::vector<Description>& descriptions, unsigned max_k);
 /// The families of the shipped descriptions, 3 <= max_k <= 10.
 std::vector<Family> all_families(unsigned max_k = largest_fan);
@@ -43,7 +43,7 @@ struct LinkedFamily {
 /// The families of the shipped descriptions that have linked rules.
 std::vector<LinkedFamily> linked_families(unsigned max_k = largest_fan);
 
-/// The patch after an operation of this shipped certificate, of which only numbers need to be given that it depends on.
+/// The patch after an operation of this shipped certificate; only the numbers on which it depends are needed.
 Side patch_after(const std::string& certificate, const Numbers& numbers);
 
 }  // namespace restrip::verify

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_terms_of_a_sum = 16;
 constexpr std::size_t most_comparisons = 16;
 
-constexpr std::array<std::string_view, 4> signs = {"<=", ">=", "<", "="};  // none is the beginning of a later one
+constexpr std::array<std::string_view, 4> signs = {"<=", ">=", "<", "="};  // none is a prefix of a later one
 
 std::string_view trimmed(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// What lies between separators, without spaces around it.
+/// The parts between separators, without surrounding spaces.
 std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   while (true) {

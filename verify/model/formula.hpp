@@ -1,5 +1,5 @@
 #pragma once
-// Sums of the numbers that say where an operation happens, and conditions on them, as operation files write them
+// Sums of the numbers of a position, and conditions on them, in the notation of operation files
 // (docs/reference/operation-file.md, "Families").
 
 #include <cstdint>
@@ -15,7 +15,7 @@ using Numbers = std::vector<unsigned>;
 /// "2 a + 1", "k - 3".
 class Sum {
  public:
-  /// Throws std::invalid_argument with a sentence when the text is not a sum of these numbers.
+  /// Throws std::invalid_argument with a sentence if the text is not a sum of these numbers.
   Sum(std::string_view text, const std::vector<std::string>& names);
   std::int64_t of(const Numbers& numbers) const;
 
@@ -27,7 +27,7 @@ class Sum {
   std::vector<std::int64_t> factors_;  ///< one for each number
 };
 
-/// "k >= 3, 1 <= a < k". Without any, every position is meant.
+/// "k >= 3, 1 <= a < k". Without conditions, every position qualifies.
 class Conditions {
  public:
   Conditions() = default;

@@ -10,8 +10,7 @@
 namespace restrip::verify {
 namespace {
 
-// Limits of what is read, in bytes, so that input without an end is refused. The longest line of the shipped tables has
-// a few hundred.
+// Limits in bytes, so that endless input is refused. The longest line of the shipped tables has a few hundred.
 constexpr std::size_t largest_file = std::size_t{1} << 28U;
 constexpr std::size_t longest_line = std::size_t{1} << 16U;
 
@@ -88,7 +87,7 @@ std::string read_file(const std::string& path) {
   while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
     text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest_file)
-      throw InputError(path, 0, fmt::format("is larger than {} bytes, the limit; does it ever end?", largest_file));
+      throw InputError(path, 0, fmt::format("is larger than {} bytes, the limit; unbounded input?", largest_file));
   }
   if (stream.bad()) throw InputError(path, 0, "cannot be read");
   return text;

@@ -1,6 +1,6 @@
 #pragma once
-// Reading text strictly: words separated by one space, lines that end with a newline, nothing else. Whatever does not
-// fit is an InputError that names file, line and expectation.
+// Strict reader for text: words separated by one space, lines that end with a newline, nothing else. Any deviation is
+// an InputError that names file, line and expectation.
 
 #include <cstdint>
 #include <stdexcept>
@@ -22,7 +22,7 @@ class LineReader {
  public:
   LineReader(std::string file, std::string text);
 
-  /// Moves to the next line and splits it; InputError at the end of the text, naming what was expected.
+  /// Moves to the next line and splits it; throws InputError, naming what was expected, at the end of the text.
   void next(const std::string& expected);
   bool at_end() const { return position_ == text_.size(); }
 
@@ -31,7 +31,7 @@ class LineReader {
   /// The words from `first` to the end, with their spaces.
   std::string rest(std::size_t first) const;
   unsigned line() const { return line_; }
-  /// All lines before this one, with their newlines.
+  /// All earlier lines, with their newlines.
   std::string_view text_above() const { return std::string_view(text_).substr(0, line_start_); }
 
   void expect_words(std::size_t count, const std::string& expected) const;
@@ -40,7 +40,7 @@ class LineReader {
   std::int64_t number(std::size_t index) const;
   /// Word number `index` as a lower-case hexadecimal mask of at most `bits` bits.
   Mask mask(std::size_t index, unsigned bits) const;
-  /// Word number `index` as a mask of at most 63 bits, written likewise.
+  /// Word number `index` as a mask of at most 63 bits, in the same notation.
   std::uint64_t wide_mask(std::size_t index, unsigned bits) const;
 
   [[noreturn]] void fail(const std::string& what) const;
@@ -54,7 +54,7 @@ class LineReader {
   std::vector<std::string_view> words_;
 };
 
-/// The bytes of a file; InputError when it cannot be read.
+/// The bytes of a file; throws InputError if it cannot be read.
 std::string read_file(const std::string& path);
 
 }  // namespace restrip::verify

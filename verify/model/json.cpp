@@ -14,8 +14,8 @@ constexpr std::size_t deepest = 8;
 constexpr std::size_t most_members = 64;
 constexpr std::size_t longest_member = 60;
 
-/// Puts values together as nlohmann's parser reports them. It tells tokens without their places; but it has read all
-/// that came before, so the next token is the first thing that is neither space, comma nor colon.
+/// Builds values from the events of nlohmann's parser. The parser reports tokens without positions, but it has consumed
+/// everything before them. So the next token is the first character that is not a space, comma or colon.
 class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
  public:
   PlacedValues(const std::string& file, std::string_view text) : file_(file), text_(text) {}
@@ -68,7 +68,7 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  /// Goes on from the place before, so that a file takes linear time.
+  /// Continues from the previous position, so that a file takes linear time.
   TextPlace place_of(std::size_t offset) {
     if (offset < placed_) placed_ = 0, place_ = {};
     for (const char c : text_.substr(placed_, offset - placed_)) {
@@ -87,7 +87,7 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
     while (text_.at(end_) != '"') end_ += text_[end_] == '\\' ? 2U : 1U;
     ++end_;
   }
-  /// A number, or a name of a value.
+  /// A number or a literal name.
   std::string word() {
     begin_token();
     end_ = std::min(text_.find_first_of(" \t\r\n,:]}", token_), text_.size());
@@ -103,7 +103,7 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
     value.text = std::move(text);
     return true;
   }
-  /// Values below an open one are added to it alone, so that its address stays.
+  /// Values are appended only to the innermost open one, so addresses stay valid.
   bool open(Json::Kind kind) {
     begin_token();
     if (open_.size() == deepest)
@@ -123,9 +123,9 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
 
   const std::string& file_;
   std::string_view text_;
-  std::size_t token_ = 0;   ///< where the last token begins
-  std::size_t end_ = 0;     ///< and ends
-  std::size_t placed_ = 0;  ///< what `place_` is of
+  std::size_t token_ = 0;   ///< start of the last token
+  std::size_t end_ = 0;     ///< end of the last token
+  std::size_t placed_ = 0;  ///< the offset of `place_`
   TextPlace place_;
   Json whole_;
   std::vector<Json*> open_;
@@ -159,7 +159,7 @@ bool Json::same_as(const Json& other) const {
 }
 
 Json parse_json(const std::string& file, std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
+  if (text.starts_with("\xef\xbb\xbf"))  // the parser would skip it
     fail_at(file, {}, "expected no byte order mark before the file; save it as UTF-8 without one");
   PlacedValues values(file, text);
   if (!nlohmann::json::sax_parse(text, &values)) throw InputError(file, 0, "not JSON");

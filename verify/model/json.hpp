@@ -1,6 +1,6 @@
 #pragma once
-// JSON as operation files use it, read by nlohmann's parser: every value knows where it stands, so that errors can name
-// the place. Numbers other than integers are read, and distinguished. A member that stands twice is an error.
+// JSON for operation files, read by nlohmann's parser. Every value knows its place, so that errors can name it. Numbers
+// that are not integers are read and distinguished. A duplicate member is an error.
 
 #include <cstdint>
 #include <string>
@@ -25,23 +25,24 @@ struct Json {
   Kind kind = Kind::null;
   TextPlace place;
   std::int64_t integer = 0;
-  std::string text;         ///< of a string; otherwise what stands in the file
+  std::string text;         ///< the content of a string; otherwise the source text
   std::vector<Json> items;  ///< of an array, or the values of an object's members
   std::vector<Name> names;  ///< of an object's members
 
-  /// What it is, for errors: "3", "\"abc\"", "a list", "an object".
+  /// A description for errors: "3", "\"abc\"", "a list", "an object".
   std::string described() const;
-  /// Whether both say the same, wherever it stands.
+  /// Whether both are equal, regardless of their places.
   bool same_as(const Json& other) const;
 };
 
-/// InputError naming file, line and column when the text is not JSON or nests deeper than operation files do.
+/// Throws InputError naming file, line and column if the text is not JSON or nests deeper than operation files do.
 Json parse_json(const std::string& file, std::string_view text);
 
-/// The text with every byte that is not printable ASCII as \x1b: a file's words may tell a terminal anything.
+/// Replaces every byte that is not printable ASCII by \x1b notation, since a file's words may contain terminal
+/// commands.
 std::string shown(std::string_view text);
 
-/// Throws InputError "file:line:column: what", as it is shown.
+/// Throws InputError "file:line:column: what", with `what` made printable.
 [[noreturn]] void fail_at(const std::string& file, TextPlace place, const std::string& what);
 
 }  // namespace restrip::verify

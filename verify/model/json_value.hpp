@@ -1,6 +1,6 @@
 #pragma once
-// A value of a JSON file together with the path that leads to it, so that errors name both. Readers ask for what they
-// expect, and whatever is something else is an InputError.
+// A value of a JSON file with its path, so that errors name both. Readers request what they expect; anything else is an
+// InputError.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,7 +47,7 @@ class JsonValue {
   std::size_t size() const { return json_.items.size(); }
   bool is_integer(std::int64_t number) const { return json_.kind == Json::Kind::integer && json_.integer == number; }
 
-  /// Members that may stand here; each is unknown until it is named.
+  /// The members that may occur here; a member is unknown unless it is listed.
   void expect_object(std::initializer_list<std::string_view> known) const {
     if (json_.kind != Json::Kind::object) fail("an object");
     for (const Json::Name& name : json_.names)
@@ -77,7 +77,7 @@ class JsonValue {
     return values;
   }
 
-  /// An element of a list, which must have it.
+  /// An element of a list; it must exist.
   JsonValue item(std::size_t place) const {
     return JsonValue(file_, json_.items.at(place), fmt::format("{}[{}]", path_, place));
   }

@@ -1,6 +1,6 @@
 #pragma once
-// The key of a configuration (docs/reference/operation-file.md, "What a rule must be"): what a rule needs to know;
-// and permutations of ports, which move keys.
+// The key of a configuration (docs/reference/operation-file.md, "What a rule must be"): what a rule needs to know; and
+// permutations of ports, which move keys.
 
 #include <vector>
 
@@ -9,13 +9,13 @@
 namespace restrip::verify {
 
 struct Key {
-  Mask ports = 0;    ///< the solid ones
-  PortPairs joined;  ///< those pairs of them that are joined, and that some recolouring joins
+  Mask ports = 0;    ///< the solid ports
+  PortPairs joined;  ///< pairs of them that are joined and that some recolouring joins
   friend constexpr bool operator==(Key, Key) = default;
   friend constexpr auto operator<=>(Key, Key) = default;
 };
 
-using Permutation = std::vector<unsigned>;  ///< where each goes
+using Permutation = std::vector<unsigned>;  ///< destinations
 
 inline Mask moved(Mask mask, const Permutation& permutation) {
   Mask result = 0;

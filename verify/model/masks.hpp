@@ -1,5 +1,5 @@
 #pragma once
-// Every bit shift of the verifier. Elsewhere colours are asked for by name.
+// All bit shifts of the verifier. Elsewhere, functions with names access colours.
 
 #include <array>
 #include <bit>
@@ -10,17 +10,17 @@
 
 namespace restrip::verify {
 
-/// Colours of a row of dual edges as certificates write them: bit i is edge i, 1 = solid.
+/// Colours of a row of dual edges in the notation of certificates: bit i is edge i, 1 = solid.
 using Mask = std::uint32_t;
 
 constexpr Mask single(unsigned i) { return Mask{1} << i; }
 constexpr bool is_solid(Mask mask, unsigned i) { return (mask >> i & 1U) != 0; }
 constexpr unsigned solid_count(Mask mask) { return static_cast<unsigned>(std::popcount(mask)); }
-/// The lowest solid one alone.
+/// The lowest solid edge only.
 constexpr Mask lowest(Mask mask) { return mask & (~mask + 1); }
 constexpr bool is_subset(Mask part, Mask whole) { return (part & ~whole) == 0; }
 
-/// How many masks of `bits` bits there are; also the first number that is no such mask.
+/// The number of masks with `bits` bits; also the first number that is not such a mask.
 constexpr Mask mask_count(unsigned bits) { return Mask{1} << bits; }
 constexpr std::uint64_t wide_mask_count(unsigned bits) { return std::uint64_t{1} << bits; }
 
@@ -29,7 +29,7 @@ constexpr Mask concatenated(Mask high, Mask low, unsigned low_bits) { return hig
 constexpr Mask high_part(Mask both, unsigned low_bits) { return both >> low_bits; }
 constexpr Mask low_part(Mask both, unsigned low_bits) { return both & (mask_count(low_bits) - 1); }
 
-/// Four bits of a number, place 0 the lowest ones.
+/// Four bits of a number; place 0 is the lowest.
 constexpr std::uint64_t four_bits(std::uint64_t number, std::uint64_t place) { return number >> 4 * place & 15U; }
 
 /// A set of unordered pairs of ports, at most eleven ports: bit j(j-1)/2 + i stands for {i, j}, i < j.
@@ -52,25 +52,25 @@ struct PortPairs {
   friend constexpr auto operator<=>(PortPairs, PortPairs) = default;
 };
 
-/// What a digest of answers takes in of one: its colours, and the change in strips.
+/// The part of an answer that a digest covers: its colours and the change in strips.
 struct AnswerBits {
   Mask colors = 0;
   int strips = 0;
 };
-/// Three numbers as docs/reference/verifiers.md, "Digests of answers", mixes them.
+/// Mixes three numbers as docs/reference/verifiers.md, "Digests of answers", defines.
 constexpr std::uint32_t mixed_number(Mask before, Mask ports, std::uint32_t answer) {
   std::uint32_t h = answer ^ before * 0x9e3779b1U ^ ports * 0x85ebca77U;
   h = (h ^ h >> 16U) * 0x85ebca6bU;
   h = (h ^ h >> 13U) * 0xc2b2ae35U;
   return h ^ h >> 16U;
 }
-/// A configuration with its answer, if there is one.
+/// A configuration with its answer, if any.
 constexpr std::uint32_t mixed(Mask before, Mask ports, const std::optional<AnswerBits>& answer) {
   return mixed_number(
       before, ports, answer ? 0x80000000U | static_cast<std::uint32_t>(answer->strips + 8) << 16U | answer->colors : 0);
 }
 
-/// Up to 256 bits in a row, to be compared as a whole.
+/// Up to 256 bits in a row, compared as a whole.
 struct BitRow {
   std::array<std::uint64_t, 4> words{};
   unsigned size = 0;
@@ -85,7 +85,7 @@ struct BitRow {
   }
 };
 
-/// A set of numbers below a bound that is known when it is made.
+/// A set of numbers below a bound that is fixed on construction.
 class NumberSet {
  public:
   explicit NumberSet(std::size_t bound) : words_((bound + 63) / 64) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Work that several threads share: on_threads(); and what of the processor a thread used.
+// on_threads(), for work shared by several threads, and the processor time of a thread.
 
 #include <ctime>
 

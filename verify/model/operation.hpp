@@ -1,5 +1,5 @@
 #pragma once
-// One operation at one position: the patch before and after it, what is kept, what is best
+// One operation at one position: the patch before and after it, the kept ports, the cost
 // (docs/reference/operation-file.md).
 
 #include <array>
@@ -30,11 +30,11 @@ inline constexpr std::array<std::string_view, 10> count_names = {
 struct Term {
   Count count = Count::strips;
   std::int64_t weight = 1;
-  Mask among = 0;  ///< what is counted, if the count has a choice
+  Mask among = 0;  ///< the counted members, if the count has a choice
   friend auto operator<=>(const Term&, const Term&) = default;
 };
 
-/// What a count may be restricted to, and what it counts all of by default.
+/// What a count may be restricted to; by default it counts all of it.
 enum class Among { nothing, edges, triangles, ports };
 inline constexpr std::array<std::string_view, 4> among_names = {"", "edges", "triangles", "ports"};
 constexpr Among among_of(Count count) {
@@ -55,21 +55,21 @@ using Criterion = std::vector<Term>;
 
 struct Operation {
   std::string family;    ///< the name of the description: "open-collapse"
-  std::string position;  ///< "k 8 gaps 2 5"; empty where there is but one
+  std::string position;  ///< "k 8 gaps 2 5"; empty if there is only one
   Numbers numbers;       ///< 8, 2, 5
   Constraint constraint = Constraint::strips;
   Side before;
   Side after;
   Mask may_give_up = 0;
-  /// Names of vertices on both sides together, where it is given by its triangles and was found to be an operation on a
+  /// The number of vertex names on both sides together, if it is given by triangles and was checked to be possible on a
   /// mesh; otherwise 0.
   unsigned vertices = 0;
   std::vector<PlacedTriangle> placed_before;  ///< its triangles in the order of the file
   std::vector<PlacedTriangle> placed_after;
-  std::vector<Criterion> cost;       ///< the default is written out
-  std::optional<int> most_strips;    ///< as the description claims: no rule costs more
-  std::optional<int> most_isolated;  ///< the same of isolated triangles
-  std::optional<int> most_indices;   ///< no operation adds more to 3 strips + swaps (judge/index_cost.hpp)
+  std::vector<Criterion> cost;       ///< includes the default, if none is given
+  std::optional<int> most_strips;    ///< claim of the description: no rule costs more
+  std::optional<int> most_isolated;  ///< the same for isolated triangles
+  std::optional<int> most_indices;   ///< claim: no operation adds more to 3 strips + swaps (judge/index_cost.hpp)
 
   bool on_a_mesh() const { return vertices != 0; }
   unsigned ports() const { return before.ports(); }
@@ -79,20 +79,20 @@ struct Operation {
 /// The most solid edges that a triangle may have.
 unsigned most_solid(Constraint constraint);
 
-/// Whether a recolouring may keep just these of the solid ports.
+/// Whether a recolouring may keep exactly these of the solid ports.
 inline bool admissible(const Operation& operation, Mask ports, Mask kept) {
   return is_subset(kept, ports) && is_subset(ports & ~kept, operation.may_give_up);
 }
 
-/// Whether rules may have reasons: strips or forests, where fewest strips come first, then fewest isolated triangles
+/// Whether rules may have reasons: for strips or forests, if the cost is fewest strips, then fewest isolated triangles
 /// and ports given up, then fewest ports given up.
 bool may_have_reasons(const Operation& operation);
 
 /// The cost of an operation whose description has none.
 std::vector<Criterion> default_cost(Constraint constraint);
 
-/// Up to so many ports all recolourings are searched. Beyond, rules are proved by their reasons and linked rules by
-/// what is checked of their lists.
+/// Up to this number of ports all recolourings are searched. Beyond it, rules are proved by their reasons, and linked
+/// rules by the checks of their lists.
 inline constexpr unsigned most_searched_ports = 8;
 inline bool searched(const Operation& operation) { return operation.ports() <= most_searched_ports; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// How the verifying programs begin and end.
+// Startup and shutdown of the verifying programs.
 
 #include <fmt/format.h>
 
@@ -20,8 +20,8 @@ inline void add_json_option(CLI::App& app, std::string& file) {
   app.add_option("--json", file, "Write the report as JSON to this file; - for standard output, in place of the text");
 }
 
-/// Reads the command line and does the work. The exit code: what `work` says, or bad_input when the command line is not
-/// well formed, when the work throws or when its output was not written.
+/// Parses the command line and does the work. Returns the exit code of `work`, or bad_input if the command line is
+/// malformed, the work throws or its output was not written.
 template <class Work>
 int exit_code_of(CLI::App& app, int argc, char** argv, const Work& work) {
   try {
@@ -32,7 +32,7 @@ int exit_code_of(CLI::App& app, int argc, char** argv, const Work& work) {
   try {
     const int code = work();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw std::runtime_error("standard output: what was found could not be written");
+      throw std::runtime_error("standard output: the results could not be written");
     return code;
   } catch (const std::exception& error) {
     std::fflush(stdout);

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of things in what is reported.
+// Pluralised counts for reports.
 
 #include <fmt/format.h>
 

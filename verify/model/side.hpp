@@ -10,8 +10,8 @@
 namespace restrip::verify {
 
 inline constexpr unsigned most_triangles = 16;
-inline constexpr unsigned most_ports = 12;   ///< 8 where a file writes a side out as a graph
-inline constexpr unsigned most_colors = 27;  ///< inner edges and ports of a side together; 20 there
+inline constexpr unsigned most_ports = 12;   ///< 8 if a file gives a side as a graph
+inline constexpr unsigned most_colors = 27;  ///< inner edges and ports of a side together; 20 for a graph
 
 inline constexpr std::size_t longest_word = 20;  ///< names of vertices, triangles and numbers
 
@@ -19,7 +19,7 @@ struct Side {
   unsigned triangles = 0;
   std::vector<std::array<unsigned, 2>> edges;
   std::vector<unsigned> owner_of_port;
-  std::vector<std::string> names;  ///< of the triangles, as the description has them
+  std::vector<std::string> names;  ///< of the triangles, from the description
 
   friend bool operator==(const Side&, const Side&) = default;
 
@@ -28,20 +28,20 @@ struct Side {
   unsigned colors() const { return inner_edges() + ports(); }
 };
 
-/// What lies at a side of a triangle, if not an inner edge, whose number it is: a port, the number of the first one
-/// plus its own; or the boundary of the mesh. The same numbers as in restrip/tables/operation_format.hpp.
+/// What lies at a side of a triangle: the number of an inner edge, or of a port plus this constant, or the boundary of
+/// the mesh. restrip/tables/operation_format.hpp has the same numbers.
 inline constexpr unsigned first_port_side = 64;
 inline constexpr unsigned boundary_side = 255;
 
-/// A triangle as its file names it; side s runs from corner s to the next one. Vertices are numbered in the order in
-/// which they are named, those before the operation first.
+/// A triangle as its file names it; side s runs from corner s to the next one. Vertices are numbered in order of
+/// appearance, before the operation first.
 struct PlacedTriangle {
   std::array<unsigned, 3> vertex{};
   std::array<unsigned, 3> side{};
   friend bool operator==(const PlacedTriangle&, const PlacedTriangle&) = default;
 };
 
-/// Solid inner edges and solid ports; after the operation the ports are those that stay solid.
+/// Solid inner edges and solid ports; after the operation, the ports that stay solid.
 struct Colors {
   Mask inner = 0;
   Mask ports = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_listed = 64;  // of any list in a pattern
 
-/// Puts a side together and holds it against the limits.
+/// Builds a side and checks the limits.
 class SideBuilder {
  public:
   explicit SideBuilder(unsigned triangles) : used_(triangles) { side_.triangles = triangles; }
@@ -68,7 +68,7 @@ Side read_graph(const JsonValue& value) {
   return side;
 }
 
-/// Names stand in reports.
+/// Names appear in reports.
 void expect_name(const std::string& name) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
   if (name.empty() || name.size() > longest_word || !std::all_of(name.begin(), name.end(), fits))
@@ -76,10 +76,10 @@ void expect_name(const std::string& name) {
         fmt::format("expected 1 to {} letters and digits as the name, found \"{}\"", longest_word, name));
 }
 
-/// What an element stands for: one triangle by its name, or x_from … x_(to-1).
+/// The meaning of an element: one triangle by its name, or x_from … x_(to-1).
 using TriangleNames = std::vector<std::string>;
 
-/// Reads elements, and remembers the indexed triangles among those that it has read.
+/// Reads elements, and remembers which of the read triangles are indexed.
 class ElementReader {
  public:
   explicit ElementReader(const NamedNumbers& numbers) : numbers_(numbers) {}
@@ -92,7 +92,7 @@ class ElementReader {
       value.fail_found(error.what());
     }
   }
-  /// The indexed triangles by the names before their indices, in the order of first appearance.
+  /// The names of indexed triangles before their indices, in order of first appearance.
   const std::vector<std::string>& indexed_names() const { return indexed_names_; }
   const std::set<unsigned>& indices(const std::string& name) const { return indices_.at(name); }
 
@@ -118,7 +118,7 @@ class ElementReader {
   std::map<std::string, std::set<unsigned>> indices_;
 };
 
-/// A row of triangles, joined one after the other.
+/// A row of triangles, each joined to the next.
 struct Chain {
   JsonValue where;
   bool ring = false;
@@ -182,7 +182,7 @@ class PatternReader {
     if (chains_.empty()) value_.required("path");
   }
 
-  /// Indexed triangles first, by name and index, then the others in the order in which they stand.
+  /// Indexed triangles first, by name and index, then the others in order of appearance.
   void number_triangles() {
     for (const std::string& name : elements_.indexed_names())
       for (const unsigned i : elements_.indices(name)) names_.push_back(fmt::format("{}{}", name, i));
@@ -192,7 +192,7 @@ class PatternReader {
       std::set<std::string> seen;
       for (const std::string& name : chain.triangles) {
         if (!seen.insert(name).second)
-          chain.where.fail_found(fmt::format("expected each triangle once, {} stands there twice", name));
+          chain.where.fail_found(fmt::format("expected each triangle once, {} occurs twice", name));
         if (!indexed.contains(name) && std::find(names_.begin(), names_.end(), name) == names_.end())
           names_.push_back(name);
       }

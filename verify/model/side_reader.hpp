@@ -1,5 +1,5 @@
 #pragma once
-// Reads a side of an operation in any of the forms of docs/reference/operation-file.md.
+// Reads a side of an operation in any of the forms in docs/reference/operation-file.md.
 
 #include "model/json_value.hpp"
 #include "model/operation.hpp"
@@ -24,7 +24,7 @@ struct Sides {
 inline constexpr unsigned most_ports_of_a_graph = 8;
 inline constexpr unsigned most_colors_of_a_graph = 20;
 
-/// "t[0,k)": the name before it, and the numbers that it says, of which the last is not meant.
+/// "t[0,k)": the name and the range, whose end is exclusive.
 struct NamedRange {
   std::string name;
   unsigned from = 0;
@@ -33,15 +33,14 @@ struct NamedRange {
 /// Throws std::invalid_argument with a sentence.
 NamedRange range_of(const std::string& text, const NamedNumbers& numbers);
 
-/// The sides of a description, at one position.
+/// The sides of a description at one position.
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers);
 
-/// Where they are given by their triangles (docs/reference/operation-file.md, "Triangles"), which have indices in a
-/// family
-/// ("Families"). InputError when they are no operation on a mesh.
+/// Reads sides given by triangles (docs/reference/operation-file.md, "Triangles"), which have indices in a family
+/// ("Families"). Throws InputError if they are not an operation on a mesh.
 Sides read_surface(const JsonValue& description, const NamedNumbers& numbers);
 
-/// A graph, or triangles around rings and along paths. InputError, also when it is larger than the limits.
+/// A graph, or triangles around rings and along paths. Throws InputError, also if the limits are exceeded.
 Side read_side(const JsonValue& value, const NamedNumbers& numbers);
 
 }  // namespace restrip::verify

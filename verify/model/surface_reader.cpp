@@ -10,7 +10,7 @@
 namespace restrip::verify {
 namespace {
 
-/// The triangles of a side, and for each where it stands in the list of the file.
+/// The triangles of a side, with the index of each in the list of the file.
 struct ListedTriangles {
   NamedTriangles triangles;
   std::vector<std::size_t> item;
@@ -65,7 +65,7 @@ class SurfaceReader {
     return items;
   }
 
-  /// In a family three vertices may be followed by an index and its values: a triangle for each of them.
+  /// In a family, three vertices may be followed by an index and its values: one triangle for each value.
   ListedTriangles read_triangles(const char* member) const {
     ListedTriangles all;
     const JsonValue side = description_.required(member);
@@ -93,14 +93,14 @@ class SurfaceReader {
       if (!std::all_of(range.name.begin(), range.name.end(), is_letter) ||
           std::find(numbers_.names.begin(), numbers_.names.end(), range.name) != numbers_.names.end())
         throw std::invalid_argument(fmt::format(
-            "expected an index of lower-case letters that is none of the numbers, found \"{}\"", range.name));
+            "expected an index of lower-case letters other than the numbers of the family, found \"{}\"", range.name));
       return range;
     } catch (const std::invalid_argument& error) {
       value.fail_found(error.what());
     }
   }
 
-  /// "u[i+1]" is u_3 where i is 2. What a single operation names stands as it is.
+  /// "u[i+1]" is u_3 for i = 2. Names of a single operation are taken as they are.
   std::string vertex(const JsonValue& value, const std::string& index, unsigned i) const {
     std::string text = value.string("the name of a vertex");
     const std::size_t open = text.find('[');

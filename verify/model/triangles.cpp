@@ -18,7 +18,7 @@ bool is_vertex(const Name& name) {
   return !name.empty() && name.size() <= longest_word && name.find_first_not_of(allowed) == Name::npos;
 }
 
-/// A triangle at an edge: it runs along it from `from` to `to`, as its side number `side`.
+/// A triangle at an edge, along which it runs from `from` to `to`, as its side number `side`.
 struct Along {
   std::size_t triangle;
   std::size_t side;
@@ -26,7 +26,7 @@ struct Along {
   Name to;
 };
 
-/// Sets of things that are connected.
+/// Disjoint sets of connected things.
 template <class Thing>
 class Connected {
  public:
@@ -54,10 +54,10 @@ class Complex {
     throw SurfaceFault{member_, triangle, what};
   }
 
-  /// Edges of one triangle, by the vertex that they leave.
+  /// Edges of one triangle, by their start vertex.
   const std::map<Name, Along>& rim() const { return rim_; }
 
-  /// The triangles at each, in the order of the later one, and of its sides.
+  /// The two triangles at each inner edge, ordered by the later one and its sides.
   std::vector<std::array<Along, 2>> inner_edges() const {
     std::map<std::tuple<std::size_t, std::size_t>, std::array<Along, 2>> by_second;
     for (const auto& [ends, along] : edges_) {
@@ -89,12 +89,12 @@ class Complex {
       if (along.size() == 2 && along[0].from == from)
         fail(t,
              fmt::format("expected the triangles at the edge {} {} to run along it in opposite directions, found that "
-                         "triangle {} runs as this one does",
+                         "triangle {} runs in the same direction",
                          from, to, along[0].triangle));
     }
   }
 
-  /// What a vertex sees of its triangles must be one path or one cycle.
+  /// The triangles around a vertex must form one path or one cycle.
   void expect_manifold() const {
     std::map<Name, std::vector<std::pair<Name, Name>>> links;
     for (const auto& [a, b, c] : triangles_) {
@@ -122,7 +122,7 @@ class Complex {
     }
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       if (parts.of(t) != parts.of(0)) fail(t, "expected triangles that are connected over edges, this one is apart");
-    // A connected surface is a disc exactly when its Euler characteristic is 1.
+    // A connected surface is a disc exactly if its Euler characteristic is 1.
     const auto euler = static_cast<long>(vertices.size() + triangles_.size()) - static_cast<long>(edges_.size());
     if (euler != 1)
       fail({}, fmt::format("expected a disc, found a surface of Euler characteristic {} in place of 1", euler));
@@ -134,7 +134,7 @@ class Complex {
   std::map<Name, Along> rim_;
 };
 
-/// Where the ports of a side leave from; what the file says is boundary is left out.
+/// The start vertices of the ports of a side, without the stretches that the file declares as boundary.
 std::map<Name, Along> ports_at(const Complex& complex, const NamedSurface& surface) {
   std::map<Name, Along> ports = complex.rim();
   for (std::size_t i = 0; i < surface.boundary.size(); ++i) {
@@ -142,7 +142,7 @@ std::map<Name, Along> ports_at(const Complex& complex, const NamedSurface& surfa
     const auto fail = [i](const std::string& what) { throw SurfaceFault{"boundary", i, what}; };
     for (const Name& end : {from, to})
       if (!complex.rim().contains(end))
-        fail(fmt::format("expected vertices that the rim has on both sides, \"{}\" is not there {} the operation", end,
+        fail(fmt::format("expected vertices that the rim has on both sides, \"{}\" is not on it {} the operation", end,
                          complex.member()));
     if (from == to) fail("expected two different vertices");
     for (Name at = from; at != to; at = complex.rim().at(at).to)
@@ -156,11 +156,11 @@ void expect_among(const std::map<Name, Along>& ports, const Complex& complex, co
   for (const auto& [from, port] : ports)
     if (const auto same = others.find(from); same == others.end() || same->second.to != port.to)
       complex.fail(port.triangle, fmt::format("expected the same rim on both sides, the edge {} {} is on it {} the "
-                                              "operation and not {} it",
+                                              "operation but not {} it",
                                               from, port.to, complex.member(), other.member()));
 }
 
-/// The numbers of the vertices, in the order in which the file names them.
+/// The numbers of the vertices, in order of appearance in the file.
 std::map<Name, unsigned> numbers_of_vertices(const NamedSurface& surface) {
   std::map<Name, unsigned> numbers;
   for (const NamedTriangles* side : {&surface.before, &surface.after})
@@ -200,7 +200,7 @@ SurfaceGraphs graphs_of(const NamedSurface& surface) {
   expect_among(ports_before, before, ports_after, after);
   expect_among(ports_after, after, ports_before, before);
 
-  // Once around the rim before the operation, from the first port that the file names.
+  // Once around the rim before the operation, from the first port in the file.
   const auto earlier = [](const auto& a, const auto& b) {
     return std::tie(a.second.triangle, a.second.side) < std::tie(b.second.triangle, b.second.side);
   };

@@ -1,6 +1,6 @@
 #pragma once
-// A patch that its file gives by triangles with named vertices (docs/reference/operation-file.md, "Triangles"): whether
-// it is an operation on a mesh, and the dual graphs of its two sides.
+// A patch given by triangles with named vertices (docs/reference/operation-file.md, "Triangles"): checks that it is an
+// operation on a mesh, and computes the dual graphs of its two sides.
 
 #include <array>
 #include <optional>
@@ -19,7 +19,7 @@ struct NamedSurface {
   std::vector<std::array<std::string, 2>> boundary;
 };
 
-/// The dual graph of a disc of triangles: inner edges by their triangles, ports by their owners, both in their order.
+/// The dual graph of a disc of triangles: inner edges by their triangles and ports by their owners, both in order.
 struct PatchGraph {
   unsigned triangles = 0;
   std::vector<std::array<unsigned, 2>> edges;
@@ -32,15 +32,15 @@ struct SurfaceGraphs {
   PatchGraph after;
 };
 
-/// Where something is not as the document says: an element of the member "before", "after" or "boundary", or all of it.
+/// The place of a fault: an element of the member "before", "after" or "boundary", or the whole member.
 struct SurfaceFault {
   std::string member;
   std::optional<std::size_t> element;
   std::string what;  ///< "expected …, found …"
 };
 
-/// Throws SurfaceFault unless both sides are discs of triangles that have the same rim but for what lies on the
-/// boundary of the mesh. How many triangles, edges and ports there may be is for the caller to say.
+/// Throws SurfaceFault unless both sides are discs of triangles with the same rim, apart from edges on the boundary of
+/// the mesh. The caller checks the limits on triangles, edges and ports.
 SurfaceGraphs graphs_of(const NamedSurface& surface);
 
 }  // namespace restrip::verify

@@ -10,7 +10,7 @@
 namespace restrip::verify {
 namespace {
 
-/// The character that begins here, and how many bytes it has; the text is valid UTF-8.
+/// The character at the beginning of valid UTF-8, and its number of bytes.
 struct Character {
   char32_t code = 0;
   std::size_t bytes = 1;
@@ -26,26 +26,26 @@ Character character_at(std::string_view text, std::size_t at) {
   return character;
 }
 
-/// Shown as something, and in the order in which it is written.
+/// Visible, and written in logical order.
 bool is_plain(char32_t code) {
   if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;          // controls
   if (code == 0xad || code == 0x61c || code == 0x180e) return false;       // soft hyphen, marks of two scripts
-  if (code >= 0x2000 && code < 0x2070)                                     // punctuation, but for what has
-    return !(code >= 0x200b && code <= 0x200f) &&                          // no width or direction,
-           !(code >= 0x2028 && code <= 0x202e) && code < 0x2060;           // lines, or turns text
-  if (code >= 0xfdd0 && code <= 0xfdef) return false;                      // no characters
+  if (code >= 0x2000 && code < 0x2070)                                     // punctuation, except characters
+    return !(code >= 0x200b && code <= 0x200f) &&                          // without width or direction,
+           !(code >= 0x2028 && code <= 0x202e) && code < 0x2060;           // line separators, and controls of direction
+  if (code >= 0xfdd0 && code <= 0xfdef) return false;                      // noncharacters
   if (code == 0xfeff || (code >= 0xfff0 && code <= 0xfffb)) return false;  // byte order mark, annotations
-  return code < 0xe0000 && (code & 0xffffU) < 0xfffe;                      // tags, private use, no characters
+  return code < 0xe0000 && (code & 0xffffU) < 0xfffe;                      // tags, private use, noncharacters
 }
 
-/// The value of a member that is there.
+/// The value of an existing member.
 const Json& member(const Json& object, std::string_view wanted) {
   const auto found =
       std::find_if(object.names.begin(), object.names.end(), [&](const Json::Name& one) { return one.text == wanted; });
   return object.items.at(static_cast<std::size_t>(found - object.names.begin()));
 }
 
-/// What ends a comment, begins one in it, takes the next line into it, or is read as such a thing.
+/// Sequences that end or begin a comment, extend it to the next line, or may be interpreted so.
 constexpr std::string_view joints[] = {"\\", "*/", "/*", "??"};
 
 }  // namespace

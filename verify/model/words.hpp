@@ -1,5 +1,5 @@
 #pragma once
-// Words of an operation file that stand in files made from it: docs/reference/operation-file.md, "Words".
+// Checks words of an operation file that appear in generated files: docs/reference/operation-file.md, "Words".
 
 #include <optional>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace restrip::verify {
 
-/// What in a text of valid UTF-8 cannot stand in a comment of every language, such as "the character U+000A".
+/// A part of valid UTF-8 text that cannot stand in a comment of every language, such as "the character U+000A".
 std::optional<std::string> no_comment(std::string_view text);
 
-/// Whether it is words of printable ASCII with one space between them, as lines of certificates are.
+/// Whether it consists of words of printable ASCII separated by one space, like lines of certificates.
 bool is_words(std::string_view text);
 
-/// Whose the name is already, "a keyword of C++", by docs/taken-names.json.
+/// The owner of a taken name, "a keyword of C++", by docs/taken-names.json.
 std::optional<std::string> owner_of_name(std::string_view name);
 
-/// Whether an operation of restrip (tables/operations) has this name, and the description is another one.
+/// Whether an operation of restrip (tables/operations) has this name but another description.
 bool is_other_operation(std::string_view name, const JsonValue& description);
 
 }  // namespace restrip::verify

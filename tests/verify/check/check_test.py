@@ -103,25 +103,25 @@ def rebuilt(before, words, after):
 # Colours: one edge fewer becomes solid or dashed, or one more.
 for sign in "ds":
     for number, before, words, after in some(sign):
-        refused(with_line(number, rebuilt(before, words[:-2], after)), "told of|solid|three solid edges|cycle")
+        refused(with_line(number, rebuilt(before, words[:-2], after)), "stated|solid|three solid edges|cycle")
         refused(with_line(number, rebuilt(before, words + words[-2:], after)), "solid already|is not solid")
 solid = next(i for i, line in enumerate(lines) if line.startswith("s "))
 refused(with_line(solid, None), "but|changes strips by")
 refused(with_line(solid, lines[solid] + "\n" + lines[solid]), "solid already")
 
-# What was told.
+# The stated changes.
 for number in range(first, len(lines) - 1, 41):
     words = lines[number].split(" ")
     for place, what in ((3, "strips"), (4, "isolated triangles")):
         for change in (-1, 1):
             other = words[:place] + [str(int(words[place]) + change)] + words[place + 1:]
-            refused(with_line(number, " ".join(other)), f"told of {what}: ")
+            refused(with_line(number, " ".join(other)), f"{what}: stated ")
 
 # Triangles: another corner, one fewer, two corners exchanged.
 for sign in "-+":
     for number, before, words, after in some(sign):
         refused(with_line(number, rebuilt(before, [*words[:-1], "999999"], after)), "triangle|edge")
-        refused(with_line(number, rebuilt(before, words[:-3], after)), "triangle|edge|told of")
+        refused(with_line(number, rebuilt(before, words[:-3], after)), "triangle|edge|stated")
         refused(with_line(number, rebuilt(before, [*words[:-2], words[-1], words[-2]], after)), "triangle|edge")
 refused(with_line(2, None), "triangle|edge")
 
@@ -168,15 +168,15 @@ for name, kind in (("rules", "split"), ("rules", "collapse"), ("walk-rules", "fl
             break
     assert worse >= 3, (name, kind, worse)
 
-# Triangles outside the patch that go, or come, with an operation: two isolated ones that go would pay for a flip that costs
+# Triangles outside the patch that an operation removes or adds: removing two isolated ones would pay for a flip that costs
 # two strips too many.
 apart = "restrip-trace 1\nclaim no-worse\nt 0 1 2\nt 1 3 2\nt 10 11 12\nt 20 21 22\n"
 flip = "flip 1 2 {} - 0 1 2 1 3 2{} + 0 1 3 0 3 2{}\nend 1\n"
 damaged.write_text(apart + flip.format("-1 -2", "", " s 0 3"))
 accepted(damaged)
 refused(apart + flip.format("0 0", "", ""), no_worse)
-refused(apart + flip.format("-2 -2", " 10 11 12 20 21 22", ""), "triangle 10 11 12 goes, but is not of the patch of this flip")
-refused(apart + flip.format("1 1", "", " 30 31 32"), "triangle 30 31 32 comes, but is not of the patch of this flip")
+refused(apart + flip.format("-2 -2", " 10 11 12 20 21 22", ""), "triangle 10 11 12 is removed, but is not of the patch of this flip")
+refused(apart + flip.format("1 1", "", " 30 31 32"), "triangle 30 31 32 is added, but is not of the patch of this flip")
 for kind in ("split", "collapse"):
     number = next(i for i, line in enumerate(lines) if line.startswith(kind))
     with_apart = lines[:2] + ["t 900001 900002 900003"] + lines[2:]
@@ -185,9 +185,9 @@ for kind in ("split", "collapse"):
     gone = words.index("-")
     words[gone + 1:gone + 1] = ["900001", "900002", "900003"]
     with_apart[number + 1] = " ".join(words)
-    refused("\n".join(with_apart) + "\n", f"triangle 900001 900002 900003 goes, but is not of the patch of this .*{kind}")
+    refused("\n".join(with_apart) + "\n", f"triangle 900001 900002 900003 is removed, but is not of the patch of this .*{kind}")
 
-# Words that are none.
+# Words that do not exist.
 operation = lines[first].split(" ")
 for wrong, said in (
     ("splits " + " ".join(operation[1:]), "does not begin a line"),
