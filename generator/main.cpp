@@ -1,4 +1,4 @@
-// restrip-generate: writes the tables, their certificates, and the dumps with which others check us.
+// restrip-generate: writes the tables, their certificates, and the dumps that other programs check.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,36 +29,35 @@ using namespace restrip::generator;
 
 namespace {
 
-/// The option that every command with a report has.
+/// The option of every command with a report.
 CLI::Option* add_json_option(CLI::App& command, std::string& file) {
   return command.add_option("--json", file,
                             "Write the report as JSON to this file; - for standard output, in place of the text");
 }
 
 void add_force_option(CLI::App& command, bool& force) {
-  command.add_flag(
-      "--force", force,
-      "Make the files also if the directory has them, made by this program from the same inputs and options "
-      "(as restrip-digests.txt says, which is not written then); --json makes them always");
+  command.add_flag("--force", force,
+                   "Make the files even if the directory has them from the same program, inputs and options "
+                   "(as restrip-digests.txt says, which is not written then); --json makes them always");
 }
 
-/// The option of the languages; `of_cpp` is what is written in C++, `in_others` in the others.
+/// Adds the option of the languages; `of_cpp` says what is written in C++, `in_others` in other languages.
 CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& languages, const char* of_cpp,
                                  const char* in_others) {
   return command
       .add_option("--language", languages,
-                  fmt::format("c++ (the default: {}), c, rust, json, glsl or wgsl: {} and look-up; several with "
-                              "commas between them",
+                  fmt::format("c++ (the default: {}), c, rust, json, glsl or wgsl: {} and look-up; several "
+                              "separated by commas",
                               of_cpp, in_others))
       ->delimiter(',')
       ->check(CLI::IsMember(language_files()))
       ->allow_extra_args(false);
 }
 
-/// What reports the positions of a family apart.
+/// The options that select a position of a family.
 using PlaceOptions = std::array<const CLI::Option*, PositionNumbers{}.size()>;
 
-/// The position that the options --k, --at and --to say.
+/// The position given by the options --k, --at and --to.
 Position position_of(const Description& family, PositionNumbers numbers, const PlaceOptions& given) {
   constexpr std::array<const char*, PositionNumbers{}.size()> options{"--k", "--at", "--to"};
   for (std::size_t i = family.numbers.size(); i < options.size(); ++i)
@@ -90,7 +89,7 @@ int main(int argc, char** argv) {
   TablesOptions tables;
   auto* tables_command = app.add_subcommand(
       "tables", "Write constexpr headers, certificates and MANIFEST, or the rules in another language");
-  tables_command->add_option("--out", tables.out, "Directory that receives them")->required();
+  tables_command->add_option("--out", tables.out, "Output directory")->required();
   tables_command->add_option("--max-k", tables.max_k, "Largest valence")
       ->check(CLI::Range(3, 13))
       ->capture_default_str();
@@ -117,7 +116,7 @@ int main(int argc, char** argv) {
   std::string merge_out;
   auto* merge_command = app.add_subcommand("merge", "Write from all shards what `tables` writes without --shard");
   merge_command->add_option("--in", merge_in, "Directory that holds the shards")->required();
-  merge_command->add_option("--out", merge_out, "Directory that receives the tables")->required();
+  merge_command->add_option("--out", merge_out, "Output directory")->required();
   std::string merge_json;
   add_json_option(*merge_command, merge_json);
   merge_command->footer("\nExample:\n  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
@@ -125,7 +124,7 @@ int main(int argc, char** argv) {
   AutomatonOptions automaton;
   auto* automaton_command =
       app.add_subcommand("automaton", "Write the automaton that answers fans of every valence, and its certificate");
-  automaton_command->add_option("--out", automaton.out, "Directory that receives them")->required();
+  automaton_command->add_option("--out", automaton.out, "Output directory")->required();
   std::vector<std::string> served;
   auto* served_option = automaton_command->add_option(
       "--operation", served,
@@ -133,7 +132,7 @@ int main(int argc, char** argv) {
   automaton_command
       ->add_option(
           "--cost", automaton.cost,
-          "What is best: strips (fewest strips, then fewest isolated triangles), indices (3 for a strip, 1 for "
+          "What to minimise: strips (fewest strips, then fewest isolated triangles), indices (3 for a strip, 1 for "
           "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
       ->capture_default_str()
       ->excludes(served_option);
@@ -158,7 +157,7 @@ int main(int argc, char** argv) {
   rules_command
       ->add_option("--operation", rules.files, "Operation file, as docs/reference/operation-file.md describes it")
       ->required();
-  rules_command->add_option("--out", rules.out, "Directory that receives them")->required();
+  rules_command->add_option("--out", rules.out, "Output directory")->required();
   rules_command
       ->add_option("--max-k", rules.max_k, "Families: positions whose first number is at most this, by default 8")
       ->check(CLI::Range(3, 10));
@@ -197,9 +196,9 @@ int main(int argc, char** argv) {
       describe_command->add_option("--to", numbers[2], "Gap j of an open fan")->check(CLI::Range(0, 8))};
   std::string described_constraint = "strips";
   describe_command
-      ->add_option(
-          "--constraint", described_constraint,
-          "strips, matching (triangles in pairs) or forest; without strips the file has no cost: the usual one")
+      ->add_option("--constraint", described_constraint,
+                   "strips, matching (triangles in pairs) or forest; except for strips, the file names no cost and so "
+                   "has the default")
       ->check(CLI::IsMember(std::vector<std::string>(constraint_words.begin(), constraint_words.end())))
       ->capture_default_str();
   describe_command->footer(
@@ -209,7 +208,7 @@ int main(int argc, char** argv) {
 
   unsigned count_max_k = 8;
   std::string count_to;
-  auto* count_command = app.add_subcommand("count", "Count configurations and orbits, beside the paper's figures");
+  auto* count_command = app.add_subcommand("count", "Count configurations and orbits, next to the paper's figures");
   count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
   add_json_option(*count_command, count_to);
 

@@ -7,7 +7,7 @@
 namespace restrip::generator {
 namespace {
 
-/// What every template of the automaton names; `arrays` is in the language. A split has three edges more than k.
+/// The values for every template of the automaton; `arrays` is in the language. A split has three edges more than k.
 Filling automaton_filling(const std::string& comment, const AutomatonArrays& automaton, unsigned word_bits,
                           const std::string& arrays = {}) {
   std::string operations = fmt::format("{0}   {1:<16}{2:<28}{3}\n", comment, "operation", "position", "colours after");

@@ -1,5 +1,5 @@
-// The tables as JSON; docs/tables.schema.json is the schema. The table of an operation as
-// docs/how-to/other-languages.md says.
+// The tables as JSON; docs/tables.schema.json is the schema. The table of an operation is as in
+// docs/how-to/other-languages.md.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,7 +13,7 @@
 namespace restrip::generator {
 namespace {
 
-/// A member whose value is an array of numbers; the last comma of `numbers` goes.
+/// A member whose value is an array of numbers; removes the last comma of `numbers`.
 std::string json_numbers(const TableArray& array, const std::string& key) {
   std::string text = numbers(array.values);
   text.erase(text.find_last_of(','), 1);

@@ -12,7 +12,7 @@
 namespace restrip::generator {
 namespace {
 
-/// The operations, a line each, in lines that begin with `comment`.
+/// The operations, one per line; each line begins with `comment`.
 std::string operation_lines(const std::string& comment) {
   const auto bits = [](int more) {
     return more == 0 ? std::string("k bits") : fmt::format("k {} {} bits", more < 0 ? '-' : '+', std::abs(more));
@@ -28,7 +28,7 @@ std::string operation_lines(const std::string& comment) {
   return text;
 }
 
-/// What every template of the tables names; `arrays` is in the language.
+/// The values for every template of the tables; `arrays` is in the language.
 Filling tables_filling(const std::string& comment, const TableLayout& layout, const std::string& arrays = {}) {
   return {{"max_k", std::to_string(layout.max_k)},
           {"bytes", std::to_string(layout.bytes())},
@@ -44,7 +44,7 @@ std::string rust_module(const TableLayout& layout) {
   return filled(tables_rs, tables_filling("//!", layout, rust_arrays(layout)));
 }
 
-/// What does not depend on the tables.
+/// Returns a text that does not depend on the tables.
 template <const std::string_view& text, class Layout>
 std::string as_it_is(const Layout& /*layout*/) {
   return std::string(text);
@@ -58,11 +58,11 @@ std::string wgsl_source(const TableLayout& layout) {
   return shader_text(tables_wgsl, wgsl_array, tables_filling("//", layout), layout);
 }
 
-/// What is in the file of words.
+/// The content of the file of words.
 struct TableWords {
   struct Array {
     std::string name;   ///< of the array, in capitals
-    unsigned word = 0;  ///< where it begins
+    unsigned word = 0;  ///< its first word
     unsigned bits = 8;  ///< of an element
   };
   std::vector<std::uint32_t> words;

@@ -1,6 +1,6 @@
-// The table of a custom operation, or of a family, with its look-up: the fixed text of templates/operation.*.
-// All languages have the same arrays, with an element for each place. The place of a position is its numbers as the
-// digits of one number. Numbers are called at_k where the operation file says k: a k may be a word of the language.
+// The table of a custom operation or family, with its look-up: the fixed text of templates/operation.*. All languages
+// have the same arrays, with one element per place. The place of a position has its numbers as the digits of one
+// number. Numbers are called at_k if the operation file says k, because k may be a word of the language.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,13 +12,13 @@
 namespace restrip::generator {
 namespace {
 
-/// How a language writes what differs from operation to operation.
+/// How a language writes the parts that differ between operations.
 struct Dialect {
   const char* comment;    ///< begins a line
   const char* parameter;  ///< of one number, by its name
-  const char* outside;    ///< of those numbers for which there is no place, by the condition
+  const char* outside;    ///< for numbers without a place, by the condition
   const char* place;      ///< by a formula
-  const char* no_place;   ///< where there is only one
+  const char* no_place;   ///< if there is only one
   const char* suffix;     ///< ends a number
 };
 
@@ -56,7 +56,7 @@ TableLayout arrays_of(const OperationLayout& layout) {
            {"entries", layout.width, layout.entries}}};
 }
 
-/// What all templates name but the arrays.
+/// The values of all templates except the arrays.
 Filling operation_filling(const OperationLayout& layout, const Dialect& dialect) {
   const Description& named = layout.named();
   const unsigned largest = largest_number(layout);

@@ -1,5 +1,4 @@
-// The fixed text of the files in other languages: the files of templates/ as they were when this was built
-// (cmake/Embed.cmake).
+// The fixed text of the files in other languages: the files of templates/, embedded at build time (cmake/Embed.cmake).
 #pragma once
 
 #include <map>
@@ -33,12 +32,12 @@ extern const std::string_view tables_rs;
 extern const std::string_view tables_glsl;
 extern const std::string_view tables_wgsl;
 
-/// What stands in a template for each `@name@`. A placeholder that has a line for itself is for whole lines: its value
-/// ends with a line break, or is empty.
+/// The value of each `@name@` in a template. A placeholder on a separate line stands for whole lines: its value ends
+/// with a line break, or is empty.
 using Filling = std::map<std::string, std::string>;
 
-/// The template with its placeholders filled in. What is filled in is not looked at again. Throws std::out_of_range for
-/// a placeholder without a value.
+/// The template with its placeholders replaced. Replacements are not searched again. Throws std::out_of_range for a
+/// placeholder without a value.
 [[nodiscard]] std::string filled(std::string_view text, const Filling& filling);
 
 }  // namespace restrip::generator

@@ -60,7 +60,7 @@ std::string operation_file_text(const Position& position, Constraint constraint)
   } else if (Criterion terms = tie_break(position, operation.patch.after, Sight::patch); !terms.empty()) {
     operation.preference.push_back(std::move(terms));
   }
-  if (name == position.family->name) name += "-own";  // restrip's tables have the name of the family itself
+  if (name == position.family->name) name += "-own";  // restrip's tables use the name of the family itself
   OrderedJson json{{"restrip_operation", 1}, {"name", name}};
   json["constraint"] = constraint_words.at(operation.constraint.most_edges - 1);
   json["before"] = json_of(operation.patch.before);

@@ -15,8 +15,8 @@
 namespace restrip::generator {
 namespace {
 
-/// The triangles of a pattern at one place and their numbers: those with an index first, by name in the order in which
-/// the names appear and then by index, and after them single ones in the order in which they stand.
+/// The triangles of a pattern at one position and their numbers: first those with an index, ordered by the first
+/// appearance of their name and then by index, then single ones in order of appearance.
 class Numbering {
  public:
   Numbering(const SidePattern& pattern, const PositionNumbers& place) : place_(place) {
@@ -33,19 +33,19 @@ class Numbering {
     std::sort(all.begin(), all.end());
     for (const auto& [is_single, order, triangle] : all) {
       if (!number_.emplace(triangle, size()).second)
-        throw std::runtime_error(fmt::format("{} is in it twice", text_of(triangle)));
+        throw std::runtime_error(fmt::format("{} occurs twice", text_of(triangle)));
       with_index_ += is_single ? 0U : 1U;
     }
   }
 
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(number_.size()); }
   [[nodiscard]] unsigned with_index() const { return with_index_; }
-  /// Those of a stretch, in its order.
+  /// The triangles of a stretch, in order.
   [[nodiscard]] std::vector<unsigned> of(const Stretch& stretch) const {
     std::vector<unsigned> numbers;
     for (const auto& triangle : triangles(stretch)) {
       const auto found = number_.find(triangle);
-      if (found == number_.end()) throw std::runtime_error(fmt::format("{} is not in it", text_of(triangle)));
+      if (found == number_.end()) throw std::runtime_error(fmt::format("{} does not occur", text_of(triangle)));
       numbers.push_back(found->second);
     }
     return numbers;
@@ -54,7 +54,7 @@ class Numbering {
  private:
   using Triangle = std::pair<std::string, int>;
   static constexpr int no_index = -1;
-  static constexpr int most_triangles = 64;  // well above what tables are made of
+  static constexpr int most_triangles = 64;  // well above the size of tables
 
   static std::string text_of(const Triangle& triangle) {
     return triangle.second == no_index ? triangle.first : fmt::format("{}_{}", triangle.first, triangle.second);
@@ -76,7 +76,7 @@ class Numbering {
   unsigned with_index_ = 0;
 };
 
-/// Throws where a side is not a graph of triangles: an edge twice, or more than three edges and ports at a triangle.
+/// Throws if a side is not a graph of triangles: a duplicate edge, or more than three edges and ports at a triangle.
 void expect_triangles(const Side& side) {
   std::vector<unsigned> degree(side.nodes, 0);
   for (std::size_t e = 0; e < side.edges.size(); ++e) {
@@ -131,7 +131,7 @@ Side side_at(const SideForm& form, const Position& position, const std::string& 
   }
 }
 
-/// Where it is given by its triangles.
+/// For positions given by triangles.
 SurfacePatch triangles_at(const Position& position) {
   const Description& family = *position.family;
   NamedPatch named;
@@ -169,7 +169,7 @@ const std::vector<Description>& families() {
 const Description& family_named(const std::string& name) {
   for (const Description& family : families())
     if (family.name == name) return family;
-  throw std::invalid_argument("no family is named " + name);
+  throw std::invalid_argument("unknown family " + name);
 }
 
 bool closed(const Description& family) {
@@ -247,7 +247,7 @@ Operation operation_at(const Position& position, Patch patch) {
 
 namespace {
 
-/// With the numbers in place of their names in braces.
+/// Replaces the names in braces by the numbers.
 std::string filled(std::string text, const Position& position) {
   for (std::size_t i = 0; i < position.family->numbers.size(); ++i) {
     const std::string name = fmt::format("{{{}}}", position.family->numbers[i]);

@@ -25,7 +25,9 @@ std::string name_from(const JsonValue& value, Author author) {
                     std::all_of(name.begin(), name.end(), allowed);
   if (!good) value.refuse("expected lower-case letters, digits and single hyphens, a letter first");
   if (author == Author::user && name.starts_with("linked-"))
-    value.refuse("expected a name that does not begin with \"linked-\": certificates of linked rules are named so");
+    value.refuse(
+        "expected a name that does not begin with \"linked-\": this prefix is reserved for certificates of linked "
+        "rules");
   if (const std::string by = author == Author::restrip ? "" : name_is(name); !by.empty())
     value.refuse(fmt::format("\"{0}\" is {1}; choose another name, such as \"{0}-own\"", name, by));
   return name;
@@ -46,11 +48,11 @@ std::string sentence_from(const JsonValue& value) {
   std::string sentence = value.text();
   if (const std::string found = unprintable(sentence); !found.empty())
     value.refuse(
-        fmt::format("expected one line that can stand in a comment of any language, found {}; leave it out", found));
+        fmt::format("expected one line that can stand in a comment of any language, found {}; remove it", found));
   return sentence;
 }
 
-/// A position as certificates write it, whose lines are words.
+/// A position as certificates write it, in words.
 std::string words_from(const JsonValue& value) {
   std::string words = value.text();
   constexpr std::size_t longest = 60;
@@ -94,7 +96,7 @@ Side graph_from(const JsonValue& value) {
   return side;
 }
 
-/// A formula in the file; a fault in it is told with its place.
+/// Parses a formula in the file; a fault in it is reported with its place.
 template <class Parse>
 auto formula(const JsonValue& value, const std::vector<std::string>& numbers, Parse&& parse) {
   const std::string text = value.text();
@@ -120,21 +122,21 @@ std::vector<Stretch> stretches_from(const JsonValue& value, const std::vector<st
   return stretches;
 }
 
-/// Three vertices each; in a family an index with its values as well, where that stands for several.
+/// Three vertices each; in a family also an index with its values, if the element stands for several triangles.
 TrianglePatterns triangles_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   TrianglePatterns patterns;
   for (const JsonValue& triangle : value.elements("triangles")) {
     const std::vector<JsonValue> words = triangle.elements("three vertices");
     if (words.size() != 3 && (words.size() != 4 || numbers.empty()))
       triangle.refuse(numbers.empty() ? "expected three vertices"
-                                      : "expected three vertices, and an index with its values where they have one");
+                                      : "expected three vertices, optionally followed by an index with its values");
     TrianglePattern& pattern = patterns.emplace_back();
     if (words.size() == 4) {
       pattern.index = formula(words[3], numbers, parse_stretch);
       const std::string& name = pattern.index->name;
       if (!pattern.index->range || std::find(numbers.begin(), numbers.end(), name) != numbers.end() ||
           !std::all_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
-        words[3].refuse("expected an index with its values, such as \"i[0,k)\", that no number is named as");
+        words[3].refuse("expected an index with its values, such as \"i[0,k)\", other than the numbers of the family");
     }
     for (std::size_t corner = 0; corner < 3; ++corner)
       pattern.corners.at(corner) = vertex_from(words[corner], numbers, pattern.index ? pattern.index->name : "");
@@ -191,7 +193,7 @@ Mask mask_from(const JsonValue& value, std::size_t count, const std::string& wha
   Mask mask = 0;
   for (const JsonValue& element : value.elements(what + "s")) {
     const Mask bit = Mask{1} << element.place(count, what);
-    if ((mask & bit) != 0) element.refuse(fmt::format("this {} is there already", what));
+    if ((mask & bit) != 0) element.refuse(fmt::format("this {} is listed already", what));
     mask |= bit;
   }
   return mask;
@@ -256,26 +258,26 @@ std::vector<std::string> numbers_from(const JsonValue& value) {
     if (name.empty() || name.size() > longest_word ||
         !std::all_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
       element.refuse(fmt::format("expected 1 to {} lower-case letters", longest_word));
-    if (std::count(numbers.begin(), numbers.end(), name) > 1) element.refuse("this number is there already");
+    if (std::count(numbers.begin(), numbers.end(), name) > 1) element.refuse("this number is listed already");
   }
   if (numbers.size() > PositionNumbers{}.size())
     value.refuse(fmt::format("expected {} numbers at most", PositionNumbers{}.size()));
   return numbers;
 }
 
-/// Braces are for the numbers, each once: the header has their places there instead, as in "k {0}".
+/// Braces enclose numbers, each once: the header has their places instead, as in "k {0}".
 void expect_numbers_once(const JsonValue& value, const std::vector<std::string>& numbers) {
   std::string text = value.text();
   for (const std::string& number : numbers)
     if (const std::size_t at = text.find(fmt::format("{{{}}}", number)); at != std::string::npos)
       text.erase(at, number.size() + 2);
   if (text.find_first_of("{}") != std::string::npos)
-    value.refuse(
-        fmt::format("expected braces only around {}, each at most once",
-                    numbers.empty() ? "numbers, which it does not have" : fmt::format("{}", fmt::join(numbers, ", "))));
+    value.refuse(fmt::format(
+        "expected braces only around {}, each at most once",
+        numbers.empty() ? "numbers, of which there are none" : fmt::format("{}", fmt::join(numbers, ", "))));
 }
 
-/// The verifier holds every rule against these bounds.
+/// The verifier checks every rule against these bounds.
 void expect_bounds(const JsonValue& value, const std::vector<std::string>& numbers) {
   for (const JsonValue& bound : value.elements("bounds")) {
     bound.expect_members({"where", "strips", "isolated", "indices"});
@@ -285,7 +287,7 @@ void expect_bounds(const JsonValue& value, const std::vector<std::string>& numbe
   }
 }
 
-/// What only families have.
+/// Reads what only families have.
 void take_positions(const JsonValue& value, Description& family) {
   if (value.has("numbers")) family.numbers = numbers_from(value["numbers"]);
   if (value.has("where")) {
@@ -305,7 +307,8 @@ void take_positions(const JsonValue& value, Description& family) {
   if (family.section.empty()) family.section = family.name;
 }
 
-/// The patch of a single operation, which no pattern gives: what is wrong with it has a place in the file.
+/// Makes the patch of a single operation that is not a pattern, so that faults are reported with their place in the
+/// file.
 std::optional<Patch> patch_from(const JsonValue& value, const Description& description) {
   if (!description.numbers.empty() || description.is_pattern()) return {};
   if (description.is_graph_only()) {
@@ -328,7 +331,7 @@ std::optional<Patch> patch_from(const JsonValue& value, const Description& descr
 Description description_from(const JsonValue& value, Author author) {
   if (value.has("take"))
     value["take"].refuse(
-        "a dashed port stays dashed: whether it may become solid depends on the triangle behind it, which no rule "
+        "a dashed port stays dashed: whether it may become solid depends on the triangle beyond it, which no rule "
         "sees; "
         "describe that triangle as part of the patch");
   value.expect_members({"restrip_operation", "name", "about", "certificate", "constraint", "numbers", "where", "listed",
@@ -351,13 +354,13 @@ Description description_from(const JsonValue& value, Author author) {
     description.after = triangles_from(value["after"], description.numbers);
     if (value.has("boundary")) description.boundary = stretches_of_rim_from(value["boundary"], description.numbers);
     if (serves_every_position(description))
-      value["section"].refuse("a family that is given by its triangles has a section for each position");
+      value["section"].refuse("a family given by triangles has a section for each position");
   } else {
-    if (value.has("boundary")) value["boundary"].refuse("this is for patches given by their triangles");
+    if (value.has("boundary")) value["boundary"].refuse("this is for patches given by triangles");
     description.before = side_from(value["before"], description.numbers);
     description.after = side_from(value["after"], description.numbers);
     if (description.before.index() != description.after.index())
-      value["after"].refuse("expected the form that \"before\" has");
+      value["after"].refuse("expected the same form as \"before\"");
   }
   const std::optional<Patch> patch = patch_from(value, description);
   const Side* after = patch ? &patch->after : nullptr;
@@ -387,7 +390,7 @@ std::vector<Description> parse_descriptions(const std::string& file, const std::
     for (const JsonValue& one : top[list].elements("descriptions")) {
       all.push_back(description_from(one, author));
       for (std::size_t i = 0; i + 1 < all.size(); ++i)
-        if (all[i].name == all.back().name) one["name"].refuse("another description is named so as well");
+        if (all[i].name == all.back().name) one["name"].refuse("another description has this name");
     }
     if (all.empty()) top[list].refuse("expected a list of descriptions, found none");
   } else {

@@ -18,7 +18,7 @@ struct CodePoints {
   std::uint32_t last;
 };
 
-/// Controls, line and paragraph separators, and what is invisible or turns the direction of writing.
+/// Controls, line and paragraph separators, invisible characters and direction marks.
 constexpr std::array<CodePoints, 12> hidden{{{0x00, 0x1f},
                                              {0x7f, 0x9f},
                                              {0xad, 0xad},
@@ -32,7 +32,7 @@ constexpr std::array<CodePoints, 12> hidden{{{0x00, 0x1f},
                                              {0xfff0, 0xfffb},
                                              {0xe0000, 0x10ffff}}};
 
-/// The code point at the beginning of valid UTF-8, which is taken off.
+/// Removes and returns the first code point of valid UTF-8.
 std::uint32_t taken_code_point(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
   const std::uint32_t first = byte(0);

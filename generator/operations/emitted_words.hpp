@@ -1,5 +1,5 @@
-// What the words of an operation file may be that go into emitted files: nothing in them may end a comment or a string,
-// or be taken for something else, in any language that is emitted (docs/reference/operation-file.md, "Words").
+// Checks words of an operation file that appear in emitted files: nothing in them may end a comment or a string, or be
+// read as something else, in any emitted language (docs/reference/operation-file.md, "Words").
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace restrip::generator {
 
-/// The first thing in a UTF-8 text that may not be in a comment, such as "U+000A"; empty when all of it may.
+/// The first part of a UTF-8 text that may not be in a comment, such as "U+000A"; empty if there is none.
 [[nodiscard]] std::string unprintable(std::string_view text);
 
-/// The text as a message has it: every byte that is not printable ASCII is written as \x1b; long ones are cut.
+/// The text for a message: every byte that is not printable ASCII is written as \x1b; long texts are cut.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// What takes the name, such as "a keyword of C++" (docs/taken-names.json); empty when nothing does.
+/// The owner of a taken name, such as "a keyword of C++" (docs/taken-names.json); empty if it is free.
 [[nodiscard]] std::string name_is(std::string name);
 
 }  // namespace restrip::generator

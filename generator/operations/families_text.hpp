@@ -1,5 +1,5 @@
-// tables/families.json, docs/taken-names.json and a list of the files of tables/operations, as they were when this was
-// built (cmake/Embed.cmake).
+// tables/families.json, docs/taken-names.json and a list of the files of tables/operations, embedded at build time
+// (cmake/Embed.cmake).
 #pragma once
 
 #include <string_view>

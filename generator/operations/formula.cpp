@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_terms_of_a_sum = 16;
 constexpr std::size_t most_comparisons = 16;
 
-/// Reads a formula of certain numbers from left to right.
+/// Reads a formula of given numbers from left to right.
 class FormulaReader {
  public:
   FormulaReader(std::string_view text, const std::vector<std::string>& numbers, std::string index = {})

@@ -1,4 +1,4 @@
-// The little formulas in descriptions of families: sums of numbers, conditions, and triangles by name and index
+// The formulas in descriptions of families: sums of numbers, conditions, and triangles by name and index
 // (docs/reference/operation-file.md, "Families").
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace restrip::generator {
 
-/// The numbers that say where an operation of a family happens, the valence first; unused ones are 0.
+/// The numbers of a position, the valence first; unused ones are 0.
 using PositionNumbers = std::array<unsigned, 3>;
 
-/// "2 a + k - 1": what each number counts, and a constant; and an index, in what stands for several triangles.
+/// "2 a + k - 1": a factor for each number and a constant; and a factor for the index, if several triangles are meant.
 struct Sum {
   std::array<int, 3> factors{};
   int of_index = 0;
@@ -28,7 +28,7 @@ struct Comparison {
   Sum right;
 };
 
-/// All of them hold.
+/// All must hold.
 using Conditions = std::vector<Comparison>;
 [[nodiscard]] bool hold(const Conditions& conditions, const PositionNumbers& place);
 

@@ -25,7 +25,7 @@ constexpr std::size_t deepest = 8;
 constexpr std::size_t most_members = 64;
 constexpr std::size_t longest_member = 60;
 
-/// Follows the parser through a text, of which it tells values and no places: how far it has read is known.
+/// Follows the parser through a text. The parser reports values without places, but its read position is known.
 class Follower {
  public:
   Follower(JsonFile& file, std::istream& text, const std::string& whole) : file_(file), text_(text), whole_(whole) {}
@@ -38,9 +38,8 @@ class Follower {
       object.path_inside = path_of(object.path, name);
       if (name.size() > longest_member)
         refuse(fmt::format("expected names of members of at most {} bytes, found \"{}\"", longest_member, name));
-      // The last of two members of one name would silently win.
-      if (!object.members.insert(object.path_inside).second)
-        refuse(fmt::format("the member \"{}\" is there twice", name));
+      // Otherwise the last of two members of one name would silently win.
+      if (!object.members.insert(object.path_inside).second) refuse(fmt::format("duplicate member \"{}\"", name));
       if (object.members.size() > most_members)
         refuse(fmt::format("expected at most {} members of an object", most_members));
     } else if (event == Event::object_end || event == Event::array_end) {
@@ -63,7 +62,7 @@ class Follower {
     std::string path;
     bool is_list = false;
     std::size_t elements = 0;
-    std::string path_inside;  ///< of the member that comes
+    std::string path_inside;  ///< of the next member
     std::set<std::string> members;
   };
 
@@ -71,7 +70,7 @@ class Follower {
     throw std::runtime_error(fmt::format("{}:{}: {}", file_.name, line(), printable(what)));
   }
 
-  /// Of the last token: the parser has read it, and of what follows a number the first character.
+  /// The line of the last token: the parser has read it and, after a number, one more character.
   std::size_t line() {
     const auto read = static_cast<std::ptrdiff_t>(text_.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in));
     const std::ptrdiff_t end = std::max(read - 1, counted_);
@@ -91,7 +90,7 @@ class Follower {
 }  // namespace
 
 JsonFile parse_json(const std::string& file, const std::string& text) {
-  if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
+  if (text.starts_with("\xef\xbb\xbf"))  // the parser would skip it
     throw std::runtime_error(
         fmt::format("{}:1: the file begins with a byte order mark; save it as UTF-8 without one", file));
   JsonFile parsed{file, {}, {}};
@@ -153,7 +152,7 @@ std::int64_t JsonValue::number(std::int64_t least, std::int64_t most, const std:
 }
 
 unsigned JsonValue::place(std::size_t count, const std::string& what) const {
-  if (count == 0) refuse(fmt::format("there is no {}", what));
+  if (count == 0) refuse(fmt::format("the patch has no {}", what));
   return static_cast<unsigned>(number(0, static_cast<std::int64_t>(count) - 1, "a " + what));
 }
 

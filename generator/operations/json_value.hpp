@@ -1,4 +1,4 @@
-// A value of a JSON file that knows where it stands, so that every refusal names file, line and member.
+// A value of a JSON file with its place, so that every refusal names file, line and member.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,24 @@ namespace restrip::generator {
 /// Members stay in the order of the file.
 using Json = nlohmann::ordered_json;
 
-/// A file, and on which line each of its values begins, by its path: "after.ring[3]", and "" for the whole.
+/// A file, and the first line of each of its values by path: "after.ring[3]", and "" for the whole.
 struct JsonFile {
   std::string name;
   Json json;
   std::map<std::string, std::size_t> lines;
 };
 
-/// Throws std::runtime_error that names file and line where the text is not JSON, has a member twice, or exceeds a
-/// limit of docs/reference/operation-file.md.
+/// Throws std::runtime_error, naming file and line, if the text is not JSON, has a duplicate member, or exceeds a limit
+/// of docs/reference/operation-file.md.
 [[nodiscard]] JsonFile parse_json(const std::string& file, const std::string& text);
 
 class JsonValue {
  public:
-  /// The whole file, to which it refers.
+  /// The whole file, which must outlive it.
   explicit JsonValue(const JsonFile& file) : JsonValue(file, file.json, "") {}
 
   [[noreturn]] void refuse(const std::string& what) const;
-  /// How errors about it begin: "f.json:4: after.ring[3]: ".
+  /// The beginning of errors about it: "f.json:4: after.ring[3]: ".
   [[nodiscard]] std::string where() const;
 
   [[nodiscard]] bool has(const std::string& member) const { return json_.contains(member); }
@@ -38,14 +38,14 @@ class JsonValue {
   [[nodiscard]] bool is_text() const { return json_.is_string(); }
   [[nodiscard]] bool is_list() const { return json_.is_array(); }
   [[nodiscard]] JsonValue operator[](const std::string& member) const;
-  /// The names of the members, in their order.
+  /// The names of the members, in order.
   [[nodiscard]] std::vector<std::string> members() const;
   [[nodiscard]] std::vector<JsonValue> elements(const std::string& of_what) const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] bool truth() const;
-  /// A whole number from `least` to `most`; `what` names it.
+  /// An integer from `least` to `most`; `what` names it.
   [[nodiscard]] std::int64_t number(std::int64_t least, std::int64_t most, const std::string& what) const;
-  /// One of the places 0 … count - 1.
+  /// An index from 0 to count - 1.
   [[nodiscard]] unsigned place(std::size_t count, const std::string& what) const;
   void expect_members(const std::vector<std::string>& known) const;
 

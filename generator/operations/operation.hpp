@@ -1,5 +1,5 @@
-// What the search knows of an operation: its patch, the triangles that it touches, before and after it; and what makes
-// one sound recolouring better than another. Every description (description.hpp) says one for each of its positions.
+// An operation as the search sees it: its patch, which contains the touched triangles, before and after it, and the
+// order of preference among sound recolourings. Every description (description.hpp) has one for each of its positions.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,7 @@ struct Edge {
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
-/// The patch at one moment: nodes 0 … nodes - 1, inner edges in the order of their mask bits, and for each port its
-/// node.
+/// One side of a patch: nodes 0 … nodes - 1, inner edges in the order of their mask bits, and the node of each port.
 struct Side {
   unsigned nodes = 0;
   std::vector<Edge> edges;
@@ -30,7 +29,7 @@ struct Side {
   friend bool operator==(const Side&, const Side&) = default;
 };
 
-/// What the solid edges must be: no cycle, and at most so many at a triangle. Two make strips, one a matching, three a
+/// The condition on solid edges: no cycle, and a maximum at each triangle. Two make strips, one a matching, three a
 /// forest.
 struct Constraint {
   unsigned most_edges = 2;
@@ -43,7 +42,7 @@ struct Patch {
   Side after;
 };
 
-/// docs/reference/operation-file.md says what each counts.
+/// docs/reference/operation-file.md defines each.
 enum class Count { strips, isolated, given_up, kept, joined, solid, ends, ends_at_port, neighbouring_ends, squares };
 
 struct Term {
@@ -51,21 +50,21 @@ struct Term {
 
   Count count = Count::strips;
   std::int64_t weight = 1;
-  Mask of = all;  ///< edges or nodes of the side after, or ports; for the counts that choose among them
+  Mask of = all;  ///< edges or nodes of the side after, or ports; for counts that choose among them
   friend bool operator==(const Term&, const Term&) = default;
 };
 
 /// A weighted sum.
 using Criterion = std::vector<Term>;
-/// Compared in turn (docs/reference/operation-file.md, "Cost").
+/// Compared lexicographically (docs/reference/operation-file.md, "Cost").
 using Preference = std::vector<Criterion>;
 
-/// Fewest strips; then fewest isolated triangles, a port given up counting as one; then fewest ports given up.
+/// Fewest strips; then fewest isolated triangles, where a port given up counts as one; then fewest ports given up.
 [[nodiscard]] inline Preference fewest_strips() {
   return {{{Count::strips}}, {{Count::isolated}, {Count::given_up}}, {{Count::given_up}}};
 }
 
-/// No preference has more criteria.
+/// The limit for a preference.
 inline constexpr std::size_t most_criteria = 8;
 
 struct Operation {
@@ -73,8 +72,8 @@ struct Operation {
   Constraint constraint;
   Mask may_give_up = 0;  ///< ports that may be solid before and dashed after
   Preference preference;
-  Criterion tie_break;       ///< among recolourings that `preference` finds equal; symmetries need not respect it
-  bool turns_first = false;  ///< of two symmetries that serve alike, one that turns the ports is taken before another
+  Criterion tie_break;       ///< among equally preferred recolourings; symmetries need not respect it
+  bool turns_first = false;  ///< if two symmetries serve equally, the one that turns the ports is chosen
 };
 
 }  // namespace restrip::generator

@@ -12,7 +12,7 @@
 namespace restrip::generator {
 namespace {
 
-/// Bits of an entry's type: one more at least than a rule has, so that all ones is none.
+/// Bits of an entry's type: at least one more than a rule has, so that all ones means none.
 unsigned width_of(const std::vector<OperationLayout::At>& positions) {
   std::size_t bits = 0;
   for (const OperationLayout::At& at : positions)
@@ -42,7 +42,7 @@ std::array<std::string, 2> sizes(const Patch& patch) {
   return {size(patch.before), size(patch.after)};
 }
 
-/// How dumps name a position, with the places of the numbers for their names: "k {0} a {1}", as C++ writes a string.
+/// A position as dumps write it, with indices instead of the numbers' names: "k {0} a {1}", as a C++ string.
 std::string quoted_place(const Description& family) {
   std::string place = family.place;
   for (std::size_t i = 0; i < family.numbers.size(); ++i) {
@@ -54,7 +54,7 @@ std::string quoted_place(const Description& family) {
   return '"' + quoted + '"';
 }
 
-/// As the header lists them.
+/// The form of the list in the header.
 std::string triangles(const std::vector<SurfaceTriangle>& met) {
   std::vector<std::string> words;
   words.reserve(met.size());
@@ -64,11 +64,11 @@ std::string triangles(const std::vector<SurfaceTriangle>& met) {
   return "    {{\n" + numbers(words) + "    }},\n";
 }
 
-/// Of all positions, one after another.
+/// The triangles of all positions, one after another.
 struct Triangles {
   std::vector<SurfaceTriangle> before;
   std::vector<SurfaceTriangle> after;
-  std::string positions;  ///< for each how many vertices there are, and where its triangles begin
+  std::string positions;  ///< for each position, the number of vertices and the start of its triangles
   unsigned vertices = 0;  ///< of the last one
 
   explicit Triangles(const OperationLayout& layout) {
@@ -84,7 +84,7 @@ struct Triangles {
   [[nodiscard]] std::string text() const { return triangles(before) + triangles(after) + "};\n"; }
 };
 
-/// The table of an operation or a family, from its type on.
+/// The table of an operation or a family, starting with its type.
 std::string table(const OperationLayout& layout, const std::string& name) {
   const OperationLayout::At& first = layout.positions[0];
   const bool is_family = !layout.named().numbers.empty();

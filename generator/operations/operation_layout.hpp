@@ -1,6 +1,6 @@
-// The table of an operation or a family as every language has it: entries as
-// tables/include/restrip/tables/operation_format.hpp explains them, and for each position how large the patch is and
-// where its entries begin.
+// The table of an operation or a family, common to all languages: entries as explained in
+// tables/include/restrip/tables/operation_format.hpp, and for each position the size of the patch and the start of its
+// entries.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct AnsweredPosition {
 };
 
 struct OperationLayout {
-  /// A position, and where its entries begin.
+  /// A position and the start of its entries.
   struct At {
     Position position;
     Patch patch;
@@ -37,13 +37,13 @@ struct OperationLayout {
   [[nodiscard]] std::size_t bytes() const { return entries.size() * width / 8; }
 };
 
-/// Of the positions of one description, which stays where it is for as long as the layout is used.
+/// For the positions of one description, which must outlive the layout.
 [[nodiscard]] OperationLayout operation_layout(const std::vector<AnsweredPosition>& positions);
 
 /// The header in C++: docs/reference/operation-file.md, "Table".
 [[nodiscard]] std::string operation_header(const OperationLayout& layout);
 
-/// Where the files of an operation lie in a folder of tables.
+/// Paths of an operation's files in a folder of tables.
 [[nodiscard]] std::string operation_certificate_path(const std::string& name);
 [[nodiscard]] std::string operation_header_path(const std::string& name);
 

@@ -1,4 +1,4 @@
-// The words of operation files for what operation.hpp knows.
+// The words of operation files for the types of operation.hpp.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,13 @@
 
 namespace restrip::generator {
 
-/// By the most solid edges of a triangle, from one.
+/// By the maximum of solid edges at a triangle, from one.
 inline constexpr std::array<const char*, 3> constraint_words{"matching", "strips", "forest"};
 
 struct CountWord {
   std::string_view word;
   Count count;
-  std::string_view among =
-      {};  ///< what it can be told to choose among: "edge", "triangle" or "port"; the member has an s
+  std::string_view among = {};  ///< what it can choose among: "edge", "triangle" or "port"; the member's name has an s
 };
 
 /// Every count that a file can name.
@@ -32,7 +31,7 @@ inline constexpr std::array<CountWord, 10> count_words{{{"strips", Count::strips
                                                         {"neighbouring_ends", Count::neighbouring_ends},
                                                         {"squares", Count::squares}}};
 
-/// std::logic_error for a count that files do not have.
+/// Throws std::logic_error for a count that files do not have.
 [[nodiscard]] inline const CountWord& word_of(Count count) {
   const auto* const found =
       std::find_if(count_words.begin(), count_words.end(), [&](const CountWord& word) { return word.count == count; });
@@ -40,7 +39,7 @@ inline constexpr std::array<CountWord, 10> count_words{{{"strips", Count::strips
   return *found;
 }
 
-/// How many there are to choose among.
+/// The number of members to choose among.
 [[nodiscard]] inline std::size_t how_many(std::string_view among, const Side& after) {
   return among == "edge" ? after.edges.size() : among == "triangle" ? after.nodes : among == "port" ? after.ports() : 0;
 }

@@ -6,17 +6,16 @@
 namespace restrip::generator {
 namespace {
 
-/// What is counted, and how much one of it weighs. The weights were found by climbing from a guess, one or a few
-/// weights at a time, with replays of real meshes from 2 % to 100 % as the judge; docs/reference/tables.md has the
-/// figures.
+/// The counted features and their weights. The weights were found by hill climbing from a guess, one or a few weights
+/// at a time, judged by replays of real meshes from 2 % to 100 %; docs/reference/tables.md has the figures.
 struct TieWeights {
   int solid_chord;         ///< the chord is solid
   int joined_pair;         ///< two ports are joined inside
-  int end_facing_out;      ///< a strip ends at a fan triangle whose port is dashed: it may continue there one day
+  int end_facing_out;      ///< a strip ends at a fan triangle with a dashed port, where it may continue later
   int end_at_port;         ///< a strip enters by a port and ends at once
   int end_at_new;          ///< a strip ends at A or D
   int neighbouring_ends;   ///< an inner edge between two strip ends
-  int square_of_ports;     ///< for each strip, the square of the fan triangles it covers: long strips
+  int square_of_ports;     ///< for each strip, the square of the fan triangles it covers: favours long strips
   int solid_at_new;        ///< a solid edge of A or D
   int solid_in_first_arc;  ///< a solid edge between A and D on the side of the first arc
 };
@@ -38,7 +37,7 @@ Mask edges_at(const Side& side, Mask nodes, int ends) {
 Criterion tie_break(const Position& position, const Side& after, Sight sight) {
   const Description& family = *position.family;
   if (family.own_cost || family.constraint.most_edges != 2) return {};
-  // Where one of two ports has to be given up, either will do: this has been the flip's choice from the start.
+  // If one of two ports must be given up, either is possible; this has always been the flip's choice.
   if (family.numbers.empty()) return family.is_pattern() ? Criterion{{Count::kept, -1, 0b0101}} : Criterion{};
   const TieWeights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
   Mask fan = 0;

@@ -14,9 +14,9 @@ namespace restrip::generator {
 namespace {
 
 using Corners = std::array<unsigned, 3>;
-/// A directed edge by its ends; the triangle that has it lies to its left.
+/// A directed edge by its ends; its triangle lies to its left.
 using Ends = std::pair<unsigned, unsigned>;
-/// Where a directed edge is: side s of a triangle runs from its corner s to the next one.
+/// The place of a directed edge: side s of a triangle runs from its corner s to the next one.
 struct SideOf {
   unsigned triangle = 0;
   unsigned side = 0;
@@ -78,7 +78,7 @@ class Disc {
   [[nodiscard]] Ends side(unsigned triangle, unsigned s) const {
     return {corners_[triangle][s], corners_[triangle][(s + 1) % 3]};
   }
-  /// The rim from this vertex on, once around.
+  /// The rim once around, starting at this vertex.
   [[nodiscard]] std::vector<Ends> rim_from(unsigned first) const {
     std::vector<Ends> edges;
     unsigned v = first;
@@ -108,13 +108,13 @@ class Disc {
     }
   }
 
-  /// Turning around a vertex from any of its triangles must meet all of them.
+  /// A turn around a vertex from any of its triangles must reach all of them.
   void expect_single_fans() const {
     std::map<unsigned, unsigned> meeting;
     for (const Corners& c : corners_)
       for (const unsigned v : c) ++meeting[v];
     for (const auto& [v, all] : meeting) {
-      // From the rim if the vertex is on it, so that one turn meets the whole fan.
+      // Starts at the rim if the vertex is on it, so that one turn reaches the whole fan.
       const auto rim = rim_.find(v);
       if (rim != rim_.end() && rim->second.size() > 1)
         fail(-1, fmt::format("the triangles around {} are {} fans, expected one", names_[v], rim->second.size()));
@@ -161,7 +161,7 @@ class Disc {
   Names& names_;
   std::vector<Corners> corners_;
   std::map<Ends, SideOf> sides_;
-  std::map<unsigned, std::vector<unsigned>> rim_;  ///< where the rim leads from a vertex
+  std::map<unsigned, std::vector<unsigned>> rim_;  ///< the next vertices of the rim
 };
 
 /// The edges of the rim that lie on the boundary of the mesh.
@@ -173,7 +173,7 @@ std::set<Ends> boundary_of(const Disc& disc, const NamedPatch& named, const Name
     if (from == to) refuse("expected two different vertices");
     for (const std::string& name : named.boundary[i])
       if (const auto v = names.find(name); !v || !disc.on_rim(*v))
-        refuse(fmt::format("expected vertices of the rim on both sides; {} is none {} the operation", name,
+        refuse(fmt::format("expected vertices of the rim on both sides; {} is not one {} the operation", name,
                            disc.member()));
     const unsigned last = *names.find(to);
     for (const Ends& edge : disc.rim_from(*names.find(from))) {
@@ -184,7 +184,7 @@ std::set<Ends> boundary_of(const Disc& disc, const NamedPatch& named, const Name
   return edges;
 }
 
-/// The ports in their order, by the directed edges of the rim before the operation.
+/// The ports in order, by the directed edges of the rim before the operation.
 std::vector<Ends> ports_of(const Disc& before, const std::set<Ends>& boundary) {
   for (unsigned t = 0; t < before.corners().size(); ++t)
     for (unsigned s = 0; s < 3; ++s) {
@@ -197,7 +197,7 @@ std::vector<Ends> ports_of(const Disc& before, const std::set<Ends>& boundary) {
   return {};
 }
 
-/// Every edge of the rim of one that is not on the boundary must be one of the other.
+/// Checks that every edge of one rim that is not on the boundary is also in the other.
 void expect_rim_of(const Disc& other, const std::set<Ends>& open_there, const Disc& disc, const std::set<Ends>& open,
                    const Names& names) {
   for (unsigned t = 0; t < disc.corners().size(); ++t)
@@ -209,7 +209,7 @@ void expect_rim_of(const Disc& other, const std::set<Ends>& open_there, const Di
     }
 }
 
-/// Numbers what the sides are: `of[t][s]` as in SurfaceTriangle.
+/// Numbers the sides: `of[t][s]` as in SurfaceTriangle.
 Side numbered(const Disc& disc, const std::vector<Ends>& ports, std::vector<std::array<std::uint8_t, 3>>& of) {
   Side side;
   side.nodes = static_cast<unsigned>(disc.corners().size());
@@ -235,7 +235,7 @@ Side numbered(const Disc& disc, const std::vector<Ends>& ports, std::vector<std:
   return side;
 }
 
-/// The triangles as one meets them from the first side of the first.
+/// The triangles in traversal order from the first side of the first.
 std::vector<SurfaceTriangle> walked(const Disc& disc, const std::vector<std::array<std::uint8_t, 3>>& of) {
   std::vector<SurfaceTriangle> met;
   std::set<unsigned> known;
@@ -268,7 +268,8 @@ NamedPatch::Triangles triangles_at(const TrianglePatterns& patterns, const Posit
   for (const auto& [corners, index] : patterns) {
     const int from = index ? index->range->from.at(place) : 0;
     const int to = index ? index->range->to.at(place) : 1;
-    if (from < 0 || to < 0) throw std::runtime_error(fmt::format("{}[{},{}) are no indices", index->name, from, to));
+    if (from < 0 || to < 0)
+      throw std::runtime_error(fmt::format("{}[{},{}) is not a range of indices", index->name, from, to));
     for (int i = from; i < to && triangles.size() <= most_nodes; ++i)
       triangles.push_back(
           {name_at(corners[0], place, i), name_at(corners[1], place, i), name_at(corners[2], place, i)});

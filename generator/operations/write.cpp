@@ -24,7 +24,7 @@
 namespace restrip::generator {
 namespace {
 
-/// A certificate, solved, with what reports tell of it.
+/// A solved certificate, with data for reports.
 struct Solved {
   Certificate certificate;
   Claims claims;          ///< of all sections; linked ones have none
@@ -65,7 +65,7 @@ std::set<std::filesystem::path> paths_of(const Description& description, const s
   return paths;
 }
 
-/// Their bytes. Positions that the certificate leaves out, because they are images of others, are solved for them.
+/// Their bytes. Positions that the certificate omits, because they are images of others, are solved for them.
 std::map<std::filesystem::path, std::string> files_of(const Description& description, Solved& solved,
                                                       const std::set<std::string>& languages, unsigned max_k) {
   const std::vector<Section>& known = solved.certificate.sections;
@@ -121,8 +121,8 @@ nlohmann::ordered_json figures(const Solved& made) {
           {"graph_only", sections[0].position.family->is_graph_only()}};
 }
 
-/// The lines about it for people.
-std::string told(const Solved& made) {
+/// Human-readable summary.
+std::string summary(const Solved& made) {
   const auto& [name, sections, texts] = made.certificate;
   const std::size_t rows = made.certificate.rows();
   if (made.certificate.linked()) return fmt::format("{:<24} {:>6} {}\n", name, rows, plural(rows, "alternative"));
@@ -145,15 +145,14 @@ void make_rules(const RulesOptions& options) {
     for (Description& description : parse_descriptions(file, made_from.back())) {
       for (const Description& other : others)
         if (other.name == description.name || other.certificate == description.certificate)
-          throw std::runtime_error(
-              fmt::format("{}: another of these files is named {} as well", file, description.name));
+          throw std::runtime_error(fmt::format("{}: another of these files has the name {}", file, description.name));
       has_family = has_family || !description.numbers.empty();
       descriptions.push_back(std::move(description));
     }
   }
   if (options.max_k && !has_family)
     throw std::runtime_error(
-        fmt::format("{}: there is no family, so --max-k has no effect; leave it out", fmt::join(options.files, ", ")));
+        fmt::format("{}: not a family, so --max-k has no effect; leave it out", fmt::join(options.files, ", ")));
   std::set<std::filesystem::path> paths;
   const unsigned max_k = options.max_k.value_or(most_ports);
   const bool certified = options.languages.contains("c++");
@@ -192,7 +191,7 @@ void make_rules(const RulesOptions& options) {
         texts.push_back({path, std::move(bytes)});
     }
     json["operations"].push_back(figures(made));
-    text += told(made);
+    text += summary(made);
   }
   if (!options.force) texts.push_back(before.with(texts));
   out.write(texts);

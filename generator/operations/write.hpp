@@ -1,4 +1,4 @@
-// What `restrip-generate rules` writes.
+// The command `restrip-generate rules`.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@ namespace restrip::generator {
 
 struct RulesOptions {
   std::vector<std::string> files;          ///< operation files
-  std::string out;                         ///< the folder that receives the files of each
-  std::optional<unsigned> max_k;           ///< of families, the largest first number; otherwise 8
-  std::set<std::string> languages{"c++"};  ///< of language_files(); that of C++ are header and certificate
-  bool force = false;                      ///< make them whether or not the folder has them, and keep no record of it
-  std::string json;  ///< file for the figures, "-" for standard output in place of the text, or empty
+  std::string out;                         ///< the output folder
+  std::optional<unsigned> max_k;           ///< for families: the largest first number; default 8
+  std::set<std::string> languages{"c++"};  ///< of language_files(); C++ has header and certificate
+  bool force = false;                      ///< make the files even if the folder has them, and keep no record
+  std::string json;  ///< file for the figures; "-": standard output, instead of the text; or empty
 };
 
-/// Solves every operation and writes its files, all at once. Says on standard output what it wrote. Throws
-/// std::exception with file and remedy.
+/// Solves every operation and writes its files, all at once. Reports on standard output. Throws std::exception with
+/// file and remedy.
 void make_rules(const RulesOptions& options);
 
 }  // namespace restrip::generator

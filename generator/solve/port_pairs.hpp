@@ -1,4 +1,4 @@
-// Sets of pairs of ports, at most sixteen ports; and the keys of rules, which are made of them.
+// Sets of pairs of at most sixteen ports, and the keys of rules, which contain them.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace restrip::generator {
 
-/// Ordered by the last pair in which two sets differ; pairs come in ascending order of the smaller port, those with the
-/// same smaller port in descending order of the larger. In a closed fan, where pairs are of consecutive solid ports,
-/// this is the order of the keys of the tables.
+/// Ordered by the last pair in which two sets differ. Pairs are in ascending order of the smaller port and, for equal
+/// smaller ports, in descending order of the larger one. In a closed fan, whose pairs are consecutive solid ports, this
+/// is the order of the keys of the tables.
 class PortPairs {
  public:
   void add(unsigned low, unsigned high) {
@@ -41,10 +41,10 @@ class PortPairs {
 
   /// Two bits each.
   [[nodiscard]] std::vector<Mask> masks() const;
-  /// Where the ports go.
+  /// The images of the pairs.
   [[nodiscard]] PortPairs moved(const std::vector<unsigned>& to) const;
 
-  /// As certificates write it: bit j (j - 1) / 2 + i is the pair of ports i < j. Nothing but such text is read.
+  /// As certificates write it: bit j (j - 1) / 2 + i is the pair of ports i < j. Only such text is accepted.
   [[nodiscard]] std::string text() const;
   [[nodiscard]] static bool read(std::string_view text, unsigned ports, PortPairs& pairs);
 
@@ -71,8 +71,8 @@ class PortPairs {
   std::array<std::uint64_t, 2> words_{};  ///< high, low
 };
 
-/// What a rule needs to know of the colours before: the solid ports, and which pairs of them are joined, of those that
-/// some recolouring could join (docs/reference/operation-file.md, "What a rule must be").
+/// What a rule needs to know of the colours before: the solid ports, and which pairs of them are joined, among the
+/// pairs that some recolouring could join (docs/reference/operation-file.md, "What a rule must be").
 struct Key {
   Mask ports = 0;
   PortPairs joined;

@@ -11,13 +11,12 @@
 
 namespace restrip::generator {
 
-/// What is to be shown: at least so many edges are dashed, and if it is just so many, then so many triangles are
-/// isolated at least, and so on.
+/// The claim to show: a minimum of dashed edges; for that number, a minimum of isolated triangles; and so on.
 struct ReasonGoal {
-  EdgeSet edges = 0;               ///< those that a recolouring may leave dashed
+  EdgeSet edges = 0;               ///< edges that a recolouring may leave dashed
   unsigned inner_edges = 0;        ///< edges from this number on are ports
   std::vector<EdgeSet> sets;       ///< none of them can be all solid
-  std::vector<EdgeSet> triangles;  ///< each is isolated when all of these are dashed
+  std::vector<EdgeSet> triangles;  ///< each is isolated if all of these are dashed
   int dashed = 0;
   int isolated = 0;
   int given_up = 0;
@@ -41,18 +40,18 @@ void collect_paths(const Side& side, unsigned at, unsigned goal, EdgeSet avoided
   }
 }
 
-/// A leaf of a greedy tree is given up after so many steps, and its cases are told.
+/// A leaf of a greedy tree gives up after this number of steps and splits into cases.
 constexpr std::uint64_t most_steps_of_leaf = 2000;
 
 bool smaller(EdgeSet x, EdgeSet y) { return std::tuple{std::popcount(x), x} < std::tuple{std::popcount(y), y}; }
 
-/// Looks for reasons of one goal, and counts its steps: a state looked at, or a set looked at in a state, is one. A
-/// state says which edges are settled as solid and which as dashed.
+/// Searches for reasons of one goal and counts its steps: one for each visited state, and one for each set examined in
+/// a state. A state says which edges are settled as solid or as dashed.
 class ReasonSearch {
  public:
   explicit ReasonSearch(const ReasonGoal& goal) : goal_(goal) {}
 
-  /// The first smallest tree in a fixed order; none when that takes more steps than these. Exponential in the leaves.
+  /// The first smallest tree in a fixed order; empty if that takes more steps. Exponential in the leaves.
   std::optional<Reason> smallest(std::uint64_t most_steps) {
     known_.clear();
     last_step_ = steps_ + most_steps;
@@ -61,18 +60,18 @@ class ReasonSearch {
     return {};
   }
 
-  /// A tree that need not be smallest: it tells cases by the edge that is in most small sets.
+  /// A tree that need not be smallest: it splits on the edge that is in most small sets.
   Reason greedy() { return greedy(0, 0); }
 
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
  private:
   struct Known {
-    std::size_t too_few = 0;  ///< no tree has so many leaves
+    std::size_t too_few = 0;  ///< no tree has this number of leaves
     std::optional<Reason> reason;
   };
 
-  /// Sets of the goal that still say something, none of which contains another, in ascending order of (size, set).
+  /// Sets of the goal that still matter, none of which contains another, in ascending order of (size, set).
   std::vector<EdgeSet> open_sets(EdgeSet solid, EdgeSet dashed) {
     std::vector<EdgeSet> open;
     for (const EdgeSet set : goal_.sets)
@@ -101,7 +100,7 @@ class ReasonSearch {
   }
 
   std::optional<Reason> leaf(const std::vector<EdgeSet>& sets, EdgeSet dashed) {
-    // With an edge that must be dashed, the case that it is solid would be empty: no smallest tree has such a case.
+    // If an edge must be dashed, the case that it is solid is empty: no smallest tree has such a case.
     if (!sets.empty() && sets.front() == 0) return {};
     const int missing = goal_.dashed - std::popcount(dashed);
     const bool only_dashed_counts = goal_.isolated == 0 && goal_.given_up == 0;
@@ -121,12 +120,12 @@ class ReasonSearch {
     return {};
   }
 
-  /// A tree of at most so many leaves, of which no tree has fewer; null when none exists, or steps are used up.
-  // It is asked for trees of one leaf first, then two, and of each case for as few as that leaves. So it is never asked
-  // for more leaves than the smallest tree has, and what it answers depends on the state alone: it can be kept.
+  /// A tree of at most `leaves` leaves, such that no tree has fewer; null if there is none or the steps are used up.
+  /// It first searches for trees with one leaf, then two, and so on, and limits each case accordingly. So it is never
+  /// called with more leaves than the smallest tree has, and its result depends on the state alone and can be cached.
   const Reason* find(EdgeSet solid, EdgeSet dashed, std::size_t leaves) {
     if (++steps_ > last_step_) return nullptr;
-    Known& known = known_[std::uint64_t{solid} << 32U | dashed];  // stays where it is while others are added
+    Known& known = known_[std::uint64_t{solid} << 32U | dashed];  // its address stays valid when others are added
     if (known.reason) return known.reason->leaves() <= leaves ? &*known.reason : nullptr;
     if (known.too_few == 0) known.reason = leaf(open_sets(solid, dashed), dashed);
     if (known.reason) return &*known.reason;
@@ -150,8 +149,8 @@ class ReasonSearch {
     const std::vector<EdgeSet> sets = open_sets(solid, dashed);
     last_step_ = steps_ + most_steps_of_leaf;
     if (std::optional<Reason> found = leaf(sets, dashed)) return *std::move(found);
-    // An edge in a set of its own is dashed in any case. If there is no other, the sets are all of one edge, and the
-    // leaf was found above at once.
+    // An edge in a set of one is dashed in any case. Without other edges, all sets have one edge, and the leaf
+    // was found above.
     unsigned best = 0;
     std::uint64_t most = 0;
     for (unsigned edge = 0; edge < 32; ++edge) {

@@ -1,5 +1,5 @@
-// Why no sound recolouring is preferred to a rule's: the reasons that certificates give (docs/reference/certificate.md,
-// "Reasons"). A reason is a case tree; docs/reference/verifiers.md proves that it is one.
+// Why no sound recolouring is preferred to a rule: the reasons in certificates (docs/reference/certificate.md,
+// "Reasons"). A reason is a case tree; docs/reference/verifiers.md proves its validity.
 #pragma once
 
 #include <cstdint>
@@ -12,46 +12,46 @@ namespace restrip::generator {
 
 struct ReasonGoal;
 
-/// Edges of the side after an operation: inner edges first; then the ports, of which those count that may be given up.
+/// Edges of the side after an operation: inner edges first, then ports, of which only those that may be given up count.
 using EdgeSet = Mask;
 [[nodiscard]] constexpr EdgeSet single(std::size_t edge) { return EdgeSet{1} << edge; }
 
-/// Either two cases, an edge solid and the same edge dashed, or disjoint sets of edges that cannot all be solid.
+/// Either two cases (an edge solid, and the same edge dashed), or disjoint sets of edges that cannot all be solid.
 struct Reason {
   unsigned edge = 0;
   std::vector<Reason> cases;  ///< solid, dashed; empty for a leaf
-  std::vector<EdgeSet> sets;  ///< of a leaf: smallest sets, in ascending order of (size, set)
+  std::vector<EdgeSet> sets;  ///< in ascending order of (size, set), smallest first
 
   [[nodiscard]] std::size_t leaves() const;
   /// The reason as certificates write it.
   [[nodiscard]] std::string text() const;
 };
 
-/// Whether reasons can be given for the rules of an operation: strips or forests, preferred by fewest_strips() first.
+/// Whether the rules of an operation can have reasons: strips or forests, preferred by fewest_strips() first.
 [[nodiscard]] bool has_reasons(const Operation& operation);
 
-/// The smallest reason of a rule is looked for in so many steps; if they are used up, a larger one
-/// is made at once. A number of steps and not a time, so that the bytes are the same everywhere. The shipped rules take
-/// at most a quarter of them (reason_test.cpp).
+/// The step limit of the search for the smallest reason of a rule; beyond it, a larger one is made quickly. The limit
+/// is a number of steps, not a time, so that the bytes are the same everywhere. The shipped rules take at most a
+/// quarter of it (reason_test.cpp).
 inline constexpr std::uint64_t most_steps_of_smallest_reason = 1'000'000;
 
 struct FoundReason {
   Reason reason;
-  std::uint64_t steps = 0;  ///< that it took
+  std::uint64_t steps = 0;  ///< steps taken
   bool smallest = false;    ///< no reason has fewer leaves
 };
 
-/// Finds reasons for the rules of one operation that has them.
+/// Finds reasons for the rules of an operation for which has_reasons() is true.
 class Reasoner {
  public:
   explicit Reasoner(const Operation& operation);
 
-  /// `best` must be the best choice for these solid ports and pairs that were joined before (two bits each).
+  /// `best` must be the best choice for these solid ports and previously joined pairs (two bits each).
   [[nodiscard]] FoundReason find(Mask ports, const std::vector<Mask>& joined, const Choice& best,
                                  std::uint64_t most_steps = most_steps_of_smallest_reason) const;
 
  private:
-  /// Edges that cannot all be solid, unless `pair` was joined before; ports come after the inner edges here, always.
+  /// Edges that cannot all be solid unless `pair` was joined before. Here ports always follow the inner edges.
   struct Forbidden {
     EdgeSet edges = 0;
     Mask pair = 0;

@@ -29,8 +29,8 @@ Degrees degrees(const Side& side, const Coloring& coloring, Mask ports) {
   return d;
 }
 
-/// What the criteria add up to of a colouring after the operation whose ports `kept` are solid, out of `ports`. Depends
-/// on the patch alone, never on the machine.
+/// The values of the criteria for a colouring after the operation whose ports `kept`, out of `ports`, are solid.
+/// Depends on the patch alone, never on the machine.
 CriterionValues values_of(const Operation& operation, const Coloring& coloring, const Outcome& outcome, Mask ports,
                           Mask kept) {
   const Side& after = operation.patch.after;
@@ -79,7 +79,7 @@ CriterionValues values_of(const Operation& operation, const Coloring& coloring, 
   return values;
 }
 
-/// Calls visit for every valid recolouring: its colouring, the ports that it keeps, and what comes of them.
+/// Calls visit for every valid recolouring with its colouring, kept ports and outcome.
 template <class Visit>
 void for_each_recoloring(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports,
                          Visit&& visit) {

@@ -19,25 +19,26 @@ struct Choice {
   unsigned isolated = 0;  ///< isolated triangles; a port given up counts as one
 };
 
-/// By solid ports, the pairs that some valid recolouring of these joins: of others it does not matter whether they were
+/// By solid ports: the pairs that some valid recolouring joins. For other pairs it does not matter whether they were
 /// joined.
 [[nodiscard]] std::vector<PortPairs> relevant_pairs(const Operation& operation);
 
-/// What the criteria add up to, and last the tie-break; smaller is better, compared in turn.
+/// The values of the criteria, followed by the tie-break; smaller is better, compared lexicographically.
 using CriterionValues = std::array<std::int64_t, most_criteria + 1>;
 
 /// Valid recolourings of one port mask, best first.
 class Candidates {
  public:
-  /// `colorings` are the legal ones of the side after the operation.
+  /// `colorings` are the legal colourings of the side after the operation.
   Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports);
 
-  /// The best recolouring that joins no pair of ports but these, which were joined before; null when none exists. For
-  /// fans there always is one: everything dashed inside, and nothing given up.
+  /// The best recolouring that joins only previously joined pairs; null if there is none. Fans always have one:
+  /// everything dashed inside, and no port given up.
   [[nodiscard]] const Choice* best(const PortPairs& joined_before) const;
 
-  /// The list of linked rules: of the recolourings that no better one covers, which joins only pairs that it joins too,
-  /// the best first. For each set of pairs joined outside, the first of them that closes no cycle with it is best.
+  /// The list of linked rules: the recolourings that are not covered, best first. A recolouring is covered if a better
+  /// one joins only pairs that it joins too. For each set of pairs joined outside, the first recolouring that closes no
+  /// cycle with it is best.
   [[nodiscard]] std::vector<std::pair<Choice, PortPairs>> uncovered() const;
 
  private:

@@ -14,8 +14,8 @@
 namespace restrip::generator {
 namespace {
 
-/// The keys that some valid configuration has, in ascending order. Configurations are many (26 million at one position
-/// of k = 12) and are not kept.
+/// The keys of valid configurations, in ascending order. The configurations are too many to be stored (26 million at
+/// one position of k = 12).
 void find_keys(Section& section, const Operation& rows_of) {
   section.relevant = relevant_pairs(rows_of);
   std::vector<std::vector<Coloring>> before;
@@ -43,7 +43,7 @@ std::vector<Row>::iterator find_row(std::vector<Row>& rows, const Key& key) {
   return at == rows.end() || at->key != key ? rows.end() : at;
 }
 
-/// Goes through orbits of rows and gives their representatives' choices to their copies.
+/// Traverses orbits of rows and passes their representatives' choices to their copies.
 class Copier {
  public:
   explicit Copier(Section& section, const std::vector<PatchMap>& maps) : section_(section), maps_(maps) {
@@ -53,13 +53,13 @@ class Copier {
 
   [[nodiscard]] bool done(std::size_t row) const { return done_[row]; }
 
-  /// Images that are no rows are gone through as well: the keys of a section that serves several positions need not
-  /// have all of an orbit.
+  /// Images that are not rows are traversed too: a section that serves several positions need not have all keys of an
+  /// orbit.
   void copy(std::size_t representative) {
     std::vector<Row>& rows = section_.rows;
     struct Reached {
       Key key;
-      PatchMap map;  ///< from there to the representative
+      PatchMap map;  ///< from the image to the representative
     };
     done_[representative] = true;
     std::vector<Reached> orbit{{rows[representative].key, identity(maps_.empty() ? PatchMap{} : maps_[0])}};
@@ -171,7 +171,7 @@ void make_claims(Section& section) {
   }
 }
 
-/// Throws std::runtime_error where the rows would not do for this position.
+/// Throws std::runtime_error if the rows are not valid for this position.
 void expect_served(const Position& position, const Position& rows) {
   const Description& family = *position.family;
   const Description& first = *rows.family;
@@ -260,7 +260,7 @@ std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned thr
 std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads) {
   std::vector<Patches> patches = patches_of(families(), max_k);
   std::erase_if(patches, [&](const Patches& one) { return one.certificate != certificate; });
-  if (patches.empty()) throw std::invalid_argument("no certificate is named " + certificate);
+  if (patches.empty()) throw std::invalid_argument("unknown certificate " + certificate);
   return solve_all(patches, threads, Watched::no);
 }
 

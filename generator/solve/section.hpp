@@ -1,6 +1,6 @@
-// The stages `patches` and `solve` of the generator's path (tables/table_files.hpp). A section has all rules of one
-// position, or of all positions that share them, or the linked rules of such a position. It is the unit in which work
-// is shared by threads and by machines.
+// The stages `patches` and `solve` of the generator's pipeline (tables/table_files.hpp). A section has all rules of one
+// position, or of all positions that share them, or the linked rules of such a position. It is the unit of work for
+// threads and machines.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,13 @@
 
 namespace restrip::generator {
 
-/// A rule: the colours after. In a linked section an alternative: the key has the pairs that it joins.
+/// A rule: the colours after. In a linked section, an alternative: the key has the pairs that it joins.
 struct Row : Choice {
   Key key;
-  int witness = -1;  ///< index of the symmetry that leads to the representative; -1 for the representative itself
+  int witness = -1;  ///< index of the symmetry that maps it to the representative; -1 for the representative
 };
 
-/// What certificates claim of the configurations of one operation; the words are those of
-/// docs/reference/certificate.md.
+/// What certificates claim about the configurations of one operation, in the words of docs/reference/certificate.md.
 struct Claims {
   std::size_t configurations = 0;
   std::size_t valid = 0;
@@ -35,8 +34,8 @@ struct Claims {
   int worst_strips = std::numeric_limits<int>::min();
   int worst_isolated = std::numeric_limits<int>::min();
 
-  /// One valid configuration: what its rule changes, whether that counts as costing, and whether the configuration is
-  /// the smallest of its orbit.
+  /// Counts one valid configuration: the changes by its rule, whether it counts as costing, and whether it is the
+  /// smallest of its orbit.
   void count(int strips, int isolated, bool costs, bool smallest) {
     ++valid;
     valid_orbits += smallest ? 1U : 0U;
@@ -46,28 +45,28 @@ struct Claims {
   }
 };
 
-/// One number for several positions: counts add up, worst cases are the worst.
+/// Combines several positions: counts are added, worst cases are maximised.
 [[nodiscard]] Claims sum(const std::vector<Claims>& parts);
 
-/// What is to be solved: the patches of a section.
+/// A section to solve: its patches.
 struct Patches {
   std::string certificate;       ///< "fan-collapse"; "linked-split" for the linked rules of the split
-  Position position;             ///< family and valence, and the place unless they serve every one
+  Position position;             ///< family and valence, and the rest of the position unless all positions are served
   std::vector<Position> serves;  ///< the positions whose configurations these rules answer
   bool linked = false;
 };
 
 /// The solution.
 struct Section : Patches {
-  std::vector<Row> rows;            ///< in ascending order of key; of linked sections by ports, the best first
-  std::vector<PatchMap> symmetry;   ///< those that lead from a copy to its representative
-  double symmetries = 1;            ///< how many there are of the rows' operation
+  std::vector<Row> rows;            ///< in ascending order of key; in linked sections by ports, best first
+  std::vector<PatchMap> symmetry;   ///< the maps from copies to their representatives
+  double symmetries = 1;            ///< the order of the symmetry group of the rows' operation
   std::vector<PortPairs> relevant;  ///< by solid ports: pairs that a recolouring could join
   std::vector<Claims> claims;       ///< for each position served
 };
 
-/// Calls work(i) once for each section i, the largest valences first, which take longest. `label` is
-/// what a terminal shows beside the share that is done.
+/// Calls work(i) once for each section i, the largest valences first, which take longest. A terminal shows `label` with
+/// the completed share.
 template <class Any, class Work>
 void share_sections(const std::vector<Any>& sections, unsigned threads, Watched watched, const char* label,
                     Work&& work) {
@@ -82,8 +81,7 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, Watched 
   });
 }
 
-/// The certificates of these descriptions, in the order in which they are written: where the last of those stands that
-/// share it.
+/// The certificates of these descriptions, in writing order: at the index of the last description that shares each.
 [[nodiscard]] std::vector<std::string> certificates_of(const std::vector<Description>& descriptions);
 
 /// The sections of these certificates in order, for valences up to max_k (at most 13, so that a recolouring has 16
@@ -91,19 +89,19 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, Watched 
 [[nodiscard]] std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k);
 
 /// Rows and claims, by exhaustive search, reduced by symmetry. Threads may solve different sections at the same time.
-/// Throws std::runtime_error that names operation and configuration when one has no sound recolouring.
+/// Throws std::runtime_error, naming operation and configuration, if a configuration has no sound recolouring.
 [[nodiscard]] Section solve(Patches patches, Watched watched = Watched::no);
 
-/// All of them in their order; `threads` share the work, and the result does not depend on their number.
+/// All sections in order; `threads` share the work, and the result does not depend on their number.
 [[nodiscard]] std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads, Watched watched);
 
 /// The sections of one certificate of the shipped families.
 [[nodiscard]] std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads);
 
-/// The row that answers a valid configuration with these solid ports and pairs joined.
+/// The row that answers a valid configuration with these solid ports and joined pairs.
 [[nodiscard]] const Row& row_of(const Section& section, Mask ports, const PortPairs& joined);
 
-/// One valid configuration of a side, and what it joins.
+/// One valid configuration of a side, and the pairs that it joins.
 struct Configuration {
   Mask before = 0;
   Mask ports = 0;
@@ -119,7 +117,7 @@ void for_each_valid(const Operation& operation, Visit&& visit) {
       if (const auto outcome = with_ports(coloring, ports)) visit(Configuration{coloring.inner, ports, *outcome});
 }
 
-/// What answering a configuration with a row does to the number of strips and of isolated triangles.
+/// The change in strips and isolated triangles when a row answers a configuration.
 struct Change {
   int strips = 0;
   int isolated = 0;

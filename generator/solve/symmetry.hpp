@@ -8,24 +8,24 @@
 
 namespace restrip::generator {
 
-/// An operation taken to itself, each side to itself.
+/// A map of an operation to itself that preserves each side.
 struct PatchMap {
-  std::vector<unsigned> port;    ///< where each port goes
-  std::vector<unsigned> before;  ///< where each inner edge of the side before goes
-  std::vector<unsigned> after;   ///< where each inner edge of the side after goes
+  std::vector<unsigned> port;    ///< the image of each port
+  std::vector<unsigned> before;  ///< the image of each inner edge of the side before
+  std::vector<unsigned> after;   ///< the image of each inner edge of the side after
 };
 
-/// First `first`, then `second`.
+/// Applies `first`, then `second`.
 [[nodiscard]] PatchMap then(const PatchMap& first, const PatchMap& second);
 
-/// The automorphisms of the patch under which what may be given up and the preference stay what they are; the tie-break
-/// need not.
+/// The automorphisms of the patch that preserve the ports that may be given up and the preference; they need not
+/// preserve the tie-break.
 struct Symmetries {
-  /// All of them where they are few: those that turn the ports first, where the operation wants that, the rest in
-  /// ascending order, the identity first. Otherwise the generators.
+  /// All of them if they are few: turns of the ports first, if the operation asks for it, the rest in ascending order,
+  /// the identity first. Otherwise the generators.
   std::vector<PatchMap> maps;
   std::vector<PatchMap> generators;
-  double order = 1;  ///< how many there are
+  double order = 1;  ///< the order of the group
 };
 [[nodiscard]] Symmetries symmetries(const Operation& operation);
 
@@ -34,7 +34,8 @@ struct Symmetries {
 
 [[nodiscard]] std::vector<unsigned> inverse(const std::vector<unsigned>& to);
 
-/// The orbits of all configurations of a patch, each marked but for its smallest (before, ports): a bit for each.
+/// The orbits of all configurations of a patch: a bit for each configuration, set unless it is the smallest (before,
+/// ports) of its orbit.
 class Orbits {
  public:
   Orbits(const Patch& patch, const std::vector<PatchMap>& maps);

@@ -31,11 +31,11 @@ void add_alternatives(Out out, const Section& section) {
   for (const Row& row : section.rows) fmt::format_to(out, "alternative {:x} {:x}\n", row.key.ports, row.recoloring);
 }
 
-/// A row as the certificate orders it: by P, then by J as a number.
+/// A row in the certificate's order: by P, then by J as a number.
 struct WrittenRow {
   const Row* row = nullptr;
   std::string joined;
-  std::size_t orbit = 0;  ///< its representative among the section's rows
+  std::size_t orbit = 0;  ///< index of its representative among the section's rows
   [[nodiscard]] auto order() const { return std::tuple{row->key.ports, joined.size(), std::string_view(joined)}; }
 };
 
@@ -56,10 +56,10 @@ std::vector<WrittenRow> written_rows(const Section& section) {
   return lines;
 }
 
-/// Where the row's representative in the search has each port of the row.
+/// The map of the row's ports to the ports of its representative in the search.
 std::vector<unsigned> to_representative(const Section& section, const Row& row) {
   if (row.witness >= 0) return section.symmetry[static_cast<std::size_t>(row.witness)].port;
-  // Asked only of orbits with a copy, so there is some symmetry.
+  // Called only for orbits with a copy, so a symmetry exists.
   std::vector<unsigned> identity(section.symmetry.at(0).port.size());
   for (unsigned i = 0; i < identity.size(); ++i) identity[i] = i;
   return identity;
@@ -74,7 +74,7 @@ void add_rules(Out out, const Section& section, Watched watched) {
   const Operation operation = operation_of_rows(section.position, Sight::patch);
   std::optional<Reasoner> reasoner;
   if (has_reasons(operation)) reasoner.emplace(operation);
-  // The rule row of an orbit is its first line, whichever the search began with.
+  // The rule row of an orbit is its first line, whichever row the search started with.
   std::map<std::size_t, const Row*> rule_of;
   Progress progress("finding reasons", section.rows.size(), watched);
   for (const WrittenRow& line : written_rows(section)) {

@@ -1,4 +1,4 @@
-// The stage `certify` of the generator's path: the text of certificates (docs/reference/certificate.md).
+// The stage `certify` of the generator's pipeline: the text of certificates (docs/reference/certificate.md).
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,17 @@ namespace restrip::generator {
 /// A section as certificates write it, with claims, rows and reasons, which take time.
 [[nodiscard]] std::string section_text(const Section& section, Watched watched = Watched::no);
 
-/// All sections of one certificate, rules or linked ones.
+/// All sections of one certificate, of rules or of linked rules.
 struct Certificate {
   std::string name;
   std::vector<Section> sections;
-  std::vector<std::string> texts;  ///< of the sections; none where the rules alone are wanted
+  std::vector<std::string> texts;  ///< of the sections; empty if only the rules are needed
   [[nodiscard]] std::size_t rows() const;
   [[nodiscard]] bool linked() const { return sections.at(0).linked; }
 };
 
-/// The sections by certificate, each of which has its sections in a row; `texts` is empty or has one for each.
+/// Groups the sections by certificate; the sections of each must be consecutive. `texts` is empty or has one for each
+/// section.
 [[nodiscard]] std::vector<Certificate> by_certificate(std::vector<Section> sections,
                                                       std::vector<std::string> texts = {});
 
@@ -33,8 +34,7 @@ struct Certificate {
 /// The file, from the texts of its sections.
 [[nodiscard]] std::string certificate_text(const Certificate& certificate);
 
-/// The text with its last line: how many rows, and two sums of its bytes from which a reader can say which single byte
-/// was altered.
+/// Appends the last line: the number of rows, and two sums of bytes by which a reader can locate a single altered byte.
 [[nodiscard]] std::string sealed(std::string text, std::size_t rows);
 
 }  // namespace restrip::generator

@@ -15,7 +15,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Orbits of the loop colours alone, ports ignored: how the paper counts its 4-vertex rules.
+/// Orbits of the loop colours alone, without ports: the paper counts its 4-vertex rules in this way.
 std::size_t loop_orbits(const Section& section) {
   std::set<Mask> seen;
   const Symmetries symmetry = symmetries(operation_at(section.position));

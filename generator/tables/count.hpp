@@ -1,4 +1,4 @@
-// The counts of docs/explanation/theory.md section 5, computed, beside the paper's own figures.
+// The counts of docs/explanation/theory.md section 5, computed, next to the paper's figures.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 namespace restrip::generator {
 
 struct CountReport {
-  std::string text;  ///< a table with a line on what each count means
+  std::string text;  ///< a table, and a line that explains each count
   std::string json;  ///< one object
 };
 [[nodiscard]] CountReport count(unsigned max_k);

@@ -9,7 +9,7 @@
 namespace restrip::generator {
 namespace {
 
-/// "loop" for the fan alone, "inner" where there are other triangles.
+/// "loop" for the fan alone, "inner" if there are other triangles.
 std::string colors_of(const SidePattern& side) {
   const std::vector<Stretch>& elements = side.chains[0].elements;
   return side.chains.size() == 1 && elements.size() == 1 && elements[0].range ? "loop" : "inner";

@@ -1,4 +1,4 @@
-// The frozen CSV of docs/explanation/theory.md section 8, and its like for the families that came later.
+// The frozen CSV of docs/explanation/theory.md section 8, and the same format for later families.
 #pragma once
 
 #include <cstdio>
@@ -8,8 +8,8 @@
 
 namespace restrip::generator {
 
-/// One row for each valid configuration, ordered by place, then colours before, then ports; all decimal. The columns
-/// are those of dump_columns(); k is not used where a family has only one position.
+/// One row for each valid configuration, ordered by position, then colours before, then ports; all decimal.
+/// dump_columns() lists the columns; k is ignored if a family has only one position.
 void dump(const Description& family, unsigned k, std::FILE* out);
 
 /// A line for each family: its name and its columns.

@@ -28,7 +28,7 @@ std::string banner(const std::string& what) {
 
 constexpr const char* footer = "\n}  // namespace restrip::tables\n";
 
-/// A pairing in four bits for each port: its partner, itself when it has none. Eight ports fit 32 bits, sixteen 64.
+/// A pairing in four bits for each port: its partner, or itself if it has none. Eight ports fit 32 bits, sixteen 64.
 std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {
   std::uint64_t packed = max_k <= 8 ? 0x76543210 : 0xfedcba9876543210;
   for (const Mask pair : pairs) {

@@ -1,4 +1,4 @@
-// The stage `emit` of the generator's path: text of the generated constexpr headers. Same input, same bytes.
+// The stage `emit` of the generator's pipeline: text of the generated constexpr headers. Same input, same bytes.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace restrip::generator {
 
-/// A family's name as programs and files spell it: with underscores.
+/// A family's name with underscores, as used in programs and file names.
 [[nodiscard]] std::string identifier(std::string name);
 
-/// restrip/tables/rows.hpp: where the rows of keys start, for closed and open fans.
+/// restrip/tables/rows.hpp: the start of the rows of keys, for closed and open fans.
 [[nodiscard]] std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k);
 
-/// A header and the read-only data that it compiles to.
+/// A header and the size of its read-only data.
 struct RulesHeader {
   std::string text;
   std::size_t bytes = 0;
@@ -24,7 +24,7 @@ struct RulesHeader {
 /// restrip/tables/FAMILY.hpp.
 [[nodiscard]] RulesHeader rules_header(const Certificate& family, const Packing& packing, unsigned max_k);
 
-/// restrip/tables/linked.hpp: the lists of all families that have some.
+/// restrip/tables/linked.hpp: the lists of all families with linked rules.
 [[nodiscard]] RulesHeader linked_header(const std::vector<Certificate>& families, unsigned max_k);
 
 }  // namespace restrip::generator

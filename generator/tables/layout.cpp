@@ -7,7 +7,7 @@
 namespace restrip::generator {
 namespace {
 
-/// What does not depend on the position can be read off any.
+/// Independent of the position, so any position will do.
 LookUp look_up_of(const Description& family) {
   const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
   const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());

@@ -1,5 +1,5 @@
-// The rule tables as plain arrays, from which the files of all languages are written (languages/languages.hpp). What
-// the numbers mean is in tables/include/restrip/tables/format.hpp.
+// The rule tables as plain arrays, from which the files of all languages are written (languages/languages.hpp).
+// tables/include/restrip/tables/format.hpp explains the numbers.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct TableArray {
   [[nodiscard]] std::size_t bytes() const { return values.size() * bits / 8; }
 };
 
-/// With the fewest bits.
+/// Makes an array with the fewest bits.
 template <class Number>
 [[nodiscard]] TableArray array_of(const std::string& name, const std::vector<Number>& values) {
   TableArray array{name, 8, {values.begin(), values.end()}};
@@ -34,21 +34,23 @@ struct TableLayout {
   std::vector<TableArray> arrays;
 
   [[nodiscard]] std::size_t bytes() const;
-  /// Null when there is no such array.
+  /// Null if the array does not exist.
   [[nodiscard]] const TableArray* find(const std::string& name) const;
 };
 
-/// An operation that the tables answer: what a look-up is asked, and which rules it reads (docs/reference/notation.md).
+/// An operation answered by the tables: the inputs of a look-up, and the rules that it reads
+/// (docs/reference/notation.md).
 struct LookUp {
   std::string name;
-  std::vector<std::string> position;  ///< the numbers that say where, k first; none for the flip
-  std::string where;                  ///< their ranges, for people
-  std::string family;     ///< "F" of the arrays F_first, F_rules, and F_cells where the position counts; F_rules: flip
-  std::string rows;       ///< the array of row starts, empty for the flip
-  bool from_fan = false;  ///< true when the colours before are those of the fan, so that triangles are added
-  int before_bits = 0;    ///< bits of the colours before: k more than this, but for the flip
+  std::vector<std::string> position;  ///< the numbers of a position, k first; empty for the flip
+  std::string where;                  ///< their ranges, as text
+  std::string
+      family;  ///< "F" of the arrays F_first, F_rules, and, if the position matters, F_cells; for F_rules alone: flip
+  std::string rows;       ///< the array of row starts; empty for the flip
+  bool from_fan = false;  ///< whether the colours before are the fan's, so that triangles are added
+  int before_bits = 0;    ///< bits of the colours before, minus k; for the flip, all
   int after_bits = 0;     ///< the same after
-  int triangles = 0;      ///< triangles after, less those before
+  int triangles = 0;      ///< triangles after minus triangles before
 };
 
 /// One for each family, in the order of tables/families.json.

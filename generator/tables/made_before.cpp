@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* first_line = "restrip-digests 1";
 
-/// A build of the same version may make other files, so it is the program that counts, where it can be read.
+/// Builds of the same version may make different files, so the program's bytes count, if they can be read.
 std::string program_digest() {
   try {
     return sha256(files::read_whole("/proc/self/exe"));
@@ -27,7 +27,7 @@ std::string program_digest() {
   }
 }
 
-/// By path, the two digests of its line.
+/// The two digests of each line, by path.
 std::map<std::string, std::string> lines_of(const fs::path& record) {
   std::map<std::string, std::string> lines;
   try {

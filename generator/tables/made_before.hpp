@@ -1,4 +1,4 @@
-// What the files of a folder were made from, so that making them again from the same ends at once.
+// Records the inputs of the files of a folder, so that repeating a command with the same inputs ends at once.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +10,29 @@
 
 namespace restrip::generator {
 
-/// The record restrip-digests.txt of a folder: for each file a line with the digest of what it was made from, the
-/// digest of the file, and its path. Commands that write into the same folder share it. A record that cannot be read
-/// has no files.
+/// The record restrip-digests.txt of a folder: for each file a line with the digest of its inputs, the digest of the
+/// file, and its path. Commands that write into the same folder share it. An unreadable record counts as empty.
 class MadeBefore {
  public:
   static constexpr const char* file_name = "restrip-digests.txt";
 
-  /// `inputs`: texts that the files depend on, options included. The program itself is one more.
+  /// `inputs`: texts on which the files depend, including options. The program itself is a further input.
   MadeBefore(std::filesystem::path folder, const std::vector<std::string>& inputs);
 
-  /// Whether all these files are there, as they were made from the same inputs. The record is then given the present
-  /// time, for Make. O(bytes of the files).
+  /// Whether all these files exist, unchanged since they were made from the same inputs. If so, the record gets the
+  /// present time, for Make. O(bytes of the files).
   [[nodiscard]] bool has(const std::vector<std::filesystem::path>& files) const;
 
-  /// The record with these files in it.
+  /// The record with these files added.
   [[nodiscard]] files::NamedBytes with(const std::vector<files::NamedBytes>& made) const;
 
-  /// What a command says that has nothing to do.
+  /// The message of a command that has nothing to do.
   [[nodiscard]] std::string sentence() const;
 
  private:
   std::filesystem::path folder_;
   std::string inputs_;
-  std::map<std::string, std::string> lines_;  ///< of the record: by path, its two digests
+  std::map<std::string, std::string> lines_;  ///< of the record: the two digests by path
 };
 
 }  // namespace restrip::generator

@@ -23,7 +23,7 @@ FanKey fan_key(const Key& key, const Position& position) {
 }
 
 std::vector<Mask> spellings(const FanKey& key) {
-  // Both bits set: only in a closed fan is each of two ports the other's predecessor.
+  // Both bits are set only if each of two ports of a closed fan is the other's predecessor.
   if (std::popcount(key.ports) != 2 || key.joined != key.ports) return {key.joined};
   return {key.joined, std::bit_floor(key.joined), key.joined & (~key.joined + 1)};
 }

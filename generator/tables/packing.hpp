@@ -1,4 +1,4 @@
-// The stage `pack` of the generator's path: packs the keys of each valence into few cells by row displacement (see
+// The stage `pack` of the generator's pipeline: packs the keys of each valence into few cells by row displacement (see
 // tables/include/restrip/tables/format.hpp).
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace restrip::generator {
 
-/// The cells of a key inside the block of its valence.
+/// The cells of keys within the block of their valence.
 struct Packing {
   std::vector<unsigned> start;  ///< index 1 << k | ports
   std::vector<unsigned> cells;  ///< index k: cells in one block
 };
 
-/// One packing that serves all sections given (all of closed fans, or all of open ones): their keys, valence by
-/// valence. First fit, the fullest rows first: deterministic.
+/// One packing that serves all given sections (all of closed fans, or all of open ones), valence by valence. First fit,
+/// the fullest rows first: deterministic.
 [[nodiscard]] Packing pack(const std::vector<const Section*>& sections, unsigned max_k);
 
 /// The packings of all rules of closed fans, and of all rules of open ones.
@@ -23,19 +23,19 @@ struct Packings {
   Packing closed;
   Packing open;
 };
-/// Lists of linked rules and flips have none.
+/// Linked rules and flips have no packing.
 [[nodiscard]] Packings pack(const std::vector<Certificate>& certificates, unsigned max_k);
 
-/// The key as look-ups of fans know it (docs/reference/notation.md, "Key"): bit i of `joined` is set when solid port i
-/// is joined to the solid port before it, cyclic in a closed fan.
+/// A key in the form used by look-ups of fans (docs/reference/notation.md, "Key"): bit i of `joined` is set if solid
+/// port i is joined to the solid port before it, cyclic in a closed fan.
 struct FanKey {
   Mask ports = 0;
   Mask joined = 0;
 };
 [[nodiscard]] FanKey fan_key(const Key& key, const Position& position);
 
-/// The values of `joined` under which a lookup may ask for this key: its own, and where two solid ports of a closed fan
-/// are joined, each of their bits alone.
+/// The values of `joined` under which a look-up may find this key: the key's own value and, if two solid ports of a
+/// closed fan are joined, either of their bits alone.
 [[nodiscard]] std::vector<Mask> spellings(const FanKey& key);
 
 /// The rules of a family of fans in their cells: members as in RuleTable of restrip/tables/format.hpp.

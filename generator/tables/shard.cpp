@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Words and numbers of one line; `good` stays true as long as all was as expected.
+/// Words and numbers of one line; `good` stays true while all are as expected.
 class Words {
  public:
   explicit Words(std::string_view line) : rest_(line) {}
@@ -49,7 +49,7 @@ class Words {
   std::string_view rest_;
 };
 
-/// A file line by line, with the place for complaints.
+/// A file line by line, with the place for error messages.
 struct Reader {
   std::filesystem::path file;
   std::string remedy;
@@ -73,7 +73,7 @@ struct Reader {
   [[nodiscard]] bool starts(std::string_view word) const { return text.substr(at, word.size()) == word; }
 };
 
-/// About proportional to the time that a section takes, as measured for k = 8 … 10: it grows fourfold with k.
+/// Roughly proportional to the time of a section, as measured for k = 8 … 10: it grows fourfold with k.
 std::uint64_t weight(const Patches& section) {
   const Description& family = *section.position.family;
   const bool ring = closed(family);
@@ -124,7 +124,7 @@ void read_rules(Section& section, Reader& reader) {
   }
   if (section.rows.empty()) reader.refuse("a row");
   std::sort(section.rows.begin(), section.rows.end(), [](const Row& x, const Row& y) { return x.key < y.key; });
-  // What the flip's table is made with.
+  // The input of the flip's table.
   if (section.position.family->numbers.empty()) section.relevant = relevant_pairs(operation);
 }
 
@@ -162,7 +162,7 @@ struct Head {
   unsigned max_k = 0;
 };
 
-/// The lines before the sections, of a file whose digest fits.
+/// The lines before the sections, of a file with a matching digest.
 Head read_head(Reader& reader, const std::string& id) {
   const std::string_view text = reader.text;
   const auto refuse = [&](const std::string& why) {
@@ -172,7 +172,7 @@ Head read_head(Reader& reader, const std::string& id) {
   const std::size_t tail = last.size() + digest_length + 1;
   const std::size_t body = text.size() < tail ? 0 : text.size() - tail;
   if (body == 0 || text.substr(body) != last + sha256(std::string(text.substr(0, body))) + "\n")
-    refuse("is truncated or was altered (its last line does not fit to the rest); remove it and run its shard again");
+    refuse("is truncated or altered (its last line does not match the rest); remove it and run its shard again");
   reader.expect(fmt::format("restrip-shard {}", shard_version));
   if (reader.peek() != "generator " + id)
     refuse("was written by another version of restrip-generate; run all shards again with one version");

@@ -1,5 +1,5 @@
-// Shards: files with the sections that one machine has solved, and the way back from them to the whole
-// (docs/how-to/cluster.md). The format:
+// Shards: files with the sections that one machine has solved, and how they are combined (docs/how-to/cluster.md). The
+// format:
 //
 //   shard    = "restrip-shard 1" NL
 //              "generator" version digest NL        digest: SHA-256 of all sections up to k = 4
@@ -26,13 +26,13 @@ struct Shard {
 /// The shard that "3/16" names. Throws std::invalid_argument.
 [[nodiscard]] Shard shard_named(const std::string& text);
 
-/// The place in `all` of the sections that belong to shard `index` (1 … count) of `count`, ascending. Every section is
-/// in exactly one shard. They are dealt out by an estimate of their time, the longest first, each to the shard that has
-/// least: so shards take about the same time as long as there are clearly more long sections than shards.
+/// The indices in `all` of the sections that belong to shard `index` (1 … count) of `count`, ascending. Every section
+/// is in exactly one shard. Sections are distributed by an estimate of their time, the longest first, each to the shard
+/// with the least total. So shards take about the same time if there are clearly more long sections than shards.
 [[nodiscard]] std::vector<std::size_t> share_of(const std::vector<Patches>& all, unsigned index, unsigned count);
 
-/// What must be equal for shards to fit together: the version, and a digest of all rules up to k = 4, which tells
-/// generators with different preferences apart.
+/// What must be equal for shards to be combined: the version, and a digest of all rules up to k = 4, which
+/// distinguishes generators with different preferences.
 [[nodiscard]] std::string generator_id(const std::string& version);
 
 /// shard-0003-of-0016.txt
@@ -42,23 +42,23 @@ struct Shard {
 [[nodiscard]] std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id,
                                      const std::vector<Section>& share, const std::vector<std::string>& texts);
 
-/// What shards add up to. The sections are solved as far as certificates and headers need.
+/// The combined shards. The sections are solved as far as certificates and headers need.
 struct Merged {
   unsigned max_k = 0;
   std::vector<Section> sections;
   std::vector<std::string> texts;
 };
 
-/// Reads every shard-*.txt in a directory. Throws std::runtime_error that names the file and the remedy when a shard is
-/// missing, there twice, truncated or altered, or does not fit to the others or to this generator.
+/// Reads every shard-*.txt in a directory. Throws std::runtime_error, naming the file and the remedy, if a shard is
+/// missing, duplicated, truncated or altered, or does not match the others or this generator.
 [[nodiscard]] Merged read_shards(const std::filesystem::path& directory, const std::string& id);
 
-/// A shard-*.txt that has been read.
+/// The content of a shard-*.txt.
 struct ShardBytes {
   std::filesystem::path path;
   std::string text;
 };
-/// Puts shards together, one at least. Throws as read_shards() does; `directory` is for the remedies.
+/// Combines at least one shard. Throws as read_shards() does; `directory` is used in the remedies.
 [[nodiscard]] Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id,
                                   const std::filesystem::path& directory);
 

@@ -73,7 +73,7 @@ Weights weights_named(const std::string& cost) {
   return weights;
 }
 
-/// The files of the tables, whatever the largest valence; MANIFEST, which vouches for the others, last.
+/// The files of the tables, whatever the largest valence; MANIFEST, which lists the others, comes last.
 std::vector<std::filesystem::path> table_files(const std::set<std::string>& wanted) {
   std::set<std::filesystem::path> names;
   for (const auto& other : files_in(wanted, "tables")) names.insert(other.first);
@@ -88,16 +88,16 @@ std::vector<std::filesystem::path> table_files(const std::set<std::string>& want
   return in_order;
 }
 
-/// The files of the tables, and what is printed about them.
+/// The files of the tables, and their summary.
 struct TableFiles {
   struct File {
     std::string text;
-    std::size_t rows = 0;  ///< as MANIFEST lists them
+    std::size_t rows = 0;  ///< the number that MANIFEST lists
   };
   std::map<std::string, File> by_path;
-  std::string told;
+  std::string text;
 
-  /// Hands the files over, and MANIFEST behind them.
+  /// Returns the files, followed by MANIFEST.
   [[nodiscard]] std::vector<files::NamedBytes> take() {
     std::string manifest = "restrip-manifest 1\n";
     std::vector<files::NamedBytes> all;
@@ -122,7 +122,7 @@ void add_rules(const std::vector<Certificate>& families, const Packings& packing
     const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
     to.by_path[header_path(family.name)] = {header.text, family.rows()};
     to.by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
-    to.told += summary(family.name, family.sections.size(), family.rows(), header.bytes);
+    to.text += summary(family.name, family.sections.size(), family.rows(), header.bytes);
   }
 }
 
@@ -136,44 +136,43 @@ void add_linked(const std::vector<Certificate>& families, unsigned max_k, TableF
     alternatives += family.rows();
   }
   to.by_path[headers + "linked.hpp"] = {header.text, alternatives};
-  to.told += summary("linked", sections, alternatives, header.bytes);
+  to.text += summary("linked", sections, alternatives, header.bytes);
 }
 
 void add_automaton(TableFiles& to) {
   const AutomatonFiles automaton(strips_weights);
   to.by_path[header_path("automaton")] = {automaton.header.text, automaton.certificate.rows};
   to.by_path[certificate_path("automaton")] = {automaton.certificate.text, automaton.certificate.rows};
-  to.told += automaton.summary();
+  to.text += automaton.summary();
 }
 
-/// Files, and what is printed about them.
+/// Files and their summary.
 struct Emitted {
   std::vector<files::NamedBytes> files;
-  std::string told;
+  std::string text;
 };
 
-/// The stage `emit`: the files of the languages. MANIFEST, which vouches for what restrip-verify reads, lists those of
-/// C++.
+/// The stage `emit`: the files of the languages. MANIFEST lists the C++ files, which restrip-verify reads.
 Emitted emit(const std::vector<Certificate>& certificates, const Packings& packings, const TablesOptions& options) {
   const auto first_linked = std::find_if(certificates.begin(), certificates.end(), std::mem_fn(&Certificate::linked));
   const std::vector<Certificate> rules(certificates.begin(), first_linked);
   const TableLayout layout = table_layout(rules, packings, options.max_k);
-  auto [files, told] = Emitted{};
+  auto [files, text] = Emitted{};
   for (const auto& [name, file] : files_in(options.languages, "tables")) {
     files.push_back({name, file->of_tables(layout)});
-    told += fmt::format("{:<25} {:>8} bytes\n", name, files.back().bytes.size());
+    text += fmt::format("{:<25} {:>8} bytes\n", name, files.back().bytes.size());
   }
-  if (!files.empty()) told += fmt::format("rules up to k = {}: {} bytes of data\n", options.max_k, layout.bytes());
-  if (!options.languages.contains("c++")) return {files, told};
+  if (!files.empty()) text += fmt::format("rules up to k = {}: {} bytes of data\n", options.max_k, layout.bytes());
+  if (!options.languages.contains("c++")) return {files, text};
   TableFiles tables;
   add_rules(rules, packings, options.max_k, tables);
   add_linked({first_linked, certificates.end()}, options.max_k, tables);
   add_automaton(tables);
   for (files::NamedBytes& file : tables.take()) files.push_back(std::move(file));
-  return {files, told + tables.told};
+  return {files, text + tables.text};
 }
 
-/// The files and what was solved for them.
+/// The files and the sections solved for them.
 std::string written_json(unsigned max_k, const std::vector<files::NamedBytes>& files) {
   nlohmann::ordered_json json{{"max_k", max_k}, {"files", nlohmann::ordered_json::array()}};
   for (const auto& [name, bytes] : files) json["files"].push_back({{"path", name.string()}, {"bytes", bytes.size()}});
@@ -205,7 +204,7 @@ void make_tables(const TablesOptions& options) {
   std::vector<files::NamedBytes> written = made.files;
   if (!options.force) written.insert(written.begin(), before.with(made.files));
   out.write(written);
-  report.print(made.told, written_json(options.max_k, made.files));
+  report.print(made.text, written_json(options.max_k, made.files));
 }
 
 void make_shard(const TablesOptions& options) {
@@ -236,7 +235,7 @@ void merge_shards(const std::string& in, const std::string& folder, const std::s
   const std::vector<Certificate> certificates = by_certificate(std::move(merged.sections), std::move(merged.texts));
   const Emitted made = emit(certificates, pack(certificates, options.max_k), options);
   out.write(made.files);
-  report.print(made.told, written_json(options.max_k, made.files));
+  report.print(made.text, written_json(options.max_k, made.files));
 }
 
 void make_automaton_files(const AutomatonOptions& options) {

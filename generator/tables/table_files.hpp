@@ -1,4 +1,4 @@
-// What restrip-generate writes to files: headers, certificates and MANIFEST; shards of them; an automaton.
+// Writes the files of restrip-generate: headers, certificates and MANIFEST; shards; an automaton.
 #pragma once
 
 #include <set>
@@ -9,38 +9,38 @@
 namespace restrip::generator {
 
 struct TablesOptions {
-  std::string out;    ///< the folder that receives the files
+  std::string out;    ///< the output folder
   std::string shard;  ///< "I/N", or empty for everything
   unsigned max_k = 8;
   unsigned threads = 1;
   std::set<std::string> languages{"c++"};  ///< of language_files()
-  bool force = false;                      ///< make them whether or not the folder has them, and keep no record of it
-  std::string json;                        ///< file for a list of what was written, "-" for standard output, or empty
+  bool force = false;                      ///< make the files even if the folder has them, and keep no record
+  std::string json;                        ///< file for a list of what was written; "-": standard output; or empty
 };
 
-// The generator's path, which make_tables() follows: describe (families(), read_descriptions()) -> patches
-// (patches_of())
-// -> solve (solve_all()) -> certify (certify()) -> pack (pack()) -> emit (headers, files of other languages, MANIFEST).
+// The generator's pipeline, which make_tables() follows: describe (families(), read_descriptions()) -> patches
+// (patches_of()) -> solve (solve_all()) -> certify (certify()) -> pack (pack()) -> emit (headers, files of other
+// languages, MANIFEST).
 //
-// All of these look at their output paths before they work, say on standard output what they wrote, show progress on a
-// terminal, and throw std::exception with file and remedy.
+// All functions check their output paths before they work, report on standard output what they wrote, show progress on
+// a terminal, and throw std::exception with file and remedy.
 
-/// The files of the languages, all at once; those of C++ are headers, certificates and MANIFEST.
+/// Writes the files of the languages, all at once; for C++ headers, certificates and MANIFEST.
 void make_tables(const TablesOptions& options);
 
-/// One of several shares of the sections, for merge_shards().
+/// Writes one of several shares of the sections, for merge_shards().
 void make_shard(const TablesOptions& options);
 
-/// What make_tables() writes, from the shards in the folder `in`.
+/// Writes the same files as make_tables(), from the shards in the folder `in`.
 void merge_shards(const std::string& in, const std::string& out, const std::string& json);
 
-/// The automaton's header and certificate, or its files in other languages.
+/// Writes the automaton's header and certificate, or its files in other languages.
 struct AutomatonOptions {
   std::string cost = "strips";  ///< "strips", "indices", or the weights of a strip, a swap and an isolated triangle
-  std::string out;              ///< the folder that receives them
-  std::string json;             ///< file for its figures, "-" for standard output, or empty
+  std::string out;              ///< the output folder
+  std::string json;             ///< file for its figures; "-": standard output; or empty
   std::string classes;          ///< JSON file for its classes, or empty
-  std::set<std::string> languages{"c++"};  ///< header and certificate; others: names of language_files()
+  std::set<std::string> languages{"c++"};  ///< C++: header and certificate; others: names of language_files()
 };
 void make_automaton_files(const AutomatonOptions& options);
 

@@ -111,10 +111,10 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
       {"[0, 0, 1, 1]", "[]", "b.json:5: before.ports: expected 1 to 8 ports"},
       {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6: after.ports: expected as many ports as before"},
       {"\"give_up\": \"none\"", "\"take\": \"all\"", "b.json:7: take: a dashed port stays dashed: whether it may"},
-      {"\"give_up\": \"none\"", "\"name\": \"b\"", "b.json:7: the member \"name\" is there twice"},
+      {"\"give_up\": \"none\"", "\"name\": \"b\"", "b.json:7: duplicate member \"name\""},
       {"\"none\"", "\"some\"", "b.json:7: give_up: expected \"none\""},
       {"\"none\"", "[0, 4]", "b.json:7: give_up[1]: expected a port from 0 to 3"},
-      {"\"none\"", "[1, 1]", "b.json:7: give_up[1]: this port is there already"},
+      {"\"none\"", "[1, 1]", "b.json:7: give_up[1]: this port is listed already"},
       {"[{\"count\": \"strips\"}]", "[]", "b.json:9: cost[0]: expected 1 to 64 terms"},
       {"\"strips\"}", "\"strips\", \"edges\": [0]}",
        "b.json:9: cost[0][0].edges: \"strips\" does not choose among edges"},
@@ -188,7 +188,7 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
       {"t[i,k)", "[i,k)", "expected a name"},
       {"\"ring\"", "\"circle\"", "operations[0].after.circle: unknown member"},
       {"[\"D\", \"A\"]", "[\"D\"]", "operations[0].after.chord: expected two triangles"},
-      {"[\"k\", \"i\"]", "[\"k\", \"k\"]", "numbers[1]: this number is there already"},
+      {"[\"k\", \"i\"]", "[\"k\", \"k\"]", "numbers[1]: this number is listed already"},
       {"\"listed\"", "\"cost\": [[{\"count\": \"solid\", \"edges\": [0]}]], \"listed\"",
        "cost[0][0].edges: a pattern has different ones at each position"},
       {"\"listed\"", "\"give_up\": [0], \"listed\"", "give_up: expected \"none\" or \"all\""},
@@ -207,12 +207,12 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
 
 TEST(FamiliesFile, WithAPositionThatIsNoPatchIsRefused) {
   const std::vector<Fault> faults{
-      {"t[i,k)", "t[0,k)", "w.json:4: operations[0].after: t_0 is in it twice (wheel k 4 i 1)"},
+      {"t[i,k)", "t[0,k)", "w.json:4: operations[0].after: t_0 occurs twice (wheel k 4 i 1)"},
       {"t[i,k)", "t[i,i-1)", "expected indices from 0 to 64, found t[1,0)"},
       {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]",
        "w.json:4: operations[0].after: expected as many ports as before, 5, found 4 (wheel k 4 i 1)"},
       {"t[i,k)", "t[i,9999 k)", "expected indices from 0 to 64, found t[1,39996)"},
-      {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B is not in it"},
+      {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B does not occur"},
       {"[\"D\", \"A\"]", "[\"D\", \"t[2,3)\"]", "triangle 2 has more than three edges"}};
   expect_refused(wheel, faults, [](const std::string& text) {
     const std::vector<Description> families = parse_descriptions("w.json", text);

@@ -118,9 +118,9 @@ TEST_F(Shards, EveryAlteredByteAndEveryTruncationIsRefused) {
     std::string altered = whole;
     altered[i] = static_cast<char>(altered[i] ^ 1);
     put(1, altered);
-    EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or was altered"), std::string::npos) << i;
+    EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or altered"), std::string::npos) << i;
     put(1, whole.substr(0, i));
-    EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or was altered"), std::string::npos) << i;
+    EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or altered"), std::string::npos) << i;
   }
   put(1, whole);
   EXPECT_EQ(complaint(), "");

@@ -278,7 +278,7 @@ std::string wrong_subcommand(const CLI::App& app, const std::string& argument) {
   const std::string advice = nearest != names.end() && 3 * distance(*nearest, argument) <= nearest->size()
                                  ? fmt::format("did you mean {}?", *nearest)
                                  : fmt::format("there are {}", list_in_words(names, "and"));
-  return fmt::format("there is no subcommand '{}'; {}", argument.substr(0, 40), advice);
+  return fmt::format("unknown subcommand '{}'; {}", argument.substr(0, 40), advice);
 }
 
 }  // namespace restrip::tools

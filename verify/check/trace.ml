@@ -103,7 +103,7 @@ let line_of text =
   | word :: _ -> refuse "%S is not the beginning of a line of a trace" word
   | [] -> refuse "an empty line"
 
-type reader = { channel : in_channel; mutable line : int (* number of the last line read *)
+type reader = { channel : in_channel; mutable line : int (* number of the last line read *) }
 
 let reader channel = { channel; line = 0 }
 

@@ -71,7 +71,7 @@ struct DumpComparison {
 
   const Compared& of(Against against) const { return tables[static_cast<std::size_t>(against)]; }
   const Compared& of_lists(Against against) const { return lists[static_cast<std::size_t>(against)]; }
-  /// Whether nothing is wrong and there is no fault.
+  /// Whether the dump was read and nothing is wrong.
   bool agrees() const;
 };
 

@@ -131,7 +131,7 @@ for number in range(first, len(lines) - 1, 61):
     refused(with_line(number, lines[number] + "\n" + lines[number]), "")
     refused(with_line(number, lines[number + 1] + "\n" + lines[number]), "")
 refused("\n".join(lines[:-1]) + "\n", "ends without its last line")
-refused(whole + "end 0\n", "something after the end")
+refused(whole + "end 0\n", "text after the end")
 refused(with_line(len(lines) - 1, "end 1"), "the end states 1 operations")
 for size in range(0, len(whole) - 1, len(whole) // 40):
     refused(whole[:size], "")
