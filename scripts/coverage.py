@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""What each claim rests on: docs/coverage.csv, and the table made of it.
+"""How each claim is checked: docs/coverage.csv, and the table made from it.
 
-  scripts/coverage.py record FOLDER RUNG…   the reports FOLDER/RUNG.log become the rows of these rungs in docs/coverage.csv
-  scripts/coverage.py table                 the table of docs/explanation/what-is-proven.md
-  scripts/coverage.py check [ROOT]          each claim has a row, each row a rung of scripts/prove.sh, each rung a row
+  scripts/coverage.py record FOLDER CHECK…   the reports FOLDER/CHECK.log become the rows of these checks in docs/coverage.csv
+  scripts/coverage.py table                  the table of docs/explanation/what-is-proven.md
+  scripts/coverage.py check [ROOT]           each claim has a row, each row a check of scripts/prove.sh, each check a row
 
-scripts/prove.sh runs the rungs and then "record", so every row comes from a line that a run has printed. A report in
-which something fails, or in which a line that REPORTS expects is missing, is refused. Exit code: 0 all is well, 1 not.
+scripts/prove.sh runs the checks and then "record", so every row comes from a line that a run has printed. A report with
+a failure, or without a line that REPORTS expects, is refused. Exit code: 0 all is well, 1 not.
 """
 import csv
 import re
@@ -20,10 +20,10 @@ CERTIFICATES, TABLES, AUTOMATON = "certificates", "compiled tables", "compiled a
 SEARCH, COQ, RANDOM = "every recolouring tried", "Coq", "tested: random fans, a search of another kind"
 RULE = ("Complete", "Sound", "Locally optimal")
 ROOT = Path(__file__).resolve().parent.parent
-Row = namedtuple("Row", "claim operation k how read rung")
+Row = namedtuple("Row", "claim operation k how read check")
 
-# A line of a report, what it says, how that is known, and what was read for it. It names the operations, or this table
-# does; k is in the line, or the largest k of the report, or "every", or does not matter.
+# A line of a report, its claims, the method, and the input that was read. The line or this table names the operations;
+# k is in the line, or the largest k of the report, or "every", or irrelevant.
 Line = namedtuple("Line", "pattern claims how read operations k", defaults=(None, None))
 
 
@@ -91,7 +91,7 @@ REPORTS = {
         Line(THEOREM.format("every_rule_right"), RULE, COQ, "nothing: a fold written in Coq", FANS, "every"),
         Line(THEOREM.format("correct_tables_cost"), ["Bounded"], COQ, "nothing: every correct table costs the same", FANS, "every"),
         Line(THEOREM.format("automaton_serves"), RULE, COQ, "numbers of the compiled automaton", FANS, "every"),
-        Line(THEOREM.format("answers_tell"), ["Reported"], COQ, TABLES, ALL, "told"),
+        Line(THEOREM.format("answers_tell"), ["Reported"], COQ, TABLES, ALL, "stated"),
         Line(THEOREM.format("automaton_told"), ["Reported"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
         Line(THEOREM.format("automaton_looked_up"), ["Compiled"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
         Line(THEOREM.format("linked_rules_right"), ["Linked"], COQ, "lists of the compiled tables", ["split", "collapse"]),
@@ -119,40 +119,40 @@ def operations_of(line, found, report):
 
 
 def k_of(line, found, report):
-    """"every", or the largest; 0 where none exists, as of operation files, or where no k is covered whole."""
+    """"every", or the largest; 0 if there is no k, as for operation files, or if no k is covered completely."""
     if line.k == "every":
         return line.k
     if line.k == "those met":
         return 0
     if "k" in found.groupdict():
         return int(found["k"] or 0)
-    words = {"told": r"^what answers tell .*k <= (\d+)", "looked up": r"^what the automaton answers .*k <= (\d+)"}.get(line.k, r"(?:^|[ ,])k (?:<=|= \d+ \.\.\.) (\d+)")
+    words = {"stated": r"^the stated changes of answers .*k <= (\d+)", "looked up": r"^the automaton's answers .*k <= (\d+)"}.get(line.k, r"(?:^|[ ,])k (?:<=|= \d+ \.\.\.) (\d+)")
     return max(map(int, re.findall(words, report, re.M)), default=0)
 
 
-def rows_of(rung, report):
-    """What a report says, or why it says nothing."""
+def rows_of(check, report):
+    """The rows of a report; raises Wrong if it is not complete."""
     if re.search(r"^FAILS|NOT |\[  FAILED  \]", report, re.M):
-        raise Wrong(f"{rung}: something fails")
+        raise Wrong(f"{check}: something fails")
     read = re.findall(r"read: (.*)$", report, re.M)
-    largest = {}  # of what a row says but for k
-    for line in REPORTS[rung]:
+    largest = {}  # k for the rest of a row
+    for line in REPORTS[check]:
         every = list(re.finditer(line.pattern, report, re.M))
         if not every:
-            raise Wrong(f"{rung}: no line says {line.pattern}")
+            raise Wrong(f"{check}: no line matches {line.pattern}")
         if read and not line.read.startswith("nothing") and not any(line.read in words for words in read):
-            raise Wrong(f"{rung}: {line.read} are not what was read")
+            raise Wrong(f"{check}: {line.read} were not read")
         for found in every:
             k = k_of(line, found, report)
             for operation in operations_of(line, found, report):
                 for claim in line.claims:
                     what = claim, operation, line.how, line.read, k == "every"
                     largest[what] = k if k == "every" else max(k, largest.get(what, 0))
-    return {Row(claim, operation, str(k), how, read, rung) for (claim, operation, how, read, _), k in largest.items()}
+    return {Row(claim, operation, str(k), how, read, check) for (claim, operation, how, read, _), k in largest.items()}
 
 
 def bold_of(text, heading):
-    """The names of a numbered list: "1. **Name.** …" below a heading."""
+    """The names of a numbered list "1. **Name.** …" below a heading."""
     return re.findall(r"^\d+\. \*\*([^*]+?)\.\*\*", text.split(f"\n{heading}\n")[1].split("\n## ")[0], re.M)
 
 
@@ -161,24 +161,24 @@ class Coverage:
         self.root, self.path = root, root / "docs/coverage.csv"
         self.claims = bold_of((root / "docs/explanation/what-is-proven.md").read_text(encoding="utf-8"), "## What is claimed")
         self.guarantees = bold_of((root / "README.md").read_text(encoding="utf-8"), "## What is guaranteed")
-        self.rungs = re.findall(r"^ *rung ([a-z]+) ", (root / "scripts/prove.sh").read_text(encoding="utf-8"), re.M)
+        self.checks = re.findall(r"^ *check ([a-z]+) \"", (root / "scripts/prove.sh").read_text(encoding="utf-8"), re.M)
         with open(self.path, encoding="utf-8", newline="") as file:
             self.rows = {Row(**row) for row in csv.DictReader(file)}
 
     def check(self):
-        """Sentences about what does not fit."""
-        claimed, run = {row.claim for row in self.rows}, {row.rung for row in self.rows}
+        """Sentences about inconsistencies."""
+        claimed, run = {row.claim for row in self.rows}, {row.check for row in self.rows}
         return (["docs/explanation/what-is-proven.md lists no claims, or README.md no guarantees"] if not self.claims or not self.guarantees else []) + \
             [f"{claim}: a claim without a row in docs/coverage.csv" for claim in self.claims if claim not in claimed] + \
             [f"{claim}: a guarantee of README.md that docs/explanation/what-is-proven.md does not claim" for claim in self.guarantees if claim not in self.claims] + \
             [f"{claim}: rows of docs/coverage.csv name it, and docs/explanation/what-is-proven.md does not claim it" for claim in sorted(claimed - set(self.claims))] + \
-            [f"{rung}: no rung of scripts/prove.sh" for rung in sorted(run - set(self.rungs))] + \
-            [f"{rung}: a rung of scripts/prove.sh without a row" for rung in self.rungs if rung not in run]
+            [f"{check}: not a check of scripts/prove.sh" for check in sorted(run - set(self.checks))] + \
+            [f"{check}: a check of scripts/prove.sh without a row" for check in self.checks if check not in run]
 
-    def record(self, folder, rungs):
-        self.rows = {row for row in self.rows if row.rung not in rungs and row.rung in self.rungs}
-        for rung in rungs:
-            self.rows |= rows_of(rung, (folder / f"{rung}.log").read_text(encoding="utf-8"))
+    def record(self, folder, checks):
+        self.rows = {row for row in self.rows if row.check not in checks and row.check in self.checks}
+        for check in checks:
+            self.rows |= rows_of(check, (folder / f"{check}.log").read_text(encoding="utf-8"))
         with open(self.path, "w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(Row._fields)
@@ -192,15 +192,15 @@ class Coverage:
         return ", ".join([name + "s" for name in ALL if name in names] + sorted(f"`{name}`" for name in names - set(ALL)))
 
     def merged(self, wanted):
-        """Cells of the rows with a claim that is wanted: claims, operations, k, how, read, rung. Rows of one rung that
-        differ in the operation or in the claim alone are one."""
+        """Cells of the rows with a wanted claim: claims, operations, k, how, read, check. Rows of one check
+        that differ only in the operation or in the claim are merged."""
         some = {}
-        for row in sorted(self.rows, key=lambda row: (self.rungs.index(row.rung), row.k == "every", row)):
+        for row in sorted(self.rows, key=lambda row: (self.checks.index(row.check), row.k == "every", row)):
             some.setdefault(row[2:], {}).setdefault(row.claim, set()).add(row.operation)
         for (k, *rest), claims in some.items():
-            for beside in [claims for at, claims in some.items() if at[0] not in ("0", "every") and list(at[1:]) == rest]:
-                for claim in [claim for claim in claims if k == "0" and claim in beside]:
-                    beside[claim] |= claims.pop(claim)  # a flip has no k
+            for other in [claims for at, claims in some.items() if at[0] not in ("0", "every") and list(at[1:]) == rest]:
+                for claim in [claim for claim in claims if k == "0" and claim in other]:
+                    other[claim] |= claims.pop(claim)  # a flip has no k
         rows = []
         for (k, *rest), claims in some.items():
             of = {claim: self.operations(names) for claim, names in claims.items() if claim in wanted}

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Runs each of the proofs there are, and the tests where nothing is proved; writes what they cover, claim by claim, into
-# docs/coverage.csv and the tables that are made of it, and prints one page. Safe to repeat, from any directory.
+# Runs every proof, and tests where no proof exists; writes their coverage, claim by claim, to docs/coverage.csv and the
+# table made from it, and prints one page. Safe to repeat, from any directory.
 #
-#   scripts/prove.sh             every rung
+#   scripts/prove.sh             every check
 #   scripts/prove.sh --no-coq    all but the theorem: a few minutes; its rows stay as they are
-#   scripts/prove.sh --full      every rung, and coqchk for all of the theorem: hours
+#   scripts/prove.sh --full      every check, and coqchk for all of the theorem: hours
 set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
@@ -33,12 +33,12 @@ cmake --build --preset release --target restrip-dump-tables restrip-verify restr
 bin=build/release/bin
 logs=build/proof
 mkdir -p "$logs"
-ladder=()
-rungs=()
+summary=()
+checks=()
 
-# rung NAME CLAIM METHOD TRUSTS CASES COMMAND…: runs the command; CASES is a sed expression that finds the number of cases
-# in what it prints.
-rung() {
+# check NAME CLAIM METHOD TRUSTS CASES COMMAND…: runs the command; CASES is a sed expression that finds the number of cases
+# in its output.
+check() {
   local name=$1 claim=$2 method=$3 trusts=$4 cases=$5
   shift 5
   say "$name: $method (log: $logs/$name.log)"
@@ -49,13 +49,13 @@ rung() {
   fi
   local found
   found=$(sed -nE "$cases" "$logs/$name.log" | tail -n 1)
-  [ -n "$found" ] || { echo "$logs/$name.log: the number of cases is not there" >&2; false; }
-  rungs+=("$name")
-  ladder+=("$(printf '%-9s %5d s  %s\n%19s%s: %s\n%19strusts: %s' \
+  [ -n "$found" ] || { echo "$logs/$name.log: the number of cases is missing" >&2; false; }
+  checks+=("$name")
+  summary+=("$(printf '%-9s %5d s  %s\n%19s%s: %s\n%19strusts: %s' \
     "$name" "$((SECONDS - started))" "$claim" "" "$method" "$found" "" "$trusts")")
 }
 
-# Of each operation that ships: certificate, text of the header, compiled table.
+# For each shipped operation: certificate, text of the header, compiled table.
 all_operations() {
   local file name identifier
   for file in tables/operations/*.json; do
@@ -70,7 +70,7 @@ all_operations() {
   echo "in all: $(ls tables/operations/*.json | wc -l) operations"
 }
 
-# An automaton that is not shipped, for the length of an index buffer.
+# An automaton for the length of an index buffer, which is not shipped.
 of_the_index_cost() {
   $bin/restrip-generate automaton --cost 3,1,0 --out "$logs/indices" || return
   c++ -std=c++20 -O1 -I "$logs/indices/include" -I runtime/include -I tables/include runtime/dump_*.cpp -o "$logs/indices.dump" || return
@@ -92,53 +92,53 @@ all_reasons() {
          END { printf "in all: %d rules, %d copies, %d alternatives\n", rules, copies, alternatives }'
 }
 
-rung search "every rule is sound and optimal; the shipped headers give it, in every position" \
+check search "every rule is sound and optimal; the shipped headers give it, in every position" \
   "the definition, in Boost.Graph: every recolouring of every configuration, in every world outside" \
   "C++ compiler, verify/" \
   's/^verified: (.*)$/\1/p' \
   $bin/restrip-verify --dump-command $bin/restrip-dump-tables
-rung linked "what the linked look-up picks is the best, in every position, whatever is known of the outside" \
+check linked "the choice of the linked look-up is the best, in every position, for all knowledge of the outside" \
   "the definition: every recolouring in every world outside that is still possible" \
   "C++ compiler, verify/" \
   's/^answers of the shipped headers proved: (.*)$/\1/p' \
   $bin/restrip-verify --headers --linked-dump-command "$bin/restrip-dump-tables --linked"
-rung beyond "so does it in fans of all kinds and sizes without tables" \
-  "random patches and strips outside, held against a search on their graph; a test, no proof" \
+check beyond "so does it in fans of all kinds and sizes without tables" \
+  "random patches and strips outside, compared with a search on their graph; a test, not a proof" \
   "C++ compiler, tests/runtime/operations/linked_search_test.cpp" \
   's/.*\[  PASSED  \] (.*)$/\1/p' \
   $bin/runtime_linked_test --gtest_filter='LinkedSearch.IsBest*'
-rung automaton "every answer of the automaton is sound and optimal, for every k; the shipped header holds its numbers" \
+check automaton "every answer of the automaton is sound and optimal, for every k; the shipped header holds its numbers" \
   "every colouring of short arcs, every pair of the finitely many kinds of arcs; whole fans to k = 10 as well" \
   "C++ compiler, verify/automaton, the interface lemma of docs/explanation/automaton.md" \
   's/^verified: (.*)$/\1/p' \
   $bin/restrip-verify-automaton --tables-dir tables --dump-command "$bin/restrip-dump-tables --automaton"
-rung valences "so does the compiled look-up, which reads those numbers" \
-  "random fans, held against a search along the fan; a test, no proof" \
+check valences "so does the compiled look-up, which reads those numbers" \
+  "random fans, compared with a search along the fan; a test, not a proof" \
   "C++ compiler, tests/runtime/rules/exact_large_test.cpp" \
   's/.*\[  PASSED  \] (.*)$/\1/p' \
   $bin/runtime_exact_large_test
-rung indices "an automaton made for another cost is sound, and costs least, for every k" \
+check indices "an automaton made for another cost is sound, and costs least, for every k" \
   "as for the shipped automaton" \
   "as for the shipped automaton" \
   's/^verified: (.*)$/\1/p' \
   of_the_index_cost
-rung operations "the rules of the operation files are sound and optimal; the shipped headers give them" \
+check operations "the rules of the operation files are sound and optimal; the shipped headers give them" \
   "every recolouring of every configuration on explicit graphs, in every world outside" \
   "C++ compiler, verify/, docs/reference/operation-file.md" \
   's/^in all: (.*)$/\1/p' \
   all_operations
-rung reasons "every rule in the certificates is sound and optimal" \
+check reasons "every rule in the certificates is sound and optimal" \
   "the certificates' reasons, without any search" \
   "Python, scripts/check_reasons.py" \
   's/^in all: (.*)$/\1/p' \
   all_reasons
-rung run "the rules as a program applied them: every colouring valid, every number true, every operation optimal" \
+check run "the rules as a program applied them: every colouring valid, every number true, every operation optimal" \
   "each operation of a run followed in a mesh of raw triangles; patches judged by functions extracted from Coq" \
   "Coq's extraction, the OCaml compiler, verify/check: the mesh and the walk along strips" \
   's/^accepted: (.*)$/\1/p' \
   a_run
 if [ "$coq" = yes ]; then
-  rung theorem "sound, optimal, the facts, the locality lemma itself, and the bound on the strips of a whole mesh" \
+  check theorem "sound, optimal, the facts, the locality lemma itself, and the bound on the strips of a whole mesh" \
     "Coq, for the shipped bytes; no axioms" \
     "Coq's kernel, the printer of the tables, verify/formal/Statements.v" \
     's/^All proved in (.*)$/&/p' \
@@ -146,13 +146,13 @@ if [ "$coq" = yes ]; then
   sed -n '/^theorem /,$p' "$logs/theorem.log"
 fi
 
-printf '\nThe rungs that were run, and what each trusts.\n\n'
-printf '%s\n\n' "${ladder[@]}"
-say "writing what they cover"
-scripts/coverage.py record "$logs" "${rungs[@]}"
+printf '\nThe checks that were run, and what each trusts.\n\n'
+printf '%s\n\n' "${summary[@]}"
+say "writing the coverage"
+scripts/coverage.py record "$logs" "${checks[@]}"
 scripts/figures.py --bin $bin --only scripts/coverage.py docs/explanation/what-is-proven.md
 scripts/coverage.py check
 echo
 scripts/coverage.py table
 echo
-echo "All rungs hold, $SECONDS s. What one must still believe: docs/explanation/what-is-proven.md."
+echo "All checks passed, $SECONDS s. What must still be trusted: docs/explanation/what-is-proven.md."

@@ -1,6 +1,6 @@
-"""Every claim of docs/explanation/what-is-proven.md and every guarantee of README.md has a row in docs/coverage.csv, every row a rung of
-scripts/prove.sh, and the tables of both pages are those rows. scripts/coverage.py notices where it is not so, and takes
-no report in which something fails or is missing. Nothing is proved here."""
+"""Every claim of docs/explanation/what-is-proven.md and every guarantee of README.md has a row in docs/coverage.csv, every row a check of
+scripts/prove.sh, and the table of the page has those rows. scripts/coverage.py reports every deviation, and refuses a
+report in which something fails or is missing. Nothing is proved here."""
 import importlib.util
 import subprocess
 import sys
@@ -20,7 +20,7 @@ verified: 0 rules, 1 claim, k <= 5; read: compiled linked look-up only; no certi
 
 
 def faults(file=None, alter=None):
-    """What there is to say of the tree, or of a copy in which one file was altered."""
+    """The faults of the tree, or of a copy in which one file was altered."""
     with tempfile.TemporaryDirectory() as folder:
         for name in FILES:
             (Path(folder) / name).parent.mkdir(parents=True, exist_ok=True)
@@ -46,13 +46,13 @@ class Check(unittest.TestCase):
         self.assertEqual(said, ["Other mesh: a claim without a row in docs/coverage.csv",
                                 "Whole mesh: rows of docs/coverage.csv name it, and docs/explanation/what-is-proven.md does not claim it"])
 
-    def test_a_guarantee_that_is_no_claim(self):
+    def test_a_guarantee_that_is_not_a_claim(self):
         self.assertEqual(faults("README.md", lambda text: text.replace("**Bounded.**", "**Cheap.**")),
                          ["Cheap: a guarantee of README.md that docs/explanation/what-is-proven.md does not claim"])
 
-    def test_a_row_without_a_rung_and_a_rung_without_a_row(self):
-        self.assertEqual(faults("scripts/prove.sh", lambda text: text.replace("rung reasons ", "rung causes ")),
-                         ["reasons: no rung of scripts/prove.sh", "causes: a rung of scripts/prove.sh without a row"])
+    def test_a_row_without_a_check_and_a_check_without_a_row(self):
+        self.assertEqual(faults("scripts/prove.sh", lambda text: text.replace("check reasons ", "check causes ")),
+                         ["reasons: not a check of scripts/prove.sh", "causes: a check of scripts/prove.sh without a row"])
 
     def test_lists_that_are_not_found(self):
         for file in ("docs/explanation/what-is-proven.md", "README.md"):
@@ -81,13 +81,13 @@ class Reports(unittest.TestCase):
 
     def test_a_report_that_does_not_hold(self):
         for text, why in ((LINKED.replace("holds  linked", "FAILS  linked"), "something fails"), (LINKED.replace("verified", "NOT verified"), "something fails"),
-                          (LINKED.replace("the best for", "one for"), "no line says"), ("", "no line says"),
-                          (LINKED.replace("compiled linked look-up", "certificates"), "not what was read")):
+                          (LINKED.replace("the best in", "one in"), "no line matches"), ("", "no line matches"),
+                          (LINKED.replace("compiled linked look-up", "certificates"), "were not read")):
             with self.assertRaisesRegex(coverage.Wrong, why):
                 coverage.rows_of("linked", text)
 
-    def test_every_rung_has_its_report(self):
-        self.assertEqual(set(coverage.REPORTS), set(coverage.Coverage(ROOT).rungs))
+    def test_every_check_has_its_report(self):
+        self.assertEqual(set(coverage.REPORTS), set(coverage.Coverage(ROOT).checks))
 
 
 unittest.main()
