@@ -85,7 +85,7 @@ class Verification {
     totals_.read.certificates = !options_.certificate.empty();
     check_families();
     ExpectedDump expected = expected_dump();
-    expected.tells_isolated = false;
+    expected.states_isolated = false;
     const bool is_linked =
         std::any_of(descriptions.begin(), descriptions.end(), [](const Description& one) { return one.linked; });
     totals_.lists_not_read = is_linked && options_.linked_certificate.empty();
@@ -240,10 +240,10 @@ class Verification {
            "definition");
     AnswerCount judged = sum_of(listed.families);
     judged += sum_of(unlisted.families);
-    if (comparison.tells_changes) {
-      Failures told = listed.told;
-      told.add(unlisted.told);
-      report(judged, told, "every answer reports what it changes", "counted before and after");
+    if (comparison.states_changes) {
+      Failures misstated = listed.misstated;
+      misstated.add(unlisted.misstated);
+      report(judged, misstated, "every answer reports what it changes", "counted before and after");
     }
     const Compared& lists = comparison.of_lists(Against::certificate);
     report(sum_of(lists.families), lists.differences, "their lists of alternatives are the certificates'",

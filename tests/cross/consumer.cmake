@@ -1,5 +1,5 @@
 # Builds a consumer's project, with every warning on and fatal, in one of four ways: an installed package, a
-# subdirectory, headers copied by hand, or the single header that is installed beside the package.
+# subdirectory, headers copied by hand, or the single header installed with the package.
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 function(run)

@@ -1,7 +1,7 @@
-// Claim: the table of a family does the operation on a mesh at every position that it has. examples/own_family.json, by
-// which a vertex of k triangles goes, is applied at every halfedge of meshes with vertices of all valences: it is
-// granted where the triangles, worked out on a bare list, are as good afterwards; they are those of the list; and
-// strips and isolated triangles are as many as reported. The table is what `restrip-generate rules` writes.
+// Claim: the table of a family performs the operation on a mesh at each of its positions. examples/own_family.json,
+// which removes a vertex of k triangles, is applied at every halfedge of meshes with vertices of all valences. It is
+// granted if the triangles, computed on a bare list, are valid afterwards; the mesh then equals the list; and the
+// reported strips and isolated triangles are correct. `restrip-generate rules` writes the table.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -45,7 +45,7 @@ std::vector<StripMesh> meshes() {
 
 TEST(FamilyApply, DoesWhatTheFileSaysAtEveryValence) {
   for (unsigned k = 3; k <= 8; ++k) {
-    // A table of this valence is granted nowhere else.
+    // A table is granted only at vertices of its valence.
     const At at = position_of(family, {k});
     std::size_t granted = 0;
     for (const StripMesh& mesh : meshes()) granted += try_everywhere(mesh, [&](Halfedge) -> const At& { return at; });

@@ -1,7 +1,7 @@
-// Claim: for custom families that `restrip-generate automaton --operation` takes, the look-up that it writes is
-// as good as the family's own table. Every valid configuration of every position up to k = 8: the answer is sound, has
-// as many solid edges as the table's rule, and leaves as many triangles isolated. What is joined is found by following
-// the solid edges of the triangles; nothing is taken from the library's keys.
+// Claim: for custom families that `restrip-generate automaton --operation` accepts, its look-up is as good as the
+// family's table. For every valid configuration of every position up to k = 8, the answer is sound and has the same
+// number of solid edges and of isolated triangles as the table's rule. Joined ports are found by following the solid
+// edges of the triangles, without the library's keys.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,8 +56,8 @@ struct Patch {
     for (unsigned t = 0; t < triangles.size(); ++t) isolated += solid_edges_of(t, inner, solid_ports) == 0 ? 1 : 0;
     return isolated;
   }
-  /// For each triangle the smallest that solid edges connect it with; nothing when they close a cycle or a triangle has
-  /// three.
+  /// For each triangle, the smallest one that solid edges connect with it; empty if they close a cycle or a triangle
+  /// has three.
   [[nodiscard]] std::optional<std::vector<unsigned>> strips(std::uint32_t inner, std::uint32_t solid_ports) const {
     std::vector<unsigned> strip(triangles.size());
     std::iota(strip.begin(), strip.end(), 0U);
@@ -78,8 +78,8 @@ struct Patch {
 /// Where the triangles of a fan lie after the operation.
 struct Shape {
   bool cyclic = false;      ///< in the key the first solid port follows the last
-  std::size_t first = 0;    ///< the port of the first triangle, its own
-  std::size_t between = 0;  ///< how many edges there are between them
+  std::size_t first = 0;    ///< the port of the first triangle
+  std::size_t between = 0;  ///< the number of edges between them
 };
 
 /// The configurations of one position; look_up(ports, joined) asks the automaton.
@@ -163,7 +163,7 @@ TEST(FamilyAutomaton, AnswersAnyLength) {
   std::array<Word, k / 64 + 1> joined{};
   std::array<Word, k / 64 + 1> colors{};
   ports[0] = 1;
-  // A strip that comes in over the only solid port can go all around, but for the edge that would close it.
+  // A strip that enters over the only solid port can go all around, except over the edge that would close it.
   const exact::Value value =
       exact::best_fan_becomes_star(k, BitSpan{ports.data()}, BitSpan{joined.data()}, MutableBitSpan{colors.data()});
   EXPECT_EQ(value.solid, static_cast<int>(k) - 1);

@@ -36,11 +36,11 @@ TABLES, RULES = "tables/include/restrip/tables", "runtime/include/restrip/rules"
 
 
 def number_behind(opening):
-    """Another number in place of the first behind these words."""
+    """Another number in place of the first after these words."""
     return re.compile(rf"({opening})(\d+)"), lambda found: found[1] + str(int(found[2]) ^ 1)
 
 
-RULE = number_behind(r"    \},\n    \{\n    ")  # of a table: behind the places where its blocks start
+RULE = number_behind(r"    \},\n    \{\n    ")  # of a table: after the starts of its blocks
 
 
 def token(old, new):
@@ -68,9 +68,9 @@ HEADERS = {
         ("the look-up in tables", f"{RULES}/rules.hpp", token("const std::size_t by = exchange ? a : 0;", "const std::size_t by = exchange ? k : 0;"), "split", "table split k "),
         ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers make it"),
     ],
-    "told": [
-        ("the strips that a rule tells", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table states "),
-        ("the isolated triangles that a flip tells", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, there are"),
+    "stated": [
+        ("the strips that a rule states", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table states "),
+        ("the isolated triangles that a flip states", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, but there are"),
         ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers make it"),
     ],
 }
@@ -96,9 +96,9 @@ FILES = [
 OPERATION_IN_C = [
     ("an entry in C", "restrip_bisect.h", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
     ("a token in C", "restrip_bisect.h", token("rule.colors = entry >> port_count", "rule.colors = entry << port_count"), "line 3: table bisect: expected"),
-    ("what an answer in C tells", "restrip_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table states "),
+    ("the changes that an answer in C states", "restrip_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table states "),
 ]
-# Tables in other languages: the digests of the answers differ, or what they tell. Both shaders read the same data.
+# Tables in other languages: the digests of the answers or of their stated changes differ. Both shaders read the same data.
 LANGUAGES = [
     ("a number in C", "c", "restrip_tables.h", number_behind(r"restrip_split_rules\[\d+\] = \{\s*")),
     ("a token in C", "c", "restrip_tables.h", token("exchange ? arc + 1 : 0", "exchange ? arc + 2 : 0")),
@@ -276,7 +276,7 @@ def check_languages(scratch):
         driver.expected = lambda max_k: language_test.run(BIN / "restrip-dump-tables", "--digests", "--max-k", max_k)
 
     def judged(language, folder):
-        """The digests of the shipped headers' answers are those of the language's."""
+        """The digests of the shipped headers' answers equal the language's."""
         return run(BIN / "restrip-verify", "--headers", "--max-k", MAX_K, "--dump-command", f"'{BIN}/restrip-dump-tables' --max-k {MAX_K}",
                    "--digest-command", shlex.join(map(str, drivers[language].digests(folder, folder, MAX_K))))
 

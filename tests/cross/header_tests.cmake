@@ -6,7 +6,7 @@
 function(judge header test out)
   set(${out} "" PARENT_SCOPE)
   if(NOT EXISTS ${test})
-    set(${out} "there is no ${test}" PARENT_SCOPE)
+    set(${out} "${test} is missing" PARENT_SCOPE)
     return()
   endif()
   file(STRINGS ${test} includes REGEX "^#include \"restrip/")

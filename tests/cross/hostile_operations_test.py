@@ -59,7 +59,7 @@ def tokens(text):
 
 
 def renamed(words, name):
-    """The tokens of the plain file's files with another name in place of its own."""
+    """The tokens of the plain file's files with another name."""
     return [re.sub("(?<![a-z])plain(?![a-z])", name, re.sub("(?<![A-Z])PLAIN(?![A-Z])", name.upper(), word)) for word in words]
 
 
@@ -155,9 +155,9 @@ def main():
             raise SystemExit("there are languages missing, or tables in JSON that differ")
         print(counts[True], "accepted,", counts[False], "refused")
         if min(counts.values()) < 30:
-            raise SystemExit("too few to tell anything")
+            raise SystemExit("too few to be conclusive")
 
-        # All that was accepted compiles, beside all that is shipped, where unix and linux are macros as well.
+        # All accepted ones compile together with everything shipped, even if unix and linux are macros.
         names = sorted(header.name for header in headers.glob("*.hpp"))
         source = scratch / "all.cpp"
         shipped = sorted((root / "tables/include/restrip/tables").glob("*.hpp"))
@@ -219,7 +219,7 @@ def main():
             raise SystemExit("the program of a good header is not run either")
         print(len(names), "headers compiled together")
         if len(names) < 20:
-            raise SystemExit("too few to tell anything")
+            raise SystemExit("too few to be conclusive")
 
 
 main()

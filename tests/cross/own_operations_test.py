@@ -370,7 +370,7 @@ def check_automaton():
 
 
 def check_corpus():
-    """Single operations: those that are none on a mesh, and those that are graphs alone or lie on one."""
+    """Single operations: ones that are impossible on a mesh, mere graphs, and valid ones."""
     refused = json.loads((CORPUS.parent / "refused_operations.json").read_text())
     expect(refused.keys() == REFUSED_ON_A_MESH.keys(), f"files and expectations differ: {refused.keys() ^ REFUSED_ON_A_MESH.keys()}")
     for name, (place, *words) in REFUSED_ON_A_MESH.items():

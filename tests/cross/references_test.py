@@ -1,5 +1,5 @@
-"""What documents and comments refer to is there: every file whose path is named, every relative link with its anchor, every heading
-that is quoted behind the name of a page, every section that is cited by its number. Blocks of code in documents are not read."""
+"""References in documents and comments exist: every file whose path is named, every relative link with its anchor, every heading
+that is quoted after the name of a page, every section that is cited by its number. Blocks of code in documents are not read."""
 import re
 import subprocess
 import sys
@@ -26,7 +26,7 @@ HISTORY = "CHANGELOG.md"
 
 
 def tree_of(root):
-    """All files but those of builds and of version control."""
+    """All files except builds and version control."""
     skipped = re.compile(r"build.*|\..+|__pycache__|node_modules")
     folders = [root]
     while folders:
@@ -97,7 +97,7 @@ class References:
         self.faults = []
 
     def page(self, name, at):
-        """The document of this name, beside the file `at` or anywhere; None if it is not there."""
+        """The document of this name, next to the file `at` or anywhere; None if it does not exist."""
         for file in (at.parent / name, self.root / name, self.root / "docs" / name):
             if file.is_file():
                 return self.pages.setdefault(file.resolve(), Page(file))
@@ -138,7 +138,7 @@ class References:
         for found in PATH.finditer(text) if at.name != HISTORY else []:
             name = found[0]
             there = (at.parent / name).exists() or name.lstrip("./") in self.ends or ELSEWHERE.fullmatch(name)
-            self.judge(at, text, found, there, f"there is no {name}")
+            self.judge(at, text, found, there, f"{name} does not exist")
         for found in TITLE.finditer(text):
             page = self.page(found[1], at)
             if page:
@@ -179,10 +179,10 @@ class Rejects(unittest.TestCase):
                                   '```\n[no](no.md)\n```\n"Saws" below.\n\n## Saws\n')
 
     def test_files(self):
-        self.refused("src/saw.hpp", "// Text.\n#include \"no.hpp\"\n// As no.hpp does.\n", "3: there is no no.hpp")
-        self.refused("src/saw.py", '"""A saw (docs/bushes.md)."""\n', "1: there is no docs/bushes.md")
-        self.refused("src/saw.c", "/* A saw\n * (src/no/axe.hpp). */\n", "2: there is no src/no/axe.hpp")
-        self.refused("src/saw.cpp", "int x;  ///< see bushes.md\n", "1: there is no bushes.md")
+        self.refused("src/saw.hpp", "// Text.\n#include \"no.hpp\"\n// As no.hpp does.\n", "3: no.hpp does not exist")
+        self.refused("src/saw.py", '"""A saw (docs/bushes.md)."""\n', "1: docs/bushes.md does not exist")
+        self.refused("src/saw.c", "/* A saw\n * (src/no/axe.hpp). */\n", "2: src/no/axe.hpp does not exist")
+        self.refused("src/saw.cpp", "int x;  ///< see bushes.md\n", "1: bushes.md does not exist")
 
     def test_headings(self):
         self.refused("src/saw.hpp", '// Cuts oaks (docs/trees.md, "The large\n// ones").\n',
@@ -194,7 +194,7 @@ class Rejects(unittest.TestCase):
         self.refused("src/saw.hpp", "// Cuts (docs/trees.md, sections 1 and 2).\n", "1: docs/trees.md has no section 2")
 
     def test_links(self):
-        self.refused("README.md", "A [saw](src/saw.hpp).\n", "1: the link src/saw.hpp leads nowhere", "1: there is no src/saw.hpp")
+        self.refused("README.md", "A [saw](src/saw.hpp).\n", "1: the link src/saw.hpp leads nowhere", "1: src/saw.hpp does not exist")
         self.refused("README.md", "[oaks](docs/trees.md#oaks)\n", "1: docs/trees.md#oaks: no heading has this anchor")
 
 

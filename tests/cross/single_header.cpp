@@ -128,7 +128,7 @@ void by_keeper(restrip::Policy policy, const char* what) {
   print(what, mesh);
 }
 
-/// Split and collapse by flips decided beforehand.
+/// Split and collapse with precomputed flips.
 void by_record() {
   StripMesh mesh = sheet(2);
   restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
@@ -157,9 +157,9 @@ int main(int count, char** arguments) {
   }
   StripMesh mesh = sheet(12);
   by_rules("rules", mesh, mesh);
-  StripMesh behind = sheet(12);
-  Foreign foreign(behind);
-  by_rules("rules, foreign mesh", behind, foreign);
+  StripMesh base = sheet(12);
+  Foreign foreign(base);
+  by_rules("rules, foreign mesh", base, foreign);
   large_fan();
   by_record();
   by_keeper(restrip::Policy::local, "local");

@@ -95,14 +95,14 @@ def main():
         (scratch / "one.json").write_text(ONE, encoding="utf-8")
         done = subprocess.run([generate, "rules", "--operation", scratch / "one.json", "--out", places["out"]], capture_output=True, text=True,
                               check=True)
-        told = done.stdout + subprocess.check_output(
+        printed = done.stdout + subprocess.check_output(
             [verify, "--operation", scratch / "one.json", "--certificate", places["out"] / "certificates/operations/one.cert"], text=True)
-        told += subprocess.check_output([verify, "--tables-dir", root / "tables", "--family", "flip"], text=True)
-        told += subprocess.check_output([generate, "tables", "--max-k", "3", "--out", places["out"]], text=True)
-        if found := re.findall(r"(?<![\d.,])1 +[a-z]+s\b(?! =)", told):
-            raise SystemExit(f"{told}\n{found}")
-        if "1 section " not in told or "costs above 1 strip," not in told:
-            raise SystemExit(told)
+        printed += subprocess.check_output([verify, "--tables-dir", root / "tables", "--family", "flip"], text=True)
+        printed += subprocess.check_output([generate, "tables", "--max-k", "3", "--out", places["out"]], text=True)
+        if found := re.findall(r"(?<![\d.,])1 +[a-z]+s\b(?! =)", printed):
+            raise SystemExit(f"{printed}\n{found}")
+        if "1 section " not in printed or "costs above 1 strip," not in printed:
+            raise SystemExit(printed)
         if "As for dump" in subprocess.check_output([generate, "describe", "--help"], text=True):
             raise SystemExit("describe --help sends the reader elsewhere")
 

@@ -1,8 +1,8 @@
 # The project of a user who generates and verifies tables (toolkit/), built in several WAYs:
-#   ninja         from an installed package: generated, verified, used; nothing is done twice; what changed is made from scratch
+#   ninja         from an installed package: generated, verified, used; nothing is done twice; changed tables are made from scratch
 #   make          the same without the verification
 #   cross         for WebAssembly, by programs of this machine
-#   subdirectory  restrip beside the project: programs built there, or installed ones
+#   subdirectory  restrip as a subdirectory: programs built there, or installed ones
 #   errors        wrong calls, each refused by a sentence that names the function and the remedy
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
@@ -15,7 +15,7 @@ function(run)
   endif()
   set(printed "${printed}" PARENT_SCOPE)
 endfunction()
-# refused(PATTERN COMMAND…): the command fails, and says so.
+# refused(PATTERN COMMAND…): the command fails with this message.
 function(refused pattern)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE printed ERROR_VARIABLE printed RESULT_VARIABLE result)
   string(REGEX REPLACE "[ \n]+" " " words "${printed}")
@@ -23,7 +23,7 @@ function(refused pattern)
     message(SEND_ERROR "${ARGN}\nended with ${result}; expected: ${pattern}\n${printed}")
   endif()
 endfunction()
-# generations(N): so many times the build said that it generates tables, in what was printed last.
+# generations(N): the last output says N times that tables are generated.
 function(generations expected)
   string(REGEX MATCHALL "Generating the tables of terrain_tables" found "${printed}")
   list(LENGTH found count)
@@ -39,7 +39,7 @@ if(EXISTS ${SCRATCH}/runtime/bin)
   message(FATAL_ERROR "the component runtime has programs")
 endif()
 file(COPY ${SCRATCH}/runtime/ ${SCRATCH}/generator/ DESTINATION ${SCRATCH}/prefix)
-# The documents came with the library: all of them, with what they speak of. Their links lead elsewhere (references_test.py).
+# All documents are installed with the library, including what they refer to. references_test.py checks their links.
 set(documents ${SCRATCH}/prefix/share/doc/restrip)
 file(GLOB expected RELATIVE ${ROOT} ${ROOT}/docs/*.md ${ROOT}/docs/*/*.md ${ROOT}/docs/*.json ${ROOT}/docs/*.svg ${ROOT}/examples/*.cpp ${ROOT}/tables/*.json ${ROOT}/tables/operations/*.json)
 list(LENGTH expected count)
@@ -69,14 +69,14 @@ if(WAY MATCHES "^(ninja|make)$")
   run(${build} ${goal})
   generations(1)
   if(WAY STREQUAL "ninja")
-    # The automaton takes seconds, and is tested with what our own build generates (toolkit_tables).
+    # The automaton takes seconds and is tested in this build (toolkit_tables).
     run(${CMAKE_CTEST_COMMAND} --test-dir ${SCRATCH}/build -E automaton --output-on-failure)
     if(NOT printed MATCHES "terrain_tables.rules.*Passed.*terrain .*Passed.*100% tests passed[^\n]*out of 2")
       message(FATAL_ERROR "${printed}")
     endif()
   endif()
 
-  # Nothing is done twice: neither by a second build, nor after configuring once more.
+  # Nothing is done twice: neither by a second build, nor after configuring again.
   file(GLOB_RECURSE files ${tables}/*)
   list(LENGTH files count)
   if(NOT count EQUAL 20)
@@ -97,7 +97,7 @@ if(WAY MATCHES "^(ninja|make)$")
     message(FATAL_ERROR "the tables were written again")
   endif()
 
-  # A byte added is found, and a file deleted comes back.
+  # An added byte is found, and a deleted file is made again.
   if(WAY STREQUAL "ninja")
     set(header ${tables}/include/restrip/tables/split.hpp)
     file(APPEND ${header} "\n")
@@ -153,7 +153,7 @@ set(CMAKE_FIND_ROOT_PATH ${SCRATCH}/runtime)
   endif()
 
 elseif(WAY STREQUAL "subdirectory")
-  # Built there: generation waits for the program. Building it again would take the test minutes; our own build does it (toolkit_tables).
+  # Built there: generation waits for the program. Building it again would take minutes; this build does it (toolkit_tables).
   set(configure ${CMAKE_COMMAND} -G Ninja -S ${project}/subdirectory -DFETCHCONTENT_SOURCE_DIR_RESTRIP=${ROOT} ${compiler})
   run(${configure} -B ${SCRATCH}/built)
   run(${NINJA} -C ${SCRATCH}/built -t inputs terrain_tables_files)
@@ -214,7 +214,7 @@ elseif(WAY STREQUAL "errors")
   file(STRINGS ${t}-operations/${header} to_eight REGEX "SurfaceFamily<std::uint[0-9]+_t, [0-9]+, 6,")
   file(STRINGS ${SCRATCH}/together/restrip/of_four-operations/${header} to_four REGEX "SurfaceFamily<std::uint[0-9]+_t, [0-9]+, 2,")
   if(NOT to_eight OR NOT to_four OR NOT EXISTS ${SCRATCH}/together/restrip/of_four/MANIFEST)
-    message(FATAL_ERROR "MAX_K: expected six positions without it, two of four triangles, and tables of fans beside these")
+    message(FATAL_ERROR "MAX_K: expected six positions without it, two of four triangles, and tables of fans as well")
   endif()
   set(verify "restrip_verify_tables: ")
   wrong("restrip_verify_tables(t)" "${verify}t: is not a target that restrip_generate_tables\\(\\) made")

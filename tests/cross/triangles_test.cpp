@@ -1,6 +1,6 @@
-// Claim: generator and verifier read the same in triangles with named vertices. Of random patches, sound ones and
-// damaged ones, both take the same, and give triangles, inner edges and ports the same numbers; and the triangles that
-// the generator writes into a header are those of the file, met one from another.
+// Claim: generator and verifier read triangles with named vertices in the same way. Of random patches, valid and
+// damaged, both accept the same ones and number triangles, inner edges and ports alike. The triangles that the
+// generator writes into a header are the triangles of the file in traversal order.
 #include "model/triangles.hpp"
 
 #include <gtest/gtest.h>
@@ -128,7 +128,7 @@ class Patches {
   unsigned names_ = 0;
 };
 
-/// As a file's readers see it, that know the limits.
+/// As the readers of a file see it, which know the limits.
 std::optional<verify::SurfaceGraphs> by_verifier(const verify::NamedSurface& patch) {
   try {
     const verify::SurfaceGraphs graphs = verify::graphs_of(patch);
@@ -159,7 +159,7 @@ void expect_same(const generator::Side& side, const verify::PatchGraph& graph) {
 }
 
 using generator::SurfaceTriangle;
-/// What lies on the sides of a triangle: a triangle is known by it.
+/// What lies on the sides of a triangle, which identifies it.
 using Sides = std::multiset<unsigned>;
 
 std::multiset<Sides> sides_of(const verify::PatchGraph& graph) {

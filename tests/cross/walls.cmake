@@ -1,5 +1,5 @@
-# Who may include whom (docs: CONTRIBUTING.md). Reads the include lines of every room; what is not allowed is forbidden.
-# Allowed everywhere: standard headers, and quoted files that lie in the room itself.
+# Checks who may include whom (CONTRIBUTING.md). Reads the include lines of every room; what is not allowed is forbidden.
+# Allowed everywhere: standard headers, and quoted files in the same room.
 set(std "<[a-z_0-9]+>")
 set(allowed_in_common "${std}|\"common/.*\"|<(fmt|openssl)/.*>|<(fcntl|signal|unistd|sys/stat|sys/types).h>")
 set(allowed_in_generator "${std}|\"common/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
@@ -13,10 +13,10 @@ set(allowed_in_bindings/js "${allowed_in_web}")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(common|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
-# Doors that are there on purpose: adapters to other libraries, the other backend of batches.
+# Deliberate exceptions: adapters to other libraries, the other backend of batches.
 set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
-# The verifying programs write files as the others do. What the verifier reads, it reads by itself.
+# The verifying programs write files with common/, but the verifier reads files with separate code.
 set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
@@ -24,12 +24,12 @@ set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 set(door_templates "<std(bool|int).h>")
 set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables).h\"")
 set(never_in_tools "restrip/tables/")
-# Bodies are private to the floor whose manual lies beside them; see below.
+# Bodies are private to the floor of their manual; see below.
 set(never_in_examples "/impl/")
 set(never_in_bindings/c "/impl/|restrip/tables/")
 set(never_in_bench "/impl/")
 
-# The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
+# The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of the same floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
 set(floors_verify common model definition certificate judge linked automaton)
 set(floors_tools restrip common meshes pictures lod replay paper app)
@@ -80,7 +80,7 @@ function(judge room source line out)
   endif()
   if(DEFINED floors_${room})
     string(REGEX REPLACE "^${ROOT}/${room}/(include/restrip/)?" "" path "${source}")
-    # Programs that print what the headers answer lie above all floors; a file without a folder is a floor of its own.
+    # Programs that print what the headers answer lie above all floors; a file without a folder is a separate floor.
     if(path MATCHES "/" OR path MATCHES "^(restrip|precondition).hpp$")
       string(REGEX REPLACE "/[^/]*$" "" folder "${path}")
       judge_floor(${room} "${folder}" "${what}" wrong_floor)
@@ -111,7 +111,7 @@ endfunction()
 set(seen 0)
 foreach(room IN ITEMS common generator verify runtime tables tools examples bench web bindings/c bindings/js)
   file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp ${ROOT}/${room}/*.h ${ROOT}/${room}/*.c)
-  list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # printers of their own, compiled by its script
+  list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # separate printers, compiled by its script
   foreach(source IN LISTS sources)
     file(STRINGS ${source} includes REGEX "^ *# *include")
     foreach(line IN LISTS includes)
@@ -127,7 +127,7 @@ if(seen LESS 500)
   message(FATAL_ERROR "only ${seen} include lines were read; has a room moved?")
 endif()
 
-# No test but those of the runtime itself includes a body, and those include only the ones that have no manual.
+# Only tests of the runtime include bodies, and only bodies without a manual.
 file(GLOB_RECURSE sources ${ROOT}/tests/*.hpp ${ROOT}/tests/*.cpp)
 foreach(source IN LISTS sources)
   file(STRINGS ${source} includes REGEX "^ *# *include.*restrip/.*/impl/")

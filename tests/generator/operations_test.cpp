@@ -30,7 +30,7 @@ TEST_P(FamiliesAsFiles, GetTheShippedRules) {
         EXPECT_EQ(made.isolated, row.isolated);
         EXPECT_EQ(std::popcount(made.kept), std::popcount(row.kept));
         ++compared;
-        // A copy is the image of its rule: as good, but the tie-break at its own place may choose another.
+        // A copy is the image of its rule: as good, but the tie-break at its place may choose another.
         if (row.witness >= 0 || made.witness >= 0) continue;
         EXPECT_EQ(made.recoloring, row.recoloring);
         EXPECT_EQ(made.kept, row.kept);

@@ -1,7 +1,7 @@
-// Claim: the rules of splits and collapses are best among the recolourings that keep their ports, and no more than that
-// (docs/explanation/theory.md, "Ports given up"). The example of that section, a split with k = 5 and a = 2: by the
-// search of the generator, and by trying all recolourings on the ring with chord as docs/reference/notation.md numbers
-// it, each beside every outside.
+// Claim: the rules of splits and collapses are best only among the recolourings that keep their ports
+// (docs/explanation/theory.md, "Ports given up"). This is the example of that section, a split with k = 5 and a = 2,
+// solved by the generator's search and by trying all recolourings on the ring with chord, numbered as in
+// docs/reference/notation.md, in every outside.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -74,7 +74,7 @@ TEST(Reasons, OfAShippedOperationTakeAQuarterOfTheSteps) {
 
 // Seven triangles around a vertex become five, and any port may be given up: the smallest reasons of some rules have
 // more than twenty leaves. A search among all trees would take years.
-TEST(Reasons, AreFoundInSoManySteps) {
+TEST(Reasons, AreFoundWithinTheStepLimit) {
   const Solved solved(RESTRIP_CORPUS_DIR "/operations/seven-to-five.json");
   const Reasoner reasoner(operation_of_rows(solved.section.position, Sight::patch));
   std::size_t smallest = 0;

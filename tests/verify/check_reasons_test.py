@@ -8,7 +8,7 @@ import os
 import sys
 import tempfile
 
-sys.dont_write_bytecode = True  # nothing is left beside the script
+sys.dont_write_bytecode = True  # leaves no files next to the script
 spec = importlib.util.spec_from_file_location("check_reasons", sys.argv[1])
 script = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(script)

@@ -7,7 +7,7 @@
 //   expect CODE               the exit code
 //   message WORDS             part of the text that the checker prints
 //   file PATH                 the file that the following instructions change
-//   section POSITION          the following lines are looked for behind this section's head
+//   section POSITION          the following lines are searched for after this section's head
 //   - LINE                    the line is taken out; it must be there (the last line's sums may be left away)
 //   + LINE                    the line is put in, where the last line was taken out or put in
 //   cut N                     the last N bytes go
@@ -67,7 +67,7 @@ struct Alteration {
   std::string in(std::string text) const;
 };
 std::vector<Alteration> alterations(const std::string& file);
-/// What an `of` names, as it stands beside these files.
+/// The text named by an `of`, from a file in the same folder.
 std::string text_to_alter(const std::string& name);
 
 /// Writes a MANIFEST that lists what is in the folder, with its present bytes and rows.

@@ -26,7 +26,7 @@ TEST(Corpus, SmallTablesHold) {
   EXPECT_EQ(verdict.exit_code, 0) << verdict.text;
 }
 
-// One table for each constraint and case; each must be rejected, and for its own crime.
+// One table for each constraint and case; each must be rejected for its own fault.
 TEST(Corpus, TargetedBadTablesAreRejected) {
   std::map<std::string, int> kinds;
   int failures = 0;

@@ -146,7 +146,7 @@ TEST(Description, WhatIsNotJson) {
     EXPECT_NE(complaint(good.substr(0, length)), "") << length;
 }
 
-/// Small files that took gigabytes, or minutes, and what stands for positions in places of its own.
+/// Small files that once took gigabytes or minutes, and limits of positions.
 TEST(Description, LimitsOfThePage) {
   const std::string fan = text_to_alter("fan.json");
   const auto many = [](const std::string& text, unsigned times) {

@@ -1,6 +1,6 @@
-// The families of tables/families.json are those of docs/reference/notation.md: every position of fans up to ten
-// triangles is there, listed or not as that page says, and its patches are those that the tests write down by hand.
-// Files that say something else than a family are refused with their line: Description.OneAlterationIsNamed.
+// The families of tables/families.json match docs/reference/notation.md: every position of fans up to ten triangles
+// exists, listed or not as that page says, and its patches equal the handwritten ones of the tests. Files that do not
+// describe a family are refused with their line: Description.OneAlterationIsNamed.
 
 #include <gtest/gtest.h>
 

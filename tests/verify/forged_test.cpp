@@ -1,4 +1,4 @@
-// Forged certificates and dumps of operations are refused, each for its own crime.
+// Forged certificates and dumps of operations are refused, each for its own fault.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -136,7 +136,7 @@ TEST(ForgedDump, IsRefusedForItsCrime) {
   EXPECT_EQ(verdict_on(bisect.path, {}, bisect.dump).exit_code, 0);
 }
 
-// An answer that is as good as the certificate's row is right by itself, but not beside the certificate.
+// An answer as good as the certificate's row is right by itself, but differs from the certificate.
 TEST(ForgedDump, OtherThanTheCertificate) {
   const Forgery& split = forgery_of("split-face-graph");
   const std::string other = Alteration{"split-face-graph", "0 2 5 2", "0 2 6 2", {}}.in(split.dump);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The verifier proves what the generator writes: operations of the corpus, which have costs, constraints and ports given up
-# in all ways, and families described as operations. A split of eight triangles has as many ports as there may be.
+# The verifier proves the generator's output: operations of the corpus, with all kinds of costs, constraints and ports given
+# up, and families described as operations. A split of eight triangles has the largest number of ports.
 #   generated.sh GENERATOR VERIFIER CORPUS SCRATCH [small]      small: without the split of eight triangles
 set -eu
 generate=$1 verify=$2 corpus=$3 scratch=$4 small=${5-}

@@ -82,7 +82,7 @@ TEST(OperationJudge, GoodCertificatesAndDumpsHold) {
 
 // A custom family: every position, those that share a section and those that have no rules included. A fan
 // without gaps gets one triangle more, or loses it; where it stood does not matter to the collapse.
-TEST(OperationJudge, AFamilyOfOnesOwn) {
+TEST(OperationJudge, ACustomFamily) {
   const std::string name = "wedge";
   const std::string text = R"json({
     "restrip_operation": 1, "name": "wedge", "numbers": ["k", "i"], "where": "2 <= k, k <= 3, i <= k",
@@ -127,7 +127,7 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
 }
 
 // Linked rules of a custom family: the shipped splits under another name.
-TEST(OperationJudge, LinkedRulesOfOnesOwn) {
+TEST(OperationJudge, LinkedRulesOfACustomFamily) {
   const std::string described = R"json({
     "restrip_operation": 1, "name": "cut", "numbers": ["k", "a"], "where": "3 <= k, k <= 4, 1 <= a, 2 a <= k",
     "position": "k {k} a {a}", "before": {"ring": ["t[0,k)"]},
@@ -182,7 +182,7 @@ TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
             2);
 }
 
-/// A random side with so many ports: edges and ports where triangles have room.
+/// A random side with this number of ports: edges and ports wherever triangles have room.
 std::string random_side(std::mt19937& random, unsigned ports) {
   const auto triangles = static_cast<unsigned>(1 + random() % 4);
   std::vector<unsigned> room(triangles, 3);

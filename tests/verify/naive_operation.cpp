@@ -173,7 +173,7 @@ bool NaiveOperation::fits(bool after, NaiveColors colors, const Pairs& world) co
   for (std::size_t i = 0; i < side(after).edges.size(); ++i)
     if (has(colors.inner, static_cast<int>(i)))
       found.connect(static_cast<int>(side(after).edges[i][0]), static_cast<int>(side(after).edges[i][1]));
-  // A node for each port's block: that of the smallest port connected with it.
+  // A node for each port's block: the node of the smallest port connected with it.
   for (int port = 0; port < ports(); ++port) {
     if (!has(colors.ports, port)) continue;
     int block = port;

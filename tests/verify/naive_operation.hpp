@@ -29,7 +29,7 @@ enum class Dropped {
   outer_cycle,  ///< a cycle without the chord between A and D
   chord_cycles,
   degrees,
-  new_degrees,  ///< those of A and D
+  new_degrees,  ///< degrees of A and D
   pairing
 };
 
@@ -61,7 +61,7 @@ class NaiveOperation {
   const std::vector<Pairs>& worlds(int ports) const { return worlds_[static_cast<std::size_t>(ports)]; }
   bool fits(bool after, NaiveColors colors, const Pairs& world) const;
 
-  /// Without `before_too`, those of the patch after alone.
+  /// Without `before_too`, the symmetries of the patch after alone.
   std::vector<NaiveSymmetry> symmetries(bool before_too) const;
   NaiveColors moved(const NaiveSymmetry& symmetry, bool after, NaiveColors colors) const;
   NaiveKey moved(const NaiveSymmetry& symmetry, NaiveKey key) const;

@@ -25,7 +25,7 @@ Side fan_side(unsigned k, const Order& order, bool closed, bool chord) {
   return side;
 }
 
-/// A before the triangle of its gap, and D before that of its own, if there is one.
+/// A precedes the triangle of its gap, and D, if it exists, the triangle of its gap.
 Order order_with(unsigned k, std::optional<unsigned> gap_of_a, std::optional<unsigned> gap_of_d) {
   Order order;
   for (unsigned i = 0; i <= k; ++i) {

@@ -1,4 +1,4 @@
-// Reasons by trying everything, and wrong ones that a checker would take that had forgotten one of its questions.
+// Reasons by exhaustive search, and wrong ones that a checker would accept if it omitted one of its checks.
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@ int count(int mask) { return __builtin_popcount(static_cast<unsigned>(mask)); }
 /// Edges are numbered through: inner edges, then ports.
 struct Problem {
   int edges = 0;        ///< that a recolouring may leave dashed
-  int goal = 0;         ///< so many have to be shown dashed
-  int lonely = 0;       ///< where they are just so many: isolated triangles and ports given up
+  int goal = 0;         ///< the number of edges to show dashed
+  int lonely = 0;       ///< for exactly this number: isolated triangles and ports given up
   int given_up = 0;     ///< and ports given up
   std::set<int> sound;  ///< sets that may be all solid
   const NaiveOperation* operation = nullptr;
@@ -61,7 +61,7 @@ Problem problem_of(const NaiveOperation& operation, NaiveColors before, NaiveCol
   return problem;
 }
 
-/// Sets for a leaf: so many, and disjoint.
+/// Disjoint sets for a leaf, of this number.
 bool choose(const Problem& problem, int wanted, int taken, std::size_t from, const std::vector<int>& sets,
             std::vector<int>& chosen) {
   if (wanted <= 0) return true;

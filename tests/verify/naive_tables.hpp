@@ -1,7 +1,7 @@
 #pragma once
-// Certificates for small fans and for operations of a user's own, made in the slowest and most obvious way, and
-// reasons, right and careless ones. Shares nothing with the checker that it tests but the struct that holds an
-// operation; the patches of fans are written down by hand from docs/reference/notation.md.
+// Certificates for small fans and custom operations, made in the slowest and most obvious way, and correct and careless
+// reasons. It shares only the struct of an operation with the checker that it tests; the patches of fans are
+// handwritten from docs/reference/notation.md.
 
 #include <functional>
 #include <map>
@@ -33,7 +33,7 @@ std::vector<NaiveFamily> naive_families(int max_k);
 /// One operation by itself.
 NaiveSection naive_section(const Operation& operation);
 
-/// A question that a checker of reasons can forget, to find what it would take for a reason then.
+/// A check that a checker of reasons can omit, to find what it would then accept as a reason.
 enum class Careless {
   not_at_all,
   off_by_one,
@@ -80,14 +80,14 @@ using NaiveAnswers = std::function<std::optional<NaiveColors>(NaiveColors)>;
 /// The answers of a certificate's rows.
 NaiveAnswers answers_of(const NaiveOperation& operation, const NaiveTable& table);
 
-/// The lines of one table of a dump, which tell changes in strips and perhaps in isolated triangles.
+/// The lines of one table of a dump, which state changes in strips and perhaps in isolated triangles.
 std::string table_text(const NaiveOperation& operation, const NaiveAnswers& answers, bool with_isolated);
 /// What a program prints that answers with these tables.
 std::string dump_text(const std::vector<std::string>& tables);
 /// With the rows of one operation's table.
 std::string dump_text(const NaiveOperation& operation, const NaiveTable& table);
 
-/// The text with an "end" line behind it.
+/// The text followed by an "end" line.
 std::string with_end(const std::string& above, std::size_t rows);
 /// The text with the right sums in its last line, if that begins with "end"; otherwise the text as it is.
 std::string with_sums(const std::string& text);

@@ -68,7 +68,7 @@ def main():
         raise SystemExit("what is not altered is rejected")
     print(accepted, "shipped certificates accepted,", len(altered), "altered ones rejected")
     if accepted < 6:
-        raise SystemExit("too few to tell anything")
+        raise SystemExit("too few to be conclusive")
 
 
 main()

@@ -45,8 +45,8 @@ TEST(Orbits, OfTheSmallestSplit) {
   EXPECT_EQ(nauty_orbits(split, everything(split)).value().all, 40U);
 }
 
-// Nothing but the colours' numbers tells all solid from all dashed: the trap of canonical graphs.
-TEST(Orbits, NautyTellsColorsApart) {
+// Only the sizes of colour classes distinguish all solid from all dashed: the trap of canonical graphs.
+TEST(Orbits, NautyDistinguishesColors) {
   const Operation flip = operation_named("flip");
   std::vector<bool> two(32, false);
   two[0] = two[31] = true;

@@ -1,4 +1,4 @@
-# The program itself, with operations of a user's own.
+# The program itself, with custom operations.
 # Compiled tables: those that are shipped, and those that the generator makes of operations of the corpus.
 set(corpus ${RESTRIP_CORPUS_DIR}/operations)
 set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)

@@ -69,7 +69,7 @@ LIST = {"restrip_operation": 1, "operations": [{member: FAMILY[member] for membe
 VALUES = [None, True, -1, 0, 1, 2, 3, 8, 9, 16, 17, 1.5, 1000001, "", "none", "all", "strips", "matching", "forest", "kept",
           "squares", "two-2", "Two", "a", "v_1", ["a", "b", "c"], ["b", "c"], ["a", "b", "a"], "a--b", "a" * 60, "a" * 61, "One.\nTwo.", "One. \\ two", "One. */", "One. ??/ two", "\u2028", "\ufeffOne.", [], [0], [0, 0], [[0, 1]], {}, [[{"count": "joined"}]],
           [[{"count": "strips"}]] * 9, [[{"count": "strips"}] * 65]]
-# What the reader's words tell of the faults that the schema's description leaves to it.
+# The reader's messages about faults that the schema's description leaves to it.
 BEYOND = re.compile(r"from 0 to \d+, found \d|edges and ports of triangle|each edge once|as many ports as before|"
                     r"expected each|edges and ports together|the same rim|opposite directions|fan|connected over|Euler characteristic|"
                     r"1 to 8 ports|stretches that are apart|on both sides|expected a list of (edges|ports|triangles)s?, found a list|"
@@ -150,7 +150,7 @@ def main():
                              f"{done.stderr or 'accepts it'}")
     print(f"{len(files)} files; of altered ones {accepted} accepted, {refused} refused, {beyond} refused by the reader alone")
     if len(files) < 24 or min(accepted, refused, beyond) < 10:
-        raise SystemExit("too few to tell anything")
+        raise SystemExit("too few to be conclusive")
 
 
 main()

@@ -98,7 +98,7 @@ std::string difference(const Tables& tables, const std::string& text) {
   if (comparison.agrees()) return {};
   for (const auto* all : {&comparison.tables, &comparison.lists})
     for (const Compared& compared : *all)
-      for (const Failures* found : {&compared.differences, &compared.wrong, &compared.told})
+      for (const Failures* found : {&compared.differences, &compared.wrong, &compared.misstated})
         if (found->count != 0) return found->first;
   return comparison.fault;
 }

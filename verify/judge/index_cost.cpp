@@ -230,7 +230,7 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
     };
   });
   listener({family.name, fmt::format("adds at most {} to 3 strips + swaps, a rule alone {}", all.at_most, all.by_rule),
-            "all configurations, all turns behind the ports", all.configurations, seconds, wrong.count, wrong.first});
+            "all configurations, all turns beyond the ports", all.configurations, seconds, wrong.count, wrong.first});
 }
 
 }  // namespace restrip::verify

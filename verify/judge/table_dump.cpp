@@ -86,7 +86,7 @@ class TableJudge {
       return;
     }
     if (!key) return;
-    told(configuration, *answer, where);
+    judge_changes(configuration, *answer, where);
     if (judge_) {
       const Judged judged = judge_->judged(configuration, answer->colors);
       if (judged.verdict == Verdict::right) return;
@@ -106,11 +106,11 @@ class TableJudge {
  private:
   /// The stated changes of an answer must equal the changes of its colours.
   template <class Where>
-  void told(Colors configuration, const Answer& answer, const Where& where) {
-    const auto compare = [&](const std::optional<int>& told, const char* what, int before, int after) {
-      if (told && *told != after - before)
-        compared_.told.add(fmt::format("{}the table states {:+d} {}, but there are {} before and {} after\n", where(),
-                                       *told, what, before, after));
+  void judge_changes(Colors configuration, const Answer& answer, const Where& where) {
+    const auto compare = [&](const std::optional<int>& stated, const char* what, int before, int after) {
+      if (stated && *stated != after - before)
+        compared_.misstated.add(fmt::format("{}the table states {:+d} {}, but there are {} before and {} after\n",
+                                            where(), *stated, what, before, after));
     };
     const Operation& operation = *table_.operation;
     compare(answer.strips, "strips", strips_of(operation.before, configuration),
@@ -187,7 +187,7 @@ class DumpReader {
         const std::optional<Mask> kept = taken_mask(rest, operation.ports());
         const std::optional<int> strips = taken_change(rest);
         const std::optional<int> isolated = taken_change(rest);
-        if (kept && strips && (isolated || !expected_.tells_isolated) && rest.empty())
+        if (kept && strips && (isolated || !expected_.states_isolated) && rest.empty())
           return Answer{{*inner, *kept}, strips, isolated};
       }
     }
@@ -195,7 +195,7 @@ class DumpReader {
         "table {}: expected \"{}\" and \"-\" or two masks, {} and {} bits at most, and the change in strips{}, found "
         "\"{}\"",
         operation.name(), prefix_, operation.after.inner_edges(), operation.ports(),
-        expected_.tells_isolated ? " and in isolated triangles" : "", line));
+        expected_.states_isolated ? " and in isolated triangles" : "", line));
   }
 
   void lists_of(const ExpectedLists& lists) {
@@ -224,7 +224,7 @@ class DumpReader {
 
 bool DumpComparison::agrees() const {
   const auto none = [](const Compared& compared) {
-    return compared.differences.count + compared.wrong.count + compared.told.count == 0;
+    return compared.differences.count + compared.wrong.count + compared.misstated.count == 0;
   };
   return fault.empty() && std::all_of(tables.begin(), tables.end(), none) &&
          std::all_of(lists.begin(), lists.end(), none);
@@ -237,7 +237,7 @@ DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected) {
 
 DumpComparison compare_answers(const ExpectedDump& expected, const AnswerOf& answer) {
   DumpComparison result;
-  result.tells_changes = false;
+  result.states_changes = false;
   for (const ExpectedTable& table : expected.tables) {
     Compared& compared = result.tables[static_cast<std::size_t>(table.against)];
     std::optional<TableJudge> judge;

@@ -38,8 +38,8 @@ struct ExpectedLists {
 };
 
 struct ExpectedDump {
-  bool with_digests = false;   ///< whether to compute digests of the answers, for shipped operations
-  bool tells_isolated = true;  ///< whether every answer reports the change in isolated triangles, or those that want to
+  bool with_digests = false;    ///< whether to compute digests of the answers, for shipped operations
+  bool states_isolated = true;  ///< whether every answer must state the change in isolated triangles; otherwise it may
   std::vector<ExpectedTable> tables;
   std::vector<ExpectedLists> lists;
 };
@@ -58,12 +58,12 @@ struct Compared {
   AnswerCounts families;
   Failures differences;  ///< from the rows of a certificate, or between lists
   Failures wrong;        ///< answers that are not sound, or not the best
-  Failures told;         ///< answers that state a wrong change
+  Failures misstated;    ///< answers that state a wrong change
 };
 
 struct DumpComparison {
   std::uint64_t lines = 0;                     ///< entry lines read
-  bool tells_changes = true;                   ///< whether answers stated their changes, so that these could be judged
+  bool states_changes = true;                  ///< whether answers stated their changes, so that these could be judged
   std::array<Compared, against_count> tables;  ///< by Against; tables compared with nothing have no differences
   std::array<Compared, against_count> lists;   ///< likewise; never against own_patch
   AnswerDigests digests;                       ///< of all tables, if requested

@@ -14,7 +14,7 @@ TreeJudge::TreeJudge(const Side& after, const PatchInWorlds& in_worlds, const st
       recolorings_(recolorings_of(after, ports)),
       partners_(worlds.size()) {
   for (std::size_t world = 0; world < worlds.size(); ++world) {
-    partners_[world].fill(nobody);
+    partners_[world].fill(no_partner);
     for (const std::vector<unsigned>& pair : worlds[world].connected) {
       partners_[world][pair[0]] = pair[1];
       partners_[world][pair[1]] = pair[0];
@@ -65,12 +65,12 @@ void TreeJudge::descend(const std::vector<Question>& questions, Branch branch, c
   }
   const auto answered = [&](unsigned partner, const std::string& text) {
     Knowledge more{known.asked | single(port), known.unknown, {}, known.text + text};
-    if (partner != nobody) more.asked |= single(partner);
+    if (partner != no_partner) more.asked |= single(partner);
     for (const unsigned world : known.possible)
       if (partners_[world][port] == partner) more.possible.push_back(world);
     return more;
   };
-  descend(questions, question.ends, answered(nobody, fmt::format(" {} ends", port)), verdict);
+  descend(questions, question.ends, answered(no_partner, fmt::format(" {} ends", port)), verdict);
   descend(questions, question.unknown,
           {known.asked | single(port), known.unknown | single(port), known.possible,
            known.text + fmt::format(" {} unknown", port)},
@@ -118,9 +118,9 @@ bool TreeJudge::always_unsound(const Choice& choice, const Knowledge& known) con
     bool mixed = false;
     for (unsigned i = 0; i < most_partners; ++i) {
       if (is_solid(open, i))
-        mixed = mixed || (found_out[i] != nobody && !is_solid(open, found_out[i]));
+        mixed = mixed || (found_out[i] != no_partner && !is_solid(open, found_out[i]));
       else
-        found_out[i] = nobody;
+        found_out[i] = no_partner;
     }
     if (mixed) continue;
     bool& any = unsound[found_out];

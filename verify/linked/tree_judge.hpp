@@ -40,7 +40,7 @@ class TreeJudge {
 
  private:
   static constexpr unsigned most_partners = 8;
-  static constexpr unsigned nobody = most_partners;
+  static constexpr unsigned no_partner = most_partners;
 
   using Partners = std::array<unsigned, most_partners>;
   /// The worlds in which recolourings are valid, and the best merit among them.

@@ -50,8 +50,8 @@ std::string name_of(const JsonValue& value, Author author) {
 /// A sentence that becomes a comment of the table.
 std::string sentence_of(const JsonValue& value) {
   std::string text = value.string("a sentence in quotes");
-  if (const std::optional<std::string> stranger = no_comment(text))
-    value.fail_found(fmt::format("expected words that can stand in a comment, found {}; remove it", *stranger));
+  if (const std::optional<std::string> forbidden = no_comment(text))
+    value.fail_found(fmt::format("expected words that can stand in a comment, found {}; remove it", *forbidden));
   return text;
 }
 

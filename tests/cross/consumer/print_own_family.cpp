@@ -1,4 +1,4 @@
-// Prints what the table of the family answers, for the verifier.
+// Prints the answers of the family's table, for the verifier.
 #include "restrip/tables/operation_dump.hpp"
 #include "restrip/tables/operations/remove_vertex.hpp"
 

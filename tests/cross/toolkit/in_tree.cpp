@@ -1,5 +1,5 @@
-// Claim: a program linked with tables of its own has them, although the library is named first, and they are worth what
-// the automaton answers; tables in C that were generated with them answer the same.
+// Claim: a program linked with custom tables uses them, although the library is named first, and they are as good as
+// the automaton's answers; C tables generated with them answer the same.
 #include <cstdio>
 
 #include "restrip/rules/exact.hpp"

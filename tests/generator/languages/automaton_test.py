@@ -51,7 +51,7 @@ def main():
         for array, others in noticed.items():
             differ = compare("altered", others, language.expected(ALTERED_K))
             if not differ or not set(differ) <= set(ARRAYS[array]):
-                raise SystemExit(f"cost {cost}: a number of {array} was altered, and operations {differ} differ, not those of {ARRAYS[array]}")
+                raise SystemExit(f"cost {cost}: a number of {array} was altered, and operations {differ} differ instead of {ARRAYS[array]}")
         if noticed.keys() != ARRAYS.keys():
             raise SystemExit(f"{list(noticed)} were altered, not {list(ARRAYS)}")
         print(f"{language.file} of cost {cost}: {len(answers.splitlines())} digests agree, {len(noticed)} altered numbers were noticed")

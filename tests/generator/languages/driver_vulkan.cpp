@@ -4,8 +4,6 @@
 //                                                   restrip-dump-tables --digests prints; of more tables with more
 //                                                   lines, a line "== FILE" before each of those
 //   driver_vulkan SHADER.spv words N TABLES.bin     the N numbers that one invocation puts out
-#include <vulkan/vulkan.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -17,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+#include <vulkan/vulkan.hpp>
 
 namespace {
 
@@ -25,8 +24,7 @@ using Words = std::vector<std::uint32_t>;
 Words words_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (bytes.empty() || bytes.size() % 4 != 0)
-    throw std::runtime_error(path + " is not there, or no file of words");
+  if (bytes.empty() || bytes.size() % 4 != 0) throw std::runtime_error(path + " is not there, or no file of words");
   Words words(bytes.size() / 4);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   return words;
@@ -54,10 +52,12 @@ class Computer {
   explicit Computer(const Words& shader) {
     const vk::ApplicationInfo application({}, 0, {}, 0, VK_API_VERSION_1_0);
     const std::vector<vk::PhysicalDevice> found = vk::createInstance({{}, &application}).enumeratePhysicalDevices();
-    if (found.empty()) throw std::runtime_error("there is no Vulkan device");
+    if (found.empty()) throw std::runtime_error("no Vulkan device found");
     physical_ = found[0];
     const auto families = physical_.getQueueFamilyProperties();
-    const auto computes = [](const auto& one) { return static_cast<bool>(one.queueFlags & vk::QueueFlagBits::eCompute); };
+    const auto computes = [](const auto& one) {
+      return static_cast<bool>(one.queueFlags & vk::QueueFlagBits::eCompute);
+    };
     const auto one = std::find_if(families.begin(), families.end(), computes);
     if (one == families.end()) throw std::runtime_error("no queue of the device computes");
     const auto family = static_cast<std::uint32_t>(one - families.begin());
@@ -84,16 +84,17 @@ class Computer {
     const std::array<Memory, 3> buffers{buffer_of(tables), buffer_of(Words(results, 0)), buffer_of(places)};
     for (std::uint32_t i = 0; i < 3; ++i) {
       const vk::DescriptorBufferInfo info(buffers[i].buffer, 0, VK_WHOLE_SIZE);
-      device_.updateDescriptorSets(vk::WriteDescriptorSet(set_, i, 0, vk::DescriptorType::eStorageBuffer, {}, info), {});
+      device_.updateDescriptorSets(vk::WriteDescriptorSet(set_, i, 0, vk::DescriptorType::eStorageBuffer, {}, info),
+                                   {});
     }
-    const vk::CommandBuffer commands =
-        device_.allocateCommandBuffers({pool_, vk::CommandBufferLevel::ePrimary, 1})[0];
+    const vk::CommandBuffer commands = device_.allocateCommandBuffers({pool_, vk::CommandBufferLevel::ePrimary, 1})[0];
     commands.begin(vk::CommandBufferBeginInfo());
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline_);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, layout_, 0, set_, {});
     commands.dispatch(groups, static_cast<std::uint32_t>(positions.size()), 1);
     commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eHost, {},
-                             vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead), {}, {});
+                             vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead), {},
+                             {});
     commands.end();
     queue_.submit(vk::SubmitInfo({}, {}, commands));
     queue_.waitIdle();
@@ -139,7 +140,8 @@ class Computer {
 
 int main(int argc, char** argv) try {
   const std::vector<std::string> given(argv + 1, argv + argc);
-  if (given.size() < 3) throw std::runtime_error("usage: driver_vulkan SHADER.spv LINES TABLES.bin..., or words N TABLES.bin");
+  if (given.size() < 3)
+    throw std::runtime_error("usage: driver_vulkan SHADER.spv LINES TABLES.bin..., or words N TABLES.bin");
   Computer computer(words_of(given[0]));
   if (given[1] == "words") {
     if (given.size() != 4) throw std::runtime_error("words: expected their number and one file of tables");

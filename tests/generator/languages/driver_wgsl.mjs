@@ -1,8 +1,8 @@
 // Runs a compute shader on the software device of headless Chromium, with tables in binding 0, an output in binding 1 and
-// positions in binding 2, and prints what it puts out. Arguments and output are those of driver_vulkan.cpp:
+// positions in binding 2, and prints its output. Arguments and output are as for driver_vulkan.cpp:
 //   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl LINES TABLES.bin…
 //   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl words N TABLES.bin
-// but that more shaders, each with a number and a file, may follow behind `words N TABLES.bin`.
+// but further shaders, each with a number and a file, may follow `words N TABLES.bin`.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from '../../web/browser.mjs';

@@ -289,7 +289,7 @@ class Wgsl(Shader):
         self.node, self.chromium = node, chromium
 
     def program(self, source, folder, scratch, *names):
-        """The source behind the look-up, or the look-ups of these names."""
+        """The source after the look-up, or after the look-ups of these names."""
         texts = [(folder / name).read_text(encoding="utf-8") for name in names or (self.file,)]
         (scratch / "shader.wgsl").write_text("".join(texts) + source, encoding="utf-8")
         return self.node, HERE / "driver_wgsl.mjs", self.chromium, scratch, scratch / "shader.wgsl"
@@ -326,7 +326,7 @@ def arguments(doc, *options):
 
 
 def check_example(language, heading, folder, scratch):
-    """The program that docs/how-to/other-languages.md has behind this heading prints what stands there."""
+    """The program that docs/how-to/other-languages.md has after this heading prints the output shown there."""
     page = (ROOT / "docs/how-to/other-languages.md").read_text(encoding="utf-8").split(heading, 1)[1]
     example = re.search(rf"```{language.block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
     if not example:

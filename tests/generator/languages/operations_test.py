@@ -21,7 +21,7 @@ THREE_NUMBERS = {
     "where": "int >= 1, 0 <= fn < let <= int", "before": {"path": ["t[0,fn)", "A", "t[fn,let)", "D", "t[let,int)"], "chord": ["A", "D"]},
     "after": {"path": ["t[0,int)"]},
 }
-# With a rule of its own for each configuration that a shader's words hold in 8 bits.
+# With a separate rule for each configuration that a shader's words hold in 8 bits.
 FILES = (*sorted((ROOT / "tables/operations").glob("*.json")), *sorted((ROOT / "tests/corpus/operations/families").glob("*.json")),
          ROOT / "tests/corpus/operations/flip-forest.json")
 

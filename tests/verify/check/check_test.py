@@ -151,7 +151,7 @@ damaged.write_text(with_claim("rules", "no-worse"))
 accepted(damaged)
 for line in (f"split {lines[first].split(' ')[2]} {lines[first].split(' ')[1]} ", "collapse 0 1 ", "split 0 1 "):
     refused(with_line(first, line + lines[first].split(" ", 3)[3]), "is not a split|in the mesh|is not of the patch")
-# The rule's last solid edge is left dashed, and the strip and the isolated triangles that this costs are told.
+# The rule's last solid edge is left dashed, and the resulting strip and isolated triangles are stated.
 for name, kind in (("rules", "split"), ("rules", "collapse"), ("walk-rules", "flip")):
     rules = (scratch / f"{name}.trace").read_text().splitlines()
     worse = 0
