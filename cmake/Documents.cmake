@@ -1,5 +1,5 @@
-# What people read, laid out so that documents find each other: README, LICENSE, docs/ with the schemas, the examples, and the
-# descriptions of families and operations, to start a custom one from. Packages of sources alone have none of them.
+# Installs the documents so that their links work: README, LICENSE, docs/ with the schemas, the examples, and the descriptions of
+# families and operations, as a start for custom ones. Packages of sources alone have none of them.
 if(EXISTS ${PROJECT_SOURCE_DIR}/docs)
   install(FILES CHANGELOG.md LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime FILES_MATCHING REGEX "[.](md|json|csv|svg|png)$")

@@ -1,5 +1,5 @@
-# restrip_embed(TARGET NAMESPACE HEADER NAME FILE…): gives the target the texts of files as they are, as constants
-# NAMESPACE::NAME, which HEADER declares, so that a program of it needs no files beside it.
+# restrip_embed(TARGET NAMESPACE HEADER NAME FILE…): embeds the texts of files in the target as constants NAMESPACE::NAME,
+# which HEADER declares, so that its programs need no further files.
 include_guard(GLOBAL)
 
 function(restrip_embed target namespace header)
@@ -23,7 +23,7 @@ namespace @namespace@ {
   target_sources(${target} PRIVATE ${source})
 endfunction()
 
-# restrip_embed_families(TARGET NAMESPACE HEADER): of tables/families.json, docs/taken-names.json and a list of all files
+# restrip_embed_families(TARGET NAMESPACE HEADER): embeds tables/families.json, docs/taken-names.json and a list of all files
 # of tables/operations.
 function(restrip_embed_families target namespace header)
   get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR} DIRECTORY)

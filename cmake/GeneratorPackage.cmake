@@ -1,4 +1,4 @@
-# The programs that make and verify tables, as a user's build calls them, and as they are installed: the component `generator`.
+# The programs that make and verify tables, as targets for a user's build and as the installed component `generator`.
 foreach(name IN ITEMS generate verify verify-automaton dump-tables)
   add_executable(restrip::${name} ALIAS restrip-${name})
   set_target_properties(restrip-${name} PROPERTIES EXPORT_NAME ${name})

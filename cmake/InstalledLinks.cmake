@@ -1,5 +1,5 @@
-# Run at the end of an installation: in the pages under DOCUMENTS a link to a header leads to the installed one, under HEADERS
-# (relative to DOCUMENTS), and a link to what is not installed becomes its text.
+# Runs at the end of an installation. In the pages under DOCUMENTS, links to headers are redirected to the installed ones under
+# HEADERS (relative to DOCUMENTS), and links to files that are not installed become plain text.
 file(GLOB_RECURSE pages ${DOCUMENTS}/*.md)
 foreach(page IN LISTS pages)
   get_filename_component(folder ${page} DIRECTORY)

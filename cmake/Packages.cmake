@@ -1,5 +1,5 @@
 # Debian packages, one for each component: `cpack -G DEB` in the build folder. The library is a package without programs,
-# for every architecture; the C interface is two, so that programs do not ask for its header.
+# for every architecture; the C interface has two packages, so that programs do not require its header.
 set(CPACK_PACKAGE_NAME restrip)
 set(CPACK_PACKAGE_CONTACT "The restrip authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
@@ -26,7 +26,7 @@ if(TARGET restrip_c)
 endif()
 if(TARGET restrip-generate)
   list(APPEND CPACK_COMPONENTS_ALL generator)
-  set(CPACK_COMPONENT_GENERATOR_DESCRIPTION "Generator and verifier of rule tables, for builds with tables of their own")
+  set(CPACK_COMPONENT_GENERATOR_DESCRIPTION "Generator and verifier of rule tables, for builds with custom tables")
   set(CPACK_DEBIAN_GENERATOR_PACKAGE_NAME restrip-generator)
   set(CPACK_DEBIAN_GENERATOR_PACKAGE_SECTION devel)
   set(CPACK_DEBIAN_GENERATOR_PACKAGE_SHLIBDEPS ON)

@@ -1,4 +1,4 @@
-# How we compile our own programs and tests. Nothing here reaches a user of the library.
+# Compiler settings of this project's programs and tests. Users of the library do not get them.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -9,7 +9,7 @@ option(RESTRIP_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 option(RESTRIP_WARNINGS_AS_ERRORS "A warning of the compiler is an error" OFF)
 option(RESTRIP_ALLOW_MISSING "Leave tests out whose packages are missing, instead of stopping" ON)
 
-# restrip_without(PACKAGE LEFT_OUT): call it where a package was not found. The presets for development allow nothing to be left out.
+# restrip_without(PACKAGE LEFT_OUT): call it if a package was not found. The presets for development require every package.
 function(restrip_without package left_out)
   if(NOT RESTRIP_ALLOW_MISSING)
     message(FATAL_ERROR "${package} is missing. Install it, or configure with -DRESTRIP_ALLOW_MISSING=ON and do without: ${left_out}")
@@ -22,12 +22,12 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Threads REQUIRED)
 
 add_library(restrip_own_flags INTERFACE)
-# The same floating-point results, and so the same simplified meshes, on every processor.
+# Makes floating-point results, and so simplified meshes, the same on every processor.
 target_compile_options(restrip_own_flags INTERFACE -ffp-contract=off)
 target_compile_options(restrip_own_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion)
 if(NOT CMAKE_UNITY_BUILD)
   target_compile_options(restrip_own_flags INTERFACE -Wshadow)
-elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # where sources share a unit, a local name may be that of another file
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # in shared units, a local name may also occur in another file
   target_compile_options(restrip_own_flags INTERFACE -Wshadow=local)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
@@ -44,11 +44,11 @@ if(RESTRIP_SANITIZE)
   target_link_options(restrip_own_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# For programs that take longer to compile than they ever run. With sanitizers -O1 takes Clang three times as long as -O0.
+# For programs that take longer to compile than to run. With sanitizers -O1 takes Clang three times as long as -O0.
 add_library(restrip_brief_runs INTERFACE)
 target_compile_options(restrip_brief_runs INTERFACE $<IF:$<CONFIG:Debug>,-O0,-O1>)
 
-# Programs that read a command line do nothing else that takes time, but CLI11 takes the compiler half a minute at -O3.
+# Files that parse a command line are not critical for speed, but CLI11 takes the compiler half a minute at -O3.
 add_library(restrip_command_line INTERFACE)
 find_package(CLI11 REQUIRED)
 target_link_libraries(restrip_command_line INTERFACE CLI11::CLI11 restrip_brief_runs)

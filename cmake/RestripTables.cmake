@@ -1,8 +1,8 @@
 # Tables made in a user's build: restrip_generate_tables() and restrip_verify_tables(). docs/how-to/cmake.md is the manual.
 #
-# Who includes this file sets the global property RESTRIP_VERSION first, and afterwards has the programs as targets
-# restrip::generate, restrip::verify, restrip::verify-automaton: programs of this machine, built in the same build
-# or imported. An installed package and a subdirectory share all of it.
+# Set the global property RESTRIP_VERSION before including this file. Afterwards define the programs as targets
+# restrip::generate, restrip::verify, restrip::verify-automaton: programs for this machine, from the same build or
+# imported. An installed package and a subdirectory both use this file.
 include_guard(GLOBAL)
 
 # The largest fans that the generator makes, and that the verifier judges.
@@ -15,7 +15,7 @@ set_property(GLOBAL PROPERTY RESTRIP_LANGUAGES c c++ glsl json rust wgsl)
 
 set(RESTRIP_HOST_PROGRAMS "" CACHE PATH "Folder of restrip-generate and the other programs, to run on this machine")
 
-# _restrip_import_programs(WHY): imports the programs as they are found; WHY reports what is missing, or is empty.
+# _restrip_import_programs(WHY): imports the programs as they are found; WHY is what is missing, or empty.
 function(_restrip_import_programs why)
   set(${why} "" PARENT_SCOPE)
   foreach(name IN ITEMS generate verify verify-automaton dump-tables)
@@ -36,9 +36,9 @@ function(_restrip_import_programs why)
     add_executable(restrip::${name} IMPORTED GLOBAL)
     set_target_properties(restrip::${name} PROPERTIES IMPORTED_LOCATION ${program})
   endforeach()
-  # A program for another machine, or of another version, is noticed here and not in the middle of a build.
+  # Detects a program for another machine or of another version before the build starts.
   get_target_property(program restrip::generate IMPORTED_LOCATION)
-  if(NOT program)  # as install(EXPORT) writes it
+  if(NOT program)  # as written by install(EXPORT)
     get_target_property(configurations restrip::generate IMPORTED_CONFIGURATIONS)
     list(GET configurations 0 configuration)
     get_target_property(program restrip::generate IMPORTED_LOCATION_${configuration})
@@ -53,10 +53,10 @@ function(_restrip_import_programs why)
   endif()
 endfunction()
 
-# _restrip_check_programs(CALLER): stops unless there are programs that run on this machine.
+# _restrip_check_programs(CALLER): stops unless programs for this machine exist.
 function(_restrip_check_programs caller)
   if(NOT TARGET restrip::generate)
-    message(FATAL_ERROR "${caller}: there is no restrip::generate. With a package: find_package(restrip COMPONENTS generator). "
+    message(FATAL_ERROR "${caller}: the target restrip::generate is missing. With a package: find_package(restrip COMPONENTS generator). "
                         "As a subdirectory: set RESTRIP_BUILD_GENERATOR, or name the folder of installed programs by RESTRIP_HOST_PROGRAMS")
   endif()
   get_target_property(imported restrip::generate IMPORTED)
@@ -113,11 +113,11 @@ function(restrip_generate_tables)
   endif()
 
   set(operations "")
-  set(own "")  # what is said of them
+  set(own "")  # the descriptions of operations
   foreach(file IN LISTS arg_OPERATION)
     get_filename_component(file ${file} ABSOLUTE)
     if(NOT EXISTS ${file})
-      message(FATAL_ERROR "restrip_generate_tables: OPERATION ${file}: there is no such file")
+      message(FATAL_ERROR "restrip_generate_tables: OPERATION ${file}: file not found")
     endif()
     list(APPEND operations ${file})
     list(APPEND own --operation=${file})
@@ -125,14 +125,14 @@ function(restrip_generate_tables)
     get_property(largest GLOBAL PROPERTY RESTRIP_LARGEST_OWN_FAMILY)
     if(is_family AND arg_MAX_K GREATER largest)
       message(FATAL_ERROR "restrip_generate_tables: MAX_K ${arg_MAX_K}: ${file} describes a family, whose table has positions "
-                          "up to ${largest}; make it in a TARGET of its own, without MAX_K")
+                          "up to ${largest}; make it in a separate TARGET, without MAX_K")
     endif()
     if(is_family AND NOT max_k IN_LIST own)
       list(APPEND own ${max_k})
     endif()
   endforeach()
 
-  # The options are a file that changes when they do: Make does not look at the command.
+  # A file with the options, since Make does not rebuild when a command changes.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/restrip/${arg_TARGET})
   list(JOIN options " " content)
   file(CONFIGURE OUTPUT ${folder}.options CONTENT "${content} ${arg_LANGUAGE} ${operations}\n" @ONLY)
@@ -146,7 +146,7 @@ function(restrip_generate_tables)
     set(headers automaton boundary_split collapse fan_collapse flip linked open_split rows split)
     list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
     add_custom_command(
-      OUTPUT ${folder}/restrip-digests.txt  # which has the present time also if there was nothing to do
+      OUTPUT ${folder}/restrip-digests.txt  # gets the present time even if nothing was done
       BYPRODUCTS ${folder}/MANIFEST ${headers}
       COMMAND restrip::generate tables --out ${folder} --threads 0 ${options}
       DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
@@ -161,7 +161,7 @@ function(restrip_generate_tables)
   if(operations)
     list(APPEND commands COMMAND restrip::generate rules --out ${folder}-languages ${own} ${arg_LANGUAGE})
   endif()
-  # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
+  # Other languages have a separate folder, because the MANIFEST lists everything in the folder of the tables.
   if(arg_LANGUAGE)
     add_custom_command(
       OUTPUT ${folder}-languages/restrip-digests.txt
@@ -188,7 +188,7 @@ function(restrip_generate_tables)
   set_target_properties(${arg_TARGET} PROPERTIES RESTRIP_FOLDER ${folder} RESTRIP_OF_FANS ${with_tables} RESTRIP_MAX_K ${arg_MAX_K}
                                                  RESTRIP_C_CHECK "${check}" RESTRIP_OPERATIONS "${operations}")
   if(with_tables)
-    # Whoever links this has the folder before that of the shipped tables: see runtime/CMakeLists.txt.
+    # Targets that link this search its folder before the shipped tables: see runtime/CMakeLists.txt.
     set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include)
   endif()
   if(arg_LANGUAGE)
@@ -199,13 +199,13 @@ function(restrip_generate_tables)
   endif()
 endfunction()
 
-# _restrip_is_family(FILE OUT): whether an operation file describes a family. CMake looks again when it has changed.
+# _restrip_is_family(FILE OUT): whether an operation file describes a family. CMake runs again if the file changes.
 function(_restrip_is_family file out)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(READ ${file} text)
   string(JSON list ERROR_VARIABLE error GET "${text}" operations)
   if(NOT error)
-    message(FATAL_ERROR "restrip_generate_tables: OPERATION ${file}: describes a list; give each operation a file of its own")
+    message(FATAL_ERROR "restrip_generate_tables: OPERATION ${file}: describes a list; give each operation a separate file")
   endif()
   string(JSON numbers ERROR_VARIABLE error GET "${text}" numbers)
   set(${out} TRUE PARENT_SCOPE)
@@ -214,14 +214,14 @@ function(_restrip_is_family file out)
   endif()
 endfunction()
 
-# _restrip_verify_operation(t FILE FOLDER): a test of one operation's certificate, and of its table as it was compiled.
+# _restrip_verify_operation(t FILE FOLDER): adds a test of one operation's certificate and compiled table.
 function(_restrip_verify_operation target file folder)
   file(READ ${file} text)
   string(JSON name ERROR_VARIABLE error GET "${text}" name)
   if(error)
     message(FATAL_ERROR "restrip_verify_tables: ${target}: ${file}: ${error}")
   endif()
-  # The name goes into a program, before generator or verifier have read the file.
+  # The name goes into a program before the generator or the verifier has read the file.
   if(NOT name MATCHES "^[a-z][a-z0-9]*(-[a-z0-9]+)*$")
     message(FATAL_ERROR "restrip_verify_tables: ${target}: ${file}: the name is not one of lower-case letters, digits and "
                         "single hyphens between them, a letter first")
@@ -297,7 +297,7 @@ function(restrip_verify_tables target)
     message(FATAL_ERROR "restrip_verify_tables: ${target}: has MAX_K ${max_k}, and the verifier judges fans of up to ${largest} triangles")
   endif()
 
-  # What the compiled headers answer is printed by a program of this build, if it can be run.
+  # A program of this build prints the answers of the compiled headers, if it can be run.
   set(dump "")
   set(automaton_dump "")
   if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
@@ -312,7 +312,7 @@ function(restrip_verify_tables target)
     _restrip_command_of(${target}_dump command)
     set(dump --dump-command ${command})
     set(automaton_dump --dump-command "${command} --automaton")
-    # And what the tables in C answer, by digests, in a project that has a C compiler. The verifier compares up to k = 8.
+    # Also compares the answers of the C tables, by digests, if the project has a C compiler. The verifier compares up to k = 8.
     get_target_property(check ${target} RESTRIP_C_CHECK)
     get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
     if(check AND C IN_LIST languages AND max_k LESS_EQUAL 8)

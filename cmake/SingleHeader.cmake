@@ -1,5 +1,5 @@
-# restrip in one header: the target `single_header` writes it, and beside it a stand-in for each header that is part of it,
-# so that sources that include those, our tests, can be compiled against the one file (restrip::single).
+# restrip in one header: the target `single_header` writes it, with a stand-in for each header that is part of it. So sources
+# that include individual headers, such as the tests, can be compiled against the one file (restrip::single).
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND)
   set(RESTRIP_SINGLE_FOLDER ${PROJECT_BINARY_DIR}/single)
@@ -19,8 +19,8 @@ if(Python3_FOUND)
   target_include_directories(restrip_single INTERFACE ${RESTRIP_SINGLE_FOLDER})
   install(FILES ${RESTRIP_SINGLE_FOLDER}/restrip/restrip.hpp DESTINATION ${CMAKE_INSTALL_DATADIR}/restrip COMPONENT runtime)
 
-  # The same with tables for fans of up to six triangles, for programs that must be small; larger fans are answered as those
-  # beyond k = 8 are with the shipped tables.
+  # The same with tables for fans of up to six triangles, for programs that must be small; larger fans are answered like fans
+  # beyond k = 8 with the shipped tables.
   if(TARGET restrip-generate)
     set(RESTRIP_SMALL_FOLDER ${PROJECT_BINARY_DIR}/small)
     add_custom_command(

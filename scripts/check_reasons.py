@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks every row of certificates from their text and docs/reference/notation.md, docs/reference/certificate.md alone: that it is sound,
-and by its reason that nothing is preferred to it. Copies are checked by their symmetry. Nothing is searched, but for the
-lists of linked rules, which are held against all recolourings.
+and by its reason that nothing is preferred to it. Copies are checked by their symmetry. Nothing is searched, except the
+lists of linked rules, which are compared with all recolourings.
 
   scripts/check_reasons.py tables/certificates/*.cert
   scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
@@ -110,7 +110,7 @@ def fan_patch(order, ring, chord, owners):
 
 
 def patch_of(family, position):
-    """The patch after an operation, from the words behind "section"."""
+    """The patch after an operation, from the words after "section"."""
     if family == "flip":
         return fan_patch(["L", "R"], False, False, ["R", "L", "L", "R"])
     k, places = int(position[1]), [int(word) for word in position[3:]]
@@ -123,7 +123,7 @@ def patch_of(family, position):
 
 
 def positions(family, max_k):
-    """The words behind "section" in all sections that a certificate must have, in order."""
+    """The words after "section" in all sections that a certificate must have, in order."""
     if family == "flip":
         return ["flip"]
     closed = family.replace("linked-", "") in ("split", "collapse")
@@ -143,7 +143,7 @@ def positions(family, max_k):
 
 
 def configurations(family, position):
-    """How many there are before the operation, all positions of the section together."""
+    """The number of configurations before the operation, over all positions of the section."""
     if family == "flip":
         return 32
     k = int(position.split()[1])
@@ -163,7 +163,7 @@ def mask_of(groups):
 def pairs_of(mask, ports):
     pairs = {frozenset((i, j)) for j in range(ports) for i in range(j) if mask >> j * (j - 1) // 2 + i & 1}
     if mask_of(pairs) != mask:
-        raise Wrong("a pair of ports that are not there")
+        raise Wrong("a pair of missing ports")
     return pairs
 
 
@@ -195,7 +195,7 @@ def recounted(family, position):
 
 
 class Section:
-    """What a section has been seen to have: claims and rows. Closed, it must have had all of them."""
+    """The claims and rows of a section seen so far. When it is closed, all must have been seen."""
 
     def __init__(self, linked, position, recounted):
         """`recounted`: a function that has the claims that can be counted, and the keys where these are known."""
@@ -214,7 +214,7 @@ class Section:
 
     def row(self, key):
         if self.keys and self.keys[-1] >= key:
-            raise Wrong("rows are not in ascending order, or one is there twice")
+            raise Wrong("rows are not in ascending order, or one is duplicated")
         self.keys.append(key)
 
     def alternative(self, ports):
@@ -253,7 +253,7 @@ class Row:
         self.fixed, self.edges = (self.ports & ~may_go) << inner, all_inner | may_go << inner
         self.own = colors | (kept & may_go) << inner
         if kept & ~self.ports or self.ports & ~kept & ~may_go or colors & ~all_inner:
-            raise Wrong("a port is taken, or one given up that must stay")
+            raise Wrong("a port is taken, or a port that must stay is given up")
 
     def sound(self, edges):
         strips = self.patch.strips(edges | self.fixed)
@@ -274,7 +274,7 @@ class Row:
         if words[0] == "if":
             edge = 1 << int(words[1])
             if edge & ~self.edges or edge & (solid | dashed) or words[2] != "then":
-                raise Wrong("no such case")
+                raise Wrong("an impossible case")
             del words[:3]
             self.prove(words, solid | edge, dashed)
             if not words or words.pop(0) != "else":
@@ -296,7 +296,7 @@ class Row:
     def image(self, to, may_go):
         """The key where the symmetry takes this one, when it is one of the patch that keeps the ports that may go."""
         if not self.patch.allows(to) or any((may_go >> p ^ may_go >> to[p]) & 1 for p in range(len(to))):
-            raise Wrong("no symmetry of the patch")
+            raise Wrong("not a symmetry of the patch")
         return sum(1 << to[p] for p in range(len(to)) if self.ports >> p & 1), mask_of({to[p] for p in pair} for pair in self.joined)
 
 
@@ -383,7 +383,7 @@ class Operation:
         usual = [["strips"], ["isolated", "given_up"], ["given_up"]]
         counted = [[term.get("count") for term in criterion if term.get("weight", 1) == 1] for criterion in said.get("cost", [])[:3]]
         if most is None or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):
-            raise NotServed("%s: an operation without reasons: matchings have none, nor costs that do not begin as the usual one does" % path)
+            raise NotServed("%s: an operation without reasons: matchings have none, nor costs that do not begin like the default cost" % path)
         self.before, self.after = (Patch(list(range(count)), inner, owners, most) for count, inner, owners in graphs_of(said))
         give_up = said.get("give_up", "none")
         self.may_go = sum(1 << p for p in ({"none": [], "all": range(len(self.before.owners))}[give_up] if isinstance(give_up, str) else give_up))

@@ -4,7 +4,7 @@
 # demo.sh --bin FOLDER [MESH] takes programs that are built already: nothing is installed or built, and no pages are made.
 set -Eeuo pipefail
 if [ "${1:-}" = --bin ]; then
-  [ -d "${2:-}" ] || { echo "demo.sh: --bin wants the folder of the programs" >&2; exit 2; }
+  [ -d "${2:-}" ] || { echo "demo.sh: --bin needs the folder of the programs" >&2; exit 2; }
   bin=$(realpath -- "$2")
   shift 2
 fi
@@ -27,7 +27,7 @@ say "generating the tables by exhaustive search, and comparing them with those c
 tables=$bin/../demo/tables
 rm -rf "$tables"
 "$bin/restrip-generate" tables --force --out "$tables" --threads "$(nproc)"
-mapfile -t files < <(cd "$tables" && find . -type f ! -name MANIFEST)  # that of tables/ lists files written by hand as well
+mapfile -t files < <(cd "$tables" && find . -type f ! -name MANIFEST)  # the one of tables/ also lists handwritten files
 for file in "${files[@]}"; do cmp "$tables/$file" "tables/$file"; done
 echo "every byte of ${#files[@]} files is the same"
 
@@ -43,7 +43,7 @@ else
 fi
 cat <<'END'
 For comparison: the paper (Porcu, Sanna, Scateni), which has rules for 4-vertices and lets the new triangles of every other
-split inherit colours, reports an isolated triangle in 52.7 % of the splits of its teapot and 51.5 % of those of its bunny.
+split inherit colours, reports an isolated triangle in 52.7 % of the splits of its teapot and 51.5 % of the splits of its bunny.
 END
 
 [ -n "${build:-}" ] || exit 0

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the figures of the documents again, or checks that they are what their commands print.
+"""Writes the figures of the documents again, or compares them with the output of their commands.
 
 A document marks each table with figures by the command that prints it:
 
@@ -48,7 +48,7 @@ def missing(command, folder):
 
 
 def list_bare(document, text, folder):
-    """Prints each table that has a number behind its first column and no command, and each command that cannot run."""
+    """Prints each table that has a number after its first column and no command, and each command that cannot run."""
     faults = 0
     page = PAGE.match(text)
     for match in [page] if page else BLOCK.finditer(text):

@@ -1,5 +1,5 @@
-"""Operations and families as files describe them (docs/reference/operation-file.md): the patches of their positions as graphs, and what
-their certificates (docs/reference/certificate.md) say of them."""
+"""Operations and families as files describe them (docs/reference/operation-file.md): the patches of their positions as graphs, and
+their certificates (docs/reference/certificate.md)."""
 import functools
 import itertools
 import json
@@ -109,13 +109,13 @@ def rim_of(triangles):
     rim = [side for side in directed if side[::-1] not in there]
     after = dict(rim)
     if not rim or len(there) < len(directed) or len(after) < len(rim):
-        raise Refused("its triangles are no disc")
+        raise Refused("its triangles are not a disc")
     out = [rim[0]]
     while (end := out[-1][1]) != out[0][0]:
         out.append((end, after[end]))
     inner = (len(directed) - len(rim)) // 2
     if len(out) < len(rim) or len({v for side in directed for v in side}) - inner - len(rim) + len(triangles) != 1:
-        raise Refused("its triangles are no disc")
+        raise Refused("its triangles are not a disc")
     return out
 
 
@@ -134,7 +134,7 @@ def sides_of_triangles(before, after, stretches):
         rim = rim[at:] + rim[:at]
         ports = ports or [side for side in rim if side not in boundary]
         if ports != [side for side in rim if side not in boundary]:
-            raise Refused("its rim before is another one than after")
+            raise Refused("its rim differs before and after")
         at = {side: n for n, corners in enumerate(triangles) for side in sides_of(corners)}
         edges = [(at[end, start], n) for n, corners in enumerate(triangles) for start, end in sides_of(corners) if at.get((end, start), n) < n]
         names = tuple(" ".join(min(corners[n:] + corners[:n] for n in range(3))) for corners in triangles)

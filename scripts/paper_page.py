@@ -133,7 +133,7 @@ def valence_part(mesh, number):
         theirs = escaped(paper["mesh"])
         series.append(Series(f"the paper's {paper['mesh']}", "paper", 2, [(r["triangles"], r["paper"]) for r in rows], True))
         html += (f"Equal to the paper's {theirs}, row for row.</p>\n" if mesh["equals_paper"] else
-                 f"As many triangles as the paper's {theirs}, but <strong class=\"differs\">not the same rows</strong>.</p>\n")
+                 f"The same number of triangles as the paper's {theirs}, but <strong class=\"differs\">not the same rows</strong>.</p>\n")
     plot = plots.line_plot(Axis("triangles per vertex"), Axis("vertices", True), series,
                               f"vertices by triangles per vertex, {mesh['mesh']}")
     html += f'<figure class="valence">{plot}</figure>\n<div class="wide" tabindex="0"><table id="valence-{number}">\n'
@@ -199,9 +199,9 @@ def page(report):
     command = " ".join(["restrip paper --out DIR", *(mesh["mesh"] for mesh in report["meshes"])])
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n<meta name="viewport" content="width=device-width, '
-        "initial-scale=1\"/>\n<title>The paper's figures, done again</title>\n"
+        "initial-scale=1\"/>\n<title>The paper's figures, reproduced</title>\n"
         f"<style>\n{plots.PLOT_STYLE}{pictures.PATCH_STYLE}{PAGE_STYLE}</style>\n</head>\n<body>\n"
-        "<h1>The paper's figures, done again</h1>\n<p>M. B. Porcu, N. Sanna, R. Scateni, “Rewriting rules for the dual graph of a "
+        "<h1>The paper's figures, reproduced</h1>\n<p>M. B. Porcu, N. Sanna, R. Scateni, “Rewriting rules for the dual graph of a "
         f"stripified CLOD mesh”. Made by <code>{escaped(command)} --base {report['base']:g} --levels {report['levels']} --boundary "
         f"{report['boundary']}</code>; the figures of each picture are in the CSV files next to this page.</p>\n"
         '<h2 id="valence">Triangles per vertex (tables 1 and 2, plots 9 and 10)</h2>\n<p>The number of vertices on a logarithmic '
@@ -214,7 +214,7 @@ def page(report):
         "switches decide the rest: whether the two new triangles join when both are alone, and whether tunnelling keeps isolated "
         'triangles below a tenth of the strips. <a href="isolating.csv">isolating.csv</a></p>\n' + each_mesh(isolating_part) +
         '<h2 id="strips">Strips over level of detail</h2>\n<p>Every policy starts on the base with the same strips, the best that '
-        "the program can make from scratch, and goes up; baked strips bring a base of their own. Strips from scratch know nothing of "
+        "the program can make from scratch, and goes up; baked strips have a separate base. Strips from scratch ignore "
         'the level before. Both axes are logarithmic; lower is better. <a href="strips.csv">strips.csv</a></p>\n' +
         each_mesh(strips_part) + "</body>\n</html>\n")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures everything that docs/results.md says, and writes that page again. A full run takes about a quarter of an hour and
+# Measures the figures of docs/results.md and writes that page again. A full run takes about a quarter of an hour and
 # three gigabytes; without RESTRIP_MESHES (a folder with bunny.obj and dragon_vrip.ply) only made meshes are measured.
 #
 #   scripts/performance.sh                    measure all, into build/performance; then docs/results.md
@@ -8,7 +8,7 @@
 #   scripts/performance.sh --quick            small meshes, seconds; the page goes to build/performance-quick
 #   --bin DIR                                 programs that have been built already
 #   --out DIR                                 where the JSON goes
-#   --tristripper DIR                         the sources of rm_tristripper (include/, src/), which is measured beside us if given
+#   --tristripper DIR                         the sources of rm_tristripper (include/, src/), which is measured as well if given
 set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
@@ -30,7 +30,7 @@ out=${out:-build/performance${quick:+-quick}}
 programs=(level draw replay batch scale)
 [ ${#only[@]} -gt 0 ] || only=("${programs[@]}")
 for name in "${only[@]}"; do
-  [[ " ${programs[*]} " == *" $name "* ]] || { echo "performance.sh: no such program: $name; there are ${programs[*]}" >&2; exit 2; }
+  [[ " ${programs[*]} " == *" $name "* ]] || { echo "performance.sh: unknown program: $name; there are ${programs[*]}" >&2; exit 2; }
 done
 
 if [ -z "$bin" ]; then
@@ -44,7 +44,7 @@ if [ -z "$bin" ]; then
 fi
 mkdir -p "$out"
 
-# Medians of several repetitions, those of all benchmarks of a program mixed, so that a slow minute strikes all alike.
+# Medians of several repetitions, interleaved over all benchmarks of a program, so that a slow minute affects all alike.
 mixed=(--benchmark_repetitions=5 --benchmark_enable_random_interleaving=true) which=()
 if [ -n "$short" ]; then mixed[0]=--benchmark_repetitions=3 which=(--benchmark_filter='-dragon|scale/[0-9]{8}/|scale/[3-9][0-9]{6}/'); fi
 [ ${#quick[@]} -eq 0 ] || { mixed=(--benchmark_repetitions=1 --benchmark_min_time=0.01); export RESTRIP_BENCH_QUICK=1; }

@@ -135,7 +135,7 @@ def split_picture(k, a, inner, ports, description):
 
 
 def arc_picture(word, links, description):
-    """An arc of a fan (docs/explanation/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Behind a
+    """An arc of a fan (docs/explanation/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Beyond a
     solid port the strip turns about the corner at the left (l, L) or at the right (r, R), or ends (s, S)."""
     hub, width = (200, 100), math.radians(min(40, 110 / len(word)))
     start = math.pi / 2 + width * len(word) / 2
@@ -147,7 +147,7 @@ def arc_picture(word, links, description):
     for i, solid in enumerate(links):
         across = _middle(hub, rim[i], rim[i])
         angle = start - width * i
-        for at, side in ((i - 1, 1), (i, -1)):  # the triangle before the link, and the one behind it
+        for at, side in ((i - 1, 1), (i, -1)):  # the triangles before and after the link
             if at not in nodes:
                 continue
             patch.stroke(patch.nodes[nodes[at]], across, solid)
@@ -159,9 +159,9 @@ def arc_picture(word, links, description):
         patch.port(nodes[i], rim[i], rim[i + 1], letter != "d")
         if letter in "lLrR":
             node, door = patch.nodes[nodes[i]], _middle(rim[i], rim[i + 1])
-            behind = tuple(d + (d - n) * 0.7 for d, n in zip(door, node))
+            beyond = tuple(d + (d - n) * 0.7 for d, n in zip(door, node))
             corner = rim[i] if letter in "lL" else rim[i + 1]
-            patch.stroke(behind, tuple(b + (c - d) * 0.7 for b, c, d in zip(behind, corner, door)), True)
+            patch.stroke(beyond, tuple(b + (c - d) * 0.7 for b, c, d in zip(beyond, corner, door)), True)
     return patch.svg(description)
 
 
@@ -187,7 +187,7 @@ def _strip_color(strip):
 
 
 def mesh_picture(points, strips, description):
-    """The triangles that face the viewer, far ones first, each strip in a colour of its own."""
+    """The triangles that face the viewer, far ones first, each strip in a separate colour."""
     seen = [_seen(point) for point in points]
     used = [seen[v] for strip in strips for corners in strip for v in corners]
     left, right, low, high = (limit(p[axis] for p in used) for axis in (0, 1) for limit in (min, max))

@@ -1,7 +1,7 @@
-"""Plots of lines, of bars and of named points, as inline SVG or as files of their own.
+"""Plots of lines, of bars and of named points, as inline SVG or as separate files.
 
 No scripts, and no fixed colours: the style sheet names them (PLOT_STYLE), light and dark. Series differ in colour by family
-and in marker and dashes within one, so that they can be distinguished without colours. The same bytes on every machine.
+and in marker and line pattern within one, so that they can be distinguished without colours. The same bytes on every machine.
 """
 import math
 from dataclasses import dataclass, field
@@ -44,7 +44,7 @@ class Axis:
 class Series:
     name: str
     family: str  # ours, paper, scratch: a colour each
-    member: int  # of the family: chooses marker and dashes
+    member: int  # of the family: selects marker and line pattern
     points: list  # (x, y), ascending x, or (x, y, name) for named points; what a logarithm cannot show is left out
     markers_only: bool = False  # rings, around what another series marks
 
@@ -225,7 +225,7 @@ def bar_plot(plot, description):
 
 
 def standalone(svg, style=PLOT_STYLE):
-    """An inline SVG as a file of its own, with a background, for pages that do not know the style sheet."""
+    """An inline SVG as a separate file, with a background, for pages that do not know the style sheet."""
     opening, rest = svg.split(">", 1)
     return (f'{opening} xmlns="http://www.w3.org/2000/svg">\n<style>\n{style}</style>\n'
             f'<rect width="100%" height="100%" fill="var(--surface)"/>{rest}')

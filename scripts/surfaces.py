@@ -86,7 +86,7 @@ def laid(side, order, rim):
 
 
 def surfaces(sides):
-    """A surface for each side, all with boundary behind the same ports, and behind as few as can be."""
+    """A surface for each side, all with boundary beyond the same ports, and beyond as few as possible."""
     found = []
     for side in sides:
         every = [Surface(side, side.corners, side.rim)] if side.corners else [s for order, rim in walks(side) if (s := laid(side, order, rim))]
@@ -105,7 +105,7 @@ RADIUS, MIDDLE = 150, 200  # of the rim, in a picture of 400 units
 
 def places(surface, gaps):
     """Where its vertices are: the rim on a circle, flatter along the boundary; the others each in the middle of their
-    neighbours (Tutte: so no two triangles overlap). `gaps` says how much of the circle is left to the boundary behind each port."""
+    neighbours (Tutte: so no two triangles overlap). `gaps` is the part of the circle left to the boundary beyond each port."""
     step = 2 * math.pi / (len(gaps) + sum(gaps))
     widest = max(range(len(gaps)), key=gaps.__getitem__)  # is below
     angle = -math.pi / 2 - step * (sum(gaps[:widest + 1]) - gaps[widest] / 2 + widest + 1) if gaps[widest] else -math.pi / 2 - step / 2

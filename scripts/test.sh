@@ -32,10 +32,10 @@ part() {
   printf '%6d s  %s\n' $((SECONDS - started)) "$1" >>"$logs/parts"
 }
 
-# beside NAME COMMAND…: the same in the background, with what is left of the processors.
-beside() {
+# in_background NAME COMMAND…: the same in the background, on the remaining processors.
+in_background() {
   say "in the background: $1"
-  set -m  # a process group of its own, so that all of it can be stopped
+  set -m  # a separate process group, so that all of it can be stopped
   (
     trap - ERR EXIT
     part "$1 (in the background)" nice "${@:2}"
@@ -98,13 +98,13 @@ if [ -n "$all" ]; then
   for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/cross/toolkit/main.cpp' ':!tests/generator/wide_tables.cpp' ':!tests/runtime/mesh/lacks_a_member.cpp'); do
     grep -qF "/$source\"" build/test/compile_commands.json "${units[@]}" || { echo "test.sh: no test has $source" >&2; false; }
   done
-  beside "building with Clang and its sanitizers" cmake --build --preset sanitize
+  in_background "building with Clang and its sanitizers" cmake --build --preset sanitize
 fi
 part "testing" ctest --preset test -j "$(nproc)"
 if [ -n "$all" ]; then
   joined
   if [ -n "$tidy" ]; then
-    beside "running clang-tidy" scripts/tidy.py "$tidy"
+    in_background "running clang-tidy" scripts/tidy.py "$tidy"
   else
     leave_out "clang-tidy: version $style_version is not there, and other versions disagree"
   fi

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Claims: the patches of all shipped operations and families are drawn without overlap, each triangle counter-clockwise, edges across
 sides that their triangles share, ports where they are on the other side too; operation files get pictures and pages with all
-rules of their certificates; graphs that belong to no disc, triangles that are none, and certificates of something else are refused."""
+rules of their certificates; graphs that are not on a disc, invalid triangles, and certificates of other operations are refused."""
 import json
 import subprocess
 import sys
@@ -106,8 +106,8 @@ class Programs(unittest.TestCase):
         faulty = json.loads((CORPUS.parent / "refused_operations.json").read_text(encoding="utf-8"))
         for name, operation in faulty.items():
             (self.folder / f"{name}.json").write_text(json.dumps(operation), encoding="utf-8")
-        for fault, sentence in {"pinched": "no disc", "handle": "no disc", "closed": "no disc", "turned-triangle": "no disc",
-                                "crossed-ports": "rim before is another one than after", "parity": "rim before is another one than after",
+        for fault, sentence in {"pinched": "not a disc", "handle": "not a disc", "closed": "not a disc", "turned-triangle": "not a disc",
+                                "crossed-ports": "rim differs before and after", "parity": "rim differs before and after",
                                 "both-forms": "restrip-generate rules names the fault", "stretch-to-nowhere": "restrip-generate rules names the fault"}.items():
             self.assertIn(sentence, self.refused("scripts/pictures.py", f"{fault}.json", "out.svg"), fault)
         self.assertIn("names the fault", self.refused("web/atlas/atlas.py", "no-port.json", "--certificates", CERTIFICATES, "-o", "out"))
