@@ -53,8 +53,8 @@ Definition from (f : frontier) : list item -> coloring -> option (frontier * sco
 
 (** ** Letters
 
-    What the automaton reads. Of labels only one thing matters: whether a port has that of the solid port before it; so label 0
-    stands for that one, and label 1 for any other. *)
+    The input of the automaton. Of a port's label only one thing matters: whether it equals the label of the solid port before it.
+    Label 0 stands for equal, label 1 for different. *)
 Definition item_of (l : letter) : item :=
   match l with Plain => Tri None | Alone => Tri (Some 1) | Joined => Tri (Some 0) | Edge => Rim end.
 Definition plain_place (x : place) : place := Place (deg x) (option_map (fun _ => 0) (port x)).
@@ -76,7 +76,7 @@ Fixpoint near_label (w : list labelled) : option nat :=
   | (Edge, _) :: _ => None
   | (_, x) :: _ => Some x
   end.
-(** The letters tell the labels. *)
+(** The letters determine the labels. *)
 Fixpoint fitting (w : list labelled) : Prop :=
   match w with
   | [] => True

@@ -46,7 +46,7 @@ Proof.
   unfold marked_told_at, told_at. generalize (keys (hd O position)) 0%N. intros l.
   induction l as [|key l IH]; intros h; [reflexivity|]. cbn [fold_left]. now rewrite IH, unmarked_isolated.
 Qed.
-(** What they tell is right. *)
+(** The changes that they state are right. *)
 Theorem looked_up_told : map fst told_digests = positions 7 /\
   forallb (fun d => N.eqb (told_at automaton (fst (fst d)) (snd (fst d))) (snd d)) told_digests = true.
 Proof.

@@ -1,7 +1,7 @@
 (** * Every read of the look-up lies inside its array
 
-    [bounds_ok] asks so of every index that a kind of arc, or a pair of kinds, can form. It follows that what lies behind
-    the arrays has no influence on any answer. *)
+    [bounds_ok] tests this for every index that a kind of arc, or a pair of kinds, can form. It follows that memory after the
+    arrays has no influence on any answer. *)
 Require Import Arith Bool List NArith FMapPositive Lia.
 Import ListNotations.
 Require Import Statements Frontier Fold Arcs Header Kinds.
@@ -67,7 +67,7 @@ Section Bounds.
     rewrite <- C1, <- C2. apply D; [exact I1| |exact I2]. unfold rimless. now rewrite A1, rim_edges, E1.
   Qed.
 
-  (** ** Whatever lies behind the arrays *)
+  (** ** Independence of the memory after the arrays *)
   Variable H' : header.
   Hypothesis same : same_inside H H'.
 

@@ -38,7 +38,7 @@ Qed.
 (** ** The labels at the ends of two arcs *)
 Record ends := Ends { first1 : nat; last1 : nat; first2 : nat; last2 : nat }.
 Definition some (n : nat) : bool := 0 <? n.
-(** Which of them are equal, as the kinds tell: two solid ports of a fan have the same label when they follow each other and the
+(** Which of them are equal, according to the kinds: two solid ports of a fan have the same label if they follow each other and the
     later one's bit is set. *)
 Record equalities := Eq { f1l1 : bool; f2l2 : bool; f1f2 : bool; f1l2 : bool; l1f2 : bool; l1l2 : bool }.
 Definition told (a b : info) : equalities :=
@@ -60,7 +60,7 @@ Definition small_labels (x : equalities) : ends :=
 Definition pattern (a b : info) : option ends :=
   let e := small_labels (told a b) in if same_equalities (equalities_of e) (told a b) then Some e else None.
 
-(** Any labels that are equal where the kinds tell so serve as well. *)
+(** Any labels with the same equalities serve as well. *)
 Definition large (e : ends) (l : nat) : nat :=
   match l with 0 => first1 e | 1 => last1 e | 2 => first2 e | _ => last2 e end.
 

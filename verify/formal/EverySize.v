@@ -1,7 +1,6 @@
 (** * Rules, and sequences of operations, for fans of any size
 
-    Whatever table answers, as long as it is correct in the sense of [Statements.v]: its answers cost what those of [EveryFan.v]
-    cost. *)
+    Every table that is correct in the sense of [Statements.v] has the same costs as the answers of [EveryFan.v]. *)
 Require Import Arith Bool List ZArith Lia.
 Import ListNotations.
 Require Import Statements Checker Rows Symmetry Sequences EveryFan.

@@ -67,7 +67,7 @@ Definition left_alone (s : step) (b : bool) (f : frontier) : nat :=
   end.
 Definition at_end (f : frontier) : nat := lone (deg (anchor f)) + lone (deg (tip f)).
 
-(** At the beginning tip and anchor are two vertices that are no triangles; nothing will ever be joined to them. *)
+(** At the beginning, tip and anchor are two vertices that are not triangles; nothing will ever be joined to them. *)
 Definition blank_frontier : frontier := Frontier (Place 0 None) (Place 0 None) false.
 
 (** [c] gives a colour to the edge of each step; the result is the frontier, the number of solid edges and the number of

@@ -253,7 +253,7 @@ Section Checker.
     assert (Ao : acyclic O).
     { destruct V as [_ A]. apply (acyclic_perm _ (drawing (before p) s c ++ O)) in A; [|apply Permutation_app_comm].
       clear - A. induction (drawing (before p) s c) as [|[u w] G IH]; [exact A|]. simpl in A. apply acyclic_cons in A. tauto. }
-    (* First the inside is replaced by its pairs, then the outside by its own. *)
+    (* First the inside is replaced by its pairs, then the outside. *)
     assert (Inside : acyclic (O ++ I) <-> acyclic (O ++ pairs a)).
     { set (sz := k + Nat.max (triangles (before p)) (triangles (after p))).
       assert (I0 : in_patch k sz I) by (apply (drawing_inside p); [exact S1|apply Nat.le_max_r]).

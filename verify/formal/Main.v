@@ -1,11 +1,11 @@
 (** * The theorems
 
-    [Statements.v] says what each means; of the tables and numbers of the shipped headers this file names those that it speaks
-    of. They are printed from the headers: [Shipped.shipped o] is the table of position [o], [Flip.full] that of flips,
+    [Statements.v] defines each of them; this file names the tables and numbers of the shipped headers to which they apply.
+    They are printed from the headers: [Shipped.shipped o] is the table of position [o], [Flip.full] the table of flips,
     [Shipped.by_key o] the rows of the certificates, [Shipped.lists o] the lists of the linked rules, and
     [Automaton.automaton] holds the numbers of the automaton.
 
-    After each theorem Coq prints what it assumes; scripts/prove.sh wants to see "Closed under the global context". *)
+    After each theorem Coq prints its assumptions; scripts/prove.sh requires "Closed under the global context". *)
 Require Import Arith Bool List NArith.
 Import ListNotations.
 Require Import Statements.
@@ -104,8 +104,8 @@ Print Assumptions chosen_is_safe.
 Theorem answers : Forall (fun o => right_at o (Shipped.shipped o)) Answers.all_positions.
 Proof. exact Answers.all_right. Qed.
 Print Assumptions answers.
-(** The look-up of [Statements.v] and the compiled one answer alike, for every key of every position up to k = 7, and tell alike
-    of solid edges and isolated triangles. *)
+(** The look-up of [Statements.v] and the compiled one give the same answers and the same numbers of solid edges and isolated
+    triangles, for every key of every position up to k = 7. *)
 Theorem automaton_looked_up : map fst AutomatonNumbers.digests = Header.positions 7 /\
   forallb (fun d => N.eqb (Header.digest_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.digests = true.
 Proof. exact Automaton.looked_up. Qed.
@@ -114,7 +114,7 @@ Theorem automaton_told : map fst AutomatonNumbers.told_digests = Header.position
   forallb (fun d => N.eqb (Automaton.told_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.told_digests = true.
 Proof. exact Automaton.looked_up_told. Qed.
 Print Assumptions automaton_told.
-(** What every answer of the headers reports about strips and isolated triangles; [Telling.tells] says what it must be. *)
+(** The changes in strips and isolated triangles that every answer of the headers reports; [Telling.tells] defines correctness. *)
 Theorem answers_tell :
   Forall (fun at_ => Telling.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two Told_split.table at_)) Positions.arcs /\
   Forall (fun at_ => Telling.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two Told_collapse.table at_)) Positions.arcs /\

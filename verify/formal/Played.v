@@ -92,7 +92,7 @@ Proof.
   unfold marks. cbn [andb]. now rewrite Nat.add_0_r.
 Qed.
 
-(** The same with the boundary in the second arc: behind it a triangle that is joined to nothing is put down. *)
+(** The same with the boundary in the second arc, after which an unjoined triangle is placed. *)
 Theorem rim_ring_played its1 S c1 r1 ch cS r2 (p : option nat) P cP b : no_rim its1 -> its1 <> [] -> length c1 = length its1 ->
   no_rim S -> length cS = length S -> no_rim P -> length cP = length P ->
   ring_run its1 (P ++ Tri p :: Rim :: S) c1 r1 ch (cP ++ b :: false :: cS) r2 =

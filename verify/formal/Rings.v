@@ -192,7 +192,7 @@ Proof.
     change (tidy_place (more (fresh None) None)) with (Place 1 None). cbn [deg]. reflexivity.
 Qed.
 
-(** An arc drawn from the books [f]: what its own books say, merged. The vertex where it begins may be left alone. *)
+(** An arc drawn from the frontier [f]: the arc's frontier, merged with it. The vertex where it begins may stay isolated. *)
 Definition merged (f : frontier) (r : frontier * score) : option (frontier * score) :=
   match merge f (fst r) with
   | Some g => Some (g, (fst (snd r), snd (snd r) + lone (deg (tip f) + deg (anchor (fst r)))))

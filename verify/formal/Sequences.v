@@ -1,8 +1,8 @@
 (** * Whole meshes, and sequences of operations
 
     A mesh is the list of its triangles and the graph of its solid dual edges. An operation sees a mesh as a patch and the
-    rest. The port points, which [Statements.v] puts in the middle of the dual edges that leave the patch, are no part of a mesh;
-    here they are passed over. Flips are left out: they may give ports up. *)
+    rest. The port points, which [Statements.v] puts in the middle of the dual edges that leave the patch, are not part of a mesh;
+    here they are skipped. Flips are left out: they may give ports up. *)
 Require Import Arith Bool List Permutation ZArith Lia.
 Import ListNotations.
 Require Import Statements Graph Locality Strips Drawing Checker Rows Symmetry.

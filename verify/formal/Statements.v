@@ -1,12 +1,12 @@
-(** * What is proved: the page one has to believe
+(** * What is proved: the definitions and statements that must be trusted
 
-    Every definition that the main theorems use, and the theorems themselves, as statements: [Rules_right T] and its like say
-    what is claimed of a table [T]. [Main.v] proves each of them, of the shipped tables where it speaks of tables; it
-    proves nothing else but comparisons of numbers. This file needs nothing but Coq's library. The numbering is that of
+    Every definition that the main theorems use, and the theorems themselves, as statements: [Rules_right T] and the like are
+    the claims about a table [T]. [Main.v] proves each of them, for the shipped tables if it is about tables; apart from
+    these, it proves only comparisons of numbers. This file needs only Coq's library. The numbering follows
     docs/reference/notation.md.
 
-    The parts are: graphs, patches, what a best recolouring is, tables, the families, flips, positions and the rules; then, each
-    for itself, the look-up in the automaton, linked rules, sequences of operations, whole meshes, a lower bound, and runs. *)
+    The parts are: graphs, patches, best recolourings, tables, the families, flips, positions and the rules; then,
+    independently, the look-up in the automaton, linked rules, sequences of operations, whole meshes, a lower bound, and runs. *)
 Require Import Arith Bool List NArith ZArith FMapPositive Permutation.
 Import ListNotations.
 
@@ -377,13 +377,13 @@ Definition serves_keys (p : patch) (closed : bool) (answer : coloring -> colorin
   exists T, correct p T /\ safe p T /\ reduces_to p closed T (fun s J => Some (answer s J)).
 Definition Automaton_serves (H : Lookup.header) : Prop := forall o, possible o = true ->
   serves_keys (patch_at o) (closed_at o) (Lookup.answer H o).
-(** No read leaves its array: whatever lies behind the arrays, in memory that is not theirs, the answers are the same. *)
+(** Every read stays inside its array: the answers do not depend on the memory after the arrays. *)
 Definition Automaton_inside (H : Lookup.header) : Prop := forall H', Lookup.same_inside H H' -> forall o, possible o = true ->
   forall s J, Lookup.answer H' o s J = Lookup.answer H o s J.
 
 (** ** Linked rules
 
-    They are chosen when it is known what the strips do outside the patch. For each colouring of the ports there is a list of
+    They are chosen if the course of the strips outside the patch is known. For each colouring of the ports there is a list of
     alternatives, best first, each with the pairs of ports that it joins inside. *)
 Module Beside.
 Record alternative := Alternative { recoloring : coloring; pairs : graph }.
@@ -423,8 +423,8 @@ Definition Linked_rules_right (L : position -> coloring -> list Beside.alternati
 (** ** Sequences of operations
 
     A mesh is the list of its triangles and the graph of its solid dual edges. An operation sees a mesh as a patch and the
-    rest. The port points, in the middle of the dual edges that leave the patch, are no part of a mesh; here they are passed
-    over. Flips are left out: they may give ports up. *)
+    rest. The port points, in the middle of the dual edges that leave the patch, are not part of a mesh; here they are
+    skipped. Flips are left out: they may give ports up. *)
 (** [G'] is [G] with its vertices renamed; order and directions do not count. *)
 Definition moved (f : nat -> nat) (e : edge) : edge := (f (fst e), f (snd e)).
 Definition renamed (f : nat -> nat) (G G' : graph) : Prop := Permutation (map undirected (map (moved f) G)) (map undirected G').
@@ -450,8 +450,8 @@ Definition looks_like (p : patch) (d : side) (s x : coloring) (O : graph) (other
   exists G, without_points (seq 0 (ports p)) (O ++ drawing d s x) G /\ renamed f G (edges M) /\
     Permutation (nodes M) (map f (seq (ports p) (triangles d) ++ others)).
 
-(** One operation: the patch is recoloured as the table says, everything else stays as it is. [told] is the change that the rule reports
-    of the number of strips: triangles gained less solid edges gained. *)
+(** One operation: the patch is recoloured as the table says, everything else stays as it is. [told] is the change in the number of
+    strips that the rule reports: triangles gained minus solid edges gained. *)
 Definition operation (p : patch) (T : table) (M : mesh) (told : Z) (M' : mesh) : Prop :=
   exists s c x O others f,
     (forall u v, f u = f v -> u = v) /\
@@ -494,8 +494,8 @@ Definition Operation_met (T : position -> table) : Prop := exists M M', sane M /
 (** ** What holds for the whole mesh: docs/explanation/theory.md *)
 Module Whole.
 (** The dual graph of a mesh of finitely many triangles has an edge for each mesh edge that two triangles share, so two edges for two
-    triangles that share two. A triangle has three sides; those that no dual edge crosses lie on the boundary. The colours are
-    those of the dual edges, in order. A strip is the list of its triangles; [Valid_is_stripped] says that such lists exist
+    triangles that share two. A triangle has three sides; sides that no dual edge crosses lie on the boundary. The colours are
+    the colours of the dual edges, in order. A strip is the list of its triangles; [Valid_is_stripped] says that such lists exist
     exactly for the valid colourings. *)
 Record stripification := Stripification
   { faces : list nat; dual : graph; colors : coloring; strips : list (list nat) }.
@@ -557,7 +557,7 @@ Definition the_loop : coloring := [true; true; true; false].
     edge of w is the outer edge of t_0 in the next block. So the mesh is a disc, and triangle t of block m has number 7 m + t:
     t_0 ... t_3 are 0 ... 3, A and D are 4 and 5, w is 6. *)
 Definition in_block (m : nat) (e : edge) : edge := (7 * m + fst e, 7 * m + snd e).
-(** The port p_0 of block m leads to the triangle w of the block before; p_3 and p_2 lead to w of its own block. *)
+(** The port p_0 of block m leads to the triangle w of the block before; p_3 and p_2 lead to w of the same block. *)
 Definition port_0 (m : nat) : graph := match m with 0 => [] | S b => [(7 * b + 6, 7 * m + 0)] end.
 Definition port_3 (m : nat) : graph := [(7 * m + 3, 7 * m + 6)].
 Definition port_2 (m : nat) : graph := [(7 * m + 2, 7 * m + 6)].
@@ -646,8 +646,8 @@ End Raw.
 
 End Runs.
 
-(** If [judge] answers, the triangles lie as the patch before and after; its numbers are those of the patch; and if it says that
-    the recolouring at hand is a best one, then it is, and nothing else was recoloured. [olds] and [news] are the triangles before
+(** If [judge] answers, the triangles lie as the patch before and after, and its numbers are correct for the patch. If it says
+    that the given recolouring is a best one, then it is, and nothing else was recoloured. [olds] and [news] are the triangles before
     and after, [was] and [is] the colours of the mesh, [beside] and [beside'] its neighbours, and [altered] are the mesh edges
     whose colour has changed. *)
 Import Runs.

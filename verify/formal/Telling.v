@@ -1,6 +1,6 @@
-(** * Comparing what answers tell with what they change
+(** * Comparing the stated changes of answers with the actual ones
 
-    An answer reports how the numbers of strips and of isolated triangles change. What the answers of a table report is a trie
+    An answer reports how the numbers of strips and of isolated triangles change. The reports of a table's answers form a trie
     over the same colourings. *)
 Require Import Arith Bool List NArith ZArith Lia.
 Import ListNotations.

@@ -1,7 +1,7 @@
-(** * What answers tell
+(** * The stated changes of answers
 
     Each answer of the shipped headers reports how the numbers of strips and of isolated triangles change. Told_FAMILY.v holds
-    what they tell: for each position a trie over the same colourings as the table of answers. *)
+    these reports: for each position a trie over the same colourings as the table of answers. *)
 Require Import List.
 Import ListNotations.
 Require Import Statements Table Positions.

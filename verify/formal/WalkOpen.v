@@ -214,7 +214,7 @@ Section Open.
       destruct (run (map real w2) (tP ++ b' :: tS)) as [q|] eqn:Q; [|discriminate]. eapply Rim_dashed; [| |exact Q]; lia. }
     subst b'.
     destruct i as [|i'].
-    - (* nothing behind the boundary *)
+    - (* nothing after the boundary *)
       destruct tP; [|discriminate]. cbn [app] in Et. assert (W2 : map real w2 = Rim :: map real wS) by reflexivity.
       assert (Pl : forall c1 r1 c' cS, length c1 = j - 0 -> length cS = k - j ->
         plays (open_split k 0 j) s lab ([] ++ (rev c1 ++ [r1]) ++ rev cS ++ [c']) (ring_run (map real w1) (map real w2) c1 r1 c' (false :: cS) false)).
@@ -236,7 +236,7 @@ Section Open.
         destruct (cut_last x1 _ La) as (y1 & r1 & -> & L3). destruct (as_reversed y1) as (c1 & -> & R1). destruct (as_reversed x2) as (cS & -> & R2).
         exists (ring_run (map real w1) (map real w2) c1 r1 c' (false :: cS) false). split; [|intros u; apply B].
         rewrite <- app_assoc. apply (Pl c1 r1 c' cS); lia.
-    - (* triangles behind it *)
+    - (* triangles after it *)
       set (P := map real (rev (map (mark_any k s J lab) (seq 1 i')))).
       assert (W2 : map real w2 = P ++ Tri (port_of k s lab 0) :: Rim :: map real wS).
       { unfold w2. rewrite map_app, MP. cbn [seq map rev]. rewrite map_app, <- app_assoc. cbn [map app]. rewrite real_mark. reflexivity. }

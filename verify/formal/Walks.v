@@ -101,7 +101,7 @@ End Checked.
 (** ** Steps of a route are the steps of its arcs *)
 Section Stretches.
   Variables (k : nat) (s J : coloring) (lab : nat -> nat).
-  (** Triangles that are none of the fan have no port. *)
+  (** Triangles outside the fan have no port. *)
   Definition mark_any (t : nat) : labelled := if t <? k then mark_of s J lab t else (Plain, 0).
   Lemma real_mark t : real (mark_any t) = Tri (port_of k s lab t).
   Proof.

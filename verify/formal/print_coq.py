@@ -5,7 +5,7 @@
   print_coq.py automaton DIRECTORY < dump        a dump of the automaton (there as well) as AutomatonNumbers.v
 
 Tables: a table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
-Linked.v how the lists of linked rules are. What the answers tell becomes a trie as well, which Told.v reads. Only the
+Linked.v how the lists of linked rules are. The stated changes become a trie as well, which Told.v reads. Only the
 flip may keep fewer ports; the mask of its answer is after | kept << 1. At the end of a file is the
 function from positions, lists of numbers such as [8; 3], to the family's tables. Printed to the standard output: each
 family, how many positions it has, and how many answers (of linked rules: lists).
@@ -65,7 +65,7 @@ class Table:
         self.after = self.ports + after
 
     def read_answers(self, lines):
-        """The masks of the answers and what they tell, by before << ports | ports; -1 for no answer."""
+        """The masks of the answers and their stated changes, by before << ports | ports; -1 for no answer."""
         known = [{"-": (-1, -1)} for _ in range(1 << self.ports)]  # by ports: what the rest of a line says
         answers, told = [], []
         for before in range(1 << self.before):
