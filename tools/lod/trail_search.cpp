@@ -15,9 +15,9 @@ bool TrailSearch::join(StripMesh& mesh, StripLocator& locator, const std::vector
   mesh_ = &mesh;
   locator_ = &locator;
   const std::size_t bound = mesh.triangle_bound();
-  if (ways_.size() < bound) {
-    ways_.resize(bound + bound / 2);
-    on_trail_.resize(4 * ways_.size(), 0);
+  if (distances_.size() < bound) {
+    distances_.resize(bound + bound / 2);
+    on_trail_.resize(4 * distances_.size(), 0);
   }
   trail_.clear();
   last_state_ = states_ + max_states;
@@ -35,7 +35,7 @@ bool TrailSearch::join(StripMesh& mesh, StripLocator& locator, const std::vector
       if (joined) break;
     }
   }
-  forget_ways();
+  forget_distances();
   if (joined) commit();
   return joined;
 }
@@ -58,11 +58,11 @@ void TrailSearch::for_each_neighbor(Triangle t, bool solid, Visit&& visit) const
 // breadth-first search suffices: one search from `ends` finds the ends that trails can reach, and one runs back from
 // there.
 void TrailSearch::measure(const std::vector<Triangle>& ends, unsigned radius) {
-  forget_ways();
+  forget_distances();
   targets_.clear();
   const auto reach = [this](Triangle t, unsigned solid) {
-    if (ways_[t].here != far) return;
-    ways_[t].here = static_cast<std::uint8_t>(solid);
+    if (distances_[t].here != far) return;
+    distances_[t].here = static_cast<std::uint8_t>(solid);
     met_.push_back(t);
   };
   for (const Triangle end : ends)
@@ -71,17 +71,18 @@ void TrailSearch::measure(const std::vector<Triangle>& ends, unsigned radius) {
     const Triangle y = met_[i];
     for_each_neighbor(y, false, [&](Triangle x) {
       if (mesh_->solid_degree(x) < 2) targets_.push_back(x);
-      if (ways_[y].here < radius) for_each_neighbor(x, true, [&](Triangle z) { reach(z, ways_[y].here + 1U); });
+      if (distances_[y].here < radius)
+        for_each_neighbor(x, true, [&](Triangle z) { reach(z, distances_[y].here + 1U); });
     });
   }
   std::sort(targets_.begin(), targets_.end());
   targets_.erase(std::unique(targets_.begin(), targets_.end()), targets_.end());
   back_.clear();
   const auto lead = [&](Triangle t, unsigned solid, Triangle target) {
-    Way& way = ways_[t];
-    if (way.here + solid > radius || way.second != far || (way.first != far && way.target == target)) return;
-    if (way.first == far) way.target = target;
-    (way.first == far ? way.first : way.second) = static_cast<std::uint8_t>(solid);
+    EndDistances& known = distances_[t];
+    if (known.here + solid > radius || known.second != far || (known.first != far && known.target == target)) return;
+    if (known.first == far) known.target = target;
+    (known.first == far ? known.first : known.second) = static_cast<std::uint8_t>(solid);
     back_.push_back({t, target, solid});
   };
   for (const Triangle target : targets_) for_each_neighbor(target, false, [&](Triangle y) { lead(y, 0, target); });
@@ -93,15 +94,15 @@ void TrailSearch::measure(const std::vector<Triangle>& ends, unsigned radius) {
   }
 }
 
-void TrailSearch::forget_ways() {
-  for (const Triangle t : met_) ways_[t] = {};
+void TrailSearch::forget_distances() {
+  for (const Triangle t : met_) distances_[t] = {};
   met_.clear();
 }
 
 // A trail may return to the end at which it begins only if that end is an isolated triangle.
 unsigned TrailSearch::solid_edges_from(Triangle t) const {
-  const Way& way = ways_[t];
-  return way.target == not_to_ ? way.second : way.first;
+  const EndDistances& known = distances_[t];
+  return known.target == not_to_ ? known.second : known.first;
 }
 
 // ---- trails

@@ -38,7 +38,7 @@ class TrailSearch {
   static constexpr std::uint8_t far = 255;
   static_assert(longest < far);
   /// Distances, in solid edges, of a triangle that a trail leaves across a dashed edge.
-  struct Way {
+  struct EndDistances {
     std::uint8_t here = far;    // from the nearest start
     std::uint8_t first = far;   // to the nearest end
     std::uint8_t second = far;  // to the nearest other end
@@ -52,7 +52,7 @@ class TrailSearch {
   template <class Visit>
   void for_each_neighbor(Triangle t, bool solid, Visit&& visit) const;
   void measure(const std::vector<Triangle>& ends, unsigned radius);
-  void forget_ways();
+  void forget_distances();
   [[nodiscard]] unsigned solid_edges_from(Triangle t) const;
   bool walk_on(Triangle end, unsigned solid_left);
   [[nodiscard]] bool closes_no_cycle();
@@ -64,8 +64,8 @@ class TrailSearch {
   StripLocator* locator_ = nullptr;
   std::vector<std::uint8_t> on_trail_;  // by halfedge
   std::vector<Halfedge> trail_;
-  std::vector<Way> ways_;      // by triangle
-  std::vector<Triangle> met_;  // triangles with a known entry in ways_
+  std::vector<EndDistances> distances_;  // by triangle
+  std::vector<Triangle> met_;            // triangles with a known entry in distances_
   std::vector<Triangle> targets_;
   std::vector<Arrival> back_;
   Triangle not_to_ = none;  // the start of the trail, if the trail must not return to it

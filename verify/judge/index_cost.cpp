@@ -122,13 +122,13 @@ class IndexCost {
         inserts_(carried(operation.before, operation.after)),
         removes_(carried(operation.after, operation.before)) {}
 
-  struct Found {
+  struct AddedIndices {
     std::uint64_t configurations = 0;
     int by_rule = 0;
     int at_most = 0;
   };
-  Found run() const {
-    Found found;
+  AddedIndices run() const {
+    AddedIndices found;
     for (Mask ports = 0; ports < mask_count(operation_.ports()); ++ports) {
       const PortPairs joinable = joinable_with(ports);
       for (Mask inner = 0; inner < mask_count(operation_.before.inner_edges()); ++inner) {
@@ -207,7 +207,7 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
   if (tasks.empty()) return;
   std::mutex mutex;
   Failures wrong;
-  IndexCost::Found all;
+  IndexCost::AddedIndices all;
   double seconds = 0;
   on_threads(threads, tasks.size(), [&] {
     return [&](std::size_t i) {
@@ -218,7 +218,7 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
       };
       const double start = now();
       const Operation& operation = *tasks[i].operation;
-      const IndexCost::Found found = IndexCost(operation, *tasks[i].rows).run();
+      const IndexCost::AddedIndices found = IndexCost(operation, *tasks[i].rows).run();
       const std::lock_guard lock(mutex);
       seconds += now() - start;
       all.configurations += found.configurations;

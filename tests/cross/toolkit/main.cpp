@@ -7,7 +7,7 @@ static_assert(restrip::table_max_k == MAX_K);
 static_assert(restrip::split_rule({MAX_K, MAX_K / 2}, 0, 0).valid);
 
 int main() {
-  // A cone over a ring of MAX_K vertices: its two tips have the largest fans in the tables.
+  // A cone over a ring of MAX_K vertices: its two tips have the largest fans that the tables know.
   std::vector<std::array<restrip::Vertex, 3>> triangles;
   for (restrip::Vertex i = 0; i < MAX_K; ++i) {
     const restrip::Vertex next = (i + 1) % MAX_K;
