@@ -129,13 +129,6 @@ int main(int argc, char** argv) {
   auto* served_option = automaton_command->add_option(
       "--operation", served,
       "Write the look-up of custom families (operation files) that the shipped automaton answers, instead");
-  automaton_command
-      ->add_option(
-          "--cost", automaton.cost,
-          "What to minimise: strips (fewest strips, then fewest isolated triangles), indices (3 for a strip, 1 for "
-          "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
-      ->capture_default_str()
-      ->excludes(served_option);
   add_language_option(*automaton_command, automaton.languages, "header and certificate", "data")
       ->excludes(served_option);
   add_json_option(*automaton_command, automaton.json)->excludes(served_option);
@@ -145,8 +138,7 @@ int main(int argc, char** argv) {
       ->excludes(served_option);
   automaton_command->footer(
       "\nExamples:\n"
-      "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
-      "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n"
+      "  restrip-generate automaton --out /tmp/automaton\n"
       "  restrip-generate automaton --language c,rust --out /tmp/automaton\n"
       "  restrip-generate automaton --operation my-family.json --out /tmp/automaton\n");
 

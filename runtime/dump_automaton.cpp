@@ -24,20 +24,17 @@ void array(Output& out, const char* name, const Numbers& numbers) {
 struct Key {
   Word ports = 0;
   Word joined = 0;
-  exact::Turns turns;
 };
 
-/// The key with number n of the keys of a fan: a digit to the base `letters` for each port, port 0 first; 0 dashed, the
-/// lower half of the others solid, the upper half solid and joined. Each third of seven letters stands for a turn.
-Key written_key(std::size_t k, std::uint64_t n, std::uint32_t letters) {
+/// The key with number n of the keys of a fan: a digit to the base 3 for each port, port 0 first; 0 dashed, 1 solid, 2
+/// solid and joined.
+Key written_key(std::size_t k, std::uint64_t n) {
   Key key;
-  for (std::size_t i = k; i-- > 0; n /= letters) {
-    const std::uint64_t letter = n % letters;
+  for (std::size_t i = k; i-- > 0; n /= 3) {
+    const std::uint64_t letter = n % 3;
     if (letter == 0) continue;
     key.ports |= bit(i);
-    if (2 * letter > letters) key.joined |= bit(i);
-    if (letter % 3 == 2) key.turns.left |= bit(i);
-    if (letter % 3 == 0) key.turns.right |= bit(i);
+    if (letter == 2) key.joined |= bit(i);
   }
   return key;
 }
@@ -50,7 +47,7 @@ void answers(Output& out, const std::string& family, std::initializer_list<std::
   std::uint64_t digest = 0;
   std::uint64_t told = 0;
   for (std::uint64_t n = 0; n < keys; ++n) {
-    const Key key = written_key(k, n, 3);
+    const Key key = written_key(k, n);
     const exact::Recoloring found = best(key.ports, key.joined);
     digest = digest * 1000003 + found.colors;
     told = told * 1000003 + static_cast<std::uint64_t>(64 * found.value.solid + found.value.isolated);
@@ -70,7 +67,7 @@ void answers(Output& out, const std::string& family, std::initializer_list<std::
 class DigestKeys {
  public:
   explicit DigestKeys(std::size_t k) : k_(k) {
-    for (std::size_t i = 0; i < k && count_ <= 7000; ++i) count_ *= letters;
+    for (std::size_t i = 0; i < k && count_ <= 7000; ++i) count_ *= 3;
     if (count_ > 7000) count_ = drawn_count;
   }
 
@@ -78,23 +75,22 @@ class DigestKeys {
   void line(unsigned operation, std::size_t p, std::size_t q, Best&& best) const {
     std::uint32_t digest = 0;
     for (std::uint32_t n = 0; n < count_; ++n) {
-      const auto [ports, joined, turns] = key(n);
-      digest += mix(n, folded(ports), 0x80000000U | folded(best(ports, joined, turns).colors));
+      const auto [ports, joined] = key(n);
+      digest += mix(n, folded(ports), 0x80000000U | folded(best(ports, joined).colors));
     }
     std::printf("%u %zu %zu %zu %08x\n", operation, k_, p, q, digest);
   }
 
  private:
-  static constexpr std::uint32_t letters = tables::automaton.letters - 1;
   static constexpr std::uint32_t drawn_count = 64;
 
   static std::uint32_t folded(Word mask) {
     return static_cast<std::uint32_t>(mask) ^ static_cast<std::uint32_t>(mask >> 32) * 0x9e3779b1U;
   }
   [[nodiscard]] Key key(std::uint32_t n) const {
-    if (count_ != drawn_count) return written_key(k_, n, letters);
+    if (count_ != drawn_count) return written_key(k_, n);
     const auto drawn = [&](Word i) { return (mix(n, i, 0) | Word{mix(n, i + 8, 0)} << 32) & (bit(k_) - 1); };
-    return {drawn(0), drawn(1), {drawn(2), drawn(3)}};
+    return {drawn(0), drawn(1)};
   }
 
   std::size_t k_;
@@ -107,22 +103,14 @@ bool automaton_digests(std::size_t max_k) {
   for (std::size_t k = 1; k <= max_k; ++k) {
     const DigestKeys keys(k);
     for (std::size_t a = 1; a < k && k >= 3; ++a)
-      keys.line(0, a, 0,
-                [&](Word ports, Word joined, exact::Turns t) { return exact::best_split(k, a, ports, joined, t); });
-    if (k >= 3)
-      keys.line(1, 0, 0,
-                [&](Word ports, Word joined, exact::Turns t) { return exact::best_collapse(k, ports, joined, t); });
+      keys.line(0, a, 0, [&](Word ports, Word joined) { return exact::best_split(k, a, ports, joined); });
+    if (k >= 3) keys.line(1, 0, 0, [&](Word ports, Word joined) { return exact::best_collapse(k, ports, joined); });
     for (std::size_t i = 0; i < k; ++i)
       for (std::size_t j = i + 1; j <= k; ++j)
-        keys.line(2, i, j, [&](Word ports, Word joined, exact::Turns t) {
-          return exact::best_open_split(k, i, j, ports, joined, t);
-        });
-    keys.line(3, 0, 0,
-              [&](Word ports, Word joined, exact::Turns t) { return exact::best_fan_collapse(k, ports, joined, t); });
+        keys.line(2, i, j, [&](Word ports, Word joined) { return exact::best_open_split(k, i, j, ports, joined); });
+    keys.line(3, 0, 0, [&](Word ports, Word joined) { return exact::best_fan_collapse(k, ports, joined); });
     for (std::size_t i = 0; i <= k; ++i)
-      keys.line(4, i, 0, [&](Word ports, Word joined, exact::Turns t) {
-        return exact::best_boundary_split(k, i, ports, joined, t);
-      });
+      keys.line(4, i, 0, [&](Word ports, Word joined) { return exact::best_boundary_split(k, i, ports, joined); });
   }
   std::printf("rules outside the tables: 0\n");
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Draws witnesses of a few classes of two automata, a row for each class and a picture for each of its cases.
+"""Draws witnesses of two classes of the automaton, a row for each class and a picture for each of its cases.
 
-Input are the files that `restrip-generate automaton --classes FILE` writes for --cost strips and --cost 2,1,0.
+Input is the file that `restrip-generate automaton --classes FILE` writes.
 """
 import argparse
 import json
@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pictures
 
-STRIPS = ["sd", "dSs"]
-TURNS = ["dl", "drR"]
+WITNESSES = ["sd", "dSs"]
 
 
 def panels(path, witness):
@@ -24,13 +23,11 @@ def panels(path, witness):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     epilog="Example: scripts/automaton_picture.py strips.json turns.json automaton.svg")
-    parser.add_argument("strips", help="classes of the automaton of fewest strips")
-    parser.add_argument("turns", help="classes of an automaton in which swaps have a price")
+                                     epilog="Example: scripts/automaton_picture.py classes.json automaton.svg")
+    parser.add_argument("classes", help="the classes of the automaton")
     parser.add_argument("out", help="the SVG file that is written")
     arguments = parser.parse_args()
-    rows = [list(panels(arguments.strips, witness)) for witness in STRIPS]
-    rows += [list(panels(arguments.turns, witness)) for witness in TURNS]
+    rows = [list(panels(arguments.classes, witness)) for witness in WITNESSES]
     Path(arguments.out).write_text(pictures.sheet(rows, pictures.PATCHES), encoding="utf-8")
 
 

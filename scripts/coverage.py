@@ -32,9 +32,9 @@ def holds(claim, *rest, subject=r"(?P<operation>[a-z-]+)", **more):
     return Line(rf"^holds +{subject} +{claim} ", *rest, **more)
 
 
-def automaton_lines(claims_of):
-    """The lines of restrip-verify-automaton; `claims_of` names the claims, given those about the shipped automaton."""
-    line = lambda claim, claims, how, read, **more: holds(claim, claims_of(*claims), how, read, subject="automaton", operations=FANS, **more)
+def automaton_lines():
+    """The lines of restrip-verify-automaton."""
+    line = lambda *words, **more: holds(*words, subject="automaton", operations=FANS, **more)
     return [
         line("every meeting is sound and best", ("Sound", "Locally optimal", "Checkable"), "every pair of kinds of arcs", CERTIFICATES, k="every"),
         line("every number of the header is the certificate's", ("Compiled",), "compared", AUTOMATON, k="every"),
@@ -65,11 +65,10 @@ REPORTS = {
         holds("the best in all outsides that fit the answers", ["Linked"], SEARCH, "compiled linked look-up", subject="linked look-up",
               operations=["split", "collapse"]),
     ],
-    "automaton": automaton_lines(lambda *claims: claims),
+    "automaton": automaton_lines(),
     "operations": RULES + [holds(*answer) for answer in ANSWERS] + [
         holds("every answer is the certificate's row, in its positions +the header's text,", ["Compiled"], "compared", "header texts"),
     ],
-    "indices": automaton_lines(lambda *claims: ["Other costs"]),
     "reasons": [
         Line(r"/(?P<operation>[a-z-]+)\.cert: \d+ rules are sound and have their reasons", ["Sound", "Locally optimal", "Checkable"],
              "reasons, without a search", CERTIFICATES),

@@ -184,17 +184,6 @@ def print_languages(generate):
         line([f"`{name}`", FILE_HOLDS.get(name, "program that prints digests"), f"{int(size):,}", f"{data:,}" if name in ("restrip_tables.h", "restrip_tables.rs", "restrip_tables.bin") else ""])
 
 
-def print_automata(generate):
-    costs = ("strips", "1,1,0")
-    header("file", *(f"bytes, cost `{cost}`" for cost in costs))
-    with tempfile.TemporaryDirectory() as folder:
-        for cost in costs:
-            wanted = [word for language in LANGUAGE_NAMES for word in ("--language", language)]
-            subprocess.check_output([generate, "automaton", "--cost", cost, "--out", os.path.join(folder, cost), *wanted])
-        for name in sorted(os.listdir(os.path.join(folder, costs[0]))):
-            line([f"`{name}`", *(f"{os.path.getsize(os.path.join(folder, cost, name)):,}" for cost in costs)])
-
-
 def section_bytes(path, pattern):
     lines = subprocess.check_output(["size", "-A", path], text=True).splitlines()
     return sum(int(line.split()[1]) for line in lines if re.match(pattern, line))
@@ -312,22 +301,9 @@ def print_shards(generate):
                   f"{bytes_below(tables) / 1e6:.1f} MB", f"{sum(size for _, size in families.values()) / 1e6:.1f} MB"])
 
 
-def print_costs(generate):
-    header("cost", "weights of a strip, a swap, an isolated triangle", "kinds of arcs", "classes", "rows and columns of meetings",
-           "bytes")
-    for name in ("strips", "1,1,0", "2,1,0", "indices"):
-        with tempfile.TemporaryDirectory() as folder:
-            made = json.loads(subprocess.check_output([generate, "automaton", "--cost", name, "--out", folder, "--json", "-"]))
-            weights, meetings = made["cost"], made["meetings"]
-            line([f"`{name}`", ", ".join(str(weights[what]) for what in ("restart", "swap", "isolated")),
-                  f"{made['arcs']['with the boundary, too']:,}", f"{made['classes']['all']:,}",
-                  f"{meetings['rows']:,} by {meetings['columns']:,}", f"{made['bytes']:,}"])
-
-
 TABLES = {"counts": print_counts, "ports": print_ports, "ports-met": print_ports_met, "families": print_families,
           "programs": print_programs, "operations": print_operations, "matchings": print_matchings, "speed": print_speed,
-          "compiling": print_compiling, "languages": print_languages, "automata": print_automata, "shards": print_shards, "verified": print_verified,
-          "costs": print_costs}
+          "compiling": print_compiling, "languages": print_languages, "shards": print_shards, "verified": print_verified}
 
 
 def main():

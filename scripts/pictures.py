@@ -135,8 +135,7 @@ def split_picture(k, a, inner, ports, description):
 
 
 def arc_picture(word, links, description):
-    """An arc of a fan (docs/explanation/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Beyond a
-    solid port the strip turns about the corner at the left (l, L) or at the right (r, R), or ends (s, S)."""
+    """An arc of a fan (docs/explanation/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap."""
     hub, width = (200, 100), math.radians(min(40, 110 / len(word)))
     start = math.pi / 2 + width * len(word) / 2
     rim = [(200 + 200 * math.cos(start - width * i), 100 + 200 * math.sin(start - width * i)) for i in range(len(word) + 1)]
@@ -154,14 +153,8 @@ def arc_picture(word, links, description):
             if (i - 1 if at == i else i) not in nodes:  # the link leaves the arc
                 patch.stroke(across, (across[0] + side * 22 * math.sin(angle), across[1] - side * 22 * math.cos(angle)), solid)
     for i, letter in enumerate(word):
-        if letter == "b":
-            continue
-        patch.port(nodes[i], rim[i], rim[i + 1], letter != "d")
-        if letter in "lLrR":
-            node, door = patch.nodes[nodes[i]], _middle(rim[i], rim[i + 1])
-            beyond = tuple(d + (d - n) * 0.7 for d, n in zip(door, node))
-            corner = rim[i] if letter in "lL" else rim[i + 1]
-            patch.stroke(beyond, tuple(b + (c - d) * 0.7 for b, c, d in zip(beyond, corner, door)), True)
+        if letter != "b":
+            patch.port(nodes[i], rim[i], rim[i + 1], letter != "d")
     return patch.svg(description)
 
 

@@ -70,13 +70,6 @@ all_operations() {
   echo "in all: $(ls tables/operations/*.json | wc -l) operations"
 }
 
-# An automaton for the length of an index buffer, which is not shipped.
-of_the_index_cost() {
-  $bin/restrip-generate automaton --cost 3,1,0 --out "$logs/indices" || return
-  c++ -std=c++20 -O1 -I "$logs/indices/include" -I runtime/include -I tables/include runtime/dump_*.cpp -o "$logs/indices.dump" || return
-  $bin/restrip-verify-automaton --tables-dir "$logs/indices" --dump-command "$logs/indices.dump --automaton"
-}
-
 # Random operations on a sheet, inside and on its boundary, by the rules alone.
 a_run() {
   awk 'BEGIN { n = 60; for (i = 0; i < n * n; ++i) print "v", i % n, int(i / n), i * i % 7 / 7
@@ -117,11 +110,6 @@ check valences "so does the compiled look-up, which reads those numbers" \
   "C++ compiler, tests/runtime/rules/exact_large_test.cpp" \
   's/.*\[  PASSED  \] (.*)$/\1/p' \
   $bin/runtime_exact_large_test
-check indices "an automaton made for another cost is sound, and costs least, for every k" \
-  "as for the shipped automaton" \
-  "as for the shipped automaton" \
-  's/^verified: (.*)$/\1/p' \
-  of_the_index_cost
 check operations "the rules of the operation files are sound and optimal; the shipped headers give them" \
   "every recolouring of every configuration on explicit graphs, in every world outside" \
   "C++ compiler, verify/, docs/reference/operation-file.md" \

@@ -1,12 +1,9 @@
 #include "automaton/automaton.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cstdint>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 namespace restrip::generator {
@@ -26,13 +23,6 @@ Costs relative(Costs costs) {
   return costs;
 }
 
-[[noreturn]] void refuse(const Weights& weights, const std::string& why) {
-  throw std::invalid_argument(
-      fmt::format("the weights {},{},{} need {}; divide them by a common factor, or take smaller ones in about the "
-                  "same proportion",
-                  weights.restart, weights.swap, weights.isolated, why));
-}
-
 /// An arc before anything is thrown away that some patch may need; costs less the least.
 struct FullArc {
   Costs costs;
@@ -49,28 +39,24 @@ struct FullStep {
 
 /// All arcs, distinguished by what they are: finitely many, found breadth first.
 struct Closure {
-  Weights weights;
   std::vector<FullArc> arcs;
   std::vector<std::string> witness;
-  std::vector<std::vector<std::optional<FullStep>>> steps;  ///< by arc and place of the letter
+  std::vector<std::vector<std::optional<FullStep>>> steps;  ///< by arc and letter
 
-  explicit Closure(const Weights& of) : weights(of) {
+  Closure() {
     std::map<FullArc, std::size_t> number;
     arcs.push_back({costs_of_empty_arc(), {}, false});
     witness.emplace_back();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       steps.emplace_back();
-      for (const Letter letter : letters_of(weights)) {
+      for (const Letter letter : all_letters) {
         auto& step = steps[i].emplace_back();
         if (letter == Letter::boundary && arcs[i].boundary) continue;
         const Appended longer = appended(i, letter);
-        // Without turns all costs are bounded as they are, and the tie-break may choose among all of them.
-        const Costs kept = tells_turns(weights) ? without_dispensable(longer.costs, weights) : longer.costs;
-        const FullArc next{relative(kept), with_letter(arcs[i].ports, letter),
+        const FullArc next{relative(longer.costs), with_letter(arcs[i].ports, letter),
                            arcs[i].boundary || letter == Letter::boundary};
         const auto [place, is_new] = number.emplace(next, arcs.size());
         if (is_new) {
-          if (arcs.size() > most_arcs) refuse(weights, fmt::format("more than {} kinds of arcs", most_arcs));
           arcs.push_back(next);
           witness.push_back(witness[i] + text_of(letter));
         }
@@ -80,7 +66,7 @@ struct Closure {
   }
 
   [[nodiscard]] Appended appended(std::size_t i, Letter letter) const {
-    return i == 0 ? append_to_empty(letter, weights) : append(arcs[i].costs, letter, weights);
+    return i == 0 ? append_to_empty(letter) : append(arcs[i].costs, letter);
   }
   [[nodiscard]] bool can_be_first(std::size_t i) const { return i != 0 && !arcs[i].boundary; }
 };
@@ -91,13 +77,12 @@ struct Contexts {
   std::vector<std::vector<std::uint16_t>> best;  ///< by first and second arc; empty where none exist
   std::vector<std::optional<Case>> closings;
 
-  explicit Contexts(const Closure& all) : all_meetings(all.weights), best(all.arcs.size()), closings(all.arcs.size()) {
+  explicit Contexts(const Closure& all) : best(all.arcs.size()), closings(all.arcs.size()) {
     std::vector<Arc> arcs;
     for (const FullArc& arc : all.arcs) arcs.emplace_back(arc.costs, arc.ports);
     for (std::size_t x = 0; x < all.arcs.size(); ++x) {
-      if (all.arcs[x].boundary && tells_turns(all.weights)) closings[x] = best_around_one(arcs[x], all.weights);
       if (!all.can_be_first(x)) continue;
-      closings[x] = best_closing(arcs[x], all.weights);
+      closings[x] = best_closing(arcs[x]);
       best[x].resize(all.arcs.size());
       for (std::size_t y = 1; y < all.arcs.size(); ++y)
         best[x][y] = static_cast<std::uint16_t>(all_meetings.best(arcs[x], arcs[y]));
@@ -195,9 +180,9 @@ AutomatonCounts counts_of(const Closure& all) {
   return counts;
 }
 
-/// Finds the rows and columns of meetings that differ, in headers too.
+/// Finds the rows and columns of meetings that differ.
 void number_meetings(Automaton& automaton, const Contexts& contexts, const std::vector<std::size_t>& smallest) {
-  using Line = std::vector<std::pair<std::size_t, unsigned>>;  // meetings, and the number of the own case
+  using Line = std::vector<std::pair<std::size_t, unsigned>>;  // meetings, and the own case
   std::map<Line, std::size_t> firsts;
   std::map<Line, std::size_t> seconds;
   const std::size_t n = automaton.classes.size();
@@ -207,11 +192,9 @@ void number_meetings(Automaton& automaton, const Contexts& contexts, const std::
     Line column;
     for (std::size_t j = 1; j < n; ++j) {
       if (arc.can_be_first())
-        row.emplace_back(contexts.best[smallest[i]][smallest[j]],
-                         automaton.number_of(arc, contexts.meeting(smallest[i], smallest[j]).first));
+        row.emplace_back(contexts.best[smallest[i]][smallest[j]], contexts.meeting(smallest[i], smallest[j]).first);
       if (automaton.classes[j].can_be_first())
-        column.emplace_back(contexts.best[smallest[j]][smallest[i]],
-                            automaton.number_of(arc, contexts.meeting(smallest[j], smallest[i]).second));
+        column.emplace_back(contexts.best[smallest[j]][smallest[i]], contexts.meeting(smallest[j], smallest[i]).second);
     }
     if (arc.can_be_first()) arc.as_first = number_for(firsts, row);
     arc.as_second = number_for(seconds, column);
@@ -224,31 +207,10 @@ void number_meetings(Automaton& automaton, const Contexts& contexts, const std::
             contexts.meeting(smallest[i], smallest[j]);
 }
 
-void expect_weight(const char* name, int weight, int least) {
-  if (weight < least || weight > largest_weight)
-    throw std::invalid_argument(
-        fmt::format("the weight of {} is {}; it must be from {} to {}", name, weight, least, largest_weight));
-}
-
 }  // namespace
 
-unsigned Automaton::number_of(const ArcClass& arc, Case c) const {
-  if (!tells_turns(weights)) {
-    constexpr std::array<unsigned, 6> reach{0, 1, 2, 0, 0, 3};
-    return 4 * reach.at(static_cast<std::size_t>(left_of(c))) + reach.at(static_cast<std::size_t>(right_of(c)));
-  }
-  unsigned before = 0;
-  for (Case other = 0; other < c; ++other)
-    if (arc.costs[other] && right_is_solid(other) == right_is_solid(c)) ++before;
-  if (before > 7) refuse(weights, "more than four bits for a case");
-  return before + (right_is_solid(c) ? 8 : 0);
-}
-
-Automaton make_automaton(const Weights& weights) {
-  expect_weight("a strip", weights.restart, 1);
-  expect_weight("a swap", weights.swap, 0);
-  expect_weight("an isolated triangle", weights.isolated, 0);
-  const Closure all(weights);
+Automaton make_automaton() {
+  const Closure all;
   const Contexts contexts(all);
   const std::vector<CaseSet> needed = needed_cases(all, contexts);
   std::vector<Costs> costs(all.arcs.size());
@@ -258,7 +220,7 @@ Automaton make_automaton(const Weights& weights) {
   }
   const std::vector<std::size_t> class_of = minimal_classes(all, contexts, needed, costs);
 
-  Automaton automaton{weights, {}, counts_of(all), {}};
+  Automaton automaton{{}, counts_of(all), {}};
   // Arcs were found in order of witness, so classes are numbered in that order as well.
   std::vector<std::size_t> smallest;
   for (std::size_t x = 0; x < all.arcs.size(); ++x) {
@@ -277,7 +239,7 @@ Automaton make_automaton(const Weights& weights) {
       for (const Case c : needed[step->to]) kept->before[c] = step->before[c];
       const Case any = *needed[step->to].begin();
       // The cost of one case, relative to the best case of the one class and to that of the other.
-      const Appended longer = all.appended(x, letters_of(weights)[letter]);
+      const Appended longer = all.appended(x, all_letters.at(letter));
       const Case from = step->before[any];
       kept->cost = *longer.costs[any] - *all.arcs[x].costs[from] + *costs[x][from] - *costs[step->to][any];
     }

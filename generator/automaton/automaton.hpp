@@ -25,11 +25,10 @@ struct ArcClass {
   bool boundary = false;  ///< the mesh boundary is inside
   /// For each case that some best recolouring needs its cost, less the least of them; nothing for the other cases.
   Costs costs;
-  std::vector<std::optional<ArcStep>> steps;  ///< by the place of the letter; nothing for a second boundary
+  std::vector<std::optional<ArcStep>> steps;  ///< by letter; nothing for a second boundary
   std::size_t as_first = 0;                   ///< arcs with equal numbers meet every second arc alike
   std::size_t as_second = 0;                  ///< the same the other way round
-  /// As a whole closed fan; with the boundary inside, around A alone, where turns are distinguished.
-  std::optional<Case> closing;
+  std::optional<Case> closing;                ///< as a whole closed fan; not with the boundary inside
 
   /// Whether it can lie between A and D; any arc but the empty one can lie between D and A.
   [[nodiscard]] bool can_be_first() const { return !witness.empty() && !boundary; }
@@ -43,21 +42,12 @@ struct AutomatonCounts {
 };
 
 struct Automaton {
-  Weights weights;
   std::vector<ArcClass> classes;  ///< in order of witness, shorter ones first; number 0 is the empty arc alone
   AutomatonCounts counts;
   /// By as_first and as_second.
   std::vector<std::vector<Meeting>> meets;
-
-  /// The number of a case of a class in headers: four bits, the same for all classes unless turns are distinguished
-  /// (restrip/tables/automaton_format.hpp). std::invalid_argument when the class has more cases than that.
-  [[nodiscard]] unsigned number_of(const ArcClass& arc, Case c) const;
 };
 
-/// More kinds of arcs would need minutes, and a header that no compiler likes.
-inline constexpr std::size_t most_arcs = 8000;
-
-/// std::invalid_argument with a remedy when a weight is out of range, or the weights need more than `most_arcs`.
-[[nodiscard]] Automaton make_automaton(const Weights& weights);
+[[nodiscard]] Automaton make_automaton();
 
 }  // namespace restrip::generator

@@ -28,33 +28,22 @@ struct HeaderNumbers {
   std::vector<std::size_t> second;
   std::vector<std::size_t> meet;
   std::vector<unsigned> meetings;
-  bool wide = false;  ///< classes and meetings want 16 bits
 
   explicit HeaderNumbers(const Automaton& automaton) {
-    // Rows and columns of equal numbers have equal numbers of cases as well.
-    std::vector<const ArcClass*> of_row(automaton.meets.size());
-    std::vector<const ArcClass*> of_column(columns(automaton));
-    for (const ArcClass& c : automaton.classes) {
-      if (c.can_be_first()) of_row[c.as_first] = &c;
-      if (!c.witness.empty()) of_column[c.as_second] = &c;
-    }
     std::map<unsigned, std::size_t> numbers;
-    for (std::size_t x = 0; x < of_row.size(); ++x)
-      for (std::size_t y = 0; y < of_column.size(); ++y) {
-        const Meeting& m = automaton.meets[x][y];
-        const unsigned word = automaton.number_of(*of_row[x], m.first) |
-                              automaton.number_of(*of_column[y], m.second) << 4U | (m.chord ? 1U : 0U) << 8U;
+    for (const std::vector<Meeting>& row : automaton.meets)
+      for (const Meeting& m : row) {
+        const unsigned word = m.first | m.second << 4U | (m.chord ? 1U : 0U) << 8U;
         const auto [place, is_new] = numbers.emplace(word, numbers.size());
         if (is_new) meetings.push_back(word);
         meet.push_back(place->second);
       }
-    wide = automaton.classes.size() > UINT8_MAX || meetings.size() > UINT8_MAX + 1;
     for (const ArcClass& c : automaton.classes) {
       for (const auto& step : c.steps) {
-        next.push_back(step ? step->to : wide ? UINT16_MAX : UINT8_MAX);
-        before.push_back(step ? origins(automaton, c, *step) : 0);
+        next.push_back(step ? step->to : UINT8_MAX);
+        before.push_back(step ? origins(automaton.classes[step->to], *step) : 0);
       }
-      closed.push_back(automaton.number_of(c, c.closing.value_or(both_dashed)));
+      closed.push_back(c.closing.value_or(both_dashed));
       first.push_back(c.as_first);
       second.push_back(c.as_second);
     }
@@ -62,17 +51,15 @@ struct HeaderNumbers {
 
   static std::size_t columns(const Automaton& automaton) { return automaton.meets[0].size(); }
   [[nodiscard]] std::size_t bytes() const {
-    return (wide ? 2 : 1) * (next.size() + first.size() + second.size() + meet.size()) + 8 * before.size() +
-           closed.size() + 2 * meetings.size();
+    return next.size() + first.size() + second.size() + meet.size() + 8 * before.size() + closed.size() +
+           2 * meetings.size();
   }
 
  private:
-  static std::uint64_t origins(const Automaton& automaton, const ArcClass& from, const ArcStep& step) {
-    const ArcClass& to = automaton.classes[step.to];
+  static std::uint64_t origins(const ArcClass& to, const ArcStep& step) {
     std::uint64_t cases = 0;
     for (Case c = 0; c < case_codes; ++c)
-      if (to.costs[c])
-        cases |= std::uint64_t{automaton.number_of(from, step.before[c])} << 4U * automaton.number_of(to, c);
+      if (to.costs[c]) cases |= std::uint64_t{step.before[c]} << 4U * c;
     return cases;
   }
 };
@@ -81,10 +68,6 @@ std::size_t longest_witness(const Automaton& automaton) {
   std::size_t longest = 0;
   for (const ArcClass& c : automaton.classes) longest = std::max(longest, c.witness.size());
   return longest;
-}
-
-std::string weights_text(const Weights& weights, const char* between) {
-  return fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
 }
 
 /// Rows one after the other, counted.
@@ -118,7 +101,7 @@ Rows class_rows(const Automaton& automaton) {
     for (std::size_t place = 0; place < c.steps.size(); ++place) {
       const auto& step = c.steps[place];
       if (!step) continue;
-      const char letter = text_of(letters_of(automaton.weights)[place]);
+      const char letter = text_of(all_letters.at(place));
       rows.add("step {} {} {} {}", x, letter, step->to, step->cost);
       for (Case k = 0; k < case_codes; ++k)
         if (automaton.classes[step->to].costs[k])
@@ -132,10 +115,10 @@ Rows class_rows(const Automaton& automaton) {
 std::vector<bool> witness_links(const Automaton& automaton, const std::string& witness, Case k) {
   std::vector<const ArcStep*> steps;
   std::size_t at = 0;
-  const std::vector<Letter>& letters = letters_of(automaton.weights);
   for (const char name : witness) {
-    const auto letter = std::find_if(letters.begin(), letters.end(), [&](Letter l) { return text_of(l) == name; });
-    steps.push_back(&automaton.classes[at].steps[static_cast<std::size_t>(letter - letters.begin())].value());
+    const auto letter =
+        std::find_if(all_letters.begin(), all_letters.end(), [&](Letter l) { return text_of(l) == name; });
+    steps.push_back(&automaton.classes[at].steps[static_cast<std::size_t>(letter - all_letters.begin())].value());
     at = steps.back()->to;
   }
   std::vector<bool> links{right_is_solid(k)};
@@ -151,18 +134,16 @@ std::vector<bool> witness_links(const Automaton& automaton, const std::string& w
 
 RulesHeader automaton_header(const Automaton& automaton) {
   const HeaderNumbers all(automaton);
-  const Weights& weights = automaton.weights;
   std::string text = fmt::format(
       "// Rules of fans of any valence: {} classes of arcs, {} pairs of classes.\n"
-      "// The cost: {} for a strip, {} for a swap, {} for an isolated triangle.\n"
-      "// Written by `restrip-generate {}`. Do not edit: change the generator, then build the target `regenerate`.\n"
+      "// The cost: {} for a strip, 0 for a swap, {} for an isolated triangle.\n"
+      "// Written by `restrip-generate tables`. Do not edit: change the generator, then build the target "
+      "`regenerate`.\n"
       "// Format {}, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
       "#include \"restrip/tables/automaton_format.hpp\"\n\nnamespace restrip::tables {{\n\n",
-      automaton.classes.size(), all.meet.size(), weights.restart, weights.swap, weights.isolated,
-      weights == strips_weights ? "tables" : "automaton --cost " + weights_text(weights, ","),
-      automaton_format_version);
-  text += fmt::format("inline constexpr ArcAutomaton<std::uint{}_t, {}, {}, {}, {}, {}> automaton{{\n",
-                      all.wide ? 16 : 8, letters_of(weights).size(), automaton.classes.size(), automaton.meets.size(),
+      automaton.classes.size(), all.meet.size(), strip_cost, isolated_cost, automaton_format_version);
+  text += fmt::format("inline constexpr ArcAutomaton<std::uint8_t, {}, {}, {}, {}, {}> automaton{{\n",
+                      all_letters.size(), automaton.classes.size(), automaton.meets.size(),
                       HeaderNumbers::columns(automaton), all.meetings.size());
   const auto block = [&](const std::string& lines) { text += "    {\n" + lines + "    },\n"; };
   block(numbers(all.next));
@@ -185,9 +166,7 @@ AutomatonArrays automaton_arrays(const Automaton& automaton) {
     before.values.push_back(static_cast<std::uint32_t>(cases));
     before.values.push_back(static_cast<std::uint32_t>(cases >> 32U));
   }
-  return {automaton.weights,
-          letters_of(automaton.weights).size(),
-          automaton.meets.at(0).size(),
+  return {automaton.meets.at(0).size(),
           {0,
            {array_of("next", next), before, array_of("closed", all.closed), array_of("first", all.first),
             array_of("second", all.second), array_of("meet", all.meet), array_of("meetings", all.meetings)}}};
@@ -195,7 +174,7 @@ AutomatonArrays automaton_arrays(const Automaton& automaton) {
 
 AutomatonCertificate automaton_certificate(const Automaton& automaton) {
   Rows cost;
-  cost.add("weights {}", weights_text(automaton.weights, " "));
+  cost.add("weights {} 0 {}", strip_cost, isolated_cost);
   const Rows classes = class_rows(automaton);
   Rows closings;
   for (std::size_t x = 1; x < automaton.classes.size(); ++x)
@@ -215,9 +194,6 @@ AutomatonCertificate automaton_certificate(const Automaton& automaton) {
 std::string automaton_json(const Automaton& automaton) {
   const HeaderNumbers all(automaton);
   nlohmann::ordered_json json;
-  json["cost"] = {{"restart", automaton.weights.restart},
-                  {"swap", automaton.weights.swap},
-                  {"isolated", automaton.weights.isolated}};
   json["arcs"]["by value"] = automaton.counts.values;
   json["arcs"]["by value and ports"] = automaton.counts.with_ports;
   json["arcs"]["with the boundary, too"] = automaton.counts.with_boundary;
@@ -226,8 +202,8 @@ std::string automaton_json(const Automaton& automaton) {
   json["classes"]["without boundary"] = std::count_if(automaton.classes.begin(), automaton.classes.end(),
                                                       [](const ArcClass& c) { return c.can_be_first(); });
   json["longest witness"] = longest_witness(automaton);
-  json["letters"] = letters_of(automaton.weights).size();
-  json["cases"] = cases_of(automaton.weights).size();
+  json["letters"] = all_letters.size();
+  json["cases"] = all_cases.size();
   json["meetings"]["rows"] = automaton.meets.size();
   json["meetings"]["columns"] = HeaderNumbers::columns(automaton);
   json["meetings"]["different"] = all.meetings.size();

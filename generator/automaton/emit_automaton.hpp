@@ -22,14 +22,12 @@ struct AutomatonCertificate {
 /// The numbers of the header for other languages (languages/): `next` has 0 where a letter is not allowed, so that any
 /// entry is a class, and a number of `before` is two words, the low one first.
 struct AutomatonArrays {
-  Weights weights;
-  std::size_t letters = 0;
   std::size_t seconds = 0;  ///< columns of `meet`
   TableLayout table;
 };
 [[nodiscard]] AutomatonArrays automaton_arrays(const Automaton& automaton);
 
-/// Weights, classes before and after, letters, cases, bytes.
+/// Classes before and after, letters, cases, bytes.
 [[nodiscard]] std::string automaton_json(const Automaton& automaton);
 
 /// Every class as JSON, for pictures: its witness, and for each of its cases the cost and a best colouring, the colours

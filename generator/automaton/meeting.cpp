@@ -41,13 +41,6 @@ class Strands {
 
 constexpr bool is_solid(Reach reach) { return reach != Reach::dashed; }
 
-/// A or D between its two links, with the chord or without: its swaps at the links.
-int swaps_around(Reach before, Reach after, bool chord) {
-  const auto swap = [&](Reach reach) { return chord ? reach >= Reach::along_ends : reach == Reach::port; };
-  const bool passed = chord || (is_solid(before) && is_solid(after));
-  return passed ? (swap(before) ? 1 : 0) + (swap(after) ? 1 : 0) : 0;
-}
-
 /// The pairs of ends that reach ports which the key joins.
 unsigned joined_ends(const Ports& first, const Ports& second) {
   unsigned pairs = 0;
@@ -82,13 +75,13 @@ Arc::Arc(const Costs& costs, Ports of) : ports(of) {
 
 Ports with_letter(Ports ports, Letter letter) {
   if (!has_port(letter)) return ports;
-  if (ports.count == 0) ports.first_joined = is_joined(letter);
-  ports.two_joined = ports.count == 1 && is_joined(letter);
+  if (ports.count == 0) ports.first_joined = letter == Letter::joined;
+  ports.two_joined = ports.count == 1 && letter == Letter::joined;
   ports.count = std::min(ports.count + 1, 3U);
   return ports;
 }
 
-std::optional<Meetings::Way> Meetings::way_of(const Meeting& meeting, const Weights& weights) {
+std::optional<Meetings::Way> Meetings::way_of(const Meeting& meeting) {
   const std::array<Reach, ends> reach{left_of(meeting.first), right_of(meeting.first), left_of(meeting.second),
                                       right_of(meeting.second)};
   const auto solid = [&](End end) { return is_solid(reach.at(end)) ? 1 : 0; };
@@ -110,31 +103,24 @@ std::optional<Meetings::Way> Meetings::way_of(const Meeting& meeting, const Weig
   int joined = 0;
   for (unsigned x = first_first; x < second_last; ++x)
     for (unsigned y = x + 1; y < ends; ++y)
-      if (leads_to_port(reach.at(x)) && leads_to_port(reach.at(y)) && strands.same(x, y)) {
+      if (reach.at(x) == Reach::port && reach.at(y) == Reach::port && strands.same(x, y)) {
         way.joins |= end_pair(x, y);
         ++joined;
       }
-  const bool chord_is_swap = meeting.chord && ((solid(first_first) != 0 && solid(first_last) != 0) ||
-                                               (solid(second_first) != 0 && solid(second_last) != 0));
-  const int swaps = swaps_around(reach[second_last], reach[first_first], meeting.chord) +
-                    swaps_around(reach[first_last], reach[second_first], meeting.chord) + (chord_is_swap ? 1 : 0);
   const int isolated = (degree_a == 0 ? 1 : 0) + (degree_d == 0 ? 1 : 0);
-  way.cost = weights.swap * swaps + weights.isolated * isolated -
-             weights.restart * (solid(first_last) + solid(second_last) + chord);
+  way.cost = isolated_cost * isolated - strip_cost * (solid(first_last) + solid(second_last) + chord);
   // The tie-break (docs/explanation/automaton.md, "Ties"): as much of the tables' own (tie_break.cpp) as can be seen
   // from here.
-  const auto end = [](Reach r) { return r == Reach::ends || r == Reach::along_ends; };
   way.tie = 64 * (chord + degree_a + degree_d) + 100 * ((degree_a == 1 ? 1 : 0) + (degree_d == 1 ? 1 : 0)) -
-            49 * joined - 53 * static_cast<int>(std::count_if(reach.begin(), reach.end(), end));
+            49 * joined - 53 * static_cast<int>(std::count(reach.begin(), reach.end(), Reach::ends));
   return way;
 }
 
-Meetings::Meetings(const Weights& weights) : number_of_(place_of(case_codes, 0, false), -1) {
-  const std::vector<Case> cases = cases_of(weights);
-  for (const Case first : cases)
-    for (const Case second : cases)
+Meetings::Meetings() : number_of_(place_of(case_codes, 0, false), -1) {
+  for (const Case first : all_cases)
+    for (const Case second : all_cases)
       for (const bool chord : {false, true})
-        if (const auto way = way_of({first, second, chord}, weights)) ways_.push_back(*way);
+        if (const auto way = way_of({first, second, chord})) ways_.push_back(*way);
   std::stable_sort(ways_.begin(), ways_.end(), [](const Way& x, const Way& y) { return x.tie < y.tie; });
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     const Meeting& m = ways_[i].meeting;
@@ -159,41 +145,18 @@ std::size_t Meetings::best(const Arc& first, const Arc& second) const {
   return static_cast<std::size_t>(best->second);
 }
 
-namespace {
-
-/// The best case of an arc whose links meet each other; cost_between(left, right) is that of where they meet, nothing
-/// if they cannot.
-template <class CostBetween>
-Case best_around(const Arc& arc, CostBetween cost_between) {
+Case best_closing(const Arc& arc) {
   const bool ports_joined = arc.ports.count > 1 && (arc.ports.first_joined || arc.ports.two_joined);
   std::optional<Arc::CaseCost> best;
-  for (const auto& [c, of_arc] : arc.cases) {
-    const Reach left = left_of(c);
-    const Reach right = right_of(c);
-    if (c == through_case || (leads_to_port(left) && leads_to_port(right) && !ports_joined)) continue;
-    const std::optional<int> more = cost_between(left, right);
-    if (more && (!best || of_arc + *more < best->cost)) best = Arc::CaseCost{c, of_arc + *more};
+  for (const Arc::CaseCost& own : arc.cases) {
+    const Reach left = left_of(own.arc);
+    const Reach right = right_of(own.arc);
+    if (is_solid(left) != is_solid(right) || own.arc == through_case) continue;
+    if (left == Reach::port && right == Reach::port && !ports_joined) continue;
+    if (!best || own.cost < best->cost) best = own;
   }
   if (!best) throw std::logic_error("an arc without a sound recolouring");
   return best->arc;
-}
-
-}  // namespace
-
-Case best_closing(const Arc& arc, const Weights& weights) {
-  return best_around(arc, [&](Reach left, Reach right) -> std::optional<int> {
-    if (is_solid(left) != is_solid(right)) return {};
-    const bool swap =
-        (left == Reach::port && right == Reach::port) || (left >= Reach::along_ends && right >= Reach::along_ends);
-    return swap ? weights.swap : 0;
-  });
-}
-
-Case best_around_one(const Arc& arc, const Weights& weights) {
-  return best_around(arc, [&](Reach left, Reach right) -> std::optional<int> {
-    const int alone = is_solid(left) || is_solid(right) ? 0 : weights.isolated;
-    return alone + weights.swap * swaps_around(right, left, false) - (is_solid(right) ? weights.restart : 0);
-  });
 }
 
 }  // namespace restrip::generator

@@ -43,7 +43,7 @@ struct Meeting {
 /// All meetings that are sound for some arcs, preferred ones first, and the best of them for two arcs.
 class Meetings {
  public:
-  explicit Meetings(const Weights& weights);
+  Meetings();
 
   [[nodiscard]] const Meeting& operator[](std::size_t number) const { return ways_[number].meeting; }
   /// Its number.
@@ -56,16 +56,13 @@ class Meetings {
     unsigned joins = 0;  ///< pairs of ends whose strands reach ports and are joined
     int tie = 0;         ///< smaller is preferred
   };
-  static std::optional<Way> way_of(const Meeting& meeting, const Weights& weights);
+  static std::optional<Way> way_of(const Meeting& meeting);
 
   std::vector<Way> ways_;
   std::vector<int> number_of_;  ///< by cases and chord; -1 where not sound
 };
 
 /// The best case of an arc that is a whole closed fan, its two links being one edge.
-[[nodiscard]] Case best_closing(const Arc& arc, const Weights& weights);
-/// The best case of an arc with the boundary inside whose two links meet in A alone: a boundary split. Where turns are
-/// distinguished A is not a letter, because a strip does not pass it about the hub.
-[[nodiscard]] Case best_around_one(const Arc& arc, const Weights& weights);
+[[nodiscard]] Case best_closing(const Arc& arc);
 
 }  // namespace restrip::generator

@@ -19,14 +19,8 @@ Filling automaton_filling(const std::string& comment, const AutomatonArrays& aut
   add("open_split", "k >= 1, 0 <= i < j <= k", "inner, k + 2 bits");
   add("boundary_split", "k >= 1, 0 <= i <= k", "inner, k bits");
   add("fan_collapse", "k >= 1, whatever the gaps", "loop, k - 1 bits: open or boundary collapse");
-  const Weights& weights = automaton.weights;
   return {{"max_k", std::to_string(word_bits - 3)},
           {"bytes", std::to_string(automaton.table.bytes())},
-          {"cost", fmt::format("{},{},{}", weights.restart, weights.swap, weights.isolated)},
-          {"restart", std::to_string(weights.restart)},
-          {"swap", std::to_string(weights.swap)},
-          {"isolated", std::to_string(weights.isolated)},
-          {"letters", std::to_string(automaton.letters)},
           {"seconds", std::to_string(automaton.seconds)},
           {"operations", operations},
           {"arrays", arrays}};

@@ -62,13 +62,11 @@ std::string json_tables(const TableLayout& layout) {
 }
 
 std::string json_automaton(const AutomatonArrays& automaton) {
-  const Weights& weights = automaton.weights;
   std::string text = fmt::format(
-      "{{\n\"format\": \"restrip-automaton\",\n\"version\": 1,\n"
+      "{{\n\"format\": \"restrip-automaton\",\n\"version\": 2,\n"
       "\"license\": \"MIT, Copyright (c) 2026 The restrip authors\",\n"
-      "\"command\": \"restrip-generate automaton --language json --cost {0},{1},{2}\",\n"
-      "\"cost\": {{\"restart\": {0}, \"swap\": {1}, \"isolated\": {2}}},\n\"letters\": {3},\n\"seconds\": {4}",
-      weights.restart, weights.swap, weights.isolated, automaton.letters, automaton.seconds);
+      "\"command\": \"restrip-generate automaton --language json\",\n\"seconds\": {}",
+      automaton.seconds);
   for (const TableArray& array : automaton.table.arrays) text += ",\n" + json_numbers(array, array.name);
   return text + "\n}\n";
 }

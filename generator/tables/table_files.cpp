@@ -43,8 +43,8 @@ std::string certificate_path(const std::string& family) { return "certificates/"
 
 /// The two files of the automaton, which serves every valence.
 struct AutomatonFiles {
-  explicit AutomatonFiles(const Weights& weights)
-      : automaton(make_automaton(weights)),
+  AutomatonFiles()
+      : automaton(make_automaton()),
         header(automaton_header(automaton)),
         certificate(automaton_certificate(automaton)) {}
 
@@ -57,21 +57,6 @@ struct AutomatonFiles {
                        certificate.rows, header.bytes);
   }
 };
-
-/// "strips", "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
-Weights weights_named(const std::string& cost) {
-  if (cost == "strips") return strips_weights;
-  if (cost == "indices") return index_weights;
-  Weights weights;
-  int end = 0;
-  if (std::sscanf(cost.c_str(), "%4d,%4d,%4d%n", &weights.restart, &weights.swap, &weights.isolated, &end) != 3 ||
-      static_cast<std::size_t>(end) != cost.size())
-    throw std::invalid_argument(
-        fmt::format("--cost {}: expected a name that --help lists, or the weights of a strip, a swap and an isolated "
-                    "triangle, as in 3,1,0",
-                    cost));
-  return weights;
-}
 
 /// The files of the tables, whatever the largest valence; MANIFEST, which lists the others, comes last.
 std::vector<std::filesystem::path> table_files(const std::set<std::string>& wanted) {
@@ -140,7 +125,7 @@ void add_linked(const std::vector<Certificate>& families, unsigned max_k, TableF
 }
 
 void add_automaton(TableFiles& to) {
-  const AutomatonFiles automaton(strips_weights);
+  const AutomatonFiles automaton;
   to.by_path[header_path("automaton")] = {automaton.header.text, automaton.certificate.rows};
   to.by_path[certificate_path("automaton")] = {automaton.certificate.text, automaton.certificate.rows};
   to.text += automaton.summary();
@@ -239,8 +224,7 @@ void merge_shards(const std::string& in, const std::string& folder, const std::s
 }
 
 void make_automaton_files(const AutomatonOptions& options) {
-  const auto& [cost, folder, json, classes, languages] = options;
-  const Weights weights = weights_named(cost);
+  const auto& [folder, json, classes, languages] = options;
   std::vector<std::filesystem::path> names;
   if (languages.contains("c++")) names = {header_path("automaton"), certificate_path("automaton")};
   const auto others = files_in(languages, "automaton");
@@ -249,7 +233,7 @@ void make_automaton_files(const AutomatonOptions& options) {
   const files::ReportOutput report(json);
   std::optional<files::Output> classes_out;
   if (!classes.empty()) classes_out.emplace(classes, files::OutputRules{{".json"}, {}});
-  const AutomatonFiles made(weights);
+  const AutomatonFiles made;
   std::vector<files::NamedBytes> written;
   if (languages.contains("c++"))
     written = {{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}};

@@ -36,10 +36,9 @@ void merge_shards(const std::string& in, const std::string& out, const std::stri
 
 /// Writes the automaton's header and certificate, or its files in other languages.
 struct AutomatonOptions {
-  std::string cost = "strips";  ///< "strips", "indices", or the weights of a strip, a swap and an isolated triangle
-  std::string out;              ///< the output folder
-  std::string json;             ///< file for its figures; "-": standard output; or empty
-  std::string classes;          ///< JSON file for its classes, or empty
+  std::string out;                         ///< the output folder
+  std::string json;                        ///< file for its figures; "-": standard output; or empty
+  std::string classes;                     ///< JSON file for its classes, or empty
   std::set<std::string> languages{"c++"};  ///< C++: header and certificate; others: names of language_files()
 };
 void make_automaton_files(const AutomatonOptions& options);

@@ -62,7 +62,7 @@ HEADERS = {
     ],
     "layout": [
         ("where the rows of a table start", f"{TABLES}/rows.hpp", token("6, 7, 11, 0,", "6, 7, 10, 0,"), "split", "table split k "),
-        ("the format of automata", f"{TABLES}/automaton_format.hpp", token("tells_turns ? 8 : 3", "tells_turns ? 8 : 2"), "automaton", "the certificate's answers make it"),
+        ("the format of automata", f"{TABLES}/automaton_format.hpp", token("solid = 3", "solid = 2"), "automaton", "the certificate's answers make it"),
     ],
     "readers": [
         ("the look-up in tables", f"{RULES}/rules.hpp", token("const std::size_t by = exchange ? a : 0;", "const std::size_t by = exchange ? k : 0;"), "split", "table split k "),

@@ -19,7 +19,6 @@ REFUSED = [
     ("restrip-generate dump --family flip --k 4", "--family flip: it has one position, without --k"),
     ("restrip-verify --headers --dump-command false --tables-dir tables", "--headers reads no certificates, so --tables-dir has no effect"),
     ("restrip-verify --headers --dump-command false --threads 2", "so --threads has no effect; leave it out"),
-    ("restrip-verify --headers --dump-command false --threads 2", "so --threads has no effect; leave it out"),
     ("restrip-verify --family split --linked-dump-command false", "--linked-dump-command judges all rules, so --family has no effect"),
     ("restrip-verify --family split --dump-command false --digest-command false", "--digest-command judges all rules, so --family has no effect"),
     ("restrip-verify --digest-command false", "--digest-command requires --dump-command"),
@@ -30,7 +29,6 @@ REFUSED = [
     ("restrip-generate automaton --operation {bisect} --language c --out {out}", "excludes"),
     ("restrip-verify-automaton --digest-max-k 8", "--digest-max-k requires --digest-command"),
     ("restrip-dump-tables --digests --max-k 9", "the tables answer fans of up to 8 triangles"),
-    ("restrip-verify-automaton --cost strips", "The following arguments were not expected: strips --cost"),
 ]
 JOIN = """{"restrip_operation": 1, "name": "join", "constraint": "strips",
   "before": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "naive_turns.hpp"
+#include "naive_patch.hpp"
 #include "restrip/rules/exact.hpp"
 
 namespace restrip::exact {
@@ -19,22 +19,22 @@ struct FanOperation {
   std::size_t i = 0;  // a, or the first gap
   std::size_t j = 0;
 
-  naive::TurnPatch patch() const {
+  naive::Patch patch() const {
     switch (family) {
       case 0:
-        return naive::turning_split(k, i);
+        return naive::ring_with_chord(k, i);
       case 1:
-        return naive::turning_collapse(k);
+        return naive::closed_fan(k);
       case 2:
-        return naive::turning_open_split(k, i, j);
+        return naive::path_with_chord(k, i, j);
       case 3:
-        return naive::turning_boundary_split(k, i);
+        return naive::path(k, i);
       default:
-        return naive::turning_fan_collapse(k);
+        return naive::open_fan(k);
     }
   }
 
-  // Of masks or of bit strings, with or without what is known of turns.
+  // Of masks or of bit strings.
   template <class... Key>
   auto best(const Key&... key) const {
     switch (family) {

@@ -62,10 +62,10 @@ class Patches(unittest.TestCase):
                 self.assertEqual(self.strokes(split, "solid"), 2 * 2 + 2)
                 self.assertEqual(self.strokes(split, "dashed"), 2 * (k + 1) + k - 2)
 
-    def test_arcs_show_links_ports_and_what_is_behind_them(self):
-        arc = pictures.arc_picture("drR", [True, True, False, True], "d")
+    def test_arcs_show_links_and_ports(self):
+        arc = pictures.arc_picture("dsS", [True, True, False, True], "d")
         self.assertEqual(self.strokes(arc, "old"), 3)
-        self.assertEqual(self.strokes(arc, "solid"), 2 + 2 + 2 + 2 * 2)  # outer links, the inner one, ports with what follows
+        self.assertEqual(self.strokes(arc, "solid"), 2 + 2 + 2 + 2)  # outer links, the inner one, ports
         self.assertEqual(self.strokes(arc, "dashed"), 2 + 1)
         self.assertEqual(self.strokes(pictures.arc_picture("sbj", [False] * 4, "d"), "old"), 2)
 

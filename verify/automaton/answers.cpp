@@ -20,13 +20,7 @@ void append(LinkColors& colors, const LinkColors& more, std::size_t from, std::s
 
 std::string word_of(const FanKey& key, unsigned from, unsigned to) {
   std::string word;
-  for (unsigned i = from; i < to; ++i) {
-    const std::size_t turn = is_solid(key.left, i) ? 1 : is_solid(key.right, i) ? 2 : 0;
-    if (!is_solid(key.ports, i))
-      word += 'd';
-    else
-      word += is_solid(key.joined, i) ? "SLR"[turn] : "slr"[turn];
-  }
+  for (unsigned i = from; i < to; ++i) word += !is_solid(key.ports, i) ? 'd' : is_solid(key.joined, i) ? 'S' : 's';
   return word;
 }
 
@@ -52,26 +46,23 @@ FanKey fan_key(const Key& key, const FanPlace& place) {
       break;
     }
   }
-  return {key.ports, joined, 0, 0};
+  return {key.ports, joined};
 }
 
-FanKey written_key(unsigned k, std::uint64_t n, unsigned letters) {
+FanKey written_key(unsigned k, std::uint64_t n) {
   FanKey key;
-  for (unsigned port = k; port-- > 0; n /= letters) {
-    const std::uint64_t letter = n % letters;
+  for (unsigned port = k; port-- > 0; n /= 3) {
+    const std::uint64_t letter = n % 3;
     if (letter == 0) continue;
     key.ports |= single(port);
-    if (letter > letters / 2) key.joined |= single(port);
-    if (letter % 3 == 2) key.left |= single(port);
-    if (letter % 3 == 0) key.right |= single(port);
+    if (letter == 2) key.joined |= single(port);
   }
   return key;
 }
 
-FanKey seen_key(FanKey key, const FanPlace& place, bool tells_turns) {
+FanKey seen_key(FanKey key, const FanPlace& place) {
   key.joined &= place.closed() ? key.ports : key.ports & ~lowest(key.ports);
   if (place.closed() && solid_count(key.ports) == 2 && key.joined != 0) key.joined = key.ports;
-  if (!tells_turns) key.left = key.right = 0;
   return key;
 }
 
@@ -88,10 +79,7 @@ std::vector<FanPlace> all_places(unsigned k) {
   return places;
 }
 
-std::string FanKey::text() const {
-  const std::string turns = (left | right) != 0 ? fmt::format(" left {:x} right {:x}", left, right) : "";
-  return fmt::format("ports {:x} joined {:x}{}", ports, joined, turns);
-}
+std::string FanKey::text() const { return fmt::format("ports {:x} joined {:x}", ports, joined); }
 
 /// An arc with the class behind each of its letters.
 class AutomatonReader::Walk {
@@ -150,21 +138,8 @@ AutomatonAnswer AutomatonReader::two_arcs(const FanPlace& place, const FanKey& k
                                ways_.around(meeting.first, meeting.second, meeting.chord).cost};
 }
 
-/// A boundary split where turns are distinguished: around A lies an arc with the boundary inside.
-AutomatonAnswer AutomatonReader::around_one(const FanPlace& place, const FanKey& key) const {
-  const Walk arc(certificate_, word_of(key, place.a, place.k) + 'b' + word_of(key, 0, place.a));
-  const std::size_t arc_case = certificate_.closings[arc.arc_class()].value().arc;
-  const LinkColors around = arc.links(arc_case);
-  const std::size_t above = place.k - place.a;
-  LinkColors colors;
-  if (place.a > 0) append(colors, around, above + 2, around.size());
-  append(colors, around, 0, above);
-  return {mask_of(colors), arc.cost(arc_case) + ways_.around_one(arc_case).cost};
-}
-
 AutomatonAnswer AutomatonReader::answer(const FanPlace& place, const FanKey& key) const {
   if (place.family == "split" || place.family == "open-split") return two_arcs(place, key);
-  if (place.family == "boundary-split" && certificate_.weights.tells_turns()) return around_one(place, key);
   std::string word = word_of(key, 0, place.k);
   if (place.family == "boundary-split") word.insert(word.begin() + place.a, 'd');
   const Walk whole(certificate_, word);

@@ -33,19 +33,17 @@ std::vector<FanPlace> all_places(unsigned k);
 struct FanKey {
   Mask ports = 0;
   Mask joined = 0;  ///< to the solid port before it; with two in a closed fan both bits or none
-  Mask left = 0;    ///< solid, and behind it the strip continues about the corner of the port at the left link
-  Mask right = 0;   ///< the same at the right link
   std::string text() const;
 };
 
 /// What a row of a table of fans is told: bit i of `joined` where port i is joined to the solid port before it.
 FanKey fan_key(const Key& key, const FanPlace& place);
 
-/// The number n written with a letter for each port, the last one the lowest digit.
-FanKey written_key(unsigned k, std::uint64_t n, unsigned letters);
+/// The number n to the base 3, a digit for each port, the last one the lowest: 1 solid, 2 joined as well.
+FanKey written_key(unsigned k, std::uint64_t n);
 /// The key as the look-up takes it: what is not looked at is taken away. `joined` counts at solid ports, in an open fan
 /// not at the first, and with exactly two in a closed fan either bit stands for both.
-FanKey seen_key(FanKey key, const FanPlace& place, bool tells_turns);
+FanKey seen_key(FanKey key, const FanPlace& place);
 
 /// A recolouring, and what the certificate says it costs, less the restarts of all triangles of the patch.
 struct AutomatonAnswer {
@@ -56,14 +54,12 @@ struct AutomatonAnswer {
 /// Asks one certificate.
 class AutomatonReader {
  public:
-  explicit AutomatonReader(const AutomatonCertificate& certificate)
-      : certificate_(certificate), ways_(certificate.weights) {}
+  explicit AutomatonReader(const AutomatonCertificate& certificate) : certificate_(certificate) {}
   AutomatonAnswer answer(const FanPlace& place, const FanKey& key) const;
 
  private:
   class Walk;
   AutomatonAnswer two_arcs(const FanPlace& place, const FanKey& key) const;
-  AutomatonAnswer around_one(const FanPlace& place, const FanKey& key) const;
 
   const AutomatonCertificate& certificate_;
   ArcWays ways_;

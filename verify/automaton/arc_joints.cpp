@@ -4,9 +4,7 @@
 
 namespace restrip::verify {
 
-ArcJoints::ArcJoints(std::size_t longest, const Weights& weights)
-    : telling_{100, weights.tells_turns() ? 1 : 0, 10000}, joints_(2 * case_count * case_count) {
-  const std::string_view letters = letters_of(telling_);
+ArcJoints::ArcJoints(std::size_t longest) : joints_(2 * case_count * case_count) {
   std::vector<std::string> words{""};
   for (std::size_t length = 1; length <= longest; ++length) {
     std::vector<std::string> longer;
@@ -25,19 +23,18 @@ void ArcJoints::observe(const std::string& word, Mask links, bool may_be_new) {
   const auto last = static_cast<unsigned>(word.size() - 1);
   const std::string_view before = std::string_view(word).substr(0, last);
   const std::string_view letter = std::string_view(word).substr(last);
-  const ArcColoring alone = arc_coloring(letter, high_part(links, last), telling_);
+  const ArcColoring alone = arc_coloring(letter, high_part(links, last));
   if (!alone.sound) return;
-  const ArcColoring arc = arc_coloring(before, low_part(links, last + 1), telling_);
+  const ArcColoring arc = arc_coloring(before, low_part(links, last + 1));
   if (!arc.sound) return;
   ++colorings_;
-  const ArcColoring whole = arc_coloring(word, links, telling_);
-  const int more = whole.cost - arc.cost - alone.cost;
-  const ArcJoint seen = whole.sound ? ArcJoint{true, whole.arc_case, more != 0} : ArcJoint{};
+  const ArcColoring whole = arc_coloring(word, links);
+  const ArcJoint seen = whole.sound ? ArcJoint{true, whole.arc_case} : ArcJoint{};
   std::optional<ArcJoint>& known = joints_[place(arc.arc_case, alone.arc_case, letter[0])];
   const auto fail = [&](const char* what) {
     failures_.add(fmt::format("the arc {} with the links {:x}: {}", word, links, what));
   };
-  if (whole.sound && more != 0 && more != telling_.swap) fail("its cost is not that of its parts and of their link");
+  if (whole.sound && whole.cost != arc.cost + alone.cost) fail("its cost is not that of its parts");
   if (known && *known != seen) fail("the cases of its parts do not tell the case of the whole");
   if (!known && !may_be_new) fail("cases that shorter arcs do not have");
   known = seen;

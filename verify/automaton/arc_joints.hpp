@@ -15,7 +15,6 @@ namespace restrip::verify {
 struct ArcJoint {
   bool sound = false;
   std::size_t arc_case = 0;
-  bool swap = false;  ///< the link between them is one
   friend bool operator==(const ArcJoint&, const ArcJoint&) = default;
 };
 
@@ -24,7 +23,7 @@ struct ArcJoint {
 /// what it costs or in soundness, or when the longest words show something new.
 class ArcJoints {
  public:
-  ArcJoints(std::size_t longest, const Weights& weights);
+  explicit ArcJoints(std::size_t longest);
 
   /// Nothing where links of different colours meet.
   const std::optional<ArcJoint>& at(std::size_t arc_case, std::size_t own_case, char letter) const {
@@ -39,7 +38,6 @@ class ArcJoints {
   }
   void observe(const std::string& word, Mask links, bool may_be_new);
 
-  Weights telling_;  ///< weights that distinguish what a cost is made of
   std::vector<std::optional<ArcJoint>> joints_;
   std::uint64_t colorings_ = 0;
   Failures failures_;

@@ -68,38 +68,13 @@ void add_arc(SmallGraph& graph, Case c, std::size_t left, std::size_t right, boo
     if (reach == '-') return;
     const std::size_t strand = graph.add_node();
     graph.add_edge(neighbor, strand);
-    if (reaches_port(reach)) ports.push_back({strand, end});
+    if (reach == 'p') ports.push_back({strand, end});
   };
   add_strand(c.left, left, second ? second_left : first_left);
   add_strand(c.right, right, second ? second_right : first_right);
 }
 
-/// Corners at A and D: the two ends of the chord, each the hub of one arc, and the corners of the rim.
-enum class AroundCorner { none, hub_of_first, hub_of_second, rim_at_a, rim_at_d };
-
-/// About which corner the end triangle of an arc is passed.
-AroundCorner end_corner(char reach, bool second, AroundCorner rim) {
-  switch (corner_at_link(reach)) {
-    case ArcCorner::hub:
-      return second ? AroundCorner::hub_of_second : AroundCorner::hub_of_first;
-    case ArcCorner::rim:
-      return rim;
-    default:
-      return AroundCorner::none;
-  }
-}
-
-/// About which corner A or D is passed: the one that its two solid edges share.
-AroundCorner passed(bool link_of_first, bool link_of_second, bool chord, AroundCorner rim) {
-  if (link_of_first && link_of_second) return rim;
-  if (link_of_first && chord) return AroundCorner::hub_of_first;
-  if (link_of_second && chord) return AroundCorner::hub_of_second;
-  return AroundCorner::none;
-}
-
-bool swaps(AroundCorner one, AroundCorner other) { return one != AroundCorner::none && one == other; }
-
-ArcWay way_around(std::size_t first, std::size_t second, bool chord, const Weights& weights) {
+ArcWay way_around(std::size_t first, std::size_t second, bool chord) {
   const Case x = case_at(first);
   const Case y = case_at(second);
   SmallGraph graph;
@@ -115,41 +90,19 @@ ArcWay way_around(std::size_t first, std::size_t second, bool chord, const Weigh
     for (std::size_t j = i + 1; j < ports.size(); ++j)
       if (ports[j].node == other) way.joined |= pair_of_ends(ports[i].end, ports[j].end);
   }
-  const AroundCorner at_a = passed(x.left != '-', y.right != '-', chord, AroundCorner::rim_at_a);
-  const AroundCorner at_d = passed(x.right != '-', y.left != '-', chord, AroundCorner::rim_at_d);
-  const int swap_count = (x.left != '-' && swaps(at_a, end_corner(x.left, false, AroundCorner::rim_at_a)) ? 1 : 0) +
-                         (x.right != '-' && swaps(at_d, end_corner(x.right, false, AroundCorner::rim_at_d)) ? 1 : 0) +
-                         (y.left != '-' && swaps(at_d, end_corner(y.left, true, AroundCorner::rim_at_d)) ? 1 : 0) +
-                         (y.right != '-' && swaps(at_a, end_corner(y.right, true, AroundCorner::rim_at_a)) ? 1 : 0) +
-                         (chord && swaps(at_a, at_d) ? 1 : 0);
   const int edges = (x.right != '-' ? 1 : 0) + (y.right != '-' ? 1 : 0) + (chord ? 1 : 0);
   const int isolated = (graph.degree(node_a) == 0 ? 1 : 0) + (graph.degree(node_d) == 0 ? 1 : 0);
-  way.cost = weights.swap * swap_count + weights.isolated * isolated - weights.restart * edges;
+  way.cost = isolated_cost * isolated - strip_cost * edges;
   return way;
 }
 
 /// The two links are one edge: a strand over it that leaves by ports at both ends joins them, one that goes through is
 /// a cycle.
-ArcWay way_closed(std::size_t c, const Weights& weights) {
+ArcWay way_closed(std::size_t c) {
   const Case k = case_at(c);
   ArcWay way;
   way.legal = (k.left == '-') == (k.right == '-') && k.left != 't';
-  if (!way.legal) return way;
-  if (reaches_port(k.left) && reaches_port(k.right)) way.joined = pair_of_ends(first_left, first_right);
-  if (k.left != '-' && corner_at_link(k.left) != ArcCorner::none && corner_at_link(k.left) == corner_at_link(k.right))
-    way.cost = weights.swap;
-  return way;
-}
-
-ArcWay way_around_one(std::size_t c, const Weights& weights) {
-  const Case k = case_at(c);
-  ArcWay way;
-  way.legal = k.left != 't';
-  if (reaches_port(k.left) && reaches_port(k.right)) way.joined = pair_of_ends(first_left, first_right);
-  const bool through_a = k.left != '-' && k.right != '-';
-  const auto swap_at = [&](char reach) { return through_a && corner_at_link(reach) == ArcCorner::rim ? 1 : 0; };
-  way.cost = weights.swap * (swap_at(k.left) + swap_at(k.right)) - (k.right != '-' ? weights.restart : 0) +
-             (k.left == '-' && k.right == '-' ? weights.isolated : 0);
+  if (way.legal && k.left == 'p' && k.right == 'p') way.joined = pair_of_ends(first_left, first_right);
   return way;
 }
 
@@ -159,14 +112,11 @@ Mask pair_of_ends(unsigned one, unsigned other) {
   return static_cast<Mask>(PortPairs::of(one, other).bits);  // of four ends
 }
 
-ArcWays::ArcWays(const Weights& weights) {
+ArcWays::ArcWays() {
   for (std::size_t x = 0; x < case_count; ++x)
     for (std::size_t y = 0; y < case_count; ++y)
-      for (const bool chord : {false, true}) around_.push_back(way_around(x, y, chord, weights));
-  for (std::size_t c = 0; c < case_count; ++c) {
-    closed_.push_back(way_closed(c, weights));
-    around_one_.push_back(way_around_one(c, weights));
-  }
+      for (const bool chord : {false, true}) around_.push_back(way_around(x, y, chord));
+  for (std::size_t c = 0; c < case_count; ++c) closed_.push_back(way_closed(c));
 }
 
 namespace {

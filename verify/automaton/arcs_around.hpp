@@ -22,10 +22,10 @@ struct ArcWay {
   Mask joined = 0;     ///< pairs of links whose strands leave by ports and are joined
 };
 
-/// All ways to put arcs together, for given weights. Cases by number.
+/// All ways to put arcs together. Cases by number.
 class ArcWays {
  public:
-  explicit ArcWays(const Weights& weights);
+  ArcWays();
 
   /// Around A and D, in ring order A, first, D, second.
   const ArcWay& around(std::size_t first, std::size_t second, bool chord) const {
@@ -33,13 +33,10 @@ class ArcWays {
   }
   /// A closed fan: the two links of an arc are one edge.
   const ArcWay& closed(std::size_t arc_case) const { return closed_[arc_case]; }
-  /// Both links of an arc with the boundary inside lead to A, which a strip passes about its corner on the rim.
-  const ArcWay& around_one(std::size_t arc_case) const { return around_one_[arc_case]; }
 
  private:
   std::vector<ArcWay> around_;
   std::vector<ArcWay> closed_;
-  std::vector<ArcWay> around_one_;
 };
 
 /// Whether, in the ring A, first, D, second of these letters, the ports that two links reach are joined before the

@@ -25,7 +25,9 @@ class Parser {
   std::size_t read() {
     begin_section("cost", "weights");
     reader_.expect_words(4, "\"weights\" restart swap isolated");
-    result_.weights = {number_at(1, 1, most_weight), number_at(2, 0, most_weight), number_at(3, 0, most_weight)};
+    expect_number(1, strip_cost);
+    expect_number(2, 0);
+    expect_number(3, isolated_cost);
     next();
     end_section();
     begin_section("classes", "class");
@@ -43,8 +45,7 @@ class Parser {
   }
 
  private:
-  static constexpr std::int64_t most_weight = 1000;
-  static constexpr std::int64_t most_cost = 100 * most_weight;
+  static constexpr std::int64_t most_cost = 100 * strip_cost;
   static constexpr std::int64_t most_classes = 65535;
 
   /// The head of a section, and the first line behind it, which starts with `first_row`.
@@ -112,7 +113,6 @@ class Parser {
     made.line = reader_.line();
     const std::string_view witness = reader_.words()[2];
     if (witness != "-") made.witness = witness;
-    const std::string_view letters = letters_of(result_.weights);
     if (made.witness.find_first_not_of(letters) != std::string::npos ||
         std::count_if(made.witness.begin(), made.witness.end(), is_boundary) > 1 || made.witness.empty() != (c == 0))
       reader_.fail(fmt::format("\"{}\" is not a witness of class {}", witness, c));
@@ -178,8 +178,7 @@ class Parser {
 
   void read_closings() {
     for (std::size_t c = 0; c < result_.classes.size(); ++c) {
-      if (!result_.classes[c].as_second || (result_.classes[c].has_boundary() && !result_.weights.tells_turns()))
-        continue;
+      if (!result_.classes[c].as_second || result_.classes[c].has_boundary()) continue;
       if (!reader_.starts_with("close"))
         reader_.fail(fmt::format("expected the closing of class {}, found \"{}\"", c, reader_.rest(0)));
       reader_.expect_words(3, "\"close\" class case");

@@ -30,7 +30,7 @@ struct AutomatonClass {
   bool has_boundary() const { return verify::has_boundary(witness); }
 };
 
-/// An arc that is a whole closed fan, or, with the boundary inside, lies around A alone.
+/// An arc that is a whole closed fan.
 struct AutomatonClosing {
   std::size_t arc = 0;
   unsigned line = 0;
@@ -46,14 +46,13 @@ struct AutomatonMeeting {
 
 struct AutomatonCertificate {
   std::string file;
-  Weights weights;
   std::vector<AutomatonClass> classes;
   std::vector<std::optional<AutomatonClosing>> closings;  ///< by class
   std::vector<std::vector<AutomatonMeeting>> meetings;    ///< by row and column
   std::size_t rows = 0;
 
   const AutomatonStep* step(std::size_t c, char letter) const {
-    const auto& found = classes[c].steps[letters_of(weights).find(letter)];
+    const auto& found = classes[c].steps[letters.find(letter)];
     return found ? &*found : nullptr;
   }
   /// The meeting of two classes, which must be able to be the first and the second arc.

@@ -19,25 +19,23 @@ constexpr std::uint32_t drawn_keys = 64;
 
 FanKey drawn_key(unsigned k, std::uint32_t n) {
   const auto drawn = [&](Mask place) { return low_part(mixed_number(n, place, 0), k); };
-  return {drawn(0), drawn(1), drawn(2), drawn(3)};
+  return {drawn(0), drawn(1)};
 }
 
 }  // namespace
 
 Digests automaton_digests(const AutomatonCertificate& certificate, unsigned max_k) {
   const AutomatonReader reader(certificate);
-  const bool turns = certificate.weights.tells_turns();
-  const std::uint32_t letters = turns ? 7 : 3;
   Digests digests;
   std::uint32_t keys = 1;
   for (unsigned k = 1; k <= max_k; ++k) {
-    if (keys <= most_keys) keys *= letters;
+    if (keys <= most_keys) keys *= 3;
     for (const FanPlace& place : all_places(k)) {
       const auto operation = std::find(operations.begin(), operations.end(), place.family) - operations.begin();
       std::uint32_t& digest = digests[fmt::format("{} {} {} {}", operation, k, place.a, place.b)];
       for (std::uint32_t n = 0; n < (keys <= most_keys ? keys : drawn_keys); ++n) {
-        const FanKey key = keys <= most_keys ? written_key(k, n, letters) : drawn_key(k, n);
-        digest += mixed_number(n, key.ports, 0x80000000U | reader.answer(place, seen_key(key, place, turns)).inner);
+        const FanKey key = keys <= most_keys ? written_key(k, n) : drawn_key(k, n);
+        digest += mixed_number(n, key.ports, 0x80000000U | reader.answer(place, seen_key(key, place)).inner);
       }
     }
   }

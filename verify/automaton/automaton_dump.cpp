@@ -14,17 +14,11 @@ namespace {
 
 using NumbersOf = std::vector<std::uint64_t>;
 
-/// A case of a class in the four bits that restrip/tables/automaton_format.hpp gives it.
-std::uint64_t coded(const AutomatonClass& c, std::size_t number, bool tells_turns) {
+/// A case in the four bits that restrip/tables/automaton_format.hpp gives it.
+std::uint64_t coded(std::size_t number) {
+  constexpr std::string_view reach = "-ept";
   const Case wanted = case_at(number);
-  if (!tells_turns) {
-    constexpr std::string_view reach = "-ept";
-    return 4 * reach.find(wanted.left) + reach.find(wanted.right);
-  }
-  std::uint64_t place = wanted.right == '-' ? 0 : 8;
-  for (std::size_t i = 0; i < number; ++i)
-    if (c.costs[i] && (case_at(i).right == '-') == (wanted.right == '-')) ++place;
-  return place;
+  return 4 * reach.find(wanted.left) + reach.find(wanted.right);
 }
 
 class AutomatonDumpReader {
@@ -35,10 +29,9 @@ class AutomatonDumpReader {
 
   void run() {
     lines_.expect("restrip-automaton-dump 2");
-    const std::size_t letters = letters_of(certificate_.weights).size();
     const std::size_t classes = certificate_.classes.size();
-    const NumbersOf next = array("next", letters * classes);
-    const NumbersOf before = array("before", letters * classes);
+    const NumbersOf next = array("next", letters.size() * classes);
+    const NumbersOf before = array("before", letters.size() * classes);
     const NumbersOf closed = array("closed", classes);
     first_ = array("first", classes);
     second_ = array("second", classes);
@@ -72,7 +65,6 @@ class AutomatonDumpReader {
   }
 
   void compare_class(std::size_t c, const NumbersOf& next, const NumbersOf& before, const NumbersOf& closed) {
-    const bool turns = certificate_.weights.tells_turns();
     const AutomatonClass& stated = certificate_.classes[c];
     for (std::size_t letter = 0; letter < stated.steps.size(); ++letter) {
       const std::size_t place = stated.steps.size() * c + letter;
@@ -82,22 +74,18 @@ class AutomatonDumpReader {
       compare(next[place], step->to, step->line, where("next"));
       const AutomatonClass& to = certificate_.classes[step->to];
       for (std::size_t i = 0; i < case_count; ++i)
-        if (to.costs[i])
-          compare(four_bits(before[place], coded(to, i, turns)), coded(stated, step->from[i], turns), step->line,
-                  where("before"));
+        if (to.costs[i]) compare(four_bits(before[place], coded(i)), coded(step->from[i]), step->line, where("before"));
     }
     if (const auto& closing = certificate_.closings[c])
-      compare(closed[c], coded(stated, closing->arc, turns), closing->line,
-              [&] { return fmt::format("closed[{}]", c); });
+      compare(closed[c], coded(closing->arc), closing->line, [&] { return fmt::format("closed[{}]", c); });
     if (!stated.as_first) return;
     for (std::size_t other = 0; other < certificate_.classes.size(); ++other) {
-      const AutomatonClass& second = certificate_.classes[other];
-      if (!second.as_second) continue;
+      if (!certificate_.classes[other].as_second) continue;
       const AutomatonMeeting& met = certificate_.meeting(c, other);
       const std::uint64_t place = seconds_ * first_[c] + second_[other];
       const std::uint64_t found = place < meet_.size() && meet_[place] < meetings_.size() ? meetings_[meet_[place]] : 0;
-      compare(found, coded(stated, met.first, turns) + 16 * coded(second, met.second, turns) + (met.chord ? 256U : 0U),
-              met.line, [&] { return fmt::format("the meeting of classes {} and {}", c, other); });
+      compare(found, coded(met.first) + 16 * coded(met.second) + (met.chord ? 256U : 0U), met.line,
+              [&] { return fmt::format("the meeting of classes {} and {}", c, other); });
     }
   }
 
@@ -128,7 +116,7 @@ class AutomatonDumpReader {
       std::uint64_t digest = 0;
       std::uint64_t told = 0;
       for (std::uint64_t n = 0; n < keys; ++n) {
-        const FanKey key = seen_key(written_key(place.k, n, 3), place, false);
+        const FanKey key = seen_key(written_key(place.k, n), place);
         const Mask inner = certified.answer(place, key).inner;
         digest = digest * 1000003 + inner;
         told = told * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});

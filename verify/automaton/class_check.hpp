@@ -24,8 +24,7 @@ struct AutomatonClaim {
 };
 
 /// Arcs distinguished by what each case costs at least and by their end ports, together with the class that the
-/// certificate gives them: finitely many, which together are all arcs. Where turns are distinguished, a case is left
-/// out where cutting a link or both is no worse in any patch.
+/// certificate gives them: finitely many, which together are all arcs.
 struct ArcKind {
   std::string word;  ///< a shortest one
   std::string ports;
@@ -38,8 +37,7 @@ struct ArcKind {
 
 class ClassCheck {
  public:
-  /// `every` = n looks at the meetings of every n-th kind of first arc only.
-  explicit ClassCheck(const AutomatonCertificate& certificate, unsigned every = 1);
+  explicit ClassCheck(const AutomatonCertificate& certificate);
 
   const std::vector<AutomatonClaim>& claims() const { return claims_; }
   const std::vector<ArcKind>& arcs() const { return arcs_; }
@@ -54,7 +52,7 @@ class ClassCheck {
   std::size_t place_of(const std::string& word, const Costs& absolute, std::size_t arc_class);
   Longer longer(const ArcKind& arc, char letter) const;
   void check_step(std::size_t at, char letter);
-  void check_meetings(unsigned every);
+  void check_meetings();
   void check_meeting(const ArcKind& x, const ArcKind& y);
   void check_closing(const ArcKind& arc);
   Mask allowed_pairs(const ArcKind& x, const ArcKind& y);

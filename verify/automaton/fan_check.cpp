@@ -31,7 +31,7 @@ FanPlace place_of(const Family& family, const Section& section) {
   throw std::logic_error("no place " + family.name + ' ' + section.position);
 }
 
-/// All keys of one place with certain ports, and certain turns behind them.
+/// All keys of one place with certain ports.
 class PortsCheck {
  public:
   PortsCheck(const AutomatonReader& reader, const FanSearch& search, const FanPlace& place, Mask ports, FanCheck& check)
@@ -45,12 +45,11 @@ class PortsCheck {
     for (std::size_t i = 0; i < colorings_.size(); ++i) place_of_inner_[colorings_[i].inner] = i;
   }
 
-  void check_keys(Mask left, Mask right) {
-    FanKey key{ports_, 0, left, right};
-    const std::vector<CornerNumber> behind = search_.behind(key);
+  void check_keys() {
+    FanKey key{ports_, 0};
     std::vector<int> least(mask_count(place_.k), std::numeric_limits<int>::max());
     for (const FanSearch::Sound& coloring : colorings_)
-      least[coloring.joins] = std::min(least[coloring.joins], search_.cost(coloring, behind));
+      least[coloring.joins] = std::min(least[coloring.joins], coloring.cost);
     // What is sound for a key is sound for a key that joins more.
     for (unsigned port = 0; port < place_.k; ++port)
       for (Mask joined = 0; joined < mask_count(place_.k); ++joined)
@@ -66,7 +65,7 @@ class PortsCheck {
       };
       if (found == nowhere || !is_subset(colorings_[found].joins, joined))
         wrong("is not sound");
-      else if (search_.cost(colorings_[found], behind) != answer.cost)
+      else if (colorings_[found].cost != answer.cost)
         wrong("does not cost what is stated");
       else if (answer.cost != least[joined])
         wrong("is not the best");
@@ -92,18 +91,10 @@ FanCheck check_against_search(const AutomatonCertificate& certificate, unsigned 
   const AutomatonReader reader(certificate);
   const std::vector<FanPlace> places = all_places(k);
   for (std::size_t i = 0; i < places.size(); i += every) {
-    const FanSearch search(places[i], certificate.weights);
+    const FanSearch search(places[i]);
     ++check.places;
-    for (Mask ports = 0; ports < mask_count(k); ++ports) {
-      PortsCheck of_ports(reader, search, places[i], ports, check);
-      if (!certificate.weights.tells_turns()) {
-        of_ports.check_keys(0, 0);
-        continue;
-      }
-      for_each_submask(ports, [&](Mask left) {
-        for_each_submask(ports & ~left, [&](Mask right) { of_ports.check_keys(left, right); });
-      });
-    }
+    for (Mask ports = 0; ports < mask_count(k); ++ports)
+      PortsCheck(reader, search, places[i], ports, check).check_keys();
   }
   return check;
 }
@@ -121,8 +112,8 @@ FanCheck check_against_rows(const AutomatonCertificate& certificate, const Famil
       const AutomatonAnswer answer = reader.answer(place, key);
       const Survey of_row = survey(after, row.after);
       check.same += answer.inner == row.after.inner ? 1U : 0U;
-      if (answer.cost != strips_weights.isolated * static_cast<int>(of_row.isolated) -
-                             strips_weights.restart * static_cast<int>(solid_count(row.after.inner)))
+      if (answer.cost != isolated_cost * static_cast<int>(of_row.isolated) -
+                             strip_cost * static_cast<int>(solid_count(row.after.inner)))
         check.failures.add(fmt::format("{}:{}: {}, {} is worth another answer than this rule", rows.file, row.line,
                                        place.text(), key.text()));
     }

@@ -18,14 +18,13 @@ struct FanCheck {
   Failures failures;
 };
 
-/// Every key of every place of valence k, of all families, with all that may lie behind the ports where turns are told
-/// apart: the answer must be sound, cost what it says, and no sound recolouring may cost less. Keys are all pairs of
-/// masks in which `joined` has only solid ports that have a predecessor; with exactly two solid ports in a closed fan
-/// it has both bits or none. `every` = n looks at the first place and every n-th after it.
+/// Every key of every place of valence k, of all families: the answer must be sound, cost what it says, and no sound
+/// recolouring may cost less. Keys are all pairs of masks in which `joined` has only solid ports that have a
+/// predecessor; with exactly two solid ports in a closed fan it has both bits or none. `every` = n looks at the first
+/// place and every n-th after it.
 FanCheck check_against_search(const AutomatonCertificate& certificate, unsigned k, unsigned every = 1);
 
 /// The rows of a family's certificate: the answer must have as many solid edges and isolated triangles as the row has.
-/// For the automaton of fewest strips.
 FanCheck check_against_rows(const AutomatonCertificate& certificate, const Family& family, const Certificate& rows);
 
 }  // namespace restrip::verify

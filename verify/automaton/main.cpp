@@ -46,7 +46,7 @@ int run(const AutomatonOptions& options, const std::string& json) {
 int main(int argc, char** argv) {
   AutomatonOptions options;
   std::string json;
-  CLI::App app("Proves the certificate of an automaton: rules of fans of any valence, under the cost that it states.");
+  CLI::App app("Proves the certificate of an automaton: rules of fans of any valence.");
   app.name("restrip-verify-automaton");
   app.footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
@@ -57,9 +57,7 @@ int main(int argc, char** argv) {
       "    --dump-command \"build/release/bin/restrip-dump-tables --automaton\"\n"
       "The look-up in C, from the folder that `restrip-generate automaton --language c` wrote:\n"
       "  cc restrip_automaton_check.c -o check_automaton\n"
-      "  restrip-verify-automaton --tables-dir SOURCE/tables --digest-command ./check_automaton\n"
-      "An automaton of another cost, alone in its folder:\n"
-      "  build/release/bin/restrip-verify-automaton --tables-dir DIR");
+      "  restrip-verify-automaton --tables-dir SOURCE/tables --digest-command ./check_automaton");
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
   app.add_option("--dump-command", options.dump_command,
                  "A program that prints the compiled automaton; its numbers and answers are compared");
@@ -75,14 +73,10 @@ int main(int argc, char** argv) {
                  "The largest fans of the other certificates in the folder, and of the dump")
       ->capture_default_str()
       ->check(CLI::Range(3U, largest_judged_fan));
-  app.add_option("--max-k", options.max_k,
-                 "The largest fans that are searched as a whole; 0: 10, or 6 where swaps have a price")
+  app.add_option("--max-k", options.max_k, "The largest fans that are searched as a whole")
       ->capture_default_str()
       ->check(CLI::Range(0, 12));
-  app.add_option(
-         "--every", options.every,
-         "Of the places with k > 8 search every N-th only; where swaps have a price, of those with k > 5, and of "
-         "the pairs of arcs")
+  app.add_option("--every", options.every, "Of the places with k > 8 search every N-th only")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   add_json_option(app, json);

@@ -45,12 +45,11 @@ std::string certificate_of(const AutomatonOptions& options, const std::string& f
   return options.tables_dir + "/certificates/" + family + ".cert";
 }
 
-void tell_classes(const AutomatonCertificate& certificate, unsigned every, AutomatonTotals& totals,
-                  ClaimTeller& teller) {
+void tell_classes(const AutomatonCertificate& certificate, AutomatonTotals& totals, ClaimTeller& teller) {
   totals.read.certificates = true;
   totals.classes += certificate.classes.size();
   totals.rows += certificate.rows;
-  const ClassCheck classes(certificate, every);
+  const ClassCheck classes(certificate);
   totals.kinds += classes.arcs().size();
   for (const AutomatonClaim& claim : classes.claims())
     teller.tell(claim.claim, claim.method, claim.cases, claim.failures);
@@ -71,8 +70,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   ClaimTeller teller(totals, listener);
   const std::string path = certificate_of(options, "automaton");
   const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
-  const bool turns = certificate.weights.tells_turns();
-  tell_classes(certificate, turns ? options.every : 1, totals, teller);
+  tell_classes(certificate, totals, teller);
   // Answers are read through steps and meetings that belong together only if all of that holds.
   if (totals.failed != 0) return totals;
 
@@ -92,7 +90,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   }
 
   for (const Family& family : all_families(options.tables_max_k)) {
-    if (certificate.weights != strips_weights || family.sections.front().operations.front().may_give_up != 0) continue;
+    if (family.sections.front().operations.front().may_give_up != 0) continue;
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
     teller.tell(fmt::format("worth what the rules of {} are", family.name),
@@ -100,13 +98,11 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
                             check.same),
                 check.keys, check.failures);
   }
-  const unsigned usual = turns ? 6 : 10;
-  for (unsigned k = 1; k <= (options.max_k == 0 ? usual : options.max_k); ++k) {
-    const unsigned every = k > (turns ? 5 : largest_fan) ? options.every : 1;
+  for (unsigned k = 1; k <= options.max_k; ++k) {
+    const unsigned every = k > largest_fan ? options.every : 1;
     const FanCheck check = check_against_search(certificate, k, every);
     teller.tell(fmt::format("every answer with k = {} is sound and best", k),
-                fmt::format("all recolourings{}, {}{}", turns ? ", all turns behind ports" : "",
-                            every == 1 ? "all " : "", quantity(check.places, "place")),
+                fmt::format("all recolourings, {}{}", every == 1 ? "all " : "", quantity(check.places, "place")),
                 check.keys, check.failures);
   }
   return totals;

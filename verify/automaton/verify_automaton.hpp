@@ -15,11 +15,8 @@ struct AutomatonOptions {
   std::vector<std::string> digest_commands;    ///< programs that print digests of what look-ups answer
   unsigned digest_max_k = largest_digest_fan;  ///< the largest fans of digests
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
-  /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys.
-  unsigned max_k = 0;
-  /// Only every n-th place of the fans with k > 8 is checked; where swaps have a price, of those with k > 5 and of the
-  /// kinds of first arcs that are paired with all others.
-  unsigned every = 1;
+  unsigned max_k = 10;                  ///< the largest fans that are searched
+  unsigned every = 1;                   ///< only every n-th place of the fans with k > 8 is searched
 };
 
 struct AutomatonTotals {
@@ -31,8 +28,7 @@ struct AutomatonTotals {
   std::uint64_t kinds = 0;  ///< of arcs, distinguished by what is best for each case, ports and class
 };
 
-/// Checks the certificate; calls the listener for each claim. InputError when a file cannot be read. The rules of the
-/// tables are compared with the automaton of fewest strips alone.
+/// Checks the certificate; calls the listener for each claim. InputError when a file cannot be read.
 AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener);
 
 }  // namespace restrip::verify

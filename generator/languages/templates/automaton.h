@@ -1,20 +1,20 @@
 // restrip's rules for fans of any valence up to @max_k@: an automaton, @bytes@ bytes of data, and the look-up.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 The restrip authors
-// Written by `restrip-generate automaton --language c --cost @cost@`. Do not edit: change the generator.
+// Written by `restrip-generate automaton --language c`. Do not edit: change the generator.
 //
 @operations@
 //
 // Each function takes the key of a patch (restrip's docs/reference/notation.md, "Key") and returns best colours after the operation:
-// sound whatever lies outside the patch, and of the least cost, which is @restart@ for a strip, @swap@ for a swap and
-// @isolated@ for an isolated triangle. Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is
-// which edge. Each takes two table reads for a triangle.
+// sound whatever lies outside the patch, with the fewest strips, and of those the fewest isolated triangles. Masks have bit
+// 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is which edge. Each takes two table reads
+// for a triangle.
 //
 // Include this file wherever you need the declarations. In exactly one source file write
 //     #define RESTRIP_AUTOMATON_IMPLEMENTATION
 // before the include: there are the data and the bodies. Nothing is allocated, no library is called, nothing is written.
 //
-// Bad input: any masks are safe. Bits at k and above, and bits of the other masks without a solid port, are ignored. For
+// Bad input: any masks are safe. Bits at k and above, and bits of `joined` without a solid port, are ignored. For
 // positions that are not listed above, the answer's colours are 0 and `valid` is false.
 #ifndef RESTRIP_AUTOMATON_H
 #define RESTRIP_AUTOMATON_H
@@ -29,11 +29,9 @@ extern "C" {
 // The largest valence whose colours fit a word.
 #define RESTRIP_AUTOMATON_MAX_K @max_k@
 
-// `joined`: bit i is set when port i is joined, before the operation, to the solid port before it. `left` and `right`:
-// where the strip continues behind port i, over the next dual edge of the triangle there or over the one before, counter-
-// clockwise from the port; neither where it ends there or you do not know. They count only where swaps have a price.
+// `joined`: bit i is set when port i is joined, before the operation, to the solid port before it.
 typedef struct restrip_key {
-  uint64_t ports, joined, left, right;
+  uint64_t ports, joined;
 } restrip_key;
 
 // The inner edges after the operation. The number of strips grows by the triangles added, less the solid edges added.
@@ -59,7 +57,7 @@ restrip_recoloring restrip_best_fan_collapse(uint32_t k, restrip_key key);
 
 // The arrays of restrip's tables/include/restrip/tables/automaton_format.hpp, which explains them; but of `before` each
 // number is two words, that of the low cases first, and `next` holds 0 where a letter is not allowed.
-#define RESTRIP_LETTERS @letters@U
+#define RESTRIP_LETTERS 4U
 #define RESTRIP_SECONDS @seconds@U
 @arrays@
 
@@ -82,9 +80,7 @@ static restrip_key restrip_key_in_fan(uint32_t k, restrip_key key, bool closed) 
 }
 
 static uint32_t restrip_letter(restrip_key key, uint32_t i) {
-  const uint32_t port = (uint32_t)(key.ports >> i & 1) + (uint32_t)(key.joined >> i & 1);
-  if (RESTRIP_LETTERS == 4 || port == 0) return port;
-  return 3 * port - 2 + ((key.left >> i & 1) != 0 ? 1U : (key.right >> i & 1) != 0 ? 2U : 0U);
+  return (uint32_t)(key.ports >> i & 1) + (uint32_t)(key.joined >> i & 1);
 }
 
 static void restrip_read(restrip_arc* arc, uint32_t letter) {
@@ -99,13 +95,12 @@ static void restrip_read_fan(restrip_arc* arc, restrip_key key, uint32_t from, u
 
 // The links of an arc, bit m the one behind m letters, from the case of the whole arc.
 static uint64_t restrip_links(const restrip_arc* arc, uint32_t end) {
-  const uint32_t solid = RESTRIP_LETTERS == 4 ? 3 : 8;
   uint64_t links = 0;
   for (uint32_t m = arc->size; m > 0; --m) {
-    if ((end & solid) != 0) links |= UINT64_C(1) << m;
+    if ((end & 3) != 0) links |= UINT64_C(1) << m;
     end = restrip_before[2 * arc->entries[m - 1] + (end >> 3)] >> 4 * (end & 7) & 15;
   }
-  return links | ((end & solid) != 0 ? 1U : 0U);
+  return links | ((end & 3) != 0 ? 1U : 0U);
 }
 
 // The links of an arc that goes over the boundary of an open fan behind `above` triangles, as edges of the path that
@@ -163,16 +158,10 @@ restrip_recoloring restrip_best_boundary_split(uint32_t k, uint32_t i, restrip_k
   restrip_arc arc = {0, 0, {0}};
   if (k < 1 || k > RESTRIP_AUTOMATON_MAX_K || i > k) return restrip_no_recoloring;
   key = restrip_key_in_fan(k, key, false);
-  if (RESTRIP_LETTERS == 4) {  // A is a triangle without a port
-    restrip_read_fan(&arc, key, 0, i);
-    restrip_read(&arc, 0);
-    restrip_read_fan(&arc, key, i, k);
-    return restrip_recoloring_of(restrip_links(&arc, 0) >> 1);
-  }
-  restrip_read_fan(&arc, key, i, k);
-  restrip_read(&arc, RESTRIP_LETTERS - 1);
   restrip_read_fan(&arc, key, 0, i);
-  return restrip_recoloring_of(restrip_links_around(&arc, restrip_closed[arc.arc_class], k - i, i));
+  restrip_read(&arc, 0);  // A is a triangle without a port
+  restrip_read_fan(&arc, key, i, k);
+  return restrip_recoloring_of(restrip_links(&arc, 0) >> 1);
 }
 
 restrip_recoloring restrip_best_fan_collapse(uint32_t k, restrip_key key) {

@@ -4,30 +4,26 @@
 export class Automaton {
   /// `json`: what JSON.parse makes of the file.
   constructor(json) {
-    if (json.format !== 'restrip-automaton' || json.version !== 1) throw new Error('no automaton of restrip, version 1');
+    if (json.format !== 'restrip-automaton' || json.version !== 2) throw new Error('no automaton of restrip, version 2');
     this.json = json;
-    this.tellsTurns = json.letters === 8;
   }
 
   /// The letters of a fan. With exactly two solid ports in a closed fan either bit of `joined` stands for the pair; in an
   /// open fan nothing lies before the first solid port.
-  #letters(k, closed, { ports, joined = 0n, left = 0n, right = 0n }) {
+  #letters(k, closed, { ports, joined = 0n }) {
     const bits = (mask) => Array.from(BigInt.asUintN(k, mask).toString(2).padStart(k, '0'), Number).reverse();
-    const [solid, pair, toLeft, toRight] = [ports, joined & ports, left, right].map(bits);
+    const [solid, pair] = [ports, joined & ports].map(bits);
     const first = solid.indexOf(1);
     if (!closed && first >= 0) pair[first] = 0;
     const two = closed && solid.reduce((sum, bit) => sum + bit, 0) === 2 && pair.includes(1);
-    return solid.map((bit, i) => {
-      const port = bit === 0 ? 0 : two || pair[i] === 1 ? 2 : 1;
-      return !this.tellsTurns || port === 0 ? port : 3 * port - 2 + (toLeft[i] === 1 ? 1 : toRight[i] === 1 ? 2 : 0);
-    });
+    return solid.map((bit, i) => (bit === 0 ? 0 : two || pair[i] === 1 ? 2 : 1));
   }
 
   /// An arc of these letters: its class, and the entries on the way.
   #arc(letters) {
     let arcClass = 0;
     const entries = letters.map((letter) => {
-      const entry = this.json.letters * arcClass + letter;
+      const entry = 4 * arcClass + letter;
       arcClass = this.json.next[entry];
       return entry;
     });
@@ -36,19 +32,12 @@ export class Automaton {
 
   /// The links of an arc, from left to right, from the case of the whole arc.
   #links({ entries }, end) {
-    const solid = this.tellsTurns ? 8 : 3;
-    const links = [(end & solid) !== 0];
+    const links = [(end & 3) !== 0];
     for (let m = entries.length; m > 0; --m) {
       end = this.json.before[2 * entries[m - 1] + (end >> 3)] >>> 4 * (end & 7) & 15;
-      links.push((end & solid) !== 0);
+      links.push((end & 3) !== 0);
     }
     return links.reverse();
-  }
-
-  /// The edges of an arc over the boundary behind `above` triangles: those behind the boundary, and those before it.
-  #around(arc, end, above) {
-    const links = this.#links(arc, end);
-    return [links.slice(above + 2), links.slice(0, above)];
   }
 
   /// The edges of two arcs that meet in A and D.
@@ -59,16 +48,13 @@ export class Automaton {
   }
 
   /// The inner edges after an operation as a BigInt; null if there is no such position. `name` and `position`: split
-  /// [k, a], collapse [k], open_split [k, i, j], boundary_split [k, i], fan_collapse [k]. `key`: { ports, joined, left,
-  /// right }. Bit i of `joined` is set when port i is joined, before the operation, to the solid port before it; `left`
-  /// and `right` say where the strip continues behind port i, over the next dual edge of the triangle there or over the one
-  /// before, counter-clockwise from the port, and count only where swaps have a price.
+  /// [k, a], collapse [k], open_split [k, i, j], boundary_split [k, i], fan_collapse [k]. `key`: { ports, joined }.
+  /// Bit i of `joined` is set when port i is joined, before the operation, to the solid port before it.
   best(name, [k, p, q], key) {
     const closed = name === 'split' || name === 'collapse';
     if (k < (closed ? 3 : 1)) return null;
     const letters = this.#letters(k, closed, key);
     const whole = () => this.#arc(letters);
-    const around = (i, j) => this.#arc([...letters.slice(j), this.json.letters - 1, ...letters.slice(0, i)]);
     const edges = {
       split: () => {
         if (!(p >= 1 && p < k)) return null;
@@ -79,16 +65,14 @@ export class Automaton {
       collapse: () => this.#links(whole(), this.json.closed[whole().arcClass]).slice(1),
       open_split: () => {
         if (!(p >= 0 && p < q && q <= k)) return null;
-        const other = around(p, q);
+        const other = this.#arc([...letters.slice(q), 3, ...letters.slice(0, p)]);
         const [links, end, chord] = this.#meeting(this.#arc(letters.slice(p, q)), other);
-        const [behind, before] = this.#around(other, end, k - q);
-        return [...behind, ...links, ...before, chord];
+        const around = this.#links(other, end);  // on the boundary there are no edges
+        return [...around.slice(k - q + 2), ...links, ...around.slice(0, k - q), chord];
       },
       boundary_split: () => {
         if (!(p >= 0 && p <= k)) return null;
-        if (!this.tellsTurns) return this.#links(this.#arc([...letters.slice(0, p), 0, ...letters.slice(p)]), 0).slice(1, -1);
-        const arc = around(p, p);
-        return this.#around(arc, this.json.closed[arc.arcClass], k - p).flat();
+        return this.#links(this.#arc([...letters.slice(0, p), 0, ...letters.slice(p)]), 0).slice(1, -1);
       },
       fan_collapse: () => this.#links(whole(), 0).slice(1, -1),
     }[name]();

@@ -1,33 +1,29 @@
 //! restrip's rules for fans of any valence up to @max_k@: an automaton, @bytes@ bytes of data, and the look-up.
 //! SPDX-License-Identifier: MIT
 //! Copyright (c) 2026 The restrip authors
-//! Written by `restrip-generate automaton --language rust --cost @cost@`. Do not edit: change the generator.
+//! Written by `restrip-generate automaton --language rust`. Do not edit: change the generator.
 //!
 @operations@
 //!
 //! Each function takes the key of a patch (restrip's docs/reference/notation.md, "Key") and returns best colours after the
-//! operation: sound whatever lies outside the patch, and of the least cost, which is @restart@ for a strip, @swap@ for a swap
-//! and @isolated@ for an isolated triangle. Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which
-//! bit is which edge. Each takes two table reads for a triangle.
+//! operation: sound whatever lies outside the patch, with the fewest strips, and of those the fewest isolated triangles.
+//! Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is which edge. Each takes
+//! two table reads for a triangle.
 //!
 //! Put this file beside yours and write `mod restrip_automaton;`. It needs nothing but `core`, allocates nothing and has no
 //! `unsafe`. The functions are `const`.
 //!
-//! Bad input: any masks are safe. Bits at `k` and above, and bits of the other masks without a solid port, are ignored.
+//! Bad input: any masks are safe. Bits at `k` and above, and bits of `joined` without a solid port, are ignored.
 //! The answer is `None` for positions that are not listed above.
 #![cfg_attr(rustfmt, rustfmt_skip)]
 #![allow(dead_code)] // a program need not use every operation
 #![allow(clippy::unreadable_literal)]
 
-/// `joined`: bit i is set when port i is joined, before the operation, to the solid port before it. `left` and `right`:
-/// where the strip continues behind port i, over the next dual edge of the triangle there or over the one before, counter-
-/// clockwise from the port; neither where it ends there or you do not know. They count only where swaps have a price.
+/// `joined`: bit i is set when port i is joined, before the operation, to the solid port before it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Key {
     pub ports: u64,
     pub joined: u64,
-    pub left: u64,
-    pub right: u64,
 }
 
 /// Split of a closed fan: the inner edges after it. As everywhere here, the number of strips grows by the triangles added,
@@ -71,12 +67,8 @@ pub const fn best_boundary_split(k: u32, i: u32, key: Key) -> Option<u64> {
         return None;
     }
     let key = key.in_fan(k, false);
-    if LETTERS == 4 {
-        // A is a triangle without a port.
-        return Some(Arc::EMPTY.read_fan(key, 0, i).read(0).read_fan(key, i, k).links(0) >> 1);
-    }
-    let arc = Arc::EMPTY.read_fan(key, i, k).read(LETTERS - 1).read_fan(key, 0, i);
-    Some(arc.links_around(CLOSED[arc.class as usize] as u32, k - i, i))
+    // A is a triangle without a port.
+    Some(Arc::EMPTY.read_fan(key, 0, i).read(0).read_fan(key, i, k).links(0) >> 1)
 }
 
 /// Collapse onto an open fan, one triangle or two, whatever the position.
@@ -99,15 +91,11 @@ impl Key {
         let but_one = ports & ports.wrapping_sub(1);
         let joined = self.joined & if closed { ports } else { but_one };
         let pair = closed && joined != 0 && ports.count_ones() == 2;
-        Key { ports, joined: if pair { ports } else { joined }, left: self.left, right: self.right }
+        Key { ports, joined: if pair { ports } else { joined } }
     }
 
     const fn letter(self, i: u32) -> u32 {
-        let port = (self.ports >> i & 1) as u32 + (self.joined >> i & 1) as u32;
-        if LETTERS == 4 || port == 0 {
-            return port;
-        }
-        3 * port - 2 + if self.left >> i & 1 != 0 { 1 } else if self.right >> i & 1 != 0 { 2 } else { 0 }
+        (self.ports >> i & 1) as u32 + (self.joined >> i & 1) as u32
     }
 }
 
@@ -141,16 +129,15 @@ impl Arc {
 
     /// The links, bit m the one behind m letters, from the case of the whole arc.
     const fn links(self, end: u32) -> u64 {
-        let solid = if LETTERS == 4 { 3 } else { 8 };
         let mut end = end;
         let mut links = 0;
         let mut m = self.size;
         while m > 0 {
-            links |= ((end & solid != 0) as u64) << m;
+            links |= ((end & 3 != 0) as u64) << m;
             m -= 1;
             end = BEFORE[(2 * self.entries[m as usize] + (end >> 3)) as usize] >> (4 * (end & 7)) & 15;
         }
-        links | (end & solid != 0) as u64
+        links | (end & 3 != 0) as u64
     }
 
     /// The links of an arc that goes over the boundary of an open fan behind `above` triangles, as edges of the path that
@@ -172,7 +159,6 @@ pub const MAX_K: u32 = @max_k@;
 
 // The arrays of restrip's tables/include/restrip/tables/automaton_format.hpp, which explains them; but of BEFORE each
 // number is two words, that of the low cases first, and NEXT holds 0 where a letter is not allowed.
-/// 4, or 8 where swaps have a price.
-pub const LETTERS: u32 = @letters@;
+const LETTERS: u32 = 4;
 const SECONDS: u32 = @seconds@;
 @arrays@

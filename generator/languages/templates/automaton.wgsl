@@ -1,20 +1,20 @@
 // restrip's rules for fans of any valence up to @max_k@: the look-up in an automaton, @bytes@ bytes of data.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 The restrip authors
-// Written by `restrip-generate automaton --language wgsl --cost @cost@`. Do not edit: change the generator.
+// Written by `restrip-generate automaton --language wgsl`. Do not edit: change the generator.
 //
 @operations@
 //
 // Each function takes the key of a patch (restrip's docs/reference/notation.md, "Key") and returns best colours after the operation:
-// sound whatever lies outside the patch, and of the least cost, which is @restart@ for a strip, @swap@ for a swap and
-// @isolated@ for an isolated triangle. Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is
-// which edge. Each takes two table reads for a triangle.
+// sound whatever lies outside the patch, with the fewest strips, and of those the fewest isolated triangles. Masks have bit
+// 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is which edge. Each takes two table reads
+// for a triangle.
 //
 // The data are in restrip_automaton.bin, written by the same command: @words@ words of 32 bits, little-endian, to be
 // copied into a storage buffer as they are. If restrip_words_of_automaton[0] is not RESTRIP_CHECKSUM_OF_AUTOMATON, file and
 // data do not belong together.
 //
-// Bad input: any masks are safe. Bits at k and above, and bits of the other masks without a solid port, are ignored. For
+// Bad input: any masks are safe. Bits at k and above, and bits of `joined` without a solid port, are ignored. For
 // positions that are not listed above, the answer's colours are 0 and `valid` is false.
 //
 // Declare in the same module, with whatever binding you like:
@@ -24,18 +24,14 @@ const RESTRIP_AUTOMATON_MAX_K = @max_k@u;  // whose colours fit a word
 const RESTRIP_CHECKSUM_OF_AUTOMATON = @checksum@u;
 // Where the arrays of restrip's tables/include/restrip/tables/automaton_format.hpp begin, and the bits of an element. Of
 // `before` each number is two words, that of the low cases first, and `next` holds 0 where a letter is not allowed.
-const RESTRIP_LETTERS = @letters@u;
+const RESTRIP_LETTERS = 4u;
 const RESTRIP_SECONDS = @seconds@u;
 @arrays@
 
-// `joined`: bit i is set when port i is joined, before the operation, to the solid port before it. `left` and `right`:
-// where the strip continues behind port i, over the next dual edge of the triangle there or over the one before, counter-
-// clockwise from the port; neither where it ends there or you do not know. They count only where swaps have a price.
+// `joined`: bit i is set when port i is joined, before the operation, to the solid port before it.
 struct RestripKey {
   ports: u32,
   joined: u32,
-  left: u32,
-  right: u32,
 }
 
 // The inner edges after the operation. The number of strips grows by the triangles added, less the solid edges added.
@@ -57,15 +53,11 @@ fn restrip_key_in_fan(k: u32, key: RestripKey, is_closed: bool) -> RestripKey {
   let ports = key.ports & restrip_low_bits(k);
   let joined = key.joined & select(ports & (ports - 1u), ports, is_closed);
   let pair = is_closed && joined != 0u && countOneBits(ports) == 2u;
-  return RestripKey(ports, select(joined, ports, pair), key.left, key.right);
+  return RestripKey(ports, select(joined, ports, pair));
 }
 
 fn restrip_letter(key: RestripKey, i: u32) -> u32 {
-  let port = ((key.ports >> i) & 1u) + ((key.joined >> i) & 1u);
-  if (RESTRIP_LETTERS == 4u || port == 0u) {
-    return port;
-  }
-  return 3u * port - 2u + select(((key.right >> i) & 1u) * 2u, 1u, ((key.left >> i) & 1u) != 0u);
+  return ((key.ports >> i) & 1u) + ((key.joined >> i) & 1u);
 }
 
 // An arc: its class, and the entries of its letters.
@@ -92,15 +84,14 @@ fn restrip_empty_arc() -> RestripArc { return RestripArc(); }
 
 // The links of an arc, bit m the one behind m letters, from the case of the whole arc.
 fn restrip_links(arc: RestripArc, end_case: u32) -> u32 {
-  let solid = select(8u, 3u, RESTRIP_LETTERS == 4u);
   var end = end_case;
   var links = 0u;
   for (var m = arc.size; m > 0u; m -= 1u) {
-    links |= u32((end & solid) != 0u) << m;
+    links |= u32((end & 3u) != 0u) << m;
     let cases = restrip_automaton_element(RESTRIP_BEFORE_OF_AUTOMATON, 2u * arc.entries[m - 1u] + (end >> 3u));
     end = (cases >> (4u * (end & 7u))) & 15u;
   }
-  return links | u32((end & solid) != 0u);
+  return links | u32((end & 3u) != 0u);
 }
 
 // The links of an arc that goes over the boundary of an open fan behind `above` triangles, as edges of the path that
@@ -165,16 +156,10 @@ fn restrip_best_boundary_split(k: u32, i: u32, key: RestripKey) -> RestripRecolo
   }
   let fan = restrip_key_in_fan(k, key, false);
   var arc = restrip_empty_arc();
-  if (RESTRIP_LETTERS == 4u) {  // A is a triangle without a port
-    restrip_read_fan(&arc, fan, 0u, i);
-    restrip_read(&arc, 0u);
-    restrip_read_fan(&arc, fan, i, k);
-    return RestripRecoloring(restrip_links(arc, 0u) >> 1u, true);
-  }
-  restrip_read_fan(&arc, fan, i, k);
-  restrip_read(&arc, RESTRIP_LETTERS - 1u);
   restrip_read_fan(&arc, fan, 0u, i);
-  return RestripRecoloring(restrip_links_around(arc, restrip_closing(arc), k - i, i), true);
+  restrip_read(&arc, 0u);  // A is a triangle without a port
+  restrip_read_fan(&arc, fan, i, k);
+  return RestripRecoloring(restrip_links(arc, 0u) >> 1u, true);
 }
 
 fn restrip_best_fan_collapse(k: u32, key: RestripKey) -> RestripRecoloring {

@@ -19,7 +19,7 @@ static uint32_t mix(uint32_t before, uint32_t ports, uint32_t answered) {
 /* How many keys are asked for a fan of k triangles. */
 static uint32_t keys_of(uint32_t k) {
   uint32_t keys = 1;
-  while (k-- > 0 && keys <= 7000) keys *= RESTRIP_LETTERS - 1;
+  while (k-- > 0 && keys <= 7000) keys *= 3;
   return keys <= 7000 ? keys : 64;
 }
 
@@ -29,22 +29,18 @@ static uint64_t drawn(uint32_t n, uint32_t i, uint32_t k) {
 
 /* Key n: a letter for each port, the last one the lowest digit; or masks that are drawn. */
 static restrip_key key_numbered(uint32_t k, uint32_t n, uint32_t keys) {
-  restrip_key key = {0, 0, 0, 0};
+  restrip_key key = {0, 0};
   uint32_t i, letter;
   if (keys == 64) {
     key.ports = drawn(n, 0, k);
     key.joined = drawn(n, 1, k);
-    key.left = drawn(n, 2, k);
-    key.right = drawn(n, 3, k);
     return key;
   }
-  for (i = k; i-- > 0; n /= RESTRIP_LETTERS - 1) {
-    letter = n % (RESTRIP_LETTERS - 1);
+  for (i = k; i-- > 0; n /= 3) {
+    letter = n % 3;
     if (letter == 0) continue;
     key.ports |= UINT64_C(1) << i;
-    if (2 * letter >= RESTRIP_LETTERS) key.joined |= UINT64_C(1) << i;
-    if (letter % 3 == 2) key.left |= UINT64_C(1) << i;
-    if (letter % 3 == 0) key.right |= UINT64_C(1) << i;
+    if (letter == 2) key.joined |= UINT64_C(1) << i;
   }
   return key;
 }
@@ -68,7 +64,7 @@ static uint32_t folded(uint64_t mask) { return (uint32_t)mask ^ (uint32_t)(mask 
 
 int main(int argc, char** argv) {
   const uint32_t max_k = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 28;
-  const restrip_key none = {0, 0, 0, 0};
+  const restrip_key none = {0, 0};
   uint32_t operation, k, p, q, n, keys, digest, outside = 0;
   for (operation = 0; operation < 5; ++operation)
     for (k = 0; k < 70; ++k)

@@ -19,7 +19,7 @@ uint mix_in(uint before, uint ports, uint answered) {
 // How many keys are asked for a fan of k triangles.
 uint keys_of(uint k) {
   uint keys = 1u;
-  for (uint i = 0u; i < k && keys <= 7000u; ++i) keys *= RESTRIP_LETTERS - 1u;
+  for (uint i = 0u; i < k && keys <= 7000u; ++i) keys *= 3u;
   return keys <= 7000u ? keys : 64u;
 }
 
@@ -27,15 +27,13 @@ uint keys_of(uint k) {
 RestripKey key_numbered(uint k, uint n, uint keys) {
   if (keys == 64u) {
     uint all = (1u << k) - 1u;
-    return RestripKey(mix_in(n, 0u, 0u) & all, mix_in(n, 1u, 0u) & all, mix_in(n, 2u, 0u) & all, mix_in(n, 3u, 0u) & all);
+    return RestripKey(mix_in(n, 0u, 0u) & all, mix_in(n, 1u, 0u) & all);
   }
-  RestripKey key = RestripKey(0u, 0u, 0u, 0u);
-  for (uint i = k; i-- > 0u; n /= RESTRIP_LETTERS - 1u) {
-    uint letter = n % (RESTRIP_LETTERS - 1u);
+  RestripKey key = RestripKey(0u, 0u);
+  for (uint i = k; i-- > 0u; n /= 3u) {
+    uint letter = n % 3u;
     key.ports |= uint(letter != 0u) << i;
-    key.joined |= uint(2u * letter >= RESTRIP_LETTERS) << i;
-    key.left |= uint(letter % 3u == 2u) << i;
-    key.right |= uint(letter != 0u && letter % 3u == 0u) << i;
+    key.joined |= uint(letter == 2u) << i;
   }
   return key;
 }
@@ -61,7 +59,7 @@ uint rules_outside(uint i) {
   uint count = 0u;
   for (uint operation = 0u; operation < 5u; ++operation) {
     uvec4 at = uvec4(operation, i % 40u, i / 40u % 40u, i / 1600u);
-    if (!inside(at) && answer(at, RestripKey(0u, 0u, 0u, 0u)).valid) ++count;
+    if (!inside(at) && answer(at, RestripKey(0u, 0u)).valid) ++count;
   }
   return count;
 }

@@ -8,7 +8,6 @@ import { readFileSync } from 'node:fs';
 import { Automaton } from './restrip_automaton.mjs';
 
 const automaton = new Automaton(JSON.parse(readFileSync(new URL('restrip_automaton.json', import.meta.url), 'utf8')));
-const { letters } = automaton.json;
 const maxK = Number(process.argv[2] ?? 28);
 
 function mix(before, ports, answer) {
@@ -22,15 +21,14 @@ const folded = (mask) => Number(mask & 0xffffffffn) ^ Math.imul(Number(mask >> 3
 
 /// The keys that are asked for a fan of k triangles: of each port its letter, or masks that are drawn.
 function keysOf(k) {
-  const count = (letters - 1) ** k;
+  const count = 3 ** k;
   const drawn = (n, i) => BigInt.asUintN(k, BigInt(mix(n, i, 0)) | BigInt(mix(n, i + 8, 0)) << 32n);
   if (count > 7000)
-    return Array.from({ length: 64 }, (_, n) => ({ ports: drawn(n, 0), joined: drawn(n, 1), left: drawn(n, 2), right: drawn(n, 3) }));
+    return Array.from({ length: 64 }, (_, n) => ({ ports: drawn(n, 0), joined: drawn(n, 1) }));
   return Array.from({ length: count }, (_, n) => {
-    const word = [...n.toString(letters - 1).padStart(k, '0')].reverse();  // the last port is the lowest digit
+    const word = [...n.toString(3).padStart(k, '0')].reverse();  // the last port is the lowest digit
     const where = (holds) => BigInt('0b0' + word.map((letter) => Number(holds(Number(letter)))).join(''));
-    return { ports: where((x) => x !== 0), joined: where((x) => 2 * x >= letters), left: where((x) => x % 3 === 2),
-             right: where((x) => x !== 0 && x % 3 === 0) };
+    return { ports: where((x) => x !== 0), joined: where((x) => x === 2) };
   });
 }
 

@@ -7,7 +7,7 @@ mod restrip_automaton;
 use restrip_automaton::*;
 
 // A rule looked up by the compiler: a fan of one triangle has no edge inside.
-const _: () = assert!(matches!(best_fan_collapse(1, Key { ports: 1, joined: 0, left: 0, right: 0 }), Some(0)));
+const _: () = assert!(matches!(best_fan_collapse(1, Key { ports: 1, joined: 0 }), Some(0)));
 
 fn mix(before: u32, ports: u32, answered: u32) -> u32 {
     let h = answered ^ before.wrapping_mul(0x9e37_79b1) ^ ports.wrapping_mul(0x85eb_ca77);
@@ -18,7 +18,7 @@ fn mix(before: u32, ports: u32, answered: u32) -> u32 {
 
 /// How many keys are asked for a fan of k triangles.
 fn keys_of(k: u32) -> u32 {
-    let keys = u64::from(LETTERS - 1).saturating_pow(k);
+    let keys = 3u64.saturating_pow(k);
     if keys <= 7000 { keys as u32 } else { 64 }
 }
 
@@ -26,16 +26,14 @@ fn keys_of(k: u32) -> u32 {
 fn key_numbered(k: u32, mut n: u32, keys: u32) -> Key {
     if keys == 64 {
         let drawn = |i| (u64::from(mix(n, i, 0)) | u64::from(mix(n, i + 8, 0)) << 32) & ((1 << k) - 1);
-        return Key { ports: drawn(0), joined: drawn(1), left: drawn(2), right: drawn(3) };
+        return Key { ports: drawn(0), joined: drawn(1) };
     }
     let mut key = Key::default();
     for i in (0..k).rev() {
-        let letter = n % (LETTERS - 1);
-        n /= LETTERS - 1;
+        let letter = n % 3;
+        n /= 3;
         key.ports |= u64::from(letter != 0) << i;
-        key.joined |= u64::from(2 * letter >= LETTERS) << i;
-        key.left |= u64::from(letter % 3 == 2) << i;
-        key.right |= u64::from(letter != 0 && letter % 3 == 0) << i;
+        key.joined |= u64::from(letter == 2) << i;
     }
     key
 }

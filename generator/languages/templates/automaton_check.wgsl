@@ -17,7 +17,7 @@ fn mix_in(before: u32, ports: u32, answered: u32) -> u32 {
 fn keys_of(k: u32) -> u32 {
   var keys = 1u;
   for (var i = 0u; i < k && keys <= 7000u; i++) {
-    keys *= RESTRIP_LETTERS - 1u;
+    keys *= 3u;
   }
   return select(64u, keys, keys <= 7000u);
 }
@@ -26,18 +26,15 @@ fn keys_of(k: u32) -> u32 {
 fn key_numbered(k: u32, number: u32, keys: u32) -> RestripKey {
   if (keys == 64u) {
     let all = (1u << k) - 1u;
-    return RestripKey(mix_in(number, 0u, 0u) & all, mix_in(number, 1u, 0u) & all, mix_in(number, 2u, 0u) & all,
-                      mix_in(number, 3u, 0u) & all);
+    return RestripKey(mix_in(number, 0u, 0u) & all, mix_in(number, 1u, 0u) & all);
   }
-  var key = RestripKey(0u, 0u, 0u, 0u);
+  var key = RestripKey(0u, 0u);
   var n = number;
   for (var i = k; i > 0u; i--) {
-    let letter = n % (RESTRIP_LETTERS - 1u);
-    n /= RESTRIP_LETTERS - 1u;
+    let letter = n % 3u;
+    n /= 3u;
     key.ports |= u32(letter != 0u) << (i - 1u);
-    key.joined |= u32(2u * letter >= RESTRIP_LETTERS) << (i - 1u);
-    key.left |= u32(letter % 3u == 2u) << (i - 1u);
-    key.right |= u32(letter != 0u && letter % 3u == 0u) << (i - 1u);
+    key.joined |= u32(letter == 2u) << (i - 1u);
   }
   return key;
 }
@@ -69,7 +66,7 @@ fn rules_outside(i: u32) -> u32 {
   var count = 0u;
   for (var operation = 0u; operation < 5u; operation++) {
     let at = vec4<u32>(operation, i % 40u, i / 40u % 40u, i / 1600u);
-    if (!inside(at) && answer(at, RestripKey(0u, 0u, 0u, 0u)).valid) {
+    if (!inside(at) && answer(at, RestripKey(0u, 0u)).valid) {
       count++;
     }
   }

@@ -1,11 +1,11 @@
-"""The automaton of all valences in another language answers as exact.hpp does, that of the shipped cost and one that tells
-turns apart. Digests of the answers are compared, a line for each position, which the programs print that the generator writes
-beside it: of all keys up to k = 8, or 4 where turns are told, beyond which keys are drawn. That a wrong number shows is tested
-with one altered at a time. The example of docs/how-to/other-languages.md is run and prints what stands there.
+"""The automaton of all valences in another language answers as exact.hpp does. Digests of the answers are compared, a line for
+each position, which the programs print that the generator writes beside it: of all keys up to k = 8, beyond which keys are
+drawn. That a wrong number shows is tested with one altered at a time. The example of docs/how-to/other-languages.md is run
+and prints what stands there.
 
-  automaton_test.py LANGUAGE --dump PROGRAM --other-dump PROGRAM --automata FOLDER --scratch FOLDER --with PROGRAM…
+  automaton_test.py LANGUAGE --dump PROGRAM --automata FOLDER --scratch FOLDER --with PROGRAM…
 
---dump is restrip-dump-tables, --other-dump the same of the automaton of cost 1,1,0.
+--dump is restrip-dump-tables.
 """
 import shutil
 
@@ -16,7 +16,6 @@ LARGEST = {"c": 61, "rust": 61, "json": 20, "glsl": 28, "wgsl": 28}
 ARRAYS = {"next": "01234", "meetings": "02"}
 OPENINGS = {"c": r"restrip_{family}\[\d+\] = ", "rust": r"const {FAMILY}: .* = &", "json": r'"{family}": \['}
 ALTERED_K = 4
-COSTS = ("strips", "1,1,0")
 
 
 class JavaScript(Json):
@@ -27,8 +26,7 @@ class JavaScript(Json):
         return run(self.node, "--input-type=module", "-e", text, cwd=folder)
 
     def more(self, folder, scratch):
-        for cost in COSTS:
-            self.as_schema_says(folder.parent / cost, "docs/automaton.schema.json")
+        self.as_schema_says(folder, "docs/automaton.schema.json")
 
 
 def expected(dump, max_k):
@@ -38,28 +36,24 @@ def expected(dump, max_k):
 
 
 def main():
-    given = arguments(__doc__, "dump", "other-dump", "automata")
+    given = arguments(__doc__, "dump", "automata")
     language = (JavaScript if given.language == "json" else LANGUAGES[given.language])(*given.programs)
     language.stem, language.families, language.rules = "restrip_automaton", tuple(ARRAYS), OPENINGS.get(given.language)
-    for cost, dump in zip(COSTS, (given.dump, given.other_dump)):
-        folder, largest = given.automata / cost, LARGEST[given.language]
-        shutil.copytree(folder, given.scratch / "altered", dirs_exist_ok=True)
-        language.expected = lambda max_k, dump=dump: expected(dump, max_k)
-        answers = language.answers(folder, given.scratch, largest)
-        must_be_equal(f"{language.file} of cost {cost}", answers, language.expected(largest))
-        noticed = language.altered_answers(folder, given.scratch)
-        for array, others in noticed.items():
-            differ = compare("altered", others, language.expected(ALTERED_K))
-            if not differ or not set(differ) <= set(ARRAYS[array]):
-                raise SystemExit(f"cost {cost}: a number of {array} was altered, and operations {differ} differ instead of {ARRAYS[array]}")
-        if noticed.keys() != ARRAYS.keys():
-            raise SystemExit(f"{list(noticed)} were altered, not {list(ARRAYS)}")
-        print(f"{language.file} of cost {cost}: {len(answers.splitlines())} digests agree, {len(noticed)} altered numbers were noticed")
-
-    folder = given.automata / COSTS[0]
     language.expected = lambda max_k: expected(given.dump, max_k)
-    check_example(language, "## Fans of any size", folder, given.scratch)
-    language.more(folder, given.scratch)
+    largest = LARGEST[given.language]
+    shutil.copytree(given.automata, given.scratch / "altered", dirs_exist_ok=True)
+    answers = language.answers(given.automata, given.scratch, largest)
+    must_be_equal(language.file, answers, language.expected(largest))
+    noticed = language.altered_answers(given.automata, given.scratch)
+    for array, others in noticed.items():
+        differ = compare("altered", others, language.expected(ALTERED_K))
+        if not differ or not set(differ) <= set(ARRAYS[array]):
+            raise SystemExit(f"a number of {array} was altered, and operations {differ} differ instead of {ARRAYS[array]}")
+    if noticed.keys() != ARRAYS.keys():
+        raise SystemExit(f"{list(noticed)} were altered, not {list(ARRAYS)}")
+    print(f"{language.file}: {len(answers.splitlines())} digests agree, {len(noticed)} altered numbers were noticed")
+    check_example(language, "## Fans of any size", given.automata, given.scratch)
+    language.more(given.automata, given.scratch)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ namespace restrip::exact {
 namespace {
 
 void check(const FanOperation& operation, const RandomKey& key) {
-  const naive::Patch patch = operation.patch().graph;
+  const naive::Patch patch = operation.patch();
   const std::size_t colors = patch.edges.size();
   const std::vector<Word> ports = naive::words_of(key.ports);
   const std::vector<Word> joined = naive::words_of(key.joined);

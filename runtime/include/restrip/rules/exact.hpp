@@ -14,15 +14,6 @@
 // pairs. All positions are supported (1 <= a < k, gaps i < j), not only the ones listed in docs/reference/notation.md.
 // A position out of range is a programming error, found in debug builds (precondition.hpp). k is less than 2^26.
 //
-// Another cost. Put the folder of an automaton of another cost (`restrip-generate automaton --cost R,S,I`) before the
-// library's folder on the include path. These functions then return a sound recolouring of least cost restart * strips
-// + swap * swaps + isolated * isolated triangles. Whether a port is a swap depends on how its strip turns in the
-// triangle outside, which the caller passes as `turns`. Let h be the halfedge of triangle t_i whose dual edge is port
-// p_i. Bit i of `left` is set when the strip continues over the dual edge of next(opposite(h)), bit i of `right` when
-// it continues over the dual edge of next(next(opposite(h))). If neither is set, swaps at this port are not counted.
-// `turns` is ignored if swaps cost nothing. restrip/rules/rules.hpp reads the automaton, too, so use such an include
-// path only in programs that use these functions and no others.
-//
 // Complexity. Two table reads for each triangle: time linear in k. Words, and bit strings with k <= 64, neither
 // allocate nor throw. Longer bit strings make one allocation of two bytes a triangle.
 #pragma once
@@ -51,11 +42,6 @@ struct Recoloring {
   Word colors = 0;
   Value value;
 };
-
-/// How strips continue outside the ports, for automata that distinguish turns (see above).
-using Turns = restrip::detail::PortTurns<Word>;
-/// Turns as bit strings. An empty view has no bit set.
-using LongTurns = restrip::detail::PortTurns<BitSpan>;
 
 namespace detail {
 
@@ -102,44 +88,42 @@ Value on_bits(const restrip::detail::Layout& patch, BitSpan ports, MutableBitSpa
 // ---- Words: k <= max_word_valence, constexpr, noexcept ----
 
 /// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
-constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined, Turns turns = {}) noexcept {
+constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "exact::best_split", restrip::detail::no_such_arc);
   return detail::on_word(restrip::detail::ring_with_chord(k, a), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_split(k, a, detail::WordLetters::of_closed(ports, joined, turns), room, color);
+    restrip::detail::walk_split(k, a, detail::WordLetters::of_closed(ports, joined), room, color);
   });
 }
 
 /// Ring with chord to closed fan, k >= 1, at any position: `colors` is `loop`, k bits.
-constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined, Turns turns = {}) noexcept {
+constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", restrip::detail::no_such_fan);
   return detail::on_word(restrip::detail::closed_fan(k), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_collapse(k, detail::WordLetters::of_closed(ports, joined, turns), room, color);
+    restrip::detail::walk_collapse(k, detail::WordLetters::of_closed(ports, joined), room, color);
   });
 }
 
 /// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
-constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined,
-                                     Turns turns = {}) noexcept {
+constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "exact::best_open_split", restrip::detail::no_such_gaps);
   return detail::on_word(restrip::detail::path_with_chord(k, i, j), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_open_split(k, i, j, detail::WordLetters::of_open(ports, joined, turns), room, color);
+    restrip::detail::walk_open_split(k, i, j, detail::WordLetters::of_open(ports, joined), room, color);
   });
 }
 
 /// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
-constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined,
-                                         Turns turns = {}) noexcept {
+constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "exact::best_boundary_split", restrip::detail::no_such_gap);
   return detail::on_word(restrip::detail::path(k, i), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_boundary_split(k, i, detail::WordLetters::of_open(ports, joined, turns), room, color);
+    restrip::detail::walk_boundary_split(k, i, detail::WordLetters::of_open(ports, joined), room, color);
   });
 }
 
 /// Path, with chord or without, to open fan, k >= 1, at any position: `colors` is `loop`, k - 1 bits.
-constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined, Turns turns = {}) noexcept {
+constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", restrip::detail::no_such_fan);
   return detail::on_word(restrip::detail::open_fan(k), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_fan_collapse(k, detail::WordLetters::of_open(ports, joined, turns), room, color);
+    restrip::detail::walk_fan_collapse(k, detail::WordLetters::of_open(ports, joined), room, color);
   });
 }
 
@@ -148,46 +132,43 @@ constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined, T
 // The colours go to the last argument; the words that hold them are overwritten and must not be the words of the key.
 
 /// `inner` has k + 3 bits.
-inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner,
-                        LongTurns turns = {}) {
+inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
   RESTRIP_ASSERT(1 <= a && a < k, "exact::best_split", restrip::detail::no_such_arc);
   return detail::on_bits(restrip::detail::ring_with_chord(k, a), ports, inner, [&](auto* room, auto&& color) {
-    restrip::detail::walk_split(k, a, detail::LongLetters::of_closed(k, ports, joined, turns), room, color);
+    restrip::detail::walk_split(k, a, detail::LongLetters::of_closed(k, ports, joined), room, color);
   });
 }
 
 /// `loop` has k bits.
-inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop, LongTurns turns = {}) {
+inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
   RESTRIP_ASSERT(k >= 1, "exact::best_collapse", restrip::detail::no_such_fan);
   return detail::on_bits(restrip::detail::closed_fan(k), ports, loop, [&](auto* room, auto&& color) {
-    restrip::detail::walk_collapse(k, detail::LongLetters::of_closed(k, ports, joined, turns), room, color);
+    restrip::detail::walk_collapse(k, detail::LongLetters::of_closed(k, ports, joined), room, color);
   });
 }
 
 /// `inner` has k + 2 bits.
 inline Value best_open_split(std::size_t k, std::size_t i, std::size_t j, BitSpan ports, BitSpan joined,
-                             MutableBitSpan inner, LongTurns turns = {}) {
+                             MutableBitSpan inner) {
   RESTRIP_ASSERT(i < j && j <= k, "exact::best_open_split", restrip::detail::no_such_gaps);
   return detail::on_bits(restrip::detail::path_with_chord(k, i, j), ports, inner, [&](auto* room, auto&& color) {
-    restrip::detail::walk_open_split(k, i, j, detail::LongLetters::of_open(k, ports, joined, turns), room, color);
+    restrip::detail::walk_open_split(k, i, j, detail::LongLetters::of_open(k, ports, joined), room, color);
   });
 }
 
 /// `inner` has k bits.
-inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner,
-                                 LongTurns turns = {}) {
+inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
   RESTRIP_ASSERT(k >= 1 && i <= k, "exact::best_boundary_split", restrip::detail::no_such_gap);
   return detail::on_bits(restrip::detail::path(k, i), ports, inner, [&](auto* room, auto&& color) {
-    restrip::detail::walk_boundary_split(k, i, detail::LongLetters::of_open(k, ports, joined, turns), room, color);
+    restrip::detail::walk_boundary_split(k, i, detail::LongLetters::of_open(k, ports, joined), room, color);
   });
 }
 
 /// `loop` has k - 1 bits; nothing is written when k = 1.
-inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop,
-                               LongTurns turns = {}) {
+inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
   RESTRIP_ASSERT(k >= 1, "exact::best_fan_collapse", restrip::detail::no_such_fan);
   return detail::on_bits(restrip::detail::open_fan(k), ports, loop, [&](auto* room, auto&& color) {
-    restrip::detail::walk_fan_collapse(k, detail::LongLetters::of_open(k, ports, joined, turns), room, color);
+    restrip::detail::walk_fan_collapse(k, detail::LongLetters::of_open(k, ports, joined), room, color);
   });
 }
 

@@ -1,46 +1,34 @@
 // How the generated automaton (restrip/tables/automaton.hpp) is laid out: the rules of every fan, whatever its valence,
-// in one finite automaton. docs/explanation/automaton.md says why it exists and how it is checked; docs/reference/notation.md numbers the
-// bits. What follows is all that a look-up needs.
-//
-// The shipped automaton is that of fewest strips. One of another cost (`restrip-generate automaton --cost R,S,I`) has
-// the same layout. If swaps have a price there are eight letters in place of four, which tell how strips turn behind
-// ports, and numbers may need 16 bits.
+// in one finite automaton. docs/explanation/automaton.md says why it exists and how it is checked;
+// docs/reference/notation.md numbers the bits. What follows is all that a look-up needs.
 //
 // **Arcs.** A cut through two dual edges of a fan leaves an *arc*, a row of triangles between a left and a right
 // *link*. It is read from left to right, one *letter* for each triangle:
 //
-//     4 letters  8 letters
-//         0          0      its port is dashed, or it has none
-//         1          1      its port is solid, and its bit in the key's `joined` is 0
-//                    2      the same, and behind it the strip goes on about the corner that it shares with the left
-//                    link 3      the same with the right link
-//         2       4, 5, 6   as 1, 2, 3, where its bit in `joined` is 1
-//         3          7      no triangle: the mesh boundary (at most once in an arc)
+//     0  its port is dashed, or it has none
+//     1  its port is solid, and its bit in the key's `joined` is 0
+//     2  its port is solid, and its bit in `joined` is 1
+//     3  no triangle: the mesh boundary (at most once in an arc)
 //
-// so with four letters a triangle's letter is `port + (port & joined)`. Reading starts in class 0, the empty arc:
+// so a triangle's letter is `port + (port & joined)`. Reading starts in class 0, the empty arc:
 //
-//     class = next[letters * class + letter]
+//     class = next[4 * class + letter]
 //
-// **Cases.** What a colouring of the arc does at its two links is a *case*, four bits. With four letters, these are the
-// reach of the left link times four plus the reach of the right link. A reach says where the strand over the link goes
-// on the arc's side:
+// **Cases.** What a colouring of the arc does at its two links is a *case*, four bits: the reach of the left link times
+// four plus the reach of the right link. A reach says where the strand over the link goes on the arc's side:
 //
 //     0  nowhere, the link is dashed
 //     1  it ends inside the arc
 //     2  it leaves by a port
 //     3  it goes through to the other link; then both reaches are 3, and the case is 15
 //
-// With eight letters each class numbers its own cases: those whose right link is dashed from 0, the others from 8. In
-// both, case 0 has both links dashed.
-//
-// Once the case of the whole arc is known, the colours are read backwards. `before[letters * class + letter]` has four
+// Once the case of the whole arc is known, the colours are read backwards. `before[4 * class + letter]` has four
 // bits for each case after the letter: the case before it, where `class` is the class *before* the letter.
 //
-//     case = before[letters * class + letter] >> 4 * case & 15
+//     case = before[4 * class + letter] >> 4 * case & 15
 //
-// The right link of the arc read so far is solid when `case & solid` is not 0, where `solid` is 3 with four letters and
-// 8 with eight. So each step backwards tells the colour of the dual edge to the left of one triangle; the last step, to
-// the empty arc, tells the left link of the whole arc.
+// The right link of the arc read so far is solid when `case & 3` is not 0. So each step backwards gives the colour of
+// the dual edge to the left of one triangle; the last step, to the empty arc, gives the left link of the whole arc.
 //
 // **Where the case comes from.** Each family of operations is one or two arcs.
 //
@@ -59,10 +47,8 @@
 //   t_{i-1}, either part perhaps empty. Then as for a split. In path order the edges are those behind that
 //   letter without the first, those of the first arc, and those before it without the last: next to the boundary
 //   there is no edge, and the cases found have it dashed.
-// - *Boundary split*, gap i. With four letters one arc, t_0 … t_{i-1}, A with letter 0, t_i … t_{k-1}; its case is 0:
-//   both links lie on the boundary. With eight, A is no letter, because no strip passes it about the hub: the arc is
-//   t_i … t_{k-1}, the boundary's letter, t_0 … t_{i-1}, both links lead to A, and `closed` is its case. As for an open
-//   split, next to the boundary there is no edge.
+// - *Boundary split*, gap i. One arc, t_0 … t_{i-1}, A with letter 0, t_i … t_{k-1}; its case is 0: both links lie on
+//   the boundary.
 // - *Collapse* onto an open fan. One arc, t_0 … t_{k-1}; its case is 0.
 //
 // In an open fan no bit of `joined` is set for the first solid port, so reading it in another order changes nothing.
@@ -82,25 +68,23 @@
 
 namespace restrip {
 
-/// The automaton. `Number` is std::uint8_t, or std::uint16_t where that is too small. Entries that nothing asks for
-/// hold 0: `first` of arcs with the boundary inside or without triangles, `closed` of the latter and, with four
-/// letters, of the former, `second` of the empty arc, four bits of `before` for a case that no answer has.
+/// The automaton. `Number` is std::uint8_t, and there are four letters. Entries that nothing asks for hold 0: `first`
+/// and `closed` of arcs with the boundary inside or without triangles, `second` of the empty arc, four bits of `before`
+/// for a case that no answer has.
 template <class Number, std::size_t Letters, std::size_t Classes, std::size_t Firsts, std::size_t Seconds,
           std::size_t Meetings>
 struct ArcAutomaton {
   static constexpr std::size_t letters = Letters;
   static constexpr std::size_t classes = Classes;
   static constexpr std::size_t seconds = Seconds;
-  /// Whether letters tell how strips turn behind ports.
-  static constexpr bool tells_turns = Letters == 8;
   /// The letter of the mesh boundary.
   static constexpr unsigned boundary = Letters - 1;
   /// The bits of a case that say that the right link is solid.
-  static constexpr unsigned solid = tells_turns ? 8 : 3;
+  static constexpr unsigned solid = 3;
   /// What `next` holds where a letter is not allowed: the boundary behind a boundary.
   static constexpr Number no_class = std::numeric_limits<Number>::max();
 
-  std::array<Number, Letters * Classes> next;           ///< index letters * class + letter
+  std::array<Number, Letters * Classes> next;           ///< index 4 * class + letter
   std::array<std::uint64_t, Letters * Classes> before;  ///< the same index, four bits for each case after it
   std::array<std::uint8_t, Classes> closed;             ///< the case of an arc whose links meet each other
   std::array<Number, Classes> first;                    ///< row of an arc between A and D

@@ -11,44 +11,23 @@
 
 namespace restrip::detail {
 
-/// How strips continue outside the solid ports of a fan, a bit for each port: around the corner that the port shares
-/// with the link to the previous triangle, or to the next one. If neither bit is set the strip ends outside the port.
-/// `Bits` is a Word or a BitSpan.
-template <class Bits>
-struct PortTurns {
-  Bits left = {};
-  Bits right = {};
-};
-
-/// The letter of a port: 0 not solid, 1 solid, 2 solid and may be joined to the solid port before it; with the turn
-/// outside if the automaton distinguishes turns.
-template <class Bits, class At>
-constexpr unsigned letter_of(unsigned port, const PortTurns<Bits>& turns, At&& at) noexcept {
-  if constexpr (tables::automaton.tells_turns) {
-    if (port != 0) return 3 * port - 2 + (at(turns.left) ? 1 : at(turns.right) ? 2 : 0);
-  }
-  return port;
-}
-
-/// The key of a fan as letters.
+/// The key of a fan as letters: 0 not solid, 1 solid, 2 solid and may be joined to the solid port before it.
 struct WordLetters {
   Word ports = 0;
   Word joined = 0;  ///< of solid ports
-  PortTurns<Word> turns = {};
 
   /// With exactly two solid ports in a closed fan either bit of `joined` stands for the pair, from both sides.
-  static constexpr WordLetters of_closed(Word ports, Word joined, PortTurns<Word> turns = {}) noexcept {
+  static constexpr WordLetters of_closed(Word ports, Word joined) noexcept {
     const Word but_one = ports & (ports - 1);
     const bool two = but_one != 0 && (but_one & (but_one - 1)) == 0;
-    return {ports, two && (joined & ports) != 0 ? ports : joined & ports, turns};
+    return {ports, two && (joined & ports) != 0 ? ports : joined & ports};
   }
   /// In an open fan nothing lies before the first solid port.
-  static constexpr WordLetters of_open(Word ports, Word joined, PortTurns<Word> turns = {}) noexcept {
-    return {ports, joined & (ports & (ports - 1)), turns};
+  static constexpr WordLetters of_open(Word ports, Word joined) noexcept {
+    return {ports, joined & (ports & (ports - 1))};
   }
   [[nodiscard]] constexpr unsigned operator[](std::size_t i) const noexcept {
-    const auto port = static_cast<unsigned>((ports >> i & 1) + (joined >> i & 1));
-    return letter_of(port, turns, [i](Word mask) { return (mask >> i & 1) != 0; });
+    return static_cast<unsigned>((ports >> i & 1) + (joined >> i & 1));
   }
 };
 
@@ -56,24 +35,20 @@ struct WordLetters {
 struct LongLetters {
   BitSpan ports;
   BitSpan joined;
-  PortTurns<BitSpan> turns;
   bool pair = false;            ///< exactly two solid ports, which are joined
   std::size_t first = nowhere;  ///< in an open fan, the first solid port
 
-  static constexpr LongLetters of_closed(std::size_t k, BitSpan ports, BitSpan joined,
-                                         PortTurns<BitSpan> turns = {}) noexcept {
+  static constexpr LongLetters of_closed(std::size_t k, BitSpan ports, BitSpan joined) noexcept {
     const std::size_t one = ports.first_set(0, k);
     const std::size_t two = one == nowhere ? nowhere : ports.first_set(one + 1, k);
     const bool exactly_two = two != nowhere && ports.first_set(two + 1, k) == nowhere;
-    return {ports, joined, turns, exactly_two && (joined[one] || joined[two]), nowhere};
+    return {ports, joined, exactly_two && (joined[one] || joined[two]), nowhere};
   }
-  static constexpr LongLetters of_open(std::size_t k, BitSpan ports, BitSpan joined,
-                                       PortTurns<BitSpan> turns = {}) noexcept {
-    return {ports, joined, turns, false, ports.first_set(0, k)};
+  static constexpr LongLetters of_open(std::size_t k, BitSpan ports, BitSpan joined) noexcept {
+    return {ports, joined, false, ports.first_set(0, k)};
   }
   [[nodiscard]] constexpr unsigned operator[](std::size_t i) const noexcept {
-    const unsigned port = !ports[i] ? 0 : pair || (joined[i] && i != first) ? 2 : 1;
-    return letter_of(port, turns, [i](BitSpan bits) { return bits.words != nullptr && bits[i]; });
+    return !ports[i] ? 0 : pair || (joined[i] && i != first) ? 2 : 1;
   }
 };
 
@@ -206,17 +181,10 @@ template <class Letters, class Color>
 constexpr void walk_boundary_split(std::size_t k, std::size_t i, const Letters& letters, ArcEntry* room,
                                    Color&& color) noexcept {
   ArcWalk<> path(room);
-  if constexpr (tables::automaton.tells_turns) {
-    path.read(letters, i, k);
-    path.read(tables::automaton.boundary);
-    path.read(letters, 0, i);
-    color_around(path, tables::automaton.closed[path.arc_class()], k - i, i, color);
-  } else {
-    path.read(letters, 0, i);
-    path.read(0);
-    path.read(letters, i, k);
-    color_path(path, color);
-  }
+  path.read(letters, 0, i);
+  path.read(0);
+  path.read(letters, i, k);
+  color_path(path, color);
 }
 
 template <class Letters, class Color>
