@@ -21,4 +21,14 @@ namespace restrip {
   return fmt::format("{} {}", count, plural(count, one, many));
 }
 
+/// 25888 as 25,888.
+[[nodiscard]] inline std::string grouped(std::uint64_t number) {
+  return number < 1000 ? std::to_string(number) : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
+}
+
+/// "1 rule", "25,888 rules".
+[[nodiscard]] inline std::string counted_grouped(std::uint64_t number, std::string_view one) {
+  return fmt::format("{} {}", grouped(number), plural(number, one));
+}
+
 }  // namespace restrip

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "certificate/manifest.hpp"
+#include "common/counted.hpp"
 #include "judge/family_report.hpp"
 #include "judge/index_cost.hpp"
 #include "judge/operation_header.hpp"
+#include "judge/report.hpp"
 #include "judge/table_dump.hpp"
 #include "linked/linked_check.hpp"
 #include "linked/linked_dump.hpp"
 #include "model/input.hpp"
-#include "model/on_threads.hpp"
-#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -229,7 +229,7 @@ class Verification {
       // A planned comparison fails if the dump could not be read.
       if (!comparison.fault.empty()) failures.add(comparison.fault);
       if (count.entries == 0 && failures.count == 0) return;
-      listener_({subject, claim, fmt::format("{}, {}", method, quantity(count.positions, "position")), count.entries,
+      listener_({subject, claim, fmt::format("{}, {}", method, counted(count.positions, "position")), count.entries,
                  std::exchange(seconds, 0), failures.count, failures.first});
     };
     Failures differences = listed.differences;
@@ -291,7 +291,7 @@ class Verification {
     if (!check.holds() && failures.count == 0) failures.add("nothing was picked");
     listener_(
         {"linked look-up", "the best in all outsides that fit the answers",
-         fmt::format("{}, {}", quantity(check.configurations, "configuration"), quantity(check.positions, "position")),
+         fmt::format("{}, {}", counted(check.configurations, "configuration"), counted(check.positions, "position")),
          check.leaves, thread_seconds() - start, failures.count, failures.first});
     if (check.holds()) totals_.answers["linked look-up"] = {check.positions, check.leaves};
     totals_.read.of_headers.emplace_back("compiled linked look-up");
@@ -325,14 +325,14 @@ bool has_family(const Options& options) {
 std::string last_line_of(const Options& options, const Totals& totals) {
   std::string text = totals.graph_only ? "graph only: not checked to be an operation on a mesh\n" : "";
   text += fmt::format("{}: {}: {}, {} judged", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
-                      quantity(totals.configurations, "configuration"), quantity(totals.graphs, "graph"));
-  if (!options.certificate.empty()) text += ", " + quantity(totals.rules, "rule");
-  if (!options.linked_certificate.empty()) text += ", " + quantity(totals.alternatives, "alternative");
+                      counted(totals.configurations, "configuration"), counted(totals.graphs, "graph"));
+  if (!options.certificate.empty()) text += ", " + counted(totals.rules, "rule");
+  if (!options.linked_certificate.empty()) text += ", " + counted(totals.alternatives, "alternative");
   const std::uint64_t answers = sum_of(totals.answers).entries;
-  if (answers != 0) text += fmt::format(", {} of the table", quantity(answers, "answer"));
+  if (answers != 0) text += fmt::format(", {} of the table", counted(answers, "answer"));
   const std::uint64_t more = sum_of(totals.not_compared).entries;
   if (more != 0) text += fmt::format(", {} more NOT compared", more);
-  text += ", " + quantity(totals.claims, "claim");
+  text += ", " + counted(totals.claims, "claim");
   if (totals.failed != 0) text += fmt::format(" of which {} failed", totals.failed);
   return text + fmt::format("; read: {}{}\n", text_of(totals.read),
                             totals.lists_not_read ? "; linked rules were not read" : "");

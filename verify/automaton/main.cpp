@@ -10,9 +10,9 @@
 
 #include "automaton/automaton_digests.hpp"
 #include "automaton/verify_automaton.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "model/program.hpp"
-#include "model/quantity.hpp"
 
 namespace {
 
@@ -28,9 +28,10 @@ int run(const AutomatonOptions& options, const std::string& json) {
     std::fflush(stdout);
   });
   out.print(fmt::format("{}: {}, {}, {} of arcs, {} of which {} failed; read: {}\n",
-                        totals.failed == 0 ? "verified" : "NOT verified", quantity(totals.classes, "class", "es"),
-                        quantity(totals.rows, "row"), quantity(totals.kinds, "kind"), quantity(totals.claims, "claim"),
-                        totals.failed, text_of(totals.read)),
+                        totals.failed == 0 ? "verified" : "NOT verified",
+                        restrip::counted(totals.classes, "class", "classes"), restrip::counted(totals.rows, "row"),
+                        restrip::counted(totals.kinds, "kind"), restrip::counted(totals.claims, "claim"), totals.failed,
+                        text_of(totals.read)),
             text_of({{"claims", json_of(claims)},
                      {"classes", totals.classes},
                      {"rows", totals.rows},

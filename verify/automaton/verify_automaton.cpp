@@ -9,10 +9,9 @@
 #include "automaton/automaton_dump.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
+#include "common/counted.hpp"
 #include "judge/report.hpp"
 #include "model/input.hpp"
-#include "model/on_threads.hpp"
-#include "model/quantity.hpp"
 
 namespace restrip::verify {
 
@@ -94,7 +93,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
     teller.tell(fmt::format("worth what the rules of {} are", family.name),
-                fmt::format("k <= {}, {}, {} the very rule", options.tables_max_k, quantity(check.places, "position"),
+                fmt::format("k <= {}, {}, {} the very rule", options.tables_max_k, counted(check.places, "position"),
                             check.same),
                 check.keys, check.failures);
   }
@@ -102,7 +101,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     const unsigned every = k > largest_fan ? options.every : 1;
     const FanCheck check = check_against_search(certificate, k, every);
     teller.tell(fmt::format("every answer with k = {} is sound and best", k),
-                fmt::format("all recolourings, {}{}", every == 1 ? "all " : "", quantity(check.places, "place")),
+                fmt::format("all recolourings, {}{}", every == 1 ? "all " : "", counted(check.places, "place")),
                 check.keys, check.failures);
   }
   return totals;

@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <set>
 
+#include "common/counted.hpp"
 #include "common/digest.hpp"
 #include "model/families_text.hpp"
 #include "model/input.hpp"
 #include "model/json.hpp"
-#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -129,7 +129,7 @@ std::vector<std::string> row_faults(const std::string& tables_dir, const std::ve
     if (!fs::is_regular_file(tables_dir + "/" + line.path)) continue;
     if (const std::size_t found = rows_of(tables_dir, line.path); found != line.rows)
       faults.push_back(fmt::format("{}/MANIFEST:{}: {}: {} listed, {} found", tables_dir, line.line, line.path,
-                                   quantity(line.rows, "row"), found));
+                                   counted(line.rows, "row"), found));
   }
   return faults;
 }

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "common/counted.hpp"
 #include "judge/reference.hpp"
+#include "judge/report.hpp"
 #include "judge/section_check.hpp"
-#include "model/on_threads.hpp"
-#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -92,7 +92,7 @@ class FamilyReport {
   }
 
   void report_rows() const {
-    const std::string definition = "definition, " + quantity_grouped(sum(&PositionCheck::graphs), "graph") + limit_;
+    const std::string definition = "definition, " + counted_grouped(sum(&PositionCheck::graphs), "graph") + limit_;
     report("every valid configuration has a row", "definition" + limit_, sum(&PositionCheck::valid),
            sum(&PositionCheck::Seconds::judging), sum(&PositionCheck::missing));
     report("every row has a valid configuration", "definition" + limit_, certificate_->rows, 0, extra_);
@@ -114,7 +114,7 @@ class FamilyReport {
     const std::string method =
         reasons_.rules == 0 ? "the certificate gives none"
                             : fmt::format("{} by disjoint sets, {}, leaves up to {}", reasons_.rules - reasons_.trees,
-                                          quantity(reasons_.trees, "case tree"), reasons_.most_cases);
+                                          counted(reasons_.trees, "case tree"), reasons_.most_cases);
     report("every rule has a reason why nothing is preferred to it", method, reasons_.rules,
            sum(&PositionCheck::Seconds::reasons), reasons_.wrong);
   }
@@ -150,13 +150,13 @@ class FamilyReport {
       worst_isolated = std::max(worst_isolated, isolated);
       if (operation.most_isolated && isolated > *operation.most_isolated)
         wrong.add(fmt::format("{}: a rule isolates {} more, the family claims at most {}", operation.name(),
-                              quantity(static_cast<std::uint64_t>(isolated), "triangle"), *operation.most_isolated));
+                              counted(static_cast<std::uint64_t>(isolated), "triangle"), *operation.most_isolated));
       if (operation.most_strips && strips > *operation.most_strips)
         wrong.add(fmt::format("{}: a rule costs {}, the family claims at most {}", operation.name(),
-                              quantity(static_cast<std::uint64_t>(strips), "strip"), *operation.most_strips));
+                              counted(static_cast<std::uint64_t>(strips), "strip"), *operation.most_strips));
     });
     report(fmt::format("no rule costs above {}, isolates above {}",
-                       quantity(static_cast<std::uint64_t>(worst_strips), "strip"), worst_isolated),
+                       counted(static_cast<std::uint64_t>(worst_strips), "strip"), worst_isolated),
            "maximum; and what the family claims", sum(&PositionCheck::with_sound_row), 0, wrong);
   }
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "common/share.hpp"
 #include "model/coloring.hpp"
-#include "model/on_threads.hpp"
 
 namespace restrip::verify {
 namespace {

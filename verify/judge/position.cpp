@@ -6,8 +6,9 @@
 #include <mutex>
 #include <numeric>
 
+#include "common/share.hpp"
 #include "judge/reason_check.hpp"
-#include "model/on_threads.hpp"
+#include "judge/report.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/quantity.hpp"
+#include "common/counted.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -17,7 +17,7 @@ std::string answers_line(const char* what, const AnswerCounts& answers) {
   for (const auto& [family, count] : answers)
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", family, count.positions);
   return fmt::format("answers of the shipped headers {}: {} in {} ({})\n", what, grouped(sum.entries),
-                     quantity(sum.positions, "position"), list);
+                     counted(sum.positions, "position"), list);
 }
 
 nlohmann::ordered_json json_of(const AnswerCounts& answers) {
@@ -54,17 +54,17 @@ std::string line_of(const ClaimResult& result) {
                                  result.subject, result.claim, result.method, grouped(result.cases), result.seconds);
   if (!result.held())
     text +=
-        fmt::format("{}, the first:\n{}\n", quantity_grouped(result.failures, "counterexample"), result.counterexample);
+        fmt::format("{}, the first:\n{}\n", counted_grouped(result.failures, "counterexample"), result.counterexample);
   return text;
 }
 
 std::string last_line(const Totals& totals) {
   return answers_line("proved", totals.answers) + answers_line("NOT compared", totals.not_compared) +
          fmt::format("{}: {}, {}, {}, {} judged, {}{}, k <= {}; read: {}\n",
-                     totals.failed == 0 ? "verified" : "NOT verified", quantity_grouped(totals.rules, "rule"),
-                     quantity_grouped(totals.alternatives, "alternative"),
-                     quantity_grouped(totals.configurations, "configuration"), quantity_grouped(totals.graphs, "graph"),
-                     quantity(totals.claims, "claim"),
+                     totals.failed == 0 ? "verified" : "NOT verified", counted_grouped(totals.rules, "rule"),
+                     counted_grouped(totals.alternatives, "alternative"),
+                     counted_grouped(totals.configurations, "configuration"), counted_grouped(totals.graphs, "graph"),
+                     counted(totals.claims, "claim"),
                      totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed), totals.max_k,
                      text_of(totals.read));
 }

@@ -2,6 +2,7 @@
 // The results: claims, how they were checked, and whether they hold.
 
 #include <cstdint>
+#include <ctime>
 #include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -23,6 +24,13 @@ struct Failures {
     count += later.count;
   }
 };
+
+/// Processor seconds of the calling thread.
+inline double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
 
 struct ClaimResult {
   std::string subject;  ///< a family, or another subject

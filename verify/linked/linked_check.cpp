@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "definition/definition.hpp"
-#include "model/on_threads.hpp"
+#include "judge/report.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/quantity.hpp"
+#include "common/counted.hpp"
 
 namespace restrip::verify {
 
@@ -73,7 +73,7 @@ std::string invalid_because(const Side& side, Colors colors, unsigned most_solid
 }
 
 std::string drawn(const Side& side, Colors colors) {
-  std::string text = side.edges.empty() ? quantity(side.triangles, "triangle") + " without edges" : "edges";
+  std::string text = side.edges.empty() ? counted(side.triangles, "triangle") + " without edges" : "edges";
   for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
     text += fmt::format(" {}{}{}", name_of(side, side.edges[edge][0]), is_solid(colors.inner, edge) ? '=' : '-',
                         name_of(side, side.edges[edge][1]));
