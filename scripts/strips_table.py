@@ -1,13 +1,8 @@
 #!/usr/bin/env python3
 """Replays meshes and prints a table of one of the documents.
 
-levels:     strips, indices and times of each mesh under every policy (docs/reference/policies.md)
-indices:    indices and times of each mesh where indices are the cost (docs/reference/policies.md)
-brief:      the same of one mesh in a few columns (README.md)
-cycles:     strips at the top of one mesh after many ways down and up (docs/reference/policies.md)
+indices:    indices and times of each mesh where indices are the cost (README.md)
 baked:      what baked strips cost (docs/how-to/baked-strips.md)
-baked-indices:  the same where indices are the cost (docs/how-to/baked-strips.md)
-gltf:       the sizes of strips as glTF files (docs/how-to/own-mesh.md)
 isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/explanation/paper.md)
 """
 import argparse
@@ -18,11 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-WAYS = ["local", "linked", "quick", "full", "best", "baked"]
 INDEX_WAYS = ["local", "linked", "quick", "full", "best"]
-BRIEF_WAYS = ["local", "linked", "quick", "full", "baked"]
-CYCLE_WAYS = ["linked", "quick", "full"]
-SHOWN_CYCLES = [1, 2, 50, 100]
 PAPER_WAYS = {
     "paper": "both halves of a cut edge inherit its colour; the two new triangles join when both are isolated",
     "paper-tunnel": "the same, with tunnelling while more than a tenth of the strips are isolated triangles",
@@ -55,26 +46,12 @@ def name_of(mesh):
     return os.path.splitext(os.path.basename(mesh))[0]
 
 
-def per_strip(level):
-    return level["triangles"] / level["strips"]
-
-
-def least(levels, above):
-    lengths = [per_strip(level) for level in levels if level["triangles"] > above]
-    return f"{min(lengths):,.0f}" if lengths else "–"
-
-
 def per_triangle(level):
     return level["indices"] / level["triangles"]
 
 
 def most_indices(levels, above):
     return f"{max(per_triangle(level) for level in levels if level['triangles'] > above):.3f}"
-
-
-def nearest(levels, triangles):
-    """The level with about this many triangles."""
-    return min(levels, key=lambda level: abs(level["triangles"] - triangles))
 
 
 def times_bare(report):
@@ -89,29 +66,6 @@ def line(cells):
 def header(*heads):
     line(heads)
     print("|" + " --- |" * len(heads))
-
-
-def levels_table(program, meshes, ways):
-    header("mesh", "`--policy`", "strips at the top", "triangles per strip", "indices per triangle",
-           "least above 20,000: up, down", "least above 5,000: up, down", "isolating splits", "µs a split, a collapse",
-           "times the bare update", "bytes written a split")
-    for mesh in meshes:
-        for way in ways or WAYS:
-            report = program.replay(mesh, way)
-            up, down, top = report["levels"], report["levels_down"], report["levels"][-1]
-            line([
-                name_of(mesh),
-                f"`{way}`",
-                f"{top['strips']:,}",
-                f"{per_strip(top):,.1f}",
-                f"{top['indices'] / top['triangles']:.3f}",
-                f"{least(up, 20000)}, {least(down, 20000)}",
-                f"{least(up, 5000)}, {least(down, 5000)}",
-                f"{report['operations_isolating']}",
-                f"{report['ns_per_operation'] / 1000:.2f}, {report['ns_per_collapse'] / 1000:.2f}",
-                "{:.1f}, {:.1f}".format(*times_bare(report)),
-                f"{report['buffer_bytes_written_per_operation']:,.0f} of {report['buffer_bytes'] / 1000:,.0f} k",
-            ])
 
 
 def indices_table(program, meshes, ways):
@@ -130,35 +84,6 @@ def indices_table(program, meshes, ways):
                 f"{report['ns_per_operation']:,.0f}, {report['ns_per_collapse']:,.0f}",
                 "{:.1f}, {:.1f}".format(*times_bare(report)),
             ])
-
-
-def brief_table(program, meshes, ways):
-    reports = {way: program.replay(meshes[0], way) for way in ways or BRIEF_WAYS}
-    stops = next(iter(reports.values()))["levels"]
-    middle, low = (nearest(stops, stops[-1]["triangles"] * part)["triangles"] for part in (0.5, 0.1))
-    header("policy", "triangles per strip at the top", f"on the way down, at {middle:,}", f"at {low:,}",
-           "splits that isolate a triangle", "a split, a collapse, against the bare update")
-    for way, report in reports.items():
-        down = report["levels_down"]
-        line([
-            f"`{way}`",
-            f"{per_strip(report['levels'][-1]):,.1f}",
-            f"{per_strip(nearest(down, middle)):,.1f}",
-            f"{per_strip(nearest(down, low)):,.1f}",
-            f"{report['operations_isolating']}",
-            "{:.1f}x, {:.1f}x".format(*times_bare(report)),
-        ])
-    for effort in ("fast", "full"):
-        report = program.run("stripify", meshes[0], "--cost", "strips", "--effort", effort)
-        line([f"from scratch, `stripify --effort {effort}`", f"{per_strip(report):,.1f}", "–", "–", "–", "–"])
-
-
-def cycles_table(program, meshes, ways):
-    header("policy", *(str(cycle) for cycle in SHOWN_CYCLES), "operations that isolated a triangle")
-    for way in ways or CYCLE_WAYS:
-        cycles = program.replay(meshes[0], way, "--cycles", str(SHOWN_CYCLES[-1]), repeats=0)["cycles"]
-        isolating = sum(cycle["isolating"] for cycle in cycles)
-        line([f"`{way}`", *(f"{cycles[cycle - 1]['top_strips']:,}" for cycle in SHOWN_CYCLES), f"{isolating}"])
 
 
 def bake_and_play(program, mesh, bake_options, replay_options):
@@ -199,23 +124,6 @@ def baked_table(program, meshes, _):
         ])
 
 
-def baked_indices_table(program, meshes, _):
-    header("mesh", "triangles", "strips at the top", "indices per triangle at the top", "most above 1,000", *BAKING_COST,
-           "split, collapse: times bare")
-    for mesh in meshes:
-        baked, report = bake_and_play(program, mesh, ["--cost", "indices"], [])
-        top = report["levels"][-1]
-        line([
-            name_of(mesh),
-            f"{baked['base_triangles']:,} to {baked['triangles']:,}",
-            f"{top['strips']:,}",
-            f"{per_triangle(top):.3f}",
-            most_indices(report["levels"] + report["levels_down"], 1000),
-            *baking_cost(baked),
-            "{:.2f}, {:.2f}".format(*times_bare(report)),
-        ])
-
-
 def isolating_table(program, meshes, _):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.check_call([program.path, "paper", "--out", folder, *meshes], stdout=subprocess.DEVNULL)
@@ -227,34 +135,18 @@ def isolating_table(program, meshes, _):
         line([f"`{way}`", what, *(f"{int(row['isolating']):,} of {int(row['splits']):,}, {row['percent']} %" for row in rows)])
 
 
-def gltf_table(program, meshes, _):
-    header("mesh", "cost", "strips", "bytes as `stitched`", "as `list`", "as `strips`", "as `restart`")
-    with tempfile.TemporaryDirectory() as folder:
-        written = os.path.join(folder, "strips.glb")
-        for mesh in meshes:
-            for cost in ("strips", "indices"):
-                sizes = []
-                for how in ("stitched", "list", "strips", "restart"):
-                    report = program.run("stripify", mesh, "--cost", cost, "--gltf", how, "-o", written)
-                    sizes.append(f"{os.path.getsize(written):,}")
-                line([name_of(mesh), cost, f"{report['strips']:,}", *sizes])
-
-
-TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table,
-          "baked": baked_table, "baked-indices": baked_indices_table, "gltf": gltf_table, "isolating": isolating_table}
+TABLES = {"indices": indices_table, "baked": baked_table, "isolating": isolating_table}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     epilog="Example: scripts/strips_table.py brief build/release/bin/restrip bunny.obj")
+                                     epilog="Example: scripts/strips_table.py indices build/release/bin/restrip bunny.obj")
     parser.add_argument("table", choices=TABLES)
     parser.add_argument("program", help="restrip")
     parser.add_argument("meshes", nargs="+", metavar="MESH")
-    parser.add_argument("--way", action="append", help="levels, brief, cycles: only this policy; may be repeated")
+    parser.add_argument("--way", action="append", help="indices: only this policy; may be repeated")
     parser.add_argument("--repeats", type=int, help="how often times are measured; default: as restrip replay does")
     arguments = parser.parse_args()
-    if arguments.table in ("brief", "cycles") and len(arguments.meshes) != 1:
-        parser.error(f"{arguments.table} takes one mesh")
     TABLES[arguments.table](Program(arguments.program, arguments.repeats), arguments.meshes, arguments.way)
 
 
