@@ -42,7 +42,6 @@
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/buffer_history.hpp"
-#include "restrip/output/changes.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/live_buffer.hpp"
