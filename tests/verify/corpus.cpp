@@ -119,6 +119,9 @@ void read_damages(const fs::path& file, std::vector<Damage>& all) {
       throw std::runtime_error(fmt::format("{}: {}: incomplete", file.string(), all[i].name));
 }
 
+/// By the name of a file in tests/corpus/altered.
+fs::path altered(const std::string& name) { return fs::path(RESTRIP_CORPUS_DIR) / "altered" / name; }
+
 }  // namespace
 
 fs::path small_tables() { return fs::path(RESTRIP_CORPUS_DIR) / "accept" / "small"; }
@@ -136,13 +139,21 @@ std::string Alteration::in(std::string text) const {
   return text.replace(place, what.size() + (by ? 0 : 1), by.value_or(""));
 }
 
-std::string text_to_alter(const std::string& name) { return bytes_of(fs::path(RESTRIP_CORPUS_DIR) / "altered" / name); }
+std::string text_to_alter(const std::string& name) {
+  const std::string all = bytes_of(altered("texts.txt"));
+  const std::string head = fmt::format("=== {}\n", name);
+  const std::size_t at = ('\n' + all).find('\n' + head);
+  if (at == std::string::npos) throw std::runtime_error("no text " + name);
+  const std::size_t begin = at + head.size();
+  const std::size_t end = all.find("\n=== ", begin);
+  return all.substr(begin, end == std::string::npos ? end : end + 1 - begin);
+}
 
 std::vector<Alteration> alterations(const std::string& file) {
   std::vector<Alteration> all;
   Alteration next;
   char last = 0;
-  for (const std::string& line : lines_of(text_to_alter(file))) {
+  for (const std::string& line : lines_of(bytes_of(altered(file)))) {
     if (line.empty() || line.starts_with("#")) continue;
     const std::string text = line.substr(std::min<std::size_t>(line.size(), 2));
     const bool goes_on = line[0] == last;

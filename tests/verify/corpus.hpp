@@ -67,7 +67,7 @@ struct Alteration {
   std::string in(std::string text) const;
 };
 std::vector<Alteration> alterations(const std::string& file);
-/// The text named by an `of`, from a file in the same folder.
+/// What an `of` names: the text below "=== NAME" in texts.txt.
 std::string text_to_alter(const std::string& name);
 
 /// Writes a MANIFEST that lists what is in the folder, with its present bytes and rows.
