@@ -133,7 +133,7 @@ class Verification {
     };
     const std::vector<std::string> faults = manifest_faults(options_.tables_dir, manifest);
     report("the files match the MANIFEST", "SHA-256, sizes, no file unlisted", faults, thread_seconds() - start);
-    report("the files have as many rows as listed", "counted", row_faults(options_.tables_dir, manifest), 0);
+    report("the files have the listed numbers of rows", "counted", row_faults(options_.tables_dir, manifest), 0);
   }
 
   void read_rules(const Family& family, const std::string& file) {

@@ -145,7 +145,7 @@ std::string path_of(const Description& family) {
 std::string served_header(const Description& family) {
   if (family.numbers.empty()) refuse(family, "it is an operation with one position");
   if (family.constraint.most_edges != 2) refuse(family, "its solid edges are not strips");
-  if (family.own_cost) refuse(family, "it has a cost of its own");
+  if (family.own_cost) refuse(family, "it has a custom cost");
   if (family.gives_all_up) refuse(family, "it may give ports up");
   return fan_header(family);
 }

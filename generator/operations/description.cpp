@@ -224,7 +224,8 @@ Patch make_patch(const Position& position) {
               side_at(family.after, position, family.after_in_file)};
   if (patch.before.ports() != patch.after.ports())
     refuse(position, family.after_in_file,
-           fmt::format("expected as many ports as before, {}, found {}", patch.before.ports(), patch.after.ports()));
+           fmt::format("expected the same number of ports as before, {}, found {}", patch.before.ports(),
+                       patch.after.ports()));
   return patch;
 }
 

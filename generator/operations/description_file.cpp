@@ -274,7 +274,7 @@ void expect_numbers_once(const JsonValue& value, const std::vector<std::string>&
   if (text.find_first_of("{}") != std::string::npos)
     value.refuse(fmt::format(
         "expected braces only around {}, each at most once",
-        numbers.empty() ? "numbers, of which there are none" : fmt::format("{}", fmt::join(numbers, ", "))));
+        numbers.empty() ? "numbers, and the family has no numbers" : fmt::format("{}", fmt::join(numbers, ", "))));
 }
 
 /// The verifier checks every rule against these bounds.
@@ -314,7 +314,7 @@ std::optional<Patch> patch_from(const JsonValue& value, const Description& descr
   if (description.is_graph_only()) {
     Patch patch{std::get<Side>(description.before), std::get<Side>(description.after)};
     if (patch.after.owner.size() != patch.before.owner.size())
-      value["after"]["ports"].refuse("expected as many ports as before");
+      value["after"]["ports"].refuse("expected the same number of ports as before");
     return patch;
   }
   try {

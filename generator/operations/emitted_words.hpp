@@ -7,7 +7,7 @@
 
 namespace restrip::generator {
 
-/// The first part of a UTF-8 text that may not be in a comment, such as "U+000A"; empty if there is none.
+/// The first part of a UTF-8 text that may not be in a comment, such as "U+000A"; empty if everything may.
 [[nodiscard]] std::string unprintable(std::string_view text);
 
 /// The text for a message: every byte that is not printable ASCII is written as \x1b; long texts are cut.

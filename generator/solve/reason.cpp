@@ -120,9 +120,10 @@ class ReasonSearch {
     return {};
   }
 
-  /// A tree of at most `leaves` leaves, such that no tree has fewer; null if there is none or the steps are used up.
-  /// It first searches for trees with one leaf, then two, and so on, and limits each case accordingly. So it is never
-  /// called with more leaves than the smallest tree has, and its result depends on the state alone and can be cached.
+  /// A tree of at most `leaves` leaves, such that no tree has fewer; null if no such tree exists or the steps are used
+  /// up. It first searches for trees with one leaf, then two, and so on, and limits each case accordingly. So it is
+  /// never called with more leaves than the smallest tree has, and its result depends on the state alone and can be
+  /// cached.
   const Reason* find(EdgeSet solid, EdgeSet dashed, std::size_t leaves) {
     if (++steps_ > last_step_) return nullptr;
     Known& known = known_[std::uint64_t{solid} << 32U | dashed];  // its address stays valid when others are added

@@ -32,8 +32,8 @@ class Candidates {
   /// `colorings` are the legal colourings of the side after the operation.
   Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports);
 
-  /// The best recolouring that joins only previously joined pairs; null if there is none. Fans always have one:
-  /// everything dashed inside, and no port given up.
+  /// The best recolouring that joins only previously joined pairs; null if no such recolouring exists. Fans always have
+  /// one: everything dashed inside, and no port given up.
   [[nodiscard]] const Choice* best(const PortPairs& joined_before) const;
 
   /// The list of linked rules: the recolourings that are not covered, best first. A recolouring is covered if a better

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Claim: a fault of one token in anything that ships is refused by a command that ships, and a run that did not read it
-says so. The faults are in headers of tables, formats, look-ups, automata, tables and look-ups in C,
-Rust, JSON, GLSL and WGSL, families.json and operation files; docs/explanation/what-is-proven.md lists them by this table. Each is put into a copy alone, or beside
+"""Claim: a fault of one token in any shipped file is refused by a shipped command, and a run that did not read the file
+reports that. The faults are in headers of tables, formats, look-ups, automata, tables and look-ups in C,
+Rust, JSON, GLSL and WGSL, families.json and operation files; docs/explanation/what-is-proven.md lists the kinds. Each is put into a copy alone, or with
 others that another run judges, and the command must exit with an error and a sentence that names it. Without a fault
-every command ends with what it has read.
+every command ends by naming its input.
 
   faults_test.py BIN COMPILER ROOT --c-compiler CC [--rustc RUSTC] [--node NODE] [--chromium CHROMIUM] [--glslang GLSLANG --vulkan DRIVER]
 
-BIN is the folder of the programs. Languages whose tools are not given are left out, and said to be.
+BIN is the folder of the programs. Languages whose tools are not given are left out and reported.
 """
 import argparse
 import re
@@ -47,8 +47,8 @@ def token(old, new):
     return re.compile(re.escape(old)), lambda _: new
 
 
-# What the fault is in, the file, the fault, how the command is called below, and what it must say. The faults of one
-# program are compiled together: each is in another table, and judged by itself.
+# A name, the file, the fault, the key of the command below, and its expected message. The faults of one program are
+# compiled together: each is in another table, and judged separately.
 HEADERS = {
     "numbers": [
         ("a rule of splits", f"{TABLES}/split.hpp", RULE, "split", "table split k 3 a "),

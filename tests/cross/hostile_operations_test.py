@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Claim: whatever an operation file says, the header made of it is the same tokens as that of a plain file, but for its
-name, and so are the files in other languages; what would make them others is refused, by generator and verifier alike,
-and by both the same files. A dump program is not run when the header that it was made of says anything else.
+"""Claim: whatever an operation file says, its header has the same tokens as the header of a plain file, except the name,
+and so have the files in other languages. Generator and verifier refuse any other content, and both refuse the same
+files. A dump program is not run if its header has any other content.
 
   hostile_operations_test.py BIN COMPILER ROOT
 """

@@ -40,7 +40,7 @@ REFUSED = {
     "positions of one name": ({"position": "k {k}"}, '"position"|{i} is missing', 'also "{i}"'),
     "an unknown number": ({"where": "k >= 2, j < k"}, "where", "expected a sum of k, i"),
     "four numbers": ({"numbers": ["k", "i", "j", "l"]}, "3 numbers at most", "numbers"),
-    "other ports after": ({"after": {"path": ["t[0,k-1)"]}}, "fan-own.json:1: after: expected as many ports as before, 2, found 1 (fan-own k 2 i 0)", "expected as many ports as before"),
+    "other ports after": ({"after": {"path": ["t[0,k-1)"]}}, "fan-own.json:1: after: expected the same number of ports as before, 2, found 1 (fan-own k 2 i 0)", "expected the same number of ports as before"),
     "too many triangles": (
         {"before": {"ring": ["t[0,k)", "s[0,3 k)"], "ports": ["t[0,k)"]}}, "fan-own.json:1: fan-own k 5 i 0: expected 1 to 16 triangles",
         "before: expected 1 to 16 triangles, found 20"),
@@ -351,7 +351,7 @@ def check_automaton():
         else:
             expect(done.returncode == 0 and done.stdout.split() == [str(header.relative_to(SCRATCH))], f"{name}: {done.stderr}{done.stdout}")
             expect(f" best_{name.replace('-', '_')}(" in header.read_text(), f"{name}: {header.read_text()}")
-    for change, sentence in (({"constraint": "forest"}, "its solid edges are not strips"), ({"cost": [[{"count": "isolated"}]]}, "a cost of its own"),
+    for change, sentence in (({"constraint": "forest"}, "its solid edges are not strips"), ({"cost": [[{"count": "isolated"}]]}, "a custom cost"),
                              ({"after": FAN["before"], "before": FAN["after"]}, "is not a fan with one port at each triangle")):
         family = {**FAN, "give_up": "none", "section": "k {k} i {i}", **change}
         file = SCRATCH / "fan-own.json"

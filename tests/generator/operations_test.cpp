@@ -109,7 +109,7 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
       {"[[0, 1]]", "[[0, 1, 1]]", "b.json:5: before.edges[0]: expected two triangles"},
       {"[0, 0, 1, 1]", "[0, 0, 0, 1]", "b.json:5: before.ports[2]: triangle 0 has more than three"},
       {"[0, 0, 1, 1]", "[]", "b.json:5: before.ports: expected 1 to 8 ports"},
-      {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6: after.ports: expected as many ports as before"},
+      {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6: after.ports: expected the same number of ports as before"},
       {"\"give_up\": \"none\"", "\"take\": \"all\"", "b.json:7: take: a dashed port stays dashed: whether it may"},
       {"\"give_up\": \"none\"", "\"name\": \"b\"", "b.json:7: duplicate member \"name\""},
       {"\"none\"", "\"some\"", "b.json:7: give_up: expected \"none\""},
@@ -210,7 +210,7 @@ TEST(FamiliesFile, WithAPositionThatIsNoPatchIsRefused) {
       {"t[i,k)", "t[0,k)", "w.json:4: operations[0].after: t_0 occurs twice (wheel k 4 i 1)"},
       {"t[i,k)", "t[i,i-1)", "expected indices from 0 to 64, found t[1,0)"},
       {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]",
-       "w.json:4: operations[0].after: expected as many ports as before, 5, found 4 (wheel k 4 i 1)"},
+       "w.json:4: operations[0].after: expected the same number of ports as before, 5, found 4 (wheel k 4 i 1)"},
       {"t[i,k)", "t[i,9999 k)", "expected indices from 0 to 64, found t[1,39996)"},
       {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B does not occur"},
       {"[\"D\", \"A\"]", "[\"D\", \"t[2,3)\"]", "triangle 2 has more than three edges"}};

@@ -112,8 +112,8 @@ TEST(BakedFile, APayloadThatDoesNotFitIsRefused) {
   EXPECT_EQ(as_string(file) + as_string(altered), plain + broken);
   // A header that announces more, or less, than the file has.
   const std::string loaded = with_payload(plain, 4);
-  for (const auto& [said, text] : std::map<std::uint32_t, std::string>{{0, "behind its last record"},
-                                                                       {3, "behind its last record"},
+  for (const auto& [said, text] : std::map<std::uint32_t, std::string>{{0, "after its last record"},
+                                                                       {3, "after its last record"},
                                                                        {5, "too early"},
                                                                        {1U << 20, "announces more"},
                                                                        {0xFFFFFFFF, "announces more"}}) {

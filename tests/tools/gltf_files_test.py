@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Claims: a glTF file arrives triangle by triangle, whatever its encoding: text and binary, buffers inside and beside,
+"""Claims: a glTF file arrives triangle by triangle, whatever its encoding: text and binary, buffers inside and outside,
 lists, strips and fans, indices of every width and none, strides, sparse accessors, primitive restart, nodes that move, turn
 and mirror; and a damaged one is refused with a sentence that names it. The files are made here, by the specification.
 

@@ -25,7 +25,7 @@ def squares(columns, rows, first):
 
 
 def cube(normal_type=FLOAT):
-    """Six grids: hard normals, a texture for each side, colours in bytes, an attribute of its own."""
+    """Six grids: hard normals, a texture for each side, colours in bytes, a custom attribute."""
     points, normals, tangents, places, colors, own, triangles = [], [], [], [], [], [], []
     for axis, side in itertools.product(range(3), (-1, 1)):
         normal = tuple(side if i == axis else 0 for i in range(3))

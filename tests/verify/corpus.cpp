@@ -69,7 +69,7 @@ class Editor {
       const std::string bytes = bytes_of(file_);
       write(file_, bytes.substr(0, bytes.size() - std::stoul(what)));
     } else if (verb == "create") {
-      write(folder_ / what, "nobody listed me\n");
+      write(folder_ / what, "not listed\n");
     } else if (verb == "link") {
       fs::create_directory_symlink("certificates", folder_ / what);
     } else if (verb == "delete") {

@@ -1,6 +1,6 @@
 """A fault of one token in the code that answers out of the tables, and the verifier names the answer that is wrong.
 
-The shipped headers are copied, every fault below is put in behind a switch, and the dump program is built from the copy,
+The shipped headers are copied, every fault below is inserted with a switch, and the dump program is built from the copy,
 once. With no fault switched on the verifier must accept both of its dumps; with any, it must refuse, with exit code 1
 and a line that names the table and the configuration. The loops of the look-up are bounded in the copy: a fault that
 makes one of them endless ends the dump program after MOST_STEPS steps, which counts as noticed, and says so.

@@ -104,7 +104,8 @@ std::string strip_formats() {
 
 CLI::Option* add_mesh_option(CLI::App& app, NamedFile& mesh, const std::string& help) {
   CLI::Option* option = app.add_option("mesh", mesh.path, help + "; - for standard input");
-  app.add_option("--from", mesh.format, "the format of the mesh; without it that of its name, or as it begins")
+  app.add_option("--from", mesh.format,
+                 "the format of the mesh; by default detected from its name, or from its first bytes")
       ->check(CLI::IsMember(without_points(extensions_of(reads))));
   return option;
 }
@@ -113,7 +114,7 @@ CLI::Option* add_output_option(CLI::App& app, NamedFile& out, const std::vector<
                                const std::string& help) {
   CLI::Option* option =
       app.add_option("-o,--output", out.path, help + "; - for standard output, text then goes to standard error");
-  app.add_option("--to", out.format, "the format of the output; without it that of its name")
+  app.add_option("--to", out.format, "the format of the output; by default from its name")
       ->check(CLI::IsMember(without_points(extensions)))
       ->needs(option);
   return option;

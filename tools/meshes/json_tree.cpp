@@ -13,7 +13,7 @@ namespace {
 
 bool by_name(const JsonMember& a, const JsonMember& b) { return a.name < b.name; }
 
-/// Builds the tree from the events of nlohmann-json's parser. (Its own tree ends the program if memory runs out during
+/// Builds the tree from the events of nlohmann-json's parser. (Its tree ends the program if memory runs out during
 /// destruction.)
 class TreeBuilder {
  public:

@@ -9,7 +9,7 @@
 namespace restrip::verify {
 namespace {
 
-/// "answers of the shipped headers proved: 32 in 1 position (flip 1)"; empty if there are no answers.
+/// "answers of the shipped headers proved: 32 in 1 position (flip 1)"; empty without answers.
 std::string answers_line(const char* what, const AnswerCounts& answers) {
   if (answers.empty()) return {};
   const AnswerCount sum = sum_of(answers);

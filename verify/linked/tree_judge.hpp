@@ -33,7 +33,7 @@ class TreeJudge {
 
   struct Verdict {
     std::uint64_t leaves = 0;  ///< reachable ones
-    std::string fault;         ///< the first one; empty if there is none
+    std::string fault;         ///< the first one; empty without a fault
   };
   /// The tree that starts at `root`, for a configuration that may occur in these worlds.
   Verdict judge(const std::vector<Question>& questions, Branch root, const std::vector<unsigned>& worlds);

@@ -247,8 +247,9 @@ Operation Description::at(const Numbers& values) const {
   operation.placed_after = std::move(sides.placed_after);
   const JsonValue after = value.required("after");
   if (operation.after.ports() != operation.before.ports())
-    after.member("ports").value_or(after).fail_found(fmt::format("expected as many ports as before, {}, found {}",
-                                                                 operation.before.ports(), operation.after.ports()));
+    after.member("ports").value_or(after).fail_found(
+        fmt::format("expected the same number of ports as before, {}, found {}", operation.before.ports(),
+                    operation.after.ports()));
   if (const std::optional<JsonValue> give_up = value.member("give_up"))
     operation.may_give_up = give_up_of(*give_up, operation.ports());
   if (source_->author == Author::user) expect_limits(value, operation);

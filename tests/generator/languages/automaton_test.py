@@ -1,7 +1,7 @@
-"""The automaton of all valences in another language answers as exact.hpp does. Digests of the answers are compared, a line for
-each position, which the programs print that the generator writes beside it: of all keys up to k = 8, beyond which keys are
-drawn. That a wrong number shows is tested with one altered at a time. The example of docs/how-to/other-languages.md is run
-and prints what stands there.
+"""The automaton of all valences in another language gives the same answers as exact.hpp. It compares digests of the answers, a
+line for each position, printed by the programs that the generator writes with it: of all keys up to k = 8, and of random keys
+beyond. Numbers altered one at a time must change them. The example of docs/how-to/other-languages.md is run and prints the
+output shown there.
 
   automaton_test.py LANGUAGE --dump PROGRAM --automata FOLDER --scratch FOLDER --with PROGRAM…
 
