@@ -74,7 +74,7 @@ HEADERS = {
         ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers make it"),
     ],
 }
-# Of a single operation, by the command of docs/tutorials/custom-operation.md.
+# For a single operation, by the command of docs/tutorials/custom-operation.md.
 OPERATION = [
     ("the entry of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
     ("a triangle of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("{0, 64, 65}", "{0, 65, 64}"), "expected the triangles"),
@@ -83,7 +83,7 @@ OPERATION = [
     ("an operation file", "operations/bisect.json", token('["b", "a", "d"]', '["a", "b", "d"]'), "is an operation of restrip"),
     ("what an operation file asks for", "operations/bisect.json", token('"strips"', '"matching"'), ""),
 ]
-# Of the files as they lie there: these are refused by their sums, and families also where the sums fit.
+# For files that are not compiled: these are refused by their sums, and families even if the sums fit.
 FILES = [
     ("a number of a header", "include/restrip/tables/collapse.hpp", RULE, "collapse.hpp: wrong checksum"),
     ("the layout of tables", "include/restrip/tables/format.hpp", token("std::uint16_t recoloring", "std::uint8_t recoloring"), "format.hpp: wrong size"),
@@ -92,7 +92,7 @@ FILES = [
     ("the rows of a header in the MANIFEST", "MANIFEST", token(" 12411 include", " 999 include"), "split.hpp: 999 rows listed, 12411 found"),
     ("families", "families.json", token('"at_most": [{"strips": 1, "isolated": 2, "indices": 4}]', '"at_most": [{"strips": 1, "isolated": 3, "indices": 4}]'), "families.json: wrong checksum"),
 ]
-# Of its look-up in C, which prints its answers as a dump.
+# For its look-up in C, which prints its answers as a dump.
 OPERATION_IN_C = [
     ("an entry in C", "restrip_bisect.h", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
     ("a token in C", "restrip_bisect.h", token("rule.colors = entry >> port_count", "rule.colors = entry << port_count"), "line 3: table bisect: expected"),
@@ -259,7 +259,7 @@ def check_files(scratch):
         copy = copied(scratch, f"files-{number}", "tables")
         put_in(copy / "tables" / file, fault)
         refused(f"{what} (tables/{file})", sentence, verify(copy))
-        # With a MANIFEST that fits the altered file a run that reads no header says so; other families are known.
+        # With a MANIFEST that fits the altered file, a run that reads no header says so; other families are detected.
         if file.endswith(".hpp") or file == "families.json":
             resum(copy / "tables", file)
             if file == "families.json":

@@ -1,8 +1,9 @@
-# Each public header of the runtime has a test of its name: tests/runtime has the folders of runtime/include/restrip, and
-# tests/adapters has the adapters to other libraries. The test includes it before the others of ours, so that where the test
-# is compiled alone (every preset without shared units) the header is seen to stand by itself.
+# Each public header of the runtime has a test of the same name: tests/runtime has the folders of
+# runtime/include/restrip, and tests/adapters has the adapters to other libraries. The test includes the header before
+# all other headers of the project. So if the test is compiled alone (in every preset without shared units), the header
+# is shown to be self-contained.
 
-# judge(HEADER TEST OUT): what is wrong with TEST, a file, as the test of HEADER, a path from runtime/include; empty: nothing.
+# judge(HEADER TEST OUT): the fault of TEST, a file, as the test of HEADER, a path from runtime/include; empty if none.
 function(judge header test out)
   set(${out} "" PARENT_SCOPE)
   if(NOT EXISTS ${test})

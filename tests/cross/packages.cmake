@@ -9,7 +9,7 @@ function(run)
   string(STRIP "${printed}" printed)
   set(printed "${printed}" PARENT_SCOPE)
 endfunction()
-# consumer(WHAT PREFIX): a project that finds the package restrip there is built, and its program runs.
+# consumer(WHAT PREFIX): builds a project that finds the package restrip there, and runs its program.
 function(consumer what prefix)
   file(WRITE ${SCRATCH}/consumer/CMakeLists.txt "cmake_minimum_required(VERSION 3.22)
 project(consumer LANGUAGES CXX)
@@ -22,7 +22,8 @@ target_link_libraries(compile_time_rule PRIVATE restrip::restrip)
   run(${CMAKE_COMMAND} --build ${SCRATCH}/${what})
   run(${SCRATCH}/${what}/compile_time_rule)
 endfunction()
-# c_program(WHAT LIBRARY_FOLDER FLAGS…): the C example is compiled with the flags, and finds the shared library in that folder.
+# c_program(WHAT LIBRARY_FOLDER FLAGS…): compiles the C example with the flags; it must find the shared library in that
+# folder.
 function(c_program what folder)
   run(${C_COMPILER} -std=c99 ${ROOT}/examples/keep_strips.c ${ARGN} -o ${SCRATCH}/${what}_program)
   set(ENV{LD_LIBRARY_PATH} ${folder})
@@ -48,13 +49,13 @@ if(WAY STREQUAL "deb")
   list(GET packages 0 c_interface)
   list(GET packages 2 library)
   list(GET packages 3 generator)
-  # The library alone, on a root with nothing else: no file outside it is needed.
+  # The library alone, on an otherwise empty root: it needs no other file.
   run(${DPKG} --root=${root} --force-not-root --force-script-chrootless --log=${SCRATCH}/log -i ${library})
   if(EXISTS ${root}/usr/bin)
     message(FATAL_ERROR "the package of the library has programs")
   endif()
   consumer(library ${root}/usr)
-  # The programs want shared libraries of the system, which this root does not have: it is said what is missing.
+  # The programs need shared libraries of the system, which this root lacks: the missing ones are reported.
   foreach(package IN LISTS packages)
     execute_process(COMMAND ${DPKG} --root=${root} --force-not-root --force-script-chrootless --log=${SCRATCH}/log --force-depends -i ${package}
                     OUTPUT_QUIET ERROR_VARIABLE said RESULT_VARIABLE result)
@@ -65,7 +66,7 @@ if(WAY STREQUAL "deb")
   foreach(program IN ITEMS restrip restrip-generate restrip-verify restrip-verify-automaton restrip-dump-tables)
     run(${root}/usr/bin/${program} --help)
   endforeach()
-  # Where OCaml is, the checker of traces comes with the program that writes them.
+  # If OCaml is available, the checker of traces is packaged with the program that writes them.
   if(TRACE_CHECKER)
     run(${root}/usr/bin/restrip replay --built-in --triangles 400 --policy local --repeats 0 --trace ${SCRATCH}/run.trace)
     run(${root}/usr/bin/restrip-check ${SCRATCH}/run.trace)
@@ -98,7 +99,7 @@ elseif(WAY STREQUAL "pkg-config")
   separate_arguments(flags UNIX_COMMAND "${printed}")
   run(${COMPILER} -std=c++20 ${flags} ${ROOT}/examples/compile_time_rule.cpp -o ${SCRATCH}/program)
   run(${SCRATCH}/program)
-  # The C interface: its file lies where the libraries do, and the shared library needs no other flags.
+  # The C interface: its file lies in the folder of the libraries, and the shared library needs no other flags.
   foreach(component IN ITEMS c_shared c)
     run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix --component ${component})
   endforeach()

@@ -1,6 +1,6 @@
-# Compiles single_header.cpp against the single header with COMPILER and FLAGS, every warning an error. Without REFERENCE
-# that is all. With it the program is linked and run, by LAUNCHER where the machine cannot run it itself: it must print what
-# the program REFERENCE prints, and refuse a colouring that is not valid with the sentence of the headers.
+# Compiles single_header.cpp against the single header with COMPILER and FLAGS, every warning an error. With REFERENCE,
+# the program is also linked and run, by LAUNCHER if the machine cannot run it itself. It must print the same as the
+# program REFERENCE, and refuse an invalid colouring with the message of the headers.
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 separate_arguments(launcher UNIX_COMMAND "${LAUNCHER}")
 list(APPEND flags -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror -I ${HEADER_FOLDER})

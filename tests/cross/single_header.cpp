@@ -1,5 +1,5 @@
-// The single header on targets and with options that our other tests are not built for: every public operation once or
-// more, on a mesh of ours and on a foreign one. What it prints must be the same everywhere; single_header.cmake
+// The single header on targets and with options that the other tests do not cover: every public operation at least
+// once, on a mesh of the library and on a foreign one. Its output must be the same everywhere; single_header.cmake
 // compiles it for each target and compares.
 #include <cstdio>
 #include <cstring>
@@ -13,13 +13,13 @@ using restrip::Triangle;
 using restrip::Vertex;
 using Halfedge = StripMesh::Halfedge;
 
-// The compiler answers a rule of each family.
+// The compiler evaluates a rule of each family.
 static_assert(restrip::split_rule({4, 2}, 0b0101, 0).valid && restrip::collapse_rule({4, 2}, 0, 0).valid);
 static_assert(restrip::open_split_rule({3, 0, 2}, 0, 0).valid && restrip::open_collapse_rule({3, 0, 2}, 0, 0).valid);
 static_assert(restrip::boundary_split_rule({3, 1}, 0, 0).valid && restrip::boundary_collapse_rule({3, 1}, 0, 0).valid);
 static_assert(restrip::flip_rule(true, 0b0101).valid && restrip::split_rule({20, 9}, 0, 0).valid);
 
-/// A mesh that offers what mesh.hpp asks for and nothing else.
+/// A mesh that offers exactly what mesh.hpp requires.
 class Foreign {
  public:
   using Halfedge = StripMesh::Halfedge;

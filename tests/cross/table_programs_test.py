@@ -78,7 +78,7 @@ def main():
         if done.returncode != 2 or not re.search(r"operation join: the configuration 0 3 \(.*as in a dump\) has no sound recolouring", done.stderr):
             raise SystemExit(done.stderr)
 
-        # Progress, of the reasons too, where there are more than a moment's worth.
+        # Progress, also of the reasons, if they take more than a moment.
         operation = root / "tests/corpus/operations/seven-to-five.json"
         rules = [generate, "rules", "--operation", operation, "--out", places["out"]]
         shown = on_terminal(rules)

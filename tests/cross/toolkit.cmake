@@ -195,12 +195,12 @@ elseif(WAY STREQUAL "errors")
   file(WRITE ${SCRATCH}/hostile.json [[{"name": "a\", restrip::tables::a); } //"}]])
   wrong("restrip_generate_tables(TARGET t OPERATION ${SCRATCH}/hostile.json) \n restrip_verify_tables(t)"
         "restrip_verify_tables: t: .*hostile.json: the name is not one of lower-case letters")
-  # An operation file as it is installed, and its table judged with nothing but what is installed.
+  # An operation file as installed, and its table judged with installed files only.
   set(installed ${SCRATCH}/prefix)
   run(${installed}/bin/restrip-generate rules --operation ${documents}/tables/operations/bisect.json --out ${SCRATCH}/rules)
   run(${installed}/bin/restrip-verify --operation ${documents}/tables/operations/bisect.json
       --header ${SCRATCH}/rules/include/restrip/tables/operations/bisect.hpp)
-  # Options that do go together.
+  # Options that are compatible.
   run(${configure} -B ${SCRATCH}/together ${package} -DLANGUAGES=NONE
       "-DWRONG=restrip_generate_tables(TARGET t LANGUAGE c++ rust OPERATION ${bisect} ${family})
                restrip_generate_tables(TARGET of_four MAX_K 4 OPERATION ${bisect} ${family})")

@@ -46,7 +46,8 @@ function(floor_of room folder out)
   endforeach()
 endfunction()
 
-# judge_floor(ROOM FOLDER WHAT OUT): OUT is true when a file of FOLDER ("search", "search/impl") must not include WHAT for its floor.
+# judge_floor(ROOM FOLDER WHAT OUT): OUT is true if a file of FOLDER ("search", "search/impl") must not include WHAT
+# because of its floor.
 function(judge_floor room folder what out)
   set(${out} FALSE PARENT_SCOPE)
   if(NOT what MATCHES "^\"(restrip/)?([a-z_.]+)(/impl)?(/.*)?\"$")
@@ -71,7 +72,7 @@ function(judge_floor room folder what out)
   endif()
 endfunction()
 
-# judge(ROOM SOURCE LINE OUT): OUT is true when the include line breaks a wall.
+# judge(ROOM SOURCE LINE OUT): OUT is true if the include line breaks a wall.
 function(judge room source line out)
   set(${out} TRUE PARENT_SCOPE)
   string(REGEX REPLACE "^#include +([<\"][^>\"]+[>\"]).*$" "\\1" what "${line}")
@@ -80,7 +81,7 @@ function(judge room source line out)
   endif()
   if(DEFINED floors_${room})
     string(REGEX REPLACE "^${ROOT}/${room}/(include/restrip/)?" "" path "${source}")
-    # Programs that print what the headers answer lie above all floors; a file without a folder is a separate floor.
+    # Programs that print the answers of headers are above all floors; a file without a folder is a separate floor.
     if(path MATCHES "/" OR path MATCHES "^(restrip|precondition).hpp$")
       string(REGEX REPLACE "/[^/]*$" "" folder "${path}")
       judge_floor(${room} "${folder}" "${what}" wrong_floor)
@@ -138,7 +139,7 @@ foreach(source IN LISTS sources)
   endforeach()
 endforeach()
 
-# The check itself must be able to fail, for every room and floor: path from the top | what it may not include.
+# The check itself must be able to fail, for every room and floor: path from the top | a forbidden include.
 foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generator/any.cpp|<restrip/tables/split.hpp>" "generator/any.cpp|<stdint.h>"
                        "generator/languages/templates/any.h|<stdlib.h>"
                        "verify/any.cpp|\"restrip/rules/rules.hpp\"" "verify/any.cpp|\"../generator/patch.hpp\""

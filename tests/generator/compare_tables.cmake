@@ -1,5 +1,5 @@
-# Generates the tables with one thread and with three, and compares every byte with the files checked in. The MANIFEST
-# lists the files that are checked in next to them as well.
+# Generates the tables with one thread and with three, and compares every byte with the checked-in files. The MANIFEST
+# also lists the handwritten files next to them.
 file(GLOB_RECURSE kept RELATIVE ${CHECKED_IN} ${CHECKED_IN}/*)
 list(FILTER kept EXCLUDE REGEX "CMakeLists[.]txt$|[.]cmake$")
 set(by_hand ${kept})

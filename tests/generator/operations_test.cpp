@@ -1,5 +1,5 @@
-// Operation files. The families of docs/reference/notation.md, written as such files and read again, get the rules that
-// are shipped for them; files that are wrong are refused with their line; and symmetries respect what a file asks for.
+// Operation files. The families of docs/reference/notation.md, written as such files and read again, get their shipped
+// rules; wrong files are refused with their line; and symmetries respect the content of a file.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ struct Fault {
   std::string said;
 };
 
-/// The good text is taken, and with any fault put into it refused.
+/// The good text is accepted, and refused with any fault inserted.
 template <class Read>
 void expect_refused(const std::string& good, const std::vector<Fault>& faults, const Read& read) {
   ASSERT_NO_THROW(read(good));
@@ -243,7 +243,7 @@ TEST(OperationSymmetries, KeepWhatTheFileAsksFor) {
     const std::vector<Description> file = parse_descriptions("b.json", text);
     return symmetries(operation_at(positions(file[0], 0)[0])).maps.size();
   };
-  // The quadrilateral with its diagonal: the half turn and two mirrors; before and after have them in common.
+  // The quadrilateral with its diagonal: before and after share the half turn and two mirrors.
   EXPECT_EQ(how_many("none", "none"), 4U);
   EXPECT_EQ(how_many("none", "all"), 4U);
   EXPECT_EQ(how_many("\"none\"", "[0]"), 1U);

@@ -57,7 +57,7 @@ class SolidGraph {
   bool valid_ = true;
 };
 
-/// All that strips outside can join without a cycle before the split: two of the three ports at most.
+/// All joins by strips outside that close no cycle before the split: two of the three ports at most.
 std::vector<std::vector<Ends>> outsides() {
   std::vector<std::vector<Ends>> found{{}};
   for (const Ends& pair : {Ends{0, 2}, Ends{0, 4}, Ends{2, 4}}) {
@@ -86,7 +86,7 @@ bool is_sound(Mask recoloring, Mask kept) {
 
 int solid(Mask recoloring, Mask kept) { return std::popcount(recoloring) + std::popcount(kept); }
 
-/// The most solid edges of a sound recolouring that keeps the ports of which `may` says so.
+/// The most solid edges of a sound recolouring that keeps ports for which `may` is true.
 template <class May>
 int most_solid(May may) {
   int most = -1;
@@ -132,7 +132,7 @@ TEST(PortsGivenUp, TheGeneratorFindsBoth) {
   EXPECT_EQ(keeping.kept, ports);
 
   file.at(0).gives_all_up = true;
-  file.at(0).preference.resize(1);  // strips alone
+  file.at(0).preference.resize(1);  // only strips
   const Row giving = row();
   EXPECT_EQ(solid(giving.recoloring, giving.kept), 8);
   EXPECT_TRUE(is_sound(giving.recoloring, giving.kept));

@@ -1,4 +1,4 @@
-// Reasons as text, and how long they get. Whether they are true is the verifier's question.
+// Reasons as text, and their length. The verifier checks whether they are true.
 #include "solve/reason.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ struct Solved {
       : descriptions(read_descriptions(file)), section(solve(patches_of(descriptions, most_ports).at(0))) {}
 };
 
-// Of the shipped rules one of the red-green refinement takes most.
+// One of the red-green refinement takes the most steps of all shipped rules.
 TEST(Reasons, OfAShippedOperationTakeAQuarterOfTheSteps) {
   const Solved solved(RESTRIP_CORPUS_DIR "/../../tables/operations/refine-face.json");
   std::uint64_t most = 0;
@@ -87,7 +87,7 @@ TEST(Reasons, AreFoundWithinTheStepLimit) {
     ++(found.smallest ? smallest : larger);
     steps += found.steps;
     EXPECT_LE(found.steps, most_steps_of_smallest_reason + 10'000);
-    // Made at once it is not smaller, and takes few steps.
+    // A reason made without the search is not smaller, and takes few steps.
     const FoundReason made = reasoner.find(row.key.ports, joined, row, 0);
     EXPECT_FALSE(made.smallest);
     EXPECT_LE(made.steps, 10'000U);

@@ -1,5 +1,5 @@
-// The generator's sections against figures that were counted independently (docs/explanation/theory.md section 5), and
-// against properties that any right answer has.
+// Compares the generator's sections with independently counted figures (docs/explanation/theory.md section 5), and
+// tests properties of any right answer.
 #include "solve/section.hpp"
 
 #include <gtest/gtest.h>

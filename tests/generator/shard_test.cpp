@@ -1,4 +1,4 @@
-// Shards: that they share the work out, that what is read back is what was solved, and that a wrong one is refused.
+// Shards: they share the work, read back as they were solved, and wrong ones are refused.
 #include "tables/shard.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const std::string id = "1.2.3 abc";
 
-/// A directory of this test's own with both shards of the tables up to k = 3.
+/// A directory for this test with both shards of the tables up to k = 3.
 class Shards : public testing::Test {
  protected:
   void SetUp() override {
@@ -45,7 +45,7 @@ class Shards : public testing::Test {
     std::ofstream(directory_ / file_name({index, 2})) << text;
   }
 
-  /// What is said of the directory; empty when all is well.
+  /// The message about the directory; empty if all is well.
   [[nodiscard]] std::string complaint(const std::string& own_id = id) const {
     try {
       (void)read_shards(directory_, own_id);
@@ -55,7 +55,7 @@ class Shards : public testing::Test {
     return "";
   }
 
-  /// What is said when the first shard has one piece of text replaced and is sealed again.
+  /// The message if the first shard has one piece of text replaced and is sealed again.
   [[nodiscard]] std::string complaint_after(const std::string& piece, const std::string& by) const {
     std::string text = texts_[0].substr(0, texts_[0].rfind("end "));
     const std::size_t at = text.find(piece);
@@ -84,7 +84,7 @@ TEST(Shares, EverySectionIsInExactlyOne) {
 }
 
 TEST(Shares, LongSectionsAreSpread) {
-  // Of the twenty-five equal open splits of k = 9 no share of four may have many more than its quarter.
+  // Of the twenty-five equal open splits of k = 9, no share of four may have many more than a quarter.
   const std::vector<Patches> all = patches_of(families(), 9);
   for (unsigned index = 1; index <= 4; ++index) {
     std::size_t long_ones = 0;

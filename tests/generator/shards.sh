@@ -1,11 +1,11 @@
 #!/bin/sh
-# The commands of docs/how-to/cluster.md, as they stand there, against the tables that are checked in.
+# The commands of docs/how-to/cluster.md, run as written, compared with the checked-in tables.
 #   shards.sh restrip-generate TABLES docs/how-to/cluster.md SCRATCH parallel|mpirun|slurm|loop
 set -eu
 generate=$1 tables=$2 page=$3 scratch=$4 how=$5
 
 fail() { echo "shards.sh: $1" >&2; exit 1; }
-# What the page says after this word; one line.
+# The text of the page after this word; one line.
 line() { grep "^$1 " "$page" || fail "$page has no line that begins with '$1'"; }
 
 rm -rf "$scratch"
@@ -16,7 +16,7 @@ K=8 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_bas
 export PATH K OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_rmaps_base_oversubscribe
 cd "$scratch"
 
-# same FOLDER EXPECTED [OPTION…]: every byte, but for the files of tables/ that are written by hand.
+# same FOLDER EXPECTED [OPTION…]: every byte, except for the handwritten files of tables/.
 same() { diff -r -x CMakeLists.txt -x list_files.cmake -x families.json -x '*format.hpp' -x operations -x '*_dump.hpp' "$@" || fail "$1 is not $2"; }
 # refused NAME WORDS: merging shards-NAME fails with a message that has the words, and writes nothing.
 refused() {

@@ -1,5 +1,5 @@
-// Tables that go beyond k = 8, compiled: every rule and every list of k = 9 is as good as what the runtime's exact
-// solver finds, and so is what the linked look-up picks where no strip is seen to its end. Run by wide_tables.sh.
+// Compiled tables beyond k = 8: every rule and every list of k = 9 is as good as the result of the runtime's exact
+// solver, and so is the choice of the linked look-up if no strip is followed to its end. Run by wide_tables.sh.
 #include <bit>
 #include <cstdio>
 #include <map>
@@ -25,12 +25,12 @@ namespace tables = restrip::tables;
 
 constexpr unsigned k = 9;
 
-/// A row of elements, joined each to the next, perhaps in a ring, perhaps with a chord; some have a port.
+/// A row of elements, each joined to the next, perhaps in a ring, perhaps with a chord; some have a port.
 struct Shape {
   unsigned elements = k;
   bool ring = false;
   unsigned chord_from = 0;
-  unsigned chord_to = 0;  ///< no chord where both are 0
+  unsigned chord_to = 0;  ///< no chord if both are 0
 };
 
 Value value_of(const Shape& shape, Word colors, Word ports, Word elements_without_port) {
@@ -66,7 +66,7 @@ Word cell(const Table& table, const Rows& rows, unsigned place, Word ports, Word
 
 Word partner(Word pairing, unsigned port) { return pairing >> (4 * port) & 15U; }
 
-/// The first of a list that joins only ports that the key says are joined: nothing else is known.
+/// The first alternative of a list that joins only ports joined according to the key: nothing else is known.
 template <class Table>
 Word first_of(const Table& table, unsigned place, Word ports, Word joined) {
   const std::size_t list = table.first[k] + (std::size_t{place} << k) + ports;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Writes the tables up to k = 9, compiles their headers and asks them everything about k = 9. Then asks the same tables in C
-# what the C++ look-ups answer, up to k = 9, but for collapses with a chord, which are most of all questions.
+# Writes the tables up to k = 9, compiles their headers and queries them exhaustively for k = 9. Then queries the C
+# tables like the C++ look-ups, up to k = 9, except for collapses with a chord, which are most of all questions.
 #   wide_tables.sh restrip-generate COMPILER RUNTIME_INCLUDE TABLES_INCLUDE wide_tables.cpp C_COMPILER RUNTIME SCRATCH
 set -eu
 generate=$1 compiler=$2 include=$3 format=$4 source=$5 c_compiler=$6 runtime=$7 scratch=$8

@@ -1,5 +1,6 @@
-// A certificate with one altered byte is rejected, and the message names the line: by the sums in its last line
-// however right it looks, and with new sums by grammar, reasons or search, unless it is as right as it was.
+// A certificate with one altered byte is rejected, and the message names the line. The sums in its last line detect the
+// byte however plausible it looks. With updated sums, grammar, reasons or search detect it, unless the certificate is
+// still correct.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ std::string altered(std::string text, std::size_t place, unsigned byte) {
 
 unsigned byte_at(const std::string& text, std::size_t place) { return static_cast<unsigned char>(text[place]); }
 
-/// How the parser rejects the text; empty when it does not.
+/// The parser's reason to reject the text; empty if it accepts it.
 std::string rejection(const Sample& sample, const std::string& text) {
   try {
     sample.parse(text);
@@ -108,7 +109,7 @@ TEST_F(AlteredBytes, ThousandsOfTheShippedTables) {
     }
 }
 
-/// By the naive search, every recolouring that differs is as good as the best one.
+/// Whether, by the naive search, every recolouring that differs is as good as the best one.
 bool equally_right(const std::string& original, const std::string& text, const Sample& sample) {
   const Certificate before = parse_certificate("original", original, sample.family);
   const Certificate after = parse_certificate("altered", text, sample.family);

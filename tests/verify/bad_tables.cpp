@@ -11,7 +11,7 @@ using Visitor = std::function<bool(const BadTable&)>;
 
 bool cheaper(const NaiveCandidate& x, const NaiveCandidate& y) { return x.cost < y.cost; }
 
-/// As good in all criteria before this one, and worse in it by so much, or more where `by` is 0.
+/// Equal in all criteria before this one, and worse in it by `by`, or by any amount if `by` is 0.
 bool worse_in(std::size_t criterion, const NaiveCandidate& candidate, const NaiveCandidate& best, long by = 0) {
   for (std::size_t i = 0; i < criterion; ++i)
     if (candidate.cost[i] != best.cost[i]) return false;
@@ -19,7 +19,7 @@ bool worse_in(std::size_t criterion, const NaiveCandidate& candidate, const Naiv
   return by == 0 ? more > 0 : more == by;
 }
 
-/// Damages to one section. Each function returns false when the visitor has seen enough.
+/// Damages to one section. Each function returns false if the visitor wants to stop.
 class DamagedSection {
  public:
   DamagedSection(const NaiveSection& section, NaiveTable good, const Visitor& visit)
@@ -44,7 +44,8 @@ class DamagedSection {
     return offer(crime, text(key), expected, bad);
   }
 
-  /// For each dropped constraint the best that it kept out, where that is more than what it let in.
+  /// For each dropped constraint, the best recolouring that it kept out, if that is better than the best one it
+  /// allowed.
   bool unsound() {
     const std::map<std::string, Dropped> constraints = {
         {"all cycles dropped", Dropped::all_cycles},     {"outer cycle dropped", Dropped::outer_cycle},
@@ -101,7 +102,7 @@ class DamagedSection {
     return true;
   }
 
-  /// Recolourings that are not the best, each with the reason that a careless checker would take for one.
+  /// Recolourings that are not the best, each with a reason that a careless checker would accept.
   bool reasons() {
     const std::map<std::string, Careless> kinds = {{"reason off by one", Careless::off_by_one},
                                                    {"reason for dashed edges only", Careless::only_dashed},
@@ -181,7 +182,7 @@ class DamagedSection {
     return identity;
   }
 
-  /// The sound recolourings of the example that has the key.
+  /// The sound recolourings of the example with this key.
   const std::vector<NaiveCandidate>& sound_for(NaiveKey key) {
     const auto [place, is_new] = sound_.try_emplace(key);
     if (is_new) place->second = examples_.at(key).first->sound(examples_.at(key).second);

@@ -1,6 +1,6 @@
 #pragma once
-// Wrong tables aimed at one check each: for every constraint and every key, the optimum that a checker would accept
-// that had forgotten the constraint. Random damage does not find such checkers.
+// Wrong tables aimed at one check each: for every constraint and every key, the optimum that a checker without the
+// constraint would accept. Random damage does not find such checkers.
 
 #include <functional>
 #include <string>
@@ -12,7 +12,7 @@ namespace restrip::verify::test {
 struct BadTable {
   std::string kind;      ///< "pairing dropped"
   std::string crime;     ///< "pairing dropped, split k 4 a 2, key 5 4"
-  std::string expected;  ///< what the checker has to say of it
+  std::string expected;  ///< what the checker must report
   NaiveTable table;
 };
 

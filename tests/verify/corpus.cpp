@@ -42,7 +42,7 @@ std::string argument(const std::string& line) {
   return space == std::string::npos ? std::string{} : line.substr(space + 1);
 }
 
-/// Carries out instructions on files, one after the other.
+/// Applies instructions to files, in order.
 class Editor {
  public:
   explicit Editor(fs::path folder) : folder_(std::move(folder)) {}

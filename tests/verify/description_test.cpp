@@ -1,5 +1,5 @@
-// The reader of operation files says of each fault where it is and what was expected. What it takes and what it refuses
-// is what docs/reference/operation-file.md says.
+// The reader of operation files reports the place of each fault and what was expected. It accepts and refuses files as
+// docs/reference/operation-file.md says.
 
 #include "model/description.hpp"
 

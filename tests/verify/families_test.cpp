@@ -34,8 +34,8 @@ void expect_same(const Operation& found) {
   EXPECT_EQ(found.cost, by_hand.cost) << found.name();
 }
 
-/// All positions of a family of fans of k triangles, as its name says; true for those that docs/reference/notation.md
-/// lists.
+/// All positions of a family of fans of k triangles, given by its name; true for positions that
+/// docs/reference/notation.md lists.
 std::map<std::vector<int>, bool> positions_by_hand(const std::string& family, int k) {
   std::map<std::vector<int>, bool> positions;
   if (family == "split" || family == "collapse") {
@@ -89,7 +89,7 @@ TEST(Families, AreReadAtTheirPositions) {
   EXPECT_EQ(good[0].at({3, 2}).most_strips, 0);
 }
 
-// A section that leaves a number out on which the patch after depends has no rules to offer.
+// A section has no rules to offer if it omits a number on which the patch after depends.
 TEST(Families, SectionsServeOnePatch) {
   const Alteration other_patches{"fan.json",
                                  R"json({"ring": ["A", "t[0,1)", "D", "t[1,k)"], "chord": ["A", "D"]})json",

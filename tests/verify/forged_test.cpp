@@ -64,7 +64,7 @@ TEST(ForgedCertificate, IsRefusedForItsCrime) {
   EXPECT_EQ(verdict_on(forgery_of("merge").path, forgery_of("merge").certificate, {}).exit_code, 0);
 }
 
-// For each criterion a sound recolouring that is as good in all before it and worse in this one.
+// For each criterion, a sound recolouring that is equal in all earlier criteria and worse in this one.
 TEST(ForgedCertificate, RowsThatAreWorseByOneCriterion) {
   const Forgery& bisect = forgery_of("bisect-costs");
   const std::vector<std::string> criteria = {"strips + -1 joined", "2 isolated + given_up",
@@ -108,7 +108,7 @@ TEST(ForgedCertificate, EveryClaimThatIsWrong) {
   EXPECT_EQ(tried, 32U);
 }
 
-// Reasons are of no use where something else than strips counts first.
+// Reasons prove nothing if another criterion than strips comes first.
 TEST(ForgedCertificate, WhereThereCanBeNoReasons) {
   const Forgery& good = forgery_of("merge-face-matching");
   NaiveTable table = good.table;

@@ -20,7 +20,7 @@ namespace {
 
 Colors colors_of(NaiveColors colors) { return {static_cast<Mask>(colors.inner), static_cast<Mask>(colors.ports)}; }
 
-/// Every recolouring of every valid configuration; how many there were.
+/// Checks every recolouring of every valid configuration; returns their number.
 std::size_t expect_same_judgement(const Operation& operation) {
   const NaiveOperation naive(operation);
   const OperationJudge judge(operation);
@@ -80,8 +80,8 @@ TEST(OperationJudge, GoodCertificatesAndDumpsHold) {
   }
 }
 
-// A custom family: every position, those that share a section and those that have no rules included. A fan
-// without gaps gets one triangle more, or loses it; where it stood does not matter to the collapse.
+// A custom family, with every position, including positions that share a section or have no rules. A fan without gaps
+// gains one triangle or loses it; for the collapse, its place is irrelevant.
 TEST(OperationJudge, ACustomFamily) {
   const std::string name = "wedge";
   const std::string text = R"json({
@@ -151,7 +151,7 @@ TEST(OperationJudge, LinkedRulesOfACustomFamily) {
               verdict(shorter).says("incomplete list"));
 }
 
-// The four symmetries of a flip, less those that the ports that may be given up or the cost forbid.
+// The four symmetries of a flip, except those excluded by the cost or by the ports that may be given up.
 TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
   const auto symmetries = [](const std::string& cost, const std::string& give_up) {
     const Operation operation = parse_operation(
@@ -169,7 +169,7 @@ TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
   EXPECT_EQ(symmetries(R"([[{"count": "kept", "ports": [0, 1, 2, 3]}]])", all), 4);
   EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}]])", all), 2);
   EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [1]}]])", all), 4);
-  // Other weights, other counts, in other criteria, and more often.
+  // Other weights, other counts, in other criteria, and repeated.
   EXPECT_EQ(
       symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [1], "weight": 2}]])", all),
       2);

@@ -1,5 +1,5 @@
-// Lists of linked rules: what the checker finds wrong with them, claim by claim, is what the naive method counts; and
-// no shipped alternative can be altered by one edge without notice.
+// Lists of linked rules: the checker finds the same faults, claim by claim, as the naive method; and every alteration
+// of a shipped alternative by one edge is noticed.
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ TEST(Lists, EveryFlippedEdgeOfTheShippedOnesIsNoticed) {
   }
   std::cout << flips << " flips\n";
   EXPECT_GT(flips, 0U);
-  // One edge more or less is never as good as before, so there is nothing that may pass.
+  // An alternative with one edge more or less is never as good, so no alteration may pass.
   EXPECT_EQ(survivors, 0U);
 }
 

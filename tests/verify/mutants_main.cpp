@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
       "*AutomatonRejects.NothingInAGoodCertificate/0:OperationHeader.*",
       "Corpus.Damaged*:Lists.Good*",
   };
-  // Of the automaton's each takes a second or more: faults that they notice name them.
+  // Each automaton test takes a second or more, so faults that they notice name them.
   tests.left_out = "Lists.EveryFlipped*:*AutomatonRejects*:AutomatonFans.*";
   tests.seconds = 120;
   return restrip::testing_support::MutantRun(tests).run(argc, argv);

@@ -57,7 +57,7 @@ NaiveLists NaiveLinked::good() const {
     std::vector<int> order;
     for (int inner = 0; inner < recolorings(); ++inner)
       if (!at(ports, inner).merit.empty()) order.push_back(inner);
-    // Of those equally good whoever joins less comes first, so that the others are covered.
+    // Among equally good ones, the recolouring that joins fewer ports comes first, so that the others are covered.
     std::stable_sort(order.begin(), order.end(), [&](int x, int y) {
       const Recoloring& one = at(ports, x);
       const Recoloring& other = at(ports, y);
@@ -171,7 +171,7 @@ void for_each_doubtful(const NaiveLinked& linked, const std::function<bool(const
         offer("rows exchanged", ports, bad);
       }
       for (int inner = 0; inner < linked.recolorings(); ++inner) {
-        // All of the smallest patch, of others those that differ in two edges at most.
+        // All recolourings of the smallest patch; for others, recolourings that differ in at most two edges.
         const int differing = __builtin_popcount(static_cast<unsigned>(inner ^ list[i]));
         if (differing == 0 || (differing > 2 && linked.recolorings() > 64)) continue;
         NaiveLists bad = good;

@@ -1,6 +1,6 @@
 #pragma once
-// Linked rules for small fans, made in the slowest and most obvious way; and what is wrong with lists, counted crime by
-// crime. Shares nothing with the checker that it tests.
+// Linked rules for small fans, made in the slowest and most obvious way, and a count of the faults of lists, by kind.
+// Shares nothing with the checker that it tests.
 
 #include "naive_tables.hpp"
 
@@ -13,28 +13,28 @@ struct NaiveLists {
   std::map<int, std::vector<int>> lists;
   std::vector<std::pair<std::string, int>> claims;
 
-  /// Makes the claims those that the lists call for.
+  /// Sets the claims to the values that follow from the lists.
   void count();
 };
 
-/// How often each crime occurs, by the claim that a checker has to report it under. No entry: never.
+/// How often each fault occurs, by the claim under which a checker must report it. No entry: never.
 using Crimes = std::map<std::string, std::uint64_t>;
 
-/// Everything there is to know about one section, found once.
+/// All data about one section, computed once.
 class NaiveLinked {
  public:
   NaiveLinked(const std::string& family, const NaiveSection& section);
 
-  /// Lists that hold.
+  /// Correct lists.
   NaiveLists good() const;
   Crimes crimes(const NaiveLists& lists) const;
 
-  /// How many recolourings there are.
+  /// The number of recolourings.
   int recolorings() const { return 1 << section_->operations.front().operation().after.edges.size(); }
 
  private:
   struct Recoloring {
-    std::vector<int> merit;  ///< empty when degrees or cycles forbid it
+    std::vector<int> merit;  ///< empty if degrees or cycles forbid it
     int joined = 0;
     std::vector<bool> sound;  ///< in each world of the ports
   };
@@ -48,13 +48,13 @@ class NaiveLinked {
   std::vector<std::vector<Recoloring>> recolorings_;  ///< by ports, inner
 };
 
-/// A certificate that holds these sections.
+/// A certificate with these sections.
 std::string certificate_text(const std::string& family, const std::vector<NaiveLists>& sections);
 
-/// The sections of `linked-split` and `linked-collapse`. `families` has to outlive them.
+/// The sections of `linked-split` and `linked-collapse`. `families` must outlive them.
 std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families);
 
-/// A list that something may be wrong with.
+/// A list that may be wrong.
 struct DoubtfulLists {
   std::string damage;  ///< "row left out, linked-split k 4 a 2, ports f"
   NaiveLists lists;

@@ -17,7 +17,7 @@ int pair_bit(int i, int j) { return 1 << (std::max(i, j) * (std::max(i, j) - 1) 
 
 constexpr std::size_t most_nodes = 40;
 
-/// A number for each node of a graph, the same for those that its edges connect.
+/// A number for each node of a graph, equal for nodes that its edges connect.
 class Components {
  public:
   explicit Components(int nodes) : nodes_(nodes) { std::iota(number_.begin(), number_.end(), 0); }
@@ -29,7 +29,7 @@ class Components {
     --components_;
     std::replace(number_.begin(), number_.begin() + nodes_, from, to);
   }
-  /// When the edges are the nodes minus the components.
+  /// Whether the number of edges is the nodes minus the components.
   bool acyclic() const { return edges_ == -components_; }
   std::vector<int> numbers() const { return {number_.begin(), number_.begin() + nodes_}; }
 
@@ -37,7 +37,7 @@ class Components {
   int nodes_;
   std::array<int, most_nodes> number_{};
   int edges_ = 0;
-  int components_ = 0;  ///< less the nodes
+  int components_ = 0;  ///< minus the nodes
 };
 
 bool is_named(const Side& side, unsigned triangle, const char* name) {
@@ -84,7 +84,7 @@ std::vector<int> NaiveOperation::degrees(bool after, NaiveColors colors) const {
   return count;
 }
 
-/// Cycles in which the chord takes part or not: a patch of a fan has no two cycles at once.
+/// Whether the chord is part of a cycle: a patch of a fan cannot have two cycles at once.
 bool NaiveOperation::cycle_allowed(bool after, int inner, Dropped dropped) const {
   if (dropped == Dropped::all_cycles) return true;
   const Side& patch = side(after);
@@ -138,7 +138,7 @@ NaiveKey NaiveOperation::key(NaiveColors configuration) const {
   return {configuration.ports, joined(false, configuration) & joinable_[static_cast<std::size_t>(configuration.ports)]};
 }
 
-/// No port in two of them, or with a-b and b-c always a-c.
+/// No port is in two of them, or a-b and b-c imply a-c.
 std::vector<Pairs> NaiveOperation::worlds_of(int ports) const {
   std::vector<std::pair<int, int>> all;
   for (int j = 0; j < static_cast<int>(operation_.ports()); ++j)
@@ -155,7 +155,7 @@ std::vector<Pairs> NaiveOperation::worlds_of(int ports) const {
       for (const std::pair<int, int>& other : world) {
         const std::set<int> ends = {one.first, one.second, other.first, other.second};
         if (ends.size() != 3) continue;
-        // Two pairs with one port in common: the other two have to be connected as well, if that is a world at all.
+        // Two pairs with one port in common: the other two must be connected as well, if this is a world at all.
         std::vector<int> rest;
         for (const int port : ends)
           if ((port == one.first || port == one.second) != (port == other.first || port == other.second))
@@ -272,7 +272,7 @@ NaiveColors NaiveOperation::moved(const NaiveSymmetry& symmetry, bool after, Nai
   return {moved_edges(symmetry, after, colors.inner), moved(symmetry, NaiveKey{colors.ports, 0}).first};
 }
 
-/// -1 when some edge is taken to none.
+/// -1 if some edge is not mapped to an edge.
 int NaiveOperation::moved_edges(const NaiveSymmetry& symmetry, bool after, int inner) const {
   const std::vector<int>& move = after ? symmetry.after : symmetry.before;
   int result = 0;
@@ -291,7 +291,7 @@ int NaiveOperation::moved_edges(const NaiveSymmetry& symmetry, bool after, int i
   return result;
 }
 
-/// Each criterion has the same terms when edges, triangles and ports are taken to their images.
+/// Each criterion keeps its terms when edges, triangles and ports are mapped.
 bool NaiveOperation::cost_stays(const NaiveSymmetry& symmetry) const {
   for (const Criterion& criterion : operation_.cost) {
     std::multiset<std::tuple<Count, long, int>> terms;

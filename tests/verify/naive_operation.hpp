@@ -1,7 +1,7 @@
 #pragma once
-// A naive judge of operations, for the tests of the verifier: sets of pairs as worlds, edges counted against components
-// to find cycles, all permutations tried to find symmetries. Of the verifier it uses the operation as it was read,
-// nothing else.
+// A naive judge of operations, for the tests of the verifier: worlds are sets of pairs, cycles are found by comparing
+// edges with components, and symmetries by trying all permutations. Of the verifier it uses only the operation as it
+// was read.
 
 #include <set>
 #include <utility>
@@ -53,8 +53,8 @@ class NaiveOperation {
   int joined(bool after, NaiveColors colors) const;
   int isolated(bool after, NaiveColors colors) const;
   NaiveKey key(NaiveColors configuration) const;
-  /// Sound by definition, in every world; the dropped constraint aside, by the joined pairs. In ascending order of R,
-  /// then K.
+  /// The sound recolourings, by definition in every world; with a dropped constraint, by the joined pairs. In ascending
+  /// order of R, then K.
   std::vector<NaiveCandidate> sound(NaiveColors configuration, Dropped dropped = Dropped::nothing) const;
 
   /// All worlds of these solid ports, as sets of pairs of ports that are connected.
@@ -66,7 +66,7 @@ class NaiveOperation {
   NaiveColors moved(const NaiveSymmetry& symmetry, bool after, NaiveColors colors) const;
   NaiveKey moved(const NaiveSymmetry& symmetry, NaiveKey key) const;
 
-  /// What a rule changes of `strips`, or of `isolated` with the ports given up.
+  /// A rule's change of `strips`, or of `isolated` including ports given up.
   long change(NaiveColors after, NaiveColors configuration, Count count) const;
 
  private:

@@ -1,4 +1,4 @@
-// The patches of docs/reference/notation.md, written down by hand: triangles t_0 …, then A, then D.
+// The patches of docs/reference/notation.md, written by hand: triangles t_0 …, then A, then D.
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 namespace restrip::verify::test {
 namespace {
 
-/// Triangles in the order in which they lie around or along the fan.
+/// Triangles in their order around or along the fan.
 using Order = std::vector<unsigned>;
 
 Side fan_side(unsigned k, const Order& order, bool closed, bool chord) {

@@ -11,9 +11,9 @@ namespace {
 
 int count(int mask) { return __builtin_popcount(static_cast<unsigned>(mask)); }
 
-/// Edges are numbered through: inner edges, then ports.
+/// Edges are numbered consecutively: inner edges, then ports.
 struct Problem {
-  int edges = 0;        ///< that a recolouring may leave dashed
+  int edges = 0;        ///< edges that a recolouring may leave dashed
   int goal = 0;         ///< the number of edges to show dashed
   int lonely = 0;       ///< for exactly this number: isolated triangles and ports given up
   int given_up = 0;     ///< and ports given up
@@ -127,7 +127,7 @@ std::optional<std::string> tree(const Problem& problem, int solid, int dashed, i
 std::optional<std::string> naive_reason(const NaiveOperation& operation, NaiveColors before, NaiveColors after,
                                         Careless careless) {
   const Problem problem = problem_of(operation, before, after, careless);
-  // A careless reason is there at once or not at all.
+  // A careless reason is found at once or does not exist.
   for (int leaves = 1; leaves <= (careless == Careless::not_at_all ? 6 : 3); ++leaves)
     if (auto reason = tree(problem, 0, 0, leaves)) return reason;
   return {};

@@ -11,7 +11,7 @@
 namespace restrip::verify::test {
 namespace {
 
-/// Orbits of configurations, all and valid ones, by collecting the smallest member of each.
+/// Orbits of all configurations and of valid ones, by collecting the smallest member of each.
 std::pair<long, long> orbits(const NaiveOperation& operation) {
   const std::vector<NaiveSymmetry> group = operation.symmetries(true);
   std::set<NaiveColors> all;
@@ -56,7 +56,7 @@ void add_claims(const NaiveSection& section, NaiveTable& table) {
                   {"worst-isolated", *std::max_element(isolated.begin(), isolated.end())}};
 }
 
-/// The way back.
+/// The inverse permutation.
 std::vector<int> inverse(const std::vector<int>& permutation) {
   std::vector<int> result(permutation.size());
   for (std::size_t i = 0; i < permutation.size(); ++i)

@@ -30,14 +30,14 @@ struct NaiveFamily {
 };
 
 std::vector<NaiveFamily> naive_families(int max_k);
-/// One operation by itself.
+/// One operation alone.
 NaiveSection naive_section(const Operation& operation);
 
 /// A check that a checker of reasons can omit, to find what it would then accept as a reason.
 enum class Careless {
   not_at_all,
   off_by_one,
-  only_dashed,  ///< isolated triangles and ports given up are not asked for
+  only_dashed,  ///< does not count isolated triangles and ports given up
   sound_sets,
   overlapping_sets,
   count_dashed_twice,
@@ -47,14 +47,14 @@ enum class Careless {
   solid_in_both_cases
 };
 
-/// A reason why nothing is preferred to `after`, as certificates write it; nullopt when none exists.
+/// A reason why nothing is preferred to `after`, in the form of certificates; nullopt if there is none.
 std::optional<std::string> naive_reason(const NaiveOperation& operation, NaiveColors before, NaiveColors after,
                                         Careless careless = Careless::not_at_all);
 
 struct NaiveRow {
   NaiveColors after;
-  std::vector<int> by;  ///< of a copy: where each port goes
-  std::string because;  ///< reason of a rule; empty for none
+  std::vector<int> by;  ///< of a copy: the image of each port
+  std::string because;  ///< reason of a rule; may be empty
 };
 
 std::string text_of(NaiveKey key, const NaiveRow& row);
@@ -69,27 +69,27 @@ struct NaiveTable {
 /// Calls back for each valid configuration of each operation of the section.
 void for_each_valid(const NaiveSection& section, const std::function<void(const NaiveOperation&, NaiveColors)>& visit);
 
-/// Nullopt when some configuration has no sound recolouring.
+/// nullopt if some configuration has no sound recolouring.
 std::optional<NaiveTable> naive_table(const std::string& family, const NaiveSection& section, bool with_reasons);
 
-/// A certificate that holds these sections.
+/// A certificate with these sections.
 std::string certificate_text(const std::string& family, const std::vector<NaiveTable>& tables);
 
-/// What a table answers to a configuration; nothing where it has no answer.
+/// The answer of a table to a configuration; empty if it has none.
 using NaiveAnswers = std::function<std::optional<NaiveColors>(NaiveColors)>;
 /// The answers of a certificate's rows.
 NaiveAnswers answers_of(const NaiveOperation& operation, const NaiveTable& table);
 
 /// The lines of one table of a dump, which state changes in strips and perhaps in isolated triangles.
 std::string table_text(const NaiveOperation& operation, const NaiveAnswers& answers, bool with_isolated);
-/// What a program prints that answers with these tables.
+/// The output of a program that answers with these tables.
 std::string dump_text(const std::vector<std::string>& tables);
 /// With the rows of one operation's table.
 std::string dump_text(const NaiveOperation& operation, const NaiveTable& table);
 
 /// The text followed by an "end" line.
 std::string with_end(const std::string& above, std::size_t rows);
-/// The text with the right sums in its last line, if that begins with "end"; otherwise the text as it is.
+/// The text with correct sums in its last line, if that begins with "end"; otherwise unchanged.
 std::string with_sums(const std::string& text);
 
 }  // namespace restrip::verify::test

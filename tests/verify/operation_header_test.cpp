@@ -1,5 +1,5 @@
-// The header of an operation's table is the text that docs/reference/operation-file.md says, but for its numbers:
-// whatever else is put into it, at whatever place, is found.
+// Except for its numbers, the header of an operation's table is the text that docs/reference/operation-file.md defines:
+// any insertion, anywhere, is detected.
 
 #include "judge/operation_header.hpp"
 
@@ -20,7 +20,7 @@ struct Header {
   Description description;
   std::string text;
 
-  /// One that is shipped, or one of tests/corpus/altered: a graph, a family, a family of triangles.
+  /// A shipped one, or one of tests/corpus/altered: a graph, a family, a family of triangles.
   explicit Header(const std::string& name)
       : description(parse_descriptions("f", is_shipped(name) ? read_file(shipped("/operations/" + name + ".json"))
                                                              : text_to_alter(name + ".json"))
@@ -89,7 +89,7 @@ TEST(OperationHeader, AnyByteThatIsNoDigitOfATableIsMissed) {
   }
 }
 
-// Every shipped header says what its description has, and no entry may be another number.
+// Every shipped header matches its description, and no entry may be another number.
 TEST(OperationHeader, EntriesAreJudged) {
   const Header merge("merge");
   const Family family = families_of({merge.description}, largest_fan).front();

@@ -58,7 +58,7 @@ TEST(Orbits, NautyDistinguishesColors) {
   three.before = {1, {}, {0, 0, 0}, {}};
   three.after = {2, {{0, 1}}, {0, 0, 1}, {}};
   EXPECT_EQ(nauty_orbits(three, everything(three)).value().all, 6U);
-  // A port that may not be given up is another port.
+  // A port that may not be given up differs from one that may.
   Operation one_stays = flip;
   one_stays.may_give_up = 14;
   EXPECT_EQ(nauty_orbits(one_stays, everything(one_stays)).value().all, 32U);

@@ -1,5 +1,5 @@
 # The program itself, with custom operations.
-# Compiled tables: those that are shipped, and those that the generator makes of operations of the corpus.
+# Compiled tables: shipped ones, and generated ones for operations of the corpus.
 set(corpus ${RESTRIP_CORPUS_DIR}/operations)
 set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
 foreach(path IN ITEMS bisect-costs flip-forest merge-face-matching families/hub-goes families/spoke-flips)
@@ -17,7 +17,7 @@ add_executable(print_operations print_operations.cpp ${corpus_headers})
 target_include_directories(print_operations PRIVATE ${RESTRIP_TABLES_DIR}/include ${generated}/include)
 target_link_libraries(print_operations PRIVATE restrip_own_flags restrip_brief_runs)
 
-# The program itself: each shipped operation, as --help shows for one; and options that do not go together.
+# The program itself: each shipped operation, as shown by --help for one; and options that conflict.
 function(operation_program_test name expected)
   add_test(NAME verify.operations.program.${name} COMMAND restrip-verify ${ARGN})
   set_tests_properties(verify.operations.program.${name} PROPERTIES PASS_REGULAR_EXPRESSION "${expected}")
@@ -81,7 +81,7 @@ add_test(NAME verify.operations.generated
          COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/generated.sh $<TARGET_FILE:restrip-generate> $<TARGET_FILE:restrip-verify> ${corpus}
                  ${CMAKE_CURRENT_BINARY_DIR}/generated-and-verified ${small})
 
-# The schema says what the reader says. No program of ours is tested but the reader, so once is enough.
+# The schema agrees with the reader. Only the reader is tested, so one build is enough.
 if(NOT RESTRIP_SANITIZE)
   file(GLOB schema_files ${RESTRIP_TABLES_DIR}/families.json ${RESTRIP_TABLES_DIR}/operations/*.json ${corpus}/*.json ${corpus}/families/*.json
                          ${PROJECT_SOURCE_DIR}/examples/*.json)

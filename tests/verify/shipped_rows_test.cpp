@@ -1,7 +1,6 @@
-// Nothing in the shipped rows is idle. Every single-bit flip of a recolouring is noticed, for every configuration that
-// the row serves. (A flip in a row's key leaves its old key without a row, which is noticed for every row in the corpus
-// tests.) With a set left out, a set that lost an edge, a set that stands twice, or a case left unproved its reason is
-// a reason no more.
+// Every part of the shipped rows matters. Every single-bit flip of a recolouring is noticed, for every configuration
+// that the row serves. (A flip in a row's key leaves its old key without a row, which the corpus tests check for every
+// row.) A reason becomes invalid if a set is removed, loses an edge or is repeated, or if a case is left unproved.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +16,7 @@
 namespace restrip::verify {
 namespace {
 
-/// Calls back for each damage, which is undone afterwards.
+/// Calls back for each damage, and then undoes it.
 void for_each_damage(Reason& reason, const std::function<void(const char*)>& visit) {
   for (Reason& each : reason.cases) {
     for_each_damage(each, visit);
@@ -43,7 +42,7 @@ void for_each_damage(Reason& reason, const std::function<void(const char*)>& vis
   }
 }
 
-/// What was altered, and how often that was not noticed.
+/// The alterations, and how often one was not noticed.
 struct Altered {
   std::uint64_t all = 0;
   std::uint64_t survivors = 0;

@@ -1,5 +1,5 @@
-// A dump of compiled tables is accepted when it equals the certificates in every line, and at no other time. In the
-// positions without a certificate the answers accepted are just those that a naive search calls sound and optimal.
+// A dump of compiled tables is accepted if and only if it equals the certificates in every line. In positions without a
+// certificate, the accepted answers are exactly those that a naive search finds sound and optimal.
 
 #include "judge/table_dump.hpp"
 
@@ -23,7 +23,7 @@ test::NaiveOperation naive_at(const Operation& operation) {
   return test::NaiveOperation(test::operation_by_hand(operation.family, operation.numbers));
 }
 
-/// What the naive method says is right: several answers where several are optimal, none where none is to be given.
+/// The right answers by the naive method: several if several are optimal, none if no answer is allowed.
 std::vector<NaiveColors> right_answers(const test::NaiveOperation& naive, NaiveColors before) {
   std::vector<NaiveColors> best;
   if (!naive.valid(false, before)) return best;
@@ -92,7 +92,7 @@ DumpComparison comparison_of(const ExpectedDump& expected, std::string text) {
   return comparison;
 }
 
-/// The first difference, or what is wrong with the form; empty when the dump agrees.
+/// The first difference, or the fault of form; empty if the dump agrees.
 std::string difference(const Tables& tables, const std::string& text) {
   const DumpComparison comparison = comparison_of(tables.expected, text);
   if (comparison.agrees()) return {};
@@ -124,7 +124,7 @@ TEST(TableDump, CountsWhatItComparedAndNothingElse) {
   EXPECT_EQ(whole.of(Against::own_patch).families.at("split").positions, 1U);  // k 3 a 2
   EXPECT_EQ(whole.of(Against::own_patch).families.at("split").entries, 64U);
   EXPECT_TRUE(whole.of(Against::nothing).families.empty());
-  // A table that is read but not compared may say anything, and is counted as such.
+  // A table that is read but not compared may have any content, and is counted as such.
   const auto split = std::find_if(tables.expected.tables.begin(), tables.expected.tables.end(),
                                   [](const auto& table) { return table.operation->name() == "split k 3 a 1"; });
   ASSERT_NE(split, tables.expected.tables.end());
@@ -166,7 +166,7 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
         return comparison.of(Against::own_patch).wrong.count;
       };
       EXPECT_EQ(wrong(right_table(operation)), 0U) << operation.name();
-      // Every answer to every configuration, all configurations at once; at last none.
+      // Every answer to every configuration, all configurations at once; finally none.
       const auto answers = static_cast<int>(mask_count(operation.after.inner_edges()));
       for (int inner = 0; inner <= answers; ++inner) {
         std::uint64_t bad = 0;
@@ -209,7 +209,7 @@ TEST(TableDump, EveryAlteredListIsNoticed) {
       EXPECT_NE(difference(tables, replaced(good, line + '\n', line + " 0 76543210\n")), "") << line;
       EXPECT_NE(difference(tables, replaced(good, line + '\n', "")), "") << line;
     }
-  // A table that is read but not compared may say anything, in the right order.
+  // A table that is read but not compared may have any content, in the right order.
   tables.expected.lists.front().lines = nullptr;
   EXPECT_EQ(difference(tables, replaced(good, "0 2d 76543210", "0 1 12")), "");
   EXPECT_NE(difference(tables, replaced(good, "1 2d 76543210", "2 2d 76543210")), "");

@@ -1,4 +1,4 @@
-# Every rule that DOCUMENT works through by hand stands in the section of CERTIFICATE that it names.
+# Every rule that DOCUMENT works through by hand is in the section of CERTIFICATE that it names.
 file(READ ${DOCUMENT} document)
 file(READ ${CERTIFICATE} certificate)
 if(NOT document MATCHES "Take `(section [^`]+)`")

@@ -40,7 +40,7 @@ Family one_section_family(const std::string& family_name, const std::string& pos
   throw std::logic_error(fmt::format("no section {} in {}", position, family_name));
 }
 
-/// A file that goes away with the object.
+/// A file that is deleted with the object.
 class PassingFile {
  public:
   PassingFile(const std::string& name, const std::string& text)

@@ -1,5 +1,5 @@
 #pragma once
-// What the checker says of tables: asked in memory for one section, or through files for a folder or an operation.
+// The checker's verdict on tables: in memory for one section, or through files for a folder or an operation.
 
 #include <filesystem>
 #include <optional>
@@ -24,10 +24,10 @@ struct Verdict {
 /// The verdict on a certificate of this family.
 Verdict verdict_of(const std::string& certificate, const Family& family);
 
-/// The verdict on a certificate that holds this one section only.
+/// The verdict on a certificate with only this section.
 Verdict verdict_of(const NaiveTable& table);
 
-/// The verdict on a certificate of linked rules with this one section only.
+/// The verdict on a certificate of linked rules with only this section.
 Verdict verdict_of(const NaiveLists& lists);
 
 /// The verdict on a folder with MANIFEST and certificates/.
@@ -38,7 +38,7 @@ extern const std::vector<std::string> corpus_operations;
 std::string corpus_path(const std::string& name);
 Operation corpus_operation(const std::string& name);
 
-/// The verdict on an operation's file on disk, or on the text of one, with certificates and a dump as texts.
+/// The verdict on an operation's file on disk, or on its text, with certificates and a dump as texts.
 Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
                    const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
 

@@ -1,5 +1,5 @@
 // Runs a compute shader on the first Vulkan device (VK_ICD_FILENAMES chooses it) with tables in binding 0, an output in
-// binding 1 and positions in binding 2, and prints what it puts out.
+// binding 1 and positions in binding 2, and prints the output.
 //   driver_vulkan SHADER.spv LINES TABLES.bin…      the digests of the positions in LINES, which are those that
 //                                                   restrip-dump-tables --digests prints; of more tables with more
 //                                                   lines, a line "== FILE" before each of those
@@ -34,7 +34,7 @@ struct Position {
   std::uint32_t operation, k, p, q;
 };
 
-/// Of the lines of digests; and one that counts rules outside the tables, which is what the last line says.
+/// For the lines of digests, plus one for the count of rules outside the tables in the last line.
 std::vector<Position> positions_of(const std::string& path) {
   std::ifstream file(path);
   std::vector<Position> all;
@@ -45,8 +45,8 @@ std::vector<Position> positions_of(const std::string& path) {
   return all;
 }
 
-/// A device with one queue that computes, and what it takes to run one shader on it. Nothing is freed: the program
-/// ends. What fails is thrown.
+/// A device with one compute queue, and what is needed to run one shader on it. Nothing is freed, since the program
+/// ends. Errors are thrown.
 class Computer {
  public:
   explicit Computer(const Words& shader) {

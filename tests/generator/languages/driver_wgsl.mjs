@@ -9,11 +9,11 @@ import { Browser } from '../../web/browser.mjs';
 
 const [chromium, scratch, shader, ...rest] = process.argv.slice(2);
 
-/// Of the lines of digests; and one that counts rules outside the tables, which is what the last line says.
+/// For the lines of digests, plus one for the count of rules outside the tables in the last line.
 const positionsOf = (file) => [...readFileSync(file, 'utf8').matchAll(/^(\d+) (\d+) (\d+) (\d+) /gm)].map((line) => line.slice(1).map(Number))
   .concat([[7, 0, 0, 0]]);
 
-/// In the page: what each job, { data, positions, results, groups }, puts out.
+/// In the page: the output of each job, { data, positions, results, groups }.
 async function compute(code, jobs) {
   const adapter = await navigator.gpu?.requestAdapter();
   if (!adapter) throw new Error('this Chromium has no WebGPU adapter');
@@ -52,7 +52,7 @@ async function compute(code, jobs) {
 }
 
 const data = (file) => readFileSync(file).toString('base64');
-/// Shaders, each with what it is run on and how its output is printed.
+/// Shaders, each with its input and the form of its output.
 const runs = [];
 if (rest[0] === 'words') {
   for (let i = -1; i + 1 < rest.length; i += 3) {

@@ -35,7 +35,7 @@ class Operation:
         self.identifier = self.name.replace("-", "_")
         self.more = ["--max-k", str(MAX_K)] if "numbers" in json.loads(file.read_text(encoding="utf-8")) else []
         run(generate, "rules", "--operation", file, *self.more, "--out", out, *(f"--language={name}" for name in ("c++", "c", "rust", "json", "glsl", "wgsl")))
-        # The verifier knows the positions from the operation file: a dump must have them all.
+        # The verifier derives the positions from the operation file: a dump must have them all.
         self.table = json.loads((out / f"restrip_{self.identifier}.json").read_text(encoding="utf-8"))
         self.proofs = ["--certificate", out / f"certificates/operations/{self.name}.cert",
                        "--header", out / f"include/restrip/tables/operations/{self.identifier}.hpp"]
