@@ -90,7 +90,8 @@ def main():
     with open(os.path.join(here, "LICENSE"), encoding="utf-8") as file:
         licence = ["// " + line if line else "//" for line in file.read().splitlines()]
     text = ["// restrip in one header, made by scripts/amalgamate.py. Do not edit.", "//"] + licence + ["#pragma once", ""]
-    # First what restrip.hpp says of itself and of the standard: before it, a compiler of an older standard would miss headers.
+    # First the description and the check of the standard in restrip.hpp: otherwise a compiler of an older standard
+    # would first miss headers.
     begin = joined.lines.index("#else") + 1
     text += joined.lines[:begin] + [""] + [f"#include <{name}>" for name in sorted(joined.standard)] + joined.lines[begin:]
     write(arguments.out, re.sub(r"\n{3,}", "\n\n", "\n".join(text)).split("\n"))

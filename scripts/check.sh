@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# To run before each commit: format, walls, references, and the tests of the files that differ from main (on main: from HEAD). A test of a
-# source is the file of its name under tests/, NAME_test, and every test that includes it. The rest is scripts/test.sh's.
+# Run it before each commit: format, walls, references, and the tests of the files that differ from main (on main: from
+# HEAD). The tests of a source are the file of its name under tests/, NAME_test, and every test that includes it.
+# scripts/test.sh does the rest.
 #
 #   scripts/check.sh [BASE]
 set -Eeuo pipefail
@@ -83,4 +84,4 @@ done
 if [ ${#scripts[@]} -gt 0 ]; then
   ctest --preset check --no-tests=error -R "^tools\.($(printf '%s\n' "${scripts[@]}" | sort -u | paste -sd'|'))$"
 fi
-echo "all is well after $SECONDS s; $((${#suites[@]})) programs and ${#scripts[@]} scripts were asked"
+echo "all is well after $SECONDS s; $((${#suites[@]})) programs and ${#scripts[@]} scripts were run"

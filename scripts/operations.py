@@ -19,15 +19,15 @@ class Side:
     """A patch before an operation or after it. Triangles that go by one name on both sides are the same."""
     names: tuple             # of its triangles
     edges: tuple             # inner edges, as two triangles each
-    owners: tuple            # of each port, its triangle
-    corners: tuple = ()      # three vertices of each triangle, counter-clockwise, where the file names them
-    rim: tuple = ()          # and its rim, from port 0 on: the number of the port, or None on the boundary, and both ends
+    owners: tuple            # the triangle of each port
+    corners: tuple = ()      # three vertices of each triangle, counter-clockwise, if the file names them
+    rim: tuple = ()          # its rim, from port 0: the number of the port, or None on the boundary, and both ends
 
 
 @dataclass(frozen=True)
 class Position:
     description: "Description"
-    text: str                # as reports have it
+    text: str                # as in reports
     section: str             # of the certificate
     before: Side
     after: Side

@@ -1,4 +1,5 @@
-# Sourced by demo.sh, test.sh and prove.sh: installs missing packages by name, says what it does, names the step that fails.
+# Sourced by demo.sh, test.sh and prove.sh: installs missing packages by name, reports each step, and names the step
+# that fails.
 step="starting"
 trap 'echo "$(basename "$0"): failed while: $step" >&2' ERR
 
@@ -7,21 +8,21 @@ say() {
   echo "== $1"
 }
 
-# What this machine does not have is left out: one line here, and again at the end of test.sh.
+# Parts that this machine lacks are left out: one line here, and again at the end of test.sh.
 left_out=()
 leave_out() {
   left_out+=("left out: $1")
   echo "left out: $1"
 }
 
-# These two print which of the packages are installed, and which of them this release offers.
+# These print which of the packages are installed, and which of them this release offers.
 installed() { dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' | sort -u || true; }
 offered() {
   LC_ALL=C apt-cache policy "$@" 2>/dev/null |
     awk '/^[^ ]/ { sub(/:$/, ""); name = $1 } $1 == "Candidate:" && $2 != "(none)" { print name }'
 }
 
-# A machine that has just started may be installing something itself: wait for that.
+# Waits if a machine that has just started is still installing something itself.
 apt() {
   local run=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600 "$@")
   [ "$(id -u)" -eq 0 ] || run=(sudo "${run[@]}")
@@ -33,8 +34,8 @@ update_once() {
   apt_updated=yes
 }
 
-# need PACKAGE…: installs what is missing, as root or with sudo. Of a PACKAGE with several names, one|other, it takes the first
-# that this release offers. It leaves out a package that the release does not have.
+# need PACKAGE…: installs missing packages, as root or with sudo. Of a PACKAGE with alternatives, one|other, it takes
+# the first that this release offers. It leaves out a package that the release does not have.
 need() {
   if ! command -v apt-get >/dev/null; then
     leave_out "installing packages, because this is neither Debian nor Ubuntu. The project wants $*"
@@ -66,8 +67,9 @@ need() {
   echo "installed in $((SECONDS - started)) s"
 }
 
-# need_clang: Clang with its linker, sanitizers and WebAssembly libraries, all of one version: the newest complete set that is
-# installed, else the newest that this release offers. CMake takes the compiler of that version (cmake/NewestClang.cmake).
+# need_clang: Clang with its linker, sanitizers and WebAssembly libraries, all of one version: the newest complete set
+# that is installed, or else the newest that this release offers. CMake uses the compiler of that version
+# (cmake/NewestClang.cmake).
 clang_set() { printf '%s\n' "clang-$1" "lld-$1" "libclang-rt-$1-dev" "libclang-rt-$1-dev-wasm32" "libc++-$1-dev-wasm32"; }
 clang_versions() { apt-cache pkgnames clang- | sed -nE 's/^clang-([0-9]+)$/\1/p' | sort -rn; }
 # newest_complete installed|offered
@@ -88,7 +90,7 @@ need_clang() {
     say "looking for the newest Clang"
     update_once
     version=$(newest_complete offered)
-    # If no version has everything, the newest is taken as far as it is there.
+    # If no version is complete, takes what exists of the newest.
     [ -n "$version" ] || version=$(clang_versions | sed -n 1p)
     if [ -z "$version" ]; then
       leave_out "Clang: this release does not have it"
@@ -99,8 +101,8 @@ need_clang() {
   export RESTRIP_CLANG=clang++-$version
 }
 
-# The sources are formatted by one version of clang-format and checked by the same version of clang-tidy, since other versions
-# disagree: the version that .clang-format names. This prints the program of that version, if it is installed.
+# The sources are formatted and checked by clang-format and clang-tidy of one version, since other versions disagree:
+# the version named in .clang-format. This prints the program of that version, if it is installed.
 style_version=$(sed -nE 's/^# .* version ([0-9]+).*/\1/p' .clang-format)
 style_tool() {
   local program
@@ -114,11 +116,11 @@ style_tool() {
 
 build_packages=(g++ cmake ninja-build libboost-dev "libnauty-dev|libnauty2-dev" libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
   libpng-dev libssl-dev libgtest-dev python3-markdown-it)
-# Wanted by tests alone, and by what test.sh --all adds.
+# For tests only, and for test.sh --all.
 test_packages=(git libcgal-dev libtbb-dev python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel nodejs ocaml "pkgconf|pkg-config")
 all_packages=(xz-utils parallel openmpi-bin g++-multilib rustc glslang-tools libvulkan-dev dpkg-dev file make
   "clang-tidy-$style_version" "clang-format-$style_version")
 command -v chromium >/dev/null || all_packages+=(chromium)  # missing in Ubuntu: install another Chromium there
 command -v npm >/dev/null || all_packages+=(npm)  # a Node.js from elsewhere includes npm
-# Wanted by the benchmarks: performance.sh measures with them, test.sh --all sees that they run.
+# For the benchmarks: performance.sh measures with them, test.sh --all checks that they run.
 bench_packages=(libbenchmark-dev libmeshoptimizer-dev python3)

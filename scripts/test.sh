@@ -6,7 +6,7 @@
 #   scripts/test.sh --all   also the other compiler with its sanitizers, clang-tidy, the format of the sources, deliberate
 #                           faults, the pages in a browser, all languages of the generator, benchmarks, packages: 35 minutes
 #
-# What this machine lacks is left out; both say at the end what that was.
+# Both leave out what this machine lacks and list it at the end.
 set -Eeuo pipefail
 all=
 case "${1:-}" in
@@ -24,7 +24,7 @@ logs=build/logs
 mkdir -p "$logs"
 rm -f "$logs"/*
 
-# part NAME COMMAND…: runs the command and notes how long it took.
+# part NAME COMMAND…: runs the command and records its time.
 part() {
   say "$1"
   local started=$SECONDS
@@ -44,10 +44,10 @@ in_background() {
   set +m
 }
 
-# joined: waits for what runs in the background; it must have succeeded.
+# joined: waits for the background jobs, which must have succeeded.
 joined() {
   [ -n "$background" ] || return 0
-  say "waiting for what runs in the background (log: $logs/background)"
+  say "waiting for the background jobs (log: $logs/background)"
   local pid=$background
   background=
   wait "$pid" || { tail -n 40 "$logs/background" >&2; false; }
@@ -70,7 +70,7 @@ if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
 fi
 [ -z "${RESTRIP_MESHES:-}" ] || export RESTRIP_MESHES
 
-# On a release that has every package nothing may be missing to CMake either.
+# On a release with all packages, CMake must not miss anything either.
 options=(-DRESTRIP_ALLOW_MISSING=OFF)
 [ ${#left_out[@]} -eq 0 ] || options=(-DRESTRIP_ALLOW_MISSING=ON)
 
@@ -87,12 +87,12 @@ if [ -n "$all" ]; then
     leave_out "the format of the sources: clang-format $style_version is not there, and other versions disagree"
   fi
 else
-  # A compiler that we have not seen may warn of something: that is not a fault of this machine.
+  # An unknown compiler may emit new warnings: that is not a fault of this machine.
   cmake --preset test "${options[@]}" -DRESTRIP_WARNINGS_AS_ERRORS=OFF -DRESTRIP_LONG_TESTS=OFF -DRESTRIP_BUILD_BENCH=OFF >"$logs/configure"
 fi
 part "building" cmake --build --preset test
 
-# No test file is forgotten: each is compiled, but for those that a test compiles itself.
+# No test file is forgotten: each is compiled, except those that a test compiles itself.
 if [ -n "$all" ]; then
   mapfile -t units < <(find build/test -name 'unity_*.cxx')
   for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/cross/toolkit/main.cpp' ':!tests/generator/wide_tables.cpp' ':!tests/runtime/mesh/lacks_a_member.cpp'); do
@@ -108,15 +108,16 @@ if [ -n "$all" ]; then
   else
     leave_out "clang-tidy: version $style_version is not there, and other versions disagree"
   fi
-  # Where generator and verifier exhaust something, sanitizers would take minutes for each; smaller tests run the same code. So
-  # would the real meshes. Two callers of each allocation are kept, and not thirty, which takes a sixth of the time.
+  # Sanitizers would take minutes for each exhaustive part of generator and verifier; smaller tests run the same code.
+  # The same is true of the real meshes. Two callers of each allocation are kept instead of thirty, which takes a sixth
+  # of the time.
   too_long='ShippedRows|Targeted|EveryCrime|EveryFlipped|shards|tables.fresh'
   part "testing with sanitizers" env -u RESTRIP_MESHES ASAN_OPTIONS=malloc_context_size=2 ctest --preset sanitize -j "$(nproc)" -E "$too_long"
   joined
 fi
 
-# What was left out is said: packages, parts that CMake left out, tests that want something which is not there. With RESTRIP_MESHES
-# set no test may be skipped but those that need a network.
+# Reports what was left out: packages, parts that CMake left out, skipped tests. With RESTRIP_MESHES set, only tests
+# that need a network may be skipped.
 say "counting what was left out"
 log=build/test/Testing/Temporary/LastTest.log
 {
@@ -131,7 +132,7 @@ cat "$logs/skipped"
 say "all tests passed"
 cat "$logs/parts"
 printf '%6d s  in all\n' $SECONDS
-[ -n "$all" ] || echo "not part of this run: what scripts/test.sh --all adds (see its first lines)"
+[ -n "$all" ] || echo "not part of this run: the additions of scripts/test.sh --all (see its first lines)"
 echo "not part of this run: Coq (scripts/prove.sh)"
 cat "$logs/left_out"
 [ ! -s "$logs/skipped" ] ||

@@ -75,7 +75,7 @@ def write_units(units, folder):
             text += f'#include "{ROOT / source}"\n' + "".join(f"#undef {word}\n" for word in OF_EACH_PROGRAM)
         unit = folder / f"{name}.cpp"
         unit.write_text(text)
-        # A main that ends without a return is none here; the compilers see that other functions do not.
+        # A main without a return at its end is not a main here; the compilers check other functions.
         arguments = ["clang++", *(word for flag in flags for word in flag), "-Wno-return-type", "-c", str(unit)]
         commands.append({"directory": str(BUILD), "file": str(unit), "arguments": arguments})
     (folder / "compile_commands.json").write_text(json.dumps(commands, indent=1))
@@ -93,7 +93,7 @@ def clean(tidy, unit):
 
 def main():
     os.chdir(ROOT)
-    # Other versions warn of other things.
+    # Other versions have other warnings.
     version = re.search(r"version (\d+)", pathlib.Path(".clang-format").read_text())[1]
     tidy = sys.argv[1] if len(sys.argv) > 1 else f"clang-tidy-{version}"
     if not shutil.which(tidy):
@@ -107,10 +107,10 @@ def main():
     for source in listed:
         if source not in read:
             fail(f"no unit has {source}")
-        # What the check of included sources would say, which units must do without.
+        # The check of included sources, which units must do without.
         if re.search(r'^ *# *include.*\.cpp[">]', pathlib.Path(source).read_text(), re.MULTILINE):
             fail(f"{source} includes a source")
-    # The largest first, so that no processor waits for one at the end.
+    # The largest first, so that all processors finish together.
     by_size = sorted(write_units(units, BUILD / "rooms"),
                      key=lambda unit: -sum(source.stat().st_size for source in units[unit.stem][1]))
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
