@@ -1,5 +1,5 @@
-// The dual graph as Boost.Graph sees it: it models the concepts, has the edges that the mesh has, its components of
-// solid edges are the strips after every operation, and Boost's algorithms read and write it.
+// The dual graph for Boost.Graph: it models the concepts, has the edges of the mesh, its components of solid edges are
+// the strips after every operation, and Boost's algorithms read and write it.
 #include "restrip/mesh/adapters/boost_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(BoostGraph, HasTheEdgesOfTheMesh) {
     EXPECT_EQ(listed, adjacent(mesh));
     EXPECT_EQ(num_edges(graph), listed.size());
     parallel = parallel || std::adjacent_find(listed.begin(), listed.end()) != listed.end();
-    // From each vertex: as many edges, the same ones from both ends, the other end as neighbour.
+    // From each vertex: the same number of edges, the same ones from both ends, the other end as neighbour.
     std::size_t ends = 0;
     for (auto [v, last] = vertices(graph); v != last; ++v) {
       auto in = in_edges(*v, graph).first;

@@ -1,5 +1,5 @@
-// CGAL's edge_collapse with our visitor keeps the strips and counts them; without the visitor it breaks
-// them, and debug builds say so.
+// CGAL's edge_collapse with our visitor maintains the strips and counts them; without the visitor it breaks them, and
+// debug builds say so.
 #include "throwing_checks.hpp"
 // That one first.
 #include <CGAL/Simple_cartesian.h>
@@ -55,7 +55,7 @@ struct CgalLibrary {
 INSTANTIATE_TYPED_TEST_SUITE_P(Cgal, Decimation, CgalLibrary);
 
 // CGAL collapses edges without length before it calls a visitor.
-TEST(CgalEdgeCollapse, ColorsStayValidWhereNothingIsTold) {
+TEST(CgalEdgeCollapse, ColorsStayValidWithoutCallbacks) {
   Placed start = bumpy_torus(40, 30);
   for (std::size_t v = 0; v + 1 < start.points.size(); v += 5) start.points[v] = start.points[v + 1];
   Mesh mesh = CgalLibrary::copy_of(start);

@@ -1,5 +1,5 @@
-// What the tests of other libraries' decimaters need: meshes with points, made and real, their strips handed to a
-// foreign mesh, and the question whether the strips have been kept.
+// Shared by the tests of other libraries' decimaters: meshes with points, made and real, strips copied to a foreign
+// mesh, and a check that the strips have been maintained.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -146,7 +146,7 @@ void expect_broken(Strips& strips) {
 }
 
 /// What a library's decimater does to strips, with our hook and without it. A Library has
-///   Strips (a mesh of ours over one of its own), copy_of(Placed), which returns one of its own,
+///   Strips (a mesh of ours over a foreign one), copy_of(Placed), which returns a foreign one,
 ///   simplify(its mesh, Strips* to be kept or nullptr, HookRules), which returns a HookTally, to a half of the
 ///   triangles or fewer, and collect(its mesh), which takes out what was deleted.
 template <class Library>

@@ -1,6 +1,6 @@
-// A half-edge mesh as a user would write one, from docs/how-to/own-mesh.md and the headers that it links alone: a
-// record for each halfedge, those on the boundary too, each triangle and each vertex, and free lists, so that numbers
-// are used again. It has none of the optional members.
+// A half-edge mesh as a user would write one, only from docs/how-to/own-mesh.md and the headers that it links: a record
+// for each halfedge, boundary halfedges included, each triangle and each vertex, and free lists, so that numbers are
+// used again. It lacks the optional members.
 #pragma once
 
 #include <cstddef>
@@ -188,7 +188,7 @@ class Mesh {
     join(next(h), outer);
     join(next(next(h)), spoke);
   }
-  /// The inverse: returns the spoke, {} where there was no triangle, and gives h back.
+  /// The inverse: returns the spoke, {} without a triangle, and restores h.
   Halfedge close(Halfedge h) {
     Halfedge spoke;
     if (!on_boundary(h)) {

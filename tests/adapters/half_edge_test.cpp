@@ -1,5 +1,5 @@
-// docs/how-to/own-mesh.md suffices to write an adapter: a mesh that was written from it keeps the contract, has every
-// policy, either cost, strips from scratch and live buffers, and its owner's undo goes with strips.
+// docs/how-to/own-mesh.md suffices to write an adapter: a mesh that was written from it keeps the contract, supports
+// every policy, either cost, strips from scratch and live buffers, and its owner's undo works with strips.
 #include <cstddef>
 #include <cstdint>
 #include <random>

@@ -1,7 +1,7 @@
 // The same random operations by keepers of a StripMesh and of a foreign mesh through its adapter: afterwards both have
-// the same triangles, and each keeper knows what its mesh counts. Where the policy does not search, colours are the
-// same edge by edge; searches take the sides of triangles in the mesh's own order. Index buffers of theirs draw the
-// same: one made from scratch, and one kept by updates from the list of changes that Watched makes.
+// the same triangles, and each keeper knows what its mesh counts. If the policy does not search, colours are the same
+// edge by edge; searches take the sides of triangles in the order of the mesh. Their index buffers draw the same: one
+// made from scratch, and one kept by updates from the list of changes that Watched makes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -217,7 +217,7 @@ Mesh copy_of(const StripMesh& from, Point&& point, Name&& vertex) {
   return mesh;
 }
 
-/// Strips from scratch equal those of a StripMesh if the two have the same sides, and are about as few otherwise.
+/// Strips from scratch equal those of a StripMesh if the two have the same sides, and are about equally few otherwise.
 template <class Foreign>
 void stripify_both(StripMesh mesh) {
   for (const Cost& cost : {Cost::strips(), Cost::indices()})

@@ -1,5 +1,5 @@
-// OpenMesh's decimater with our module keeps the strips and counts them; without the module it breaks
-// them, and debug builds say so.
+// OpenMesh's decimater with our module maintains the strips and counts them; without the module it breaks them, and
+// debug builds say so.
 #include "throwing_checks.hpp"
 // That one first.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of bench/render.py on a small recorded run, and of docs/results.md: its tables must be of the renderer's make (their
-numbers are those of another machine on another day, and are not looked at)."""
+"""Tests of bench/render.py on a small recorded run, and of docs/results.md: its tables must come from the renderer (their
+numbers come from another machine on another day, and are not compared)."""
 import json
 import re
 import shutil

@@ -1,5 +1,5 @@
 // Nothing that a caller passes ends the program: null pointers, numbers out of range, colours that are not valid and
-// arrays that are too short come back as codes, each with a text, and leave the mesh as it was. Whichever allocation
+// arrays that are too short come back as codes, each with a text, and leave the mesh as it was. If any allocation
 // fails, the answer is RESTRIP_OUT_OF_MEMORY, and mesh and colours are valid.
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,6 @@
 // A baked mesh played through the C interface has, at every level, the triangles, colours and indices that the
-// library's player has there, from whichever side the level is reached. Damaged bytes come back as a code and the
-// reader's text. An operation of the user's own leaves the levels, and restarting comes back to them.
+// library's player has there, whether the level is reached by splits or by collapses. Damaged bytes give a code and the
+// reader's text. Any other operation leaves the levels, and restarting returns to them.
 #include <algorithm>
 #include <cstring>
 #include <functional>
@@ -67,7 +67,7 @@ TEST(CBaked, EveryLevelIsThatOfThePlayer) {
       ASSERT_EQ(done, std::min(way, most));
       ASSERT_EQ(restrip_baked_level(m, &level), RESTRIP_OK);
       ASSERT_EQ(level, expected);
-      // Triangles removed leave their numbers behind.
+      // Removed triangles leave unused numbers.
       auto now = corners_of(m);
       auto painted = colors_of(m);
       for (std::size_t t = corners[level].size(); t < now.size(); ++t) ASSERT_EQ(now[t][0], RESTRIP_NONE);
@@ -92,7 +92,7 @@ TEST(CBaked, EveryLevelIsThatOfThePlayer) {
   }
 }
 
-TEST(CBaked, AnOperationOfOnesOwnLeavesTheLevels) {
+TEST(CBaked, ACustomOperationLeavesTheLevels) {
   const std::string bytes = bytes_of(tools::make_mesh(400));
   const auto collapse_any = [](restrip_mesh* mesh) {
     restrip_status status = RESTRIP_NO_SUCH_EDGE;

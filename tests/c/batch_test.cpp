@@ -1,6 +1,6 @@
 // Batches of the C interface do what their operations do one by one on a StripMesh, in their order: the same triangles,
-// colours, and changes reported, with any number of threads. One that cannot be done changes nothing and says where it
-// failed. What the mesh keeps beside, strips counted and a live buffer, is right afterwards.
+// colours, and changes reported, with any number of threads. A batch that cannot be done changes nothing and says where
+// it failed. The count of strips and the live buffer of the mesh are right afterwards.
 #include "restrip/operations/batch.hpp"
 
 #include <optional>

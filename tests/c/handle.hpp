@@ -1,4 +1,4 @@
-// A restrip_mesh that frees itself, made of a StripMesh, and what it looks like from outside.
+// A restrip_mesh that frees itself, made of a StripMesh, and its state as seen through the interface.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The C interface does what the library does: driven at random under every policy and cost, in step with a StripMesh
 // and its keeper, a mesh has the same triangles, colours and index buffers after every operation, and the same
-// refusals. What an operation tells is what counting finds, under the bare policy too, which the library does not have.
-// A copy of the live buffer that receives only the ranges told draws the triangles of the mesh.
+// refusals. The reported change is what counting finds, under the bare policy too, which the library does not have. A
+// copy of the live buffer that receives only the reported ranges draws the triangles of the mesh.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -45,7 +45,7 @@ unsigned valence(const restrip_mesh* mesh, std::uint32_t v) {
   return 0;
 }
 
-/// Any halfedges: of the mesh mostly, and now and then any number.
+/// Any halfedges: mostly of the mesh, occasionally any number.
 Move draw(const restrip_mesh* mesh, std::mt19937& random) {
   const auto any = [&]() -> restrip_halfedge {
     if (random() % 16 == 0) return random() % 2 == 0 ? RESTRIP_NONE : static_cast<restrip_halfedge>(random());
@@ -170,14 +170,14 @@ std::vector<std::uint32_t> indices_of(const restrip_mesh* mesh) {
   return indices;
 }
 
-struct Told {
+struct Tally {
   std::size_t done = 0;
   std::set<Move::Kind> kinds;  ///< of which some were done
   std::map<restrip_status, std::size_t> refused;
 };
 
-/// What every operation must show, whoever keeps the strips.
-void play(restrip_mesh* mesh, std::mt19937& random, int operations, Told& told, const auto& beside) {
+/// Properties of every operation, under every policy.
+void play(restrip_mesh* mesh, std::mt19937& random, int operations, Tally& reported, const auto& beside) {
   restrip_coloring before = counted(mesh);
   for (int n = 0; n < operations && restrip_mesh_triangle_count(mesh) > 2; ++n) {
     Move move = draw(mesh, random);
@@ -190,13 +190,13 @@ void play(restrip_mesh* mesh, std::mt19937& random, int operations, Told& told, 
     ASSERT_EQ(status, expected);
     ASSERT_EQ(strip_count(mesh), before.strips + static_cast<std::size_t>(change.strips));
     if (status == RESTRIP_OK) {
-      ++told.done;
-      told.kinds.insert(move.kind);
+      ++reported.done;
+      reported.kinds.insert(move.kind);
       const restrip_coloring after = counted(mesh);
       ASSERT_EQ(after.strips, before.strips + static_cast<std::size_t>(change.strips));
       ASSERT_EQ(after.isolated, before.isolated + static_cast<std::size_t>(change.isolated));
     } else {
-      ++told.refused[status];
+      ++reported.refused[status];
     }
     beside(move, status, change);
     if (testing::Test::HasFatalFailure()) return;
@@ -205,9 +205,9 @@ void play(restrip_mesh* mesh, std::mt19937& random, int operations, Told& told, 
 }
 
 template <class Keeper>
-void play_beside(restrip_mesh* mesh, Keeper& keeper, std::mt19937& random, Told& told) {
+void play_beside(restrip_mesh* mesh, Keeper& keeper, std::mt19937& random, Tally& reported) {
   int n = 0;
-  play(mesh, random, 160, told, [&](const Move& move, restrip_status status, const restrip_change& change) {
+  play(mesh, random, 160, reported, [&](const Move& move, restrip_status status, const restrip_change& change) {
     const auto [refusal, rewrite] = apply(keeper, move);
     ASSERT_EQ(status == RESTRIP_OK, refusal == Refusal::granted);
     ASSERT_EQ(std::string(restrip_describe(status)), describe(refusal));
@@ -229,7 +229,7 @@ void play_beside(restrip_mesh* mesh, Keeper& keeper, std::mt19937& random, Told&
 
 TEST(CInterface, IsInStepWithTheLibrary) {
   std::mt19937 random(16);
-  Told told;
+  Tally reported;
   for (const StripMesh& start : sample::meshes())
     for (int policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_BEST; ++policy)
       for (const bool by_indices : {false, true}) {
@@ -244,17 +244,17 @@ TEST(CInterface, IsInStepWithTheLibrary) {
         ASSERT_EQ(restrip_mesh_keep(mesh.get(), policy, cost), RESTRIP_OK);
         ASSERT_EQ(restrip_mesh_policy(mesh.get()), policy);
         Keeper keeper(mine, static_cast<Policy>(policy), by_indices ? Cost::indices() : Cost::strips());
-        play_beside(mesh.get(), keeper, random, told);
+        play_beside(mesh.get(), keeper, random, reported);
         if (HasFatalFailure()) FAIL() << "policy " << policy;
       }
-  EXPECT_GT(told.done, 2000U);
-  EXPECT_EQ(told.kinds.size(), 7U);
-  EXPECT_GE(told.refused.size(), 10U);  // that many ways to be refused were met
+  EXPECT_GT(reported.done, 2000U);
+  EXPECT_EQ(reported.kinds.size(), 7U);
+  EXPECT_GE(reported.refused.size(), 10U);  // the number of different refusals
 }
 
-TEST(CInterface, BareOperationsTellWhatCountingFinds) {
+TEST(CInterface, BareOperationsReportWhatCountingFinds) {
   std::mt19937 random(17);
-  Told told;
+  Tally reported;
   for (const StripMesh& start : sample::meshes())
     for (int round = 0; round < 4; ++round) {
       StripMesh mine = start;
@@ -262,16 +262,17 @@ TEST(CInterface, BareOperationsTellWhatCountingFinds) {
       ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_BARE, &fewest_strips), RESTRIP_OK);
       ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
       Keeper keeper(mine, Policy::local, Cost::strips());
-      play(mesh.get(), random, 120, told, [&](const Move& move, restrip_status status, const restrip_change& change) {
-        const auto [refusal, rewrite] = apply(keeper, move);
-        ASSERT_EQ(status == RESTRIP_OK, refusal == Refusal::granted);
-        ASSERT_EQ(change.halfedge, status == RESTRIP_OK ? rewrite.halfedge.id : 0);
-        ASSERT_EQ(corners_of(mesh.get()), corners_of(mine));
-      });
+      play(mesh.get(), random, 120, reported,
+           [&](const Move& move, restrip_status status, const restrip_change& change) {
+             const auto [refusal, rewrite] = apply(keeper, move);
+             ASSERT_EQ(status == RESTRIP_OK, refusal == Refusal::granted);
+             ASSERT_EQ(change.halfedge, status == RESTRIP_OK ? rewrite.halfedge.id : 0);
+             ASSERT_EQ(corners_of(mesh.get()), corners_of(mine));
+           });
       if (HasFatalFailure()) return;
     }
-  EXPECT_GT(told.done, 300U);
-  EXPECT_EQ(told.kinds.size(), 7U);
+  EXPECT_GT(reported.done, 300U);
+  EXPECT_EQ(reported.kinds.size(), 7U);
 }
 
 /// The triangles that indices draw, each from its smallest corner; a strip's in its turn.
@@ -291,7 +292,7 @@ std::vector<Corners> drawn(std::span<const std::uint32_t> indices, std::uint32_t
   return all;
 }
 
-/// What a device has: it is told of ranges, and of the length.
+/// The copy on a device, which receives ranges and the length.
 template <class Index>
 class Device {
  public:
@@ -342,8 +343,8 @@ void follow_live_buffer(int form, bool list, std::mt19937& random) {
     if (round == 8) {
       ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_QUICK, &fewest_strips), RESTRIP_OK);
     }
-    Told told;
-    play(mesh.get(), random, 25, told, [](const Move&, restrip_status, const restrip_change&) {});
+    Tally reported;
+    play(mesh.get(), random, 25, reported, [](const Move&, restrip_status, const restrip_change&) {});
     if (testing::Test::HasFatalFailure()) return;
   }
   Device<Index> other;  // begun again in the middle
@@ -351,7 +352,7 @@ void follow_live_buffer(int form, bool list, std::mt19937& random) {
   expect_drawn(other);
 }
 
-TEST(CInterface, RangesToldAreAllThatChanged) {
+TEST(CInterface, ReportedRangesCoverAllChanges) {
   std::mt19937 random(18);
   for (int round = 0; round < 3; ++round) {
     follow_live_buffer<std::uint32_t>(RESTRIP_STRIPS_U32, false, random);
@@ -411,8 +412,8 @@ TEST(CInterface, BuffersInEveryForm) {
                       device.begin() + static_cast<std::ptrdiff_t>(range.first * width));
         }
         ASSERT_EQ(read_view(device.data(), view.index_count * width, view), sorted_triangles(mesh.get()));
-        Told told;
-        play(mesh.get(), random, 8, told, [](const Move&, restrip_status, const restrip_change&) {});
+        Tally reported;
+        play(mesh.get(), random, 8, reported, [](const Move&, restrip_status, const restrip_change&) {});
       }
       ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
       std::vector<std::uint32_t> list;

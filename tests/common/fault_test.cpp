@@ -1,6 +1,6 @@
-// Claim: whichever system call or allocation fails while a file is read or written, the result is an error, every file
-// is whole, old or new, nothing else is left behind, and no descriptor stays open. Each is made to fail in turn, until
-// a run meets no failure any more.
+// Claim: if any system call or allocation fails while a file is read or written, the result is an error, every file is
+// whole, old or new, nothing else is left, and no descriptor stays open. Each is made to fail in turn, until a run
+// meets no failure.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -36,7 +36,7 @@ bool fails(int error) {
   return true;
 }
 
-/// The true calls, but for the one that the countdown ends at.
+/// The true calls, except for the one where the countdown ends.
 SystemCalls with_faults() {
   return {
       .open = [](const char* path, int flags, mode_t mode) { return fails(ENOSPC) ? -1 : ::open(path, flags, mode); },

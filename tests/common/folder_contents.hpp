@@ -1,4 +1,4 @@
-// What a folder holds, to compare before and after.
+// The contents of a folder, to compare before and after.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Claims: an output appears whole under the name that was meant, through links, with the right permissions, and beside
-// it nothing changes; what cannot or must not be written is refused before the work, in one line with a remedy.
+// Claims: an output appears whole under the intended name, through links, with the right permissions, and nothing else
+// changes; a file that cannot or must not be written is refused before the work, in one line with a remedy.
 #include "common/output.hpp"
 
 #include <fcntl.h>
@@ -69,7 +69,7 @@ TEST_F(Outputs, ARelativeNameIsBelowTheWorkingFolder) {
   EXPECT_EQ(bytes_of(at("a")), "new");
 }
 
-TEST_F(Outputs, PermissionsAreTheUmasksOrThoseOfTheReplacedFile) {
+TEST_F(Outputs, PermissionsComeFromTheUmaskOrTheReplacedFile) {
   const mode_t before = ::umask(027);
   Output(at("fresh")).write("x");
   ::umask(before);
@@ -215,7 +215,7 @@ TEST_F(Outputs, DevicesAndPipesAreWrittenThrough) {
 }
 
 TEST_F(Outputs, ADescriptorThatIsOpenIsUsed) {
-  // As /dev/stdout is when it was sent to a file: what follows on the same descriptor comes behind.
+  // As /dev/stdout redirected to a file: later writes to the same descriptor come after.
   const int open = ::open(at("out").c_str(), O_WRONLY | O_CREAT, 0600);
   ASSERT_GE(open, 0);
   ASSERT_EQ(::write(open, "one ", 4), 4);
@@ -251,7 +251,7 @@ TEST_F(Outputs, AFullDiskLeavesTheOldFile) {
   EXPECT_EQ(contents_of(folder_), before);
 }
 
-TEST_F(Outputs, SignalsWaitUntilTheFileIsThere) {
+TEST_F(Outputs, SignalsWaitUntilTheFileExists) {
   // Interrupted in the middle of writing, a child process first finishes the file.
   put(at("a"), "old");
   const pid_t child = ::fork();

@@ -1,5 +1,5 @@
-// Claims: a file is read as it is, whatever its kind; what is too large or has no end is refused with the limit named,
-// after no more than the limit was read; and what cannot be read is named with a remedy.
+// Claims: a file of any kind is read unchanged; a file that is too large or endless is refused with the limit named,
+// after reading no more than the limit; and a file that cannot be read is named with a remedy.
 #include "common/reading.hpp"
 
 #include <fmt/format.h>

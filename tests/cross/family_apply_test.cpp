@@ -59,7 +59,7 @@ TEST(FamilyApply, OfNoPositionIsRefused) {
       EXPECT_EQ(check_apply(mesh, position_of(family, {9}), StripMesh::halfedge(t)), Refusal::other_patch);
 }
 
-TEST(FamilyApply, TellsWhatItChanged) {
+TEST(FamilyApply, ReportsWhatItChanged) {
   std::array<std::size_t, 9> done{};
   std::mt19937 random(8);
   for (StripMesh mesh : meshes()) {

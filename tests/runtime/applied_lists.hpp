@@ -1,4 +1,4 @@
-// Custom operations on bare lists of triangles: what apply() is compared with.
+// Custom operations on bare lists of triangles: the reference for apply().
 #pragma once
 
 #include <gtest/gtest.h>

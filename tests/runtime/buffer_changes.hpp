@@ -1,4 +1,4 @@
-// What a buffer does not report has not changed.
+// Checks that indices that a buffer does not report have not changed.
 #pragma once
 
 #include <gtest/gtest.h>

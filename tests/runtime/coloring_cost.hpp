@@ -1,5 +1,5 @@
-// What a colouring costs, counted from its definition: along the listed strips, by the vertices that they turn around.
-// Knows nothing of how the library prices changes.
+// The cost of a colouring, counted from its definition: along the listed strips, by the vertices that they turn around.
+// Independent of how the library prices changes.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-// After an exception the colouring is valid: whichever call of a mesh throws, in every operation, over closed, open and
-// long fans; and whichever allocation fails under a keeper.
+// After an exception the colouring is valid: if any call of a mesh throws, in every operation, over closed, open and
+// long fans; and if any allocation fails under a keeper.
 //
 // Every operation is begun again and again from the same mesh, and fails at its first call, its second, its third,
-// until it ends. What a mesh must look like then is worked out here from the triangles alone.
+// until it ends. The expected mesh is computed here only from the triangles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -125,9 +125,9 @@ StripMesh::Halfedge merged(const StripMesh& mesh, StripMesh::Halfedge b_c) {
 /// Everything that may be done at a halfedge.
 std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge h, std::mt19937& random) {
   std::vector<Operation> all;
-  const auto add = [&](auto&& bare, auto&& adopting, auto&& linking) {
+  const auto add = [&](auto&& bare, auto&& absorbing, auto&& linking) {
     all.emplace_back(bare);
-    all.emplace_back(adopting);
+    all.emplace_back(absorbing);
     all.emplace_back(linking);
   };
   if (check_collapse(mesh, h) == Refusal::granted)
@@ -253,8 +253,8 @@ bool names_all_changes(const std::vector<Triangle>& list, const StripMesh& befor
   return true;
 }
 
-// Every allocation of a keeper, its mesh and the list of whoever watches the mesh fails in turn. The list names what
-// has changed all the same.
+// Every allocation of a keeper, its mesh and the list of changes fails in turn. The list names what has changed all the
+// same.
 TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
   std::mt19937 random(5);
   std::size_t failed = 0;

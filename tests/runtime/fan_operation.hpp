@@ -1,4 +1,4 @@
-// The operations on fans by number, with all that restrip::exact answers for them.
+// The operations on fans by number, with all answers of restrip::exact for them.
 #pragma once
 
 #include <cstddef>

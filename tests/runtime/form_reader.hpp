@@ -1,5 +1,4 @@
-// Index buffers read as a graphics card reads them: bytes in, wound triangles out. Shares no code with what writes
-// them.
+// Index buffers read as a graphics card reads them: bytes in, wound triangles out. Shares no code with the writers.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Does work grow as promised from one size to another, twice as large?
+// Checks that work grows as promised from one size to twice the size.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #pragma once
-// A mesh that is not a StripMesh, for what must work on any.
+// A mesh that is not a StripMesh, for functions that must work on any mesh.
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Meshes in which one vertex has triangles without end: what was quadratic in its valence.
+// Meshes in which one vertex has very many triangles, against time quadratic in the valence.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What the headers promise about whole meshes holds however many triangles share one vertex and however long strips
-// get: building, strips from scratch for both costs, annealing, and the order for a vertex cache take linear time.
+// The promises of the headers about whole meshes hold for any number of triangles at one vertex and any length of
+// strips: building, strips from scratch for both costs, annealing, and the order for a vertex cache take linear time.
 //
 // Steps are counted (step_counter.hpp) at two sizes, one twice the other.
 #include <gtest/gtest.h>

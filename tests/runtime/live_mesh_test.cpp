@@ -1,4 +1,4 @@
-// One object keeps mesh, strips and buffer in step, and takes frames back.
+// One object keeps mesh, strips and buffer in step, and undoes frames.
 #include "restrip/live_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ struct Uploaded {
 void operate(LiveMesh& live, std::mt19937& random, int operations) {
   for (int n = 0; n < operations; ++n) {
     random_operation(live.keeper(), random, live.mesh().triangle_count() < 600 || random() % 2 == 0);
-    // Of our own, where they may be done.
+    // Custom operations, where they may be done.
     const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % live.mesh().triangle_bound()), 0);
     live.apply(tables::merge, h);
     if (live.mesh().triangle_count() < 900) live.apply(tables::refine_face, h);
@@ -70,7 +70,7 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
         if (look_at(live.mesh()) != before) {
           looks.resize(at + 1);
           if (random() % 4 == 0) {
-            // What has not been ended is a frame of its own.
+            // Changes since the last frame are a frame of their own kind.
             ASSERT_TRUE(live.undo());
             ASSERT_EQ(look_at(live.mesh()), before);
             ASSERT_TRUE(live.redo());

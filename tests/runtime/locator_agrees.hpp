@@ -1,4 +1,4 @@
-// Does a locator say of every triangle what walking its strip says?
+// Checks that a locator agrees with a walk along the strip for every triangle.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -21,7 +21,7 @@ struct Patch {
   bool cyclic = false;  // does "the port before" go round?
 };
 
-// Nodes 0 ... n-1 in a row, or in a ring; `inserted` nodes have no port.
+// Nodes 0 ... n-1 in a row, or in a ring; `inserted` nodes lack ports.
 inline Patch row(std::size_t n, bool ring, const std::vector<std::size_t>& inserted) {
   Patch patch;
   patch.nodes = n;
@@ -153,7 +153,7 @@ inline std::uint64_t mask_of(const Bits& bits) {
   return mask;
 }
 
-// Bit strings in words, as the runtime takes them; bits behind the end are noise that must not matter.
+// Bit strings in words, as the runtime takes them; bits after the end are noise that must not matter.
 inline std::vector<std::uint64_t> words_of(const Bits& bits) {
   std::vector<std::uint64_t> words(bits.size() / 64 + 1, ~std::uint64_t{0});
   for (std::size_t i = 0; i < bits.size(); ++i) {

@@ -1,7 +1,7 @@
 // The best recolouring of a patch with given strips outside, found on the explicit graph: nodes are the triangles of
 // the patch and the strips outside, edges the inner edges and the ports. Edges are decided one after the other; of all
 // decisions that leave the same degrees and the same connected components at the nodes that still have edges to come,
-// the best is kept. Nothing is known of fans, arcs or pairs of neighbours, and strips outside may cross in any way.
+// the best is kept. Independent of fans, arcs and pairs of neighbours; strips outside may cross in any way.
 #pragma once
 
 #include <algorithm>
@@ -144,7 +144,7 @@ class OutsideFrontier {
   mutable const std::function<bool(int, int)>* may_join_ = nullptr;
 };
 
-/// The best for a key: of what lies behind its ports nothing is known but which of them were joined before.
+/// The best recolouring for a key: of the outside only the pairs of ports joined before are known.
 inline long best_for_key(const Patch& patch, const Bits& ports, const Bits& joined) {
   OutsideFrontier graph(static_cast<int>(patch.nodes));
   for (const auto& [u, v] : patch.edges) graph.add_edge(static_cast<int>(u), static_cast<int>(v));

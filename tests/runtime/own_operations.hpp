@@ -1,4 +1,4 @@
-// Operations that shipped files describe, at random places, for tests of apply().
+// Operations of shipped files, at random places, for tests of apply().
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Handlers of the user's own take the place of the abort, with NDEBUG as without it, and of the exceptions; they get
-// the sentence, a precondition names the function as well.
+// User-defined handlers replace the abort, with and without NDEBUG, and the exceptions; they receive the sentence, and
+// for a precondition also the function.
 #include <stdexcept>
 #include <string>
 

@@ -1,8 +1,8 @@
 // A broken precondition in a debug build is named: the function, and the sentence of describe().
 //
 // Built without NDEBUG in every preset. Each refusal of split, collapse and flip is provoked, then each other public
-// entry, in a process that must die of it with the sentence on its standard error; and with a limit of a few triangles
-// (RESTRIP_MAX_TRIANGLES) the mesh says that it is full and stays as it is.
+// entry, in a process that must abort with the sentence on its standard error; and with a limit of a few triangles
+// (RESTRIP_MAX_TRIANGLES) the mesh reports that it is full and does not change.
 #ifdef NDEBUG
 #error "build this test without NDEBUG"
 #endif
@@ -45,7 +45,7 @@ StripMesh bow_tie() { return build({{0, 1, 2}, {0, 3, 4}}, 5); }
 // An annulus of six triangles: its edge 0 - 1 has the common neighbour 2 on the other side of the hole.
 StripMesh ring() { return sample::tube(3, 1); }
 
-TEST(PreconditionDeathTest, ASpokeThatIsNotThere) {
+TEST(PreconditionDeathTest, AMissingSpoke) {
   StripMesh mesh = sample::octahedron();
   ASSERT_EQ(mesh.spoke(4, 5).id, none);
   EXPECT_REFUSED(split(mesh, {mesh.spoke(4, 0), mesh.spoke(4, 5)}), "split", no_such_edge);
@@ -145,7 +145,7 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   EXPECT_FAILED(collapse_batch(mesh, dead, {1, true}), "collapse_batch: an operation of the batch is not possible");
 }
 
-TEST(PreconditionDeathTest, OperationsOfOnesOwn) {
+TEST(PreconditionDeathTest, CustomOperations) {
   StripMesh mesh = sample::rectangle(3, 3);
   Halfedge inside = StripMesh::halfedge(0);
   while (!StripMesh::on_boundary(mesh.opposite(inside))) inside = StripMesh::next(inside);
@@ -298,7 +298,7 @@ class Plain {
   StripMesh& mesh_;
 };
 
-// One that knows its handles, and one that has checks of its own.
+// One mesh that knows its handles, and one that has its own checks.
 class Knowing : public Plain {
  public:
   using Plain::Plain;

@@ -1,4 +1,4 @@
-// A random split, collapse or flip under a keeper, for tests that want many.
+// A random split, collapse or flip under a keeper, for tests that need many.
 #pragma once
 
 #include <gtest/gtest.h>

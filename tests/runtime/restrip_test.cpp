@@ -1,5 +1,5 @@
-// One include is enough for what the first page of the manual does: strips from scratch, operations under a keeper, an
-// index buffer in step. No other header of ours is included here.
+// One include is enough for the first page of the manual: strips from scratch, operations under a keeper, an index
+// buffer in step. No other header of restrip is included here.
 #include "restrip/restrip.hpp"
 
 #include <gtest/gtest.h>

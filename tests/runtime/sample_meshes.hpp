@@ -1,5 +1,5 @@
-// Small and middle-sized meshes for tests: closed, with boundary, in pieces, with handles, with vertices of valence
-// two.
+// Small and middle-sized meshes for tests: closed, with boundary, with several components, with handles, with vertices
+// of valence two.
 #pragma once
 
 #include <algorithm>
@@ -59,7 +59,7 @@ inline StripMesh double_cone(Vertex k) {
   return StripMesh::build(triangles, k + 2);
 }
 
-// A double cone from which a wedge is cut: both apexes have open fans of k triangles, with triangles behind all ports.
+// A double cone from which a wedge is cut: both apexes have open fans of k triangles, with triangles outside all ports.
 inline StripMesh open_double_cone(Vertex k) {
   std::vector<Corners> triangles;
   for (Vertex i = 0; i < k; ++i) {

@@ -1,6 +1,6 @@
 // Counts the steps and the allocations of a program, for promises of complexity. A step is a basic block that runs:
 // files compiled with -fsanitize-coverage=trace-pc call step_counter.cpp in each. So no loop can be forgotten, loops of
-// the standard library's templates included, and no clock is asked.
+// the standard library's templates included, and no clock is read.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// What the headers promise about complexity: an operation takes time linear in the valence, under every policy and
-// however many strands pass through the patch; dividing, cutting and linking long strips, looking along strips and
-// updating buffers take what their headers say; and what is said to allocate nothing does not.
+// The promises of the headers about complexity: an operation takes time linear in the valence, under every policy and
+// for any number of strands through the patch; dividing, cutting and linking long strips, walking along strips and
+// updating buffers take the stated time; and functions stated not to allocate do not.
 //
 // Steps are counted (step_counter.hpp) at two sizes, one twice the other.
 #include <gtest/gtest.h>

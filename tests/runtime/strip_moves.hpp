@@ -1,4 +1,4 @@
-// Moves of descents and of searches at strip ends, made and enumerated by their definition. Knows nothing of how the
+// Moves of descents and of searches at strip ends, made and enumerated by their definition. Independent of how the
 // library finds them.
 #pragma once
 
@@ -38,12 +38,12 @@ inline Changes changes_of(const StripMesh& mesh, const StripMove& move) {
 }
 
 inline void recolor(StripMesh& mesh, const Changes& changes) {
-  std::vector<std::uint32_t> light;
+  std::vector<std::uint32_t> to_set;
   for (const std::uint32_t id : changes) {
-    if (!mesh.solid({id})) light.push_back(id);
+    if (!mesh.solid({id})) to_set.push_back(id);
     if (mesh.solid({id})) mesh.set_solid({id}, false);
   }
-  for (const std::uint32_t id : light) mesh.set_solid({id}, true);
+  for (const std::uint32_t id : to_set) mesh.set_solid({id}, true);
 }
 
 // All moves at the dual edge of h, from the definition in descent.hpp. Those that begin at a strip's end are the same.

@@ -1,5 +1,5 @@
-// What split, collapse and flip do, and what a good mesh is, on bare lists of vertex triples: the other side of
-// checks_test.cpp. Nothing here knows StripMesh, and every question is answered by going through the whole list.
+// Split, collapse and flip, and the definition of a good mesh, on bare lists of vertex triples: the other side of
+// checks_test.cpp. Nothing here uses StripMesh, and every question is answered by a scan of the whole list.
 #pragma once
 
 #include <algorithm>

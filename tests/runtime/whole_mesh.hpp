@@ -1,4 +1,4 @@
-// All that a StripMesh is: what can be asked of it, what its next insertions are named, and whether its parts agree.
+// The whole state of a StripMesh: its members, the names of its next insertions, and whether its parts agree.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What a program can check of a page that is to serve everybody. Each control that can be seen has a name, by the browser's
-// own tree. Ids are unique, and labels are for something. Headings leave out no level. Text has a contrast of 4.5 to 1.
+// Checks of accessibility that a program can make. Each control that can be seen has a name, by the browser's own tree.
+// Ids are unique, and labels are for something. Headings leave out no level. Text has a contrast of 4.5 to 1.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,6 +1,6 @@
 // The example in the package's README runs as it is printed, in a page that a server gives out, and draws: at the finest
-// level its picture is that of the triangle list, pixel for pixel, in storage that is made once, also after ranges
-// were uploaded alone. Other levels look different. In the same page run the lines that the viewer prints.
+// level its picture is the same as of the triangle list, pixel for pixel, in storage that is made once, also after
+// uploads of only ranges. Other levels look different. In the same page run the lines that the viewer prints.
 //   node example_test.mjs WEB_FOLDER CHROMIUM
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -40,7 +40,7 @@ try {
     const { points, triangles } = await readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
     const gl = document.getElementById('canvas').getContext('webgl2', { antialias: false });
     useFlatProgram(gl);
-    // The example has bindings of its own; the list is drawn with others.
+    // The example and the list have separate bindings.
     const own = gl.createVertexArray();
     gl.bindVertexArray(own);
     const vertices = gl.createBuffer();

@@ -1,5 +1,5 @@
-// Every link and picture of every page leads to a file of the pages, and to an element of it that has the name behind #. A page
-// with a dead link or a dead anchor is noticed. Documents are pages: no Markdown is shown as it is written.
+// Every link and picture of every page leads to a file of the pages, and to an element of it that has the name after #.
+// A page with a dead link or a dead anchor is noticed. Documents are pages: no Markdown is shown as it is written.
 //   node links_test.mjs WEB_FOLDER
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
@@ -11,7 +11,8 @@ const pages = new Map(['', 'docs', 'docs/tutorials', 'docs/how-to', 'docs/refere
 
 /// The links of a page that lead nowhere, and how many it has.
 function deadLinks(name, text, files) {
-  // What scripts hold is not of the page; they make links of their own, with parts of the address that they read themselves.
+  // The contents of scripts are not part of the page; they make links with parts of the address that they read
+  // themselves.
   const shown = text.replace(/<script[^]*?<\/script>/g, '');
   const links = [...shown.matchAll(/\s(?:href|src|content)="([^"]*)"/g)].map(([, link]) => link.replaceAll('&amp;', '&'))
     .filter((link) => !/^(https?|data|mailto):/.test(link) && /^#|\.\w+(#|$)/.test(link));

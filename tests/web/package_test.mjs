@@ -1,8 +1,8 @@
-// The package keeps exactly the strips that the native program keeps: for each policy and cost, at the base, at the top
-// and back at the base, after an update of the index buffer for every single operation, `restrip replay` and the package
-// tell the same numbers. The index buffer, copied by its ranges alone, draws the mesh. Operations that the mesh refuses
-// change nothing, and misuse throws a sentence. A view-dependent walk ends, wherever it went, at the triangles that the
-// levels have. Rules are those that the native tables give. The small module gives rules as good.
+// The package maintains exactly the same strips as the native program: for each policy and cost, at the base, at the
+// top and back at the base, after an update of the index buffer for every single operation, `restrip replay` and the
+// package report the same numbers. The index buffer, copied only by its ranges, draws the mesh. Operations that the
+// mesh refuses change nothing, and misuse throws a sentence. A view-dependent walk ends, wherever it went, at the
+// triangles that the levels have. Rules are the same as in the native tables. The small module has equally good rules.
 //   node package_test.mjs WEB_FOLDER RESTRIP DUMP_TABLES SCRATCH [TSC]
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -46,9 +46,9 @@ function sameAsReplay() {
   let compared = 0;
   for (const cost of ['strips', 'indices']) {
     for (const policy of ['local', 'linked', 'quick']) {
-      const told = join(scratch, `${policy}-${cost}.json`);
-      execFileSync(program, ['replay', file, '--policy', policy, '--cost', cost, '--repeats', '0', '--json', told]);
-      const native = JSON.parse(readFileSync(told, 'utf8'));
+      const reported = join(scratch, `${policy}-${cost}.json`);
+      execFileSync(program, ['replay', file, '--policy', policy, '--cost', cost, '--repeats', '0', '--json', reported]);
+      const native = JSON.parse(readFileSync(reported, 'utf8'));
       const mesh = restrip.progressive(source).begin({ policy, cost });
       mesh.update();
       const levels = new Map(native.levels.map((level) => [level.triangles, level]));
@@ -85,12 +85,13 @@ function sameAsReplay() {
   assert.ok(compared >= 6 * 20, `only ${compared} levels were compared`);
 }
 
-/// The file read in the browser and played, beside `restrip replay` of the same file; every level twice, up and down.
+/// The file read in the browser and played, compared with `restrip replay` of the same file; every level twice, up and
+/// down.
 function sameAsBaked() {
   const baked = join(folder, 'hare.baked');
-  const told = join(scratch, 'baked.json');
-  execFileSync(program, ['replay', baked, '--policy', 'baked', '--repeats', '0', '--levels', '40', '--json', told]);
-  const native = JSON.parse(readFileSync(told, 'utf8'));
+  const reported = join(scratch, 'baked.json');
+  execFileSync(program, ['replay', baked, '--policy', 'baked', '--repeats', '0', '--levels', '40', '--json', reported]);
+  const native = JSON.parse(readFileSync(reported, 'utf8'));
   assert.ok(native.levels.length >= 30);
   const mesh = restrip.baked(readFileSync(baked));
   assert.ok(mesh.hasBakedStrips);
@@ -373,7 +374,7 @@ async function simplifies() {
   assert.deepEqual(sorted(mesh.triangles), sorted(soup.triangles));
   assert.ok(mesh.indexBound <= mesh.plainIndices);
   mesh.close();
-  // In steps it comes to the same, and says how far it is; one may go away in between.
+  // In steps the result is the same, and the share done is reported; the caller may stop in between.
   const steps = restrip.simplifying(soup, 0.1);
   const shares = [];
   let last;
@@ -387,7 +388,7 @@ async function simplifies() {
   }
 }
 
-/// The rules are those of the native dump: every fourth line, and all of the flip.
+/// The rules are the same as in the native dump: every fourth line, and all of the flip.
 function sameRules(library = restrip) {
   const lines = execFileSync(dumpProgram, ['--max-k', '6'], { maxBuffer: 1 << 30, encoding: 'latin1' }).split('\n');
   let position = {};

@@ -1,5 +1,5 @@
-// Claim: docs/ribbon.png, the picture of README.md, is what its command draws now, but for how this Chromium rounds. A picture
-// that is turned is not.
+// Claim: docs/ribbon.png, the picture of README.md, is what its command draws now, except for rounding by this
+// Chromium. A turned picture differs.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -20,5 +20,5 @@ export async function pictureIsFresh(browser, page, address) {
       : a.data.reduce((sum, n, i) => sum + Math.abs(n - b.data[other(i)]), 0) / a.data.length);
     return [mean((i) => i), mean((i) => a.data.length - 4 - i + 2 * (i % 4))];
   }, pngOf(picture).toString('base64'), readFileSync(fileURLToPath(new URL('../../docs/ribbon.png', import.meta.url))).toString('base64'));
-  assert.ok(near < 1 && far > 5, `docs/ribbon.png: colours differ by ${near}, those of a turned picture by ${far}; scripts/ribbon_picture.mjs rebuilds it`);
+  assert.ok(near < 1 && far > 5, `docs/ribbon.png: colours differ by ${near}, and by ${far} from a turned picture; scripts/ribbon_picture.mjs rebuilds it`);
 }

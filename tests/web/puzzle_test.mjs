@@ -1,9 +1,9 @@
 // The logic of the viewer's part Your turn, in Node. A colouring is sound for the page exactly if it is by the
-// definition, counted another way: for all colourings of patches up to k = 4, of a fifth of those of k = 5, and for random
-// ones of larger. What the page says is wrong is there in the colouring. No sound one of those tried in full is better
-// than the library's rule. Each rule of the certificate is a puzzle, whose patch before is valid and has its key. Its
-// reason shows, as the page checks it, that the library's rule is best; so does the reason of a random patch, moved from
-// the row of its orbit. Reasons that are altered are refused.
+// definition, counted another way: for all colourings of patches up to k = 4, for a fifth of the colourings of k = 5,
+// and for random ones of larger patches. A fault that the page names exists in the colouring. No sound colouring of a
+// fully tried patch is better than the library's rule. Each rule of the certificate is a puzzle, whose patch before is
+// valid and has its key. Its reason shows, as the page checks it, that the library's rule is best; so does the reason
+// of a random patch, moved from the row of its orbit. Reasons that are altered are refused.
 //   node puzzle_test.mjs WEB_FOLDER
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ let seed = 5;
 const random = (n) => (seed = seed * 48271 % 2147483647) % n;
 const bit = (mask, n) => (Number(mask) >> n) & 1;
 
-/// Soundness by counting: solid degrees; a component with as many edges as triangles has a cycle; ports in one component.
+/// Soundness by counting: solid degrees; a component with N edges and N triangles has a cycle; ports in one component.
 function isSound(k, a, loop, ports, inner) {
   const components = (count, edges) => {
     const of = Array.from({ length: count }, (_, i) => i);

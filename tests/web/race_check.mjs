@@ -1,7 +1,7 @@
 // Claims about the part "The race" of the viewer: after the same steps its bytes are what the package returns in Node, to the byte,
 // on a processor of any speed, and a step that takes several frames counts once; the sums, the break-even and the winner on the page
-// are those of these bytes for every place of the slider; both pictures are those of the mesh's triangles, drawn from what the steps
-// have written alone; what the last step has written is lit; a run takes its steps and ends where it began.
+// follow from these bytes for every place of the slider; both pictures show the mesh's triangles, drawn only from what
+// the steps have written; what the last step has written is highlighted; a run takes its steps and ends where it began.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

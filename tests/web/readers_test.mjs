@@ -1,5 +1,6 @@
-// The package reads what the program reads, with the same triangles at the same places, and refuses what it refuses in the
-// same words: every format, in each form that the program writes, glTF with nodes, numbers of every spelling, damaged files.
+// The package reads what the program reads, with the same triangles and positions, and refuses the same files with the
+// same messages: every format, in each form that the program writes, glTF with nodes, numbers of every spelling,
+// damaged files.
 //   node readers_test.mjs WEB_FOLDER RESTRIP SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';

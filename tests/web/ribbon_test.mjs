@@ -1,7 +1,7 @@
 // Ribbons as the viewer paints them, on the hare under a policy. Laid flat, no triangle is turned over or larger than its place, a strip
 // hangs together within a row, neighbours in a strip share two corners with their order, and all lie in the window. A large ribbon is
-// painted in parts, one a call, and only while the mesh rests; a small one at once. Only the triangles of a patch keep their colours
-// where a patch is told from the rest.
+// painted in parts, one a call, and only while the mesh rests; a small one at once. Only the triangles of a patch keep
+// their colours when a patch is set off from the rest.
 //   node ribbon_test.mjs WEB_FOLDER
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -59,8 +59,8 @@ assert.deepEqual(painted(17000, true), { left: [2, 1, 0, 0], reads: 1, painted: 
 assert.deepEqual(painted(17000, false), { left: [3, 3, 3, 3], reads: 0, painted: [] });
 
 const only = new Set([ribbon.triangle(0)]);
-const [usual, told] = [{}, { only }].map((how) => new Uint32Array(ribbon.vertices(mesh.points, how).buffer));
+const [usual, reported] = [{}, { only }].map((how) => new Uint32Array(ribbon.vertices(mesh.points, how).buffer));
 const colors = (words) => Array.from({ length: ribbon.count }, (_, i) => words[18 * i + 3]);
-const differing = colors(usual).map((word, i) => (word & 0xffffff) !== (colors(told)[i] & 0xffffff)).filter(Boolean).length;
-assert.ok(differing > 0.99 * (ribbon.count - 1) && (colors(usual)[0] & 0xffffff) === (colors(told)[0] & 0xffffff), `${differing}`);
-assert.equal(colors(told)[0] >>> 27 & 7, 7, 'a patch of one triangle has three sides at its rim');
+const differing = colors(usual).map((word, i) => (word & 0xffffff) !== (colors(reported)[i] & 0xffffff)).filter(Boolean).length;
+assert.ok(differing > 0.99 * (ribbon.count - 1) && (colors(usual)[0] & 0xffffff) === (colors(reported)[0] & 0xffffff), `${differing}`);
+assert.equal(colors(reported)[0] >>> 27 & 7, 7, 'a patch of one triangle has three sides at its rim');

@@ -95,7 +95,7 @@ export async function checkTurn(browser, address, scratch) {
   assert.equal((await turn(page)).inner, first.best);
   assert.equal(await page.run('document.querySelectorAll("#turn-after .hit").length'), first.edges);
 
-  // What is wrong, by name: the two new triangles and one beside them closed; all lines solid; ports joined.
+  // Faults by name: the two new triangles and an adjacent one closed; all lines solid; ports joined.
   const say = async (puzzle, mine) => {
     await page.run((hash) => { location.hash = hash; }, `#part=turn&puzzle=${puzzle}&mine=${mine.toString(16)}`);
     await page.until((name, inner) => restripViewer.turn.puzzle.name === name && Number(restripViewer.turn.inner) === inner, puzzle, mine);
@@ -144,18 +144,18 @@ export async function checkTurn(browser, address, scratch) {
   await wide.run(() => { restripViewer.light = true; location.hash = '#part=cut'; });
   await wide.until('/part=cut&level/.test(location.hash)');
   await wide.run('restripViewer.light = false');
-  // An address that comes when the old state is about to be told is followed, and not overwritten.
+  // An address that arrives when the old state is about to be written is followed, and not overwritten.
   await wide.run(async () => {
     const later = window.setTimeout;
-    let tell;
-    while (!tell) {  // else it is to be told already
-      window.setTimeout = (call) => { tell = call; return 1; };
+    let write;
+    while (!write) {  // else it is about to be written already
+      window.setTimeout = (call) => { write = call; return 1; };
       restripViewer.link.tell();
       window.setTimeout = later;
-      if (!tell) await new Promise((passed) => setTimeout(passed, 100));
+      if (!write) await new Promise((passed) => setTimeout(passed, 100));
     }
     location.hash = '#part=ribbon';
-    tell();
+    write();
   });
   await wide.until('document.body.dataset.part === "ribbon"');
   await wide.run(() => { location.hash = '#part=turn'; });

@@ -1,7 +1,7 @@
-// The lines that the viewer's page prints in its part Use it run as they are printed. What WebGL and WebGPU draw of strips is
-// the picture of the triangle list, at several levels, also after the buffer has outgrown its storage. What three.js
-// is told to upload makes its copy of the list, or of the strips, the mesh's, and only the draw call of the object that is drawn as
-// strips gets their mode; with the package in the folder RESTRIP_THREE its renderer draws both.
+// The lines that the viewer's page prints in its part Use it run as they are printed. WebGL and WebGPU draw strips as
+// the same picture as the triangle list, at several levels, also after the buffer has outgrown its storage. The ranges
+// that three.js uploads make its copy of the list, or of the strips, equal to the mesh's, and only the draw call of the
+// object that is drawn as strips gets their mode; with the package in the folder RESTRIP_THREE its renderer draws both.
 // Triangles that a stroke says went and came lead from one list to the next. (The lines for C++ are compiled by
 // tests/runtime/live_mesh_test.cpp.)
 import assert from 'node:assert/strict';
@@ -27,7 +27,7 @@ const standIn = `export class BufferAttribute {
     setDrawRange(start, count) { this.drawRange = { start, count }; }
   }`;
 
-/// What a server is to give out beside the package, as [address, [type, content]]; with the names that scripts import.
+/// The files that a server adds to the package, as [address, [type, content]]; with the names that scripts import.
 export function printed(folder) {
   const page = readFileSync(join(folder, 'viewer.html'), 'utf8');
   const part = page.slice(page.indexOf('id="part-use"'), page.indexOf('</section>', page.indexOf('id="part-use"')));
@@ -155,13 +155,13 @@ async function run(size, real) {
     };
     let renderer = null;
     let found = [];
-    const told = [];
+    const reported = [];
     const followed = () => {
       follow(mesh, geometry, strips);
       upload();
       const list = strips ? mesh.indices : mesh.listIndices;
       const { start, count } = geometry.drawRange;
-      told.push({ same: start === 0 && count === list.length && list.every((v, n) => v === card.copy[n]), uploaded: card.uploaded, all: list.length });
+      reported.push({ same: start === 0 && count === list.length && list.every((v, n) => v === card.copy[n]), uploaded: card.uploaded, all: list.length });
     };
     if (real) {
       renderer = new THREE.WebGLRenderer({ antialias: false });
@@ -192,7 +192,7 @@ async function run(size, real) {
       index.clearUpdateRanges();
     }
     followed();  // nothing has changed
-    if (!strips) return { found, told, error: 0 };
+    if (!strips) return { found, reported, error: 0 };
     // Another object is drawn before, between and after.
     const modes = [];
     const [gl, object] = [{ TRIANGLES: 4, TRIANGLE_STRIP: 5, drawElements(mode, count) { modes.push([mode, count, this === gl]); } }, {}];
@@ -202,7 +202,7 @@ async function run(size, real) {
       gl.drawElements(gl.TRIANGLES, 9);
       if (own) object.onAfterRender();
     }
-    return { found, told, error: JSON.stringify(modes) === '[[4,9,true],[5,9,true],[4,9,true]]' ? 0 : JSON.stringify(modes) };
+    return { found, reported, error: JSON.stringify(modes) === '[[4,9,true],[5,9,true],[4,9,true]]' ? 0 : JSON.stringify(modes) };
   };
 
   const sculpt = async () => {
@@ -246,10 +246,10 @@ export async function checkUse(page) {
     // Colours that are interpolated from another corner of a triangle may round differently.
     for (const { different, shown } of found) assert.ok(shown > 3000 && different <= shown / 1000, `${name}: ${JSON.stringify(found)}`);
   }
-  for (const { told } of [drawn.three, drawn.threeStrips]) {
-    assert.ok(told.length === 8 && told.every(({ same }) => same), JSON.stringify(told));
-    for (const { uploaded, all } of told.slice(4, 7)) assert.ok(uploaded > 0 && uploaded < all / 20, `${uploaded} of ${all}`);
-    assert.equal(told.at(-1).uploaded, 0);
+  for (const { reported } of [drawn.three, drawn.threeStrips]) {
+    assert.ok(reported.length === 8 && reported.every(({ same }) => same), JSON.stringify(reported));
+    for (const { uploaded, all } of reported.slice(4, 7)) assert.ok(uploaded > 0 && uploaded < all / 20, `${uploaded} of ${all}`);
+    assert.equal(reported.at(-1).uploaded, 0);
   }
   for (const { before, removed, added, triangles, same } of strokes) {
     assert.ok(same, JSON.stringify(strokes));

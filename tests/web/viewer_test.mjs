@@ -1,12 +1,12 @@
 // The viewer in headless Chromium, opened from the file system. The picture drawn from the live strips is, pixel for
 // pixel, the one drawn from a plain list of the mesh's triangles: at several levels, under policies and costs, in the
 // view-dependent modes, after 60 cuts and after a random walk of the slider. The copy of the index buffer on the graphics card is the
-// live one. The figures on the page are those of `restrip replay` for the same way. A frame does as many operations as fit
-// into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A dropped mesh is prepared
-// in a worker and shown, a file that is none is refused with a sentence. Without WebGL or JavaScript, and when the context is
-// lost, the page says so. The race holds what race_check.mjs says, the picture of README.md what picture_check.mjs says.
-// The page is no higher and no wider
-// than its content: on a desktop the panel scrolls, on a telephone the page does. Nothing is said on the console.
+// live one. The figures on the page are the same as from `restrip replay` for the same way. A frame does the most
+// operations that fit into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A
+// dropped mesh is prepared in a worker and shown, a file that is not a mesh is refused with a sentence. Without WebGL
+// or JavaScript, and when the context is lost, the page says so. The race holds what race_check.mjs says, the picture
+// of README.md what picture_check.mjs says. The page is no higher and no wider than its content: on a desktop the panel
+// scrolls, on a telephone the page does. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -68,12 +68,12 @@ try {
   writeFileSync(join(scratch, 'viewer.png'), await page.screenshot());
   const levels = await page.run('restripViewer.mesh.levels');
 
-  // Levels, policies, costs; the figures beside those of the native program, which goes the same way from the base.
+  // Levels, policies, costs; the figures compared with the native program, which goes the same way from the base.
   let compared = 0;
   for (const [policy, cost] of [['local', 'strips'], ['linked', 'indices'], ['baked', 'strips'], ['quick', 'strips']]) {
-    const told = join(scratch, 'replay.json');
-    execFileSync(program, ['replay', join(folder, policy === 'baked' ? 'hare.baked' : 'hare.pm'), '--policy', policy, '--cost', cost, '--repeats', '0', '--levels', '3', '--json', told]);
-    const native = JSON.parse(readFileSync(told, 'utf8'));
+    const reported = join(scratch, 'replay.json');
+    execFileSync(program, ['replay', join(folder, policy === 'baked' ? 'hare.baked' : 'hare.pm'), '--policy', policy, '--cost', cost, '--repeats', '0', '--levels', '3', '--json', reported]);
+    const native = JSON.parse(readFileSync(reported, 'utf8'));
     const first = native.levels[0].triangles;
     await choose(page, { level: 0, policy, cost });
     await settled(page);
@@ -269,7 +269,7 @@ try {
   assert.deepEqual([there.strips, there.clicks, there.cut], [state.strips, state.clicks, true]);
   assert.ok(Math.abs(there.yaw - state.place.yaw) < 0.01);
   quiet(again);
-  await page.send('Page.bringToFront');  // a page behind another one gets no frames
+  await page.send('Page.bringToFront');  // a covered page does not get frames
   await page.run(() => { document.getElementById('whole').click(); location.hash = '#part=ribbon'; });
   await settled(page);
   assert.equal(await page.run('restripViewer.figures.strips'), 1);
@@ -442,7 +442,7 @@ try {
   await touch('touchEnd');
   assert.notEqual(await phone.run('restripViewer.camera.yaw'), yaw);
   await agrees(phone, 'on a telephone');
-  // Where the mesh is not seen, nothing is drawn for the light, and the mesh is not a stop of the Tab key.
+  // If the mesh is not visible, nothing is drawn for the light, and the mesh is not a stop of the Tab key.
   const drawn = async (part) => {
     await phone.run((name) => { location.hash = `#part=${name}`; }, part);
     await phone.until((name) => restripViewer.part === name && restripViewer.settled, part);

@@ -1,6 +1,6 @@
 // Bytes put together by hand from docs/reference/file-formats.md are read as the page says: the base with its colours,
-// a record with its flips, a payload. Each byte of them that is changed, and each that is missing, is refused. Files
-// that programs write are read by the tests of the tools.
+// a record with its flips, a payload. A change of any byte, and any missing byte, is refused. The tests of the tools
+// read files that programs write.
 #include "restrip/formats/baked_file.hpp"
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ namespace restrip {
 namespace {
 
 TEST(DualOrder, NumbersEveryDualEdgeOnceAndNearestFirst) {
-  DualOrder order;  // one for all: a walk leaves nothing behind for the next
+  DualOrder order;  // one for all: a walk does not affect the next
   for (const StripMesh& mesh : {sample::octahedron(), sample::rectangle(9, 7), sample::torus(12, 9), sample::sphere(2)})
     for (const Triangle from : {Triangle{0}, static_cast<Triangle>(mesh.triangle_bound() - 1)})
       for (unsigned side = 0; side < 3; ++side) {

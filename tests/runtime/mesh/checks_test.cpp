@@ -1,10 +1,10 @@
 // check_split, check_collapse and check_flip refuse an operation if and only if it is bad.
 //
-// Bad is what triangle_list.hpp says, which does the operation on the list of vertex triples and looks at the outcome:
-// every vertex that was one fan still is, nothing vanished, the topology is the same. All operations are asked for, on
+// triangle_list.hpp decides what is bad: it does the operation on the list of vertex triples and examines the outcome:
+// every vertex that was one fan still is, nothing vanished, the topology is the same. All operations are tried, on
 // every edge, between every two spokes and under every vertex name, on every list of few triangles over four and five
-// vertices, on random lists (mostly no manifolds), and on meshes with and without boundary and what random operations
-// make of them. Granted operations are done, and the mesh must be the list that the other side made.
+// vertices, on random lists (mostly not manifolds), and on meshes with and without boundary before and after random
+// operations. Granted operations are done, and the mesh must equal the list that the other side made.
 #include "restrip/mesh/checks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Undo and redo give the very mesh there was: triangles, handles, free handles and colours.
+// Undo and redo restore the mesh exactly: triangles, handles, free handles and colours.
 #include "restrip/mesh/history.hpp"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ TEST(History, AFrameThatSplitsAndCollapsesBackIsAFrame) {
   EXPECT_GT(triangles_as_they_were, 100U);
 }
 
-TEST(History, CollapsesToAFewAndComesBackWithAsManyStrips) {
+TEST(History, CollapsesToAFewAndReturnsToTheSameNumberOfStrips) {
   StripMesh mesh = sample::torus(40, 40);
   stripify(mesh, Effort::full, Cost::strips());
   std::vector<Triangle> changed;

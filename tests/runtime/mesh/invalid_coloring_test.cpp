@@ -1,4 +1,4 @@
-// A colouring that is not valid is refused by whoever reads all of it, with a sentence that says what is wrong.
+// Every function that reads a whole colouring refuses one that is not valid, with a sentence that says what is wrong.
 #include "restrip/mesh/invalid_coloring.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,9 @@
 namespace restrip {
 namespace {
 
-// A ring of solid edges has no end to locator a strip from, and a triangle of three solid edges no strip.
-TEST(InvalidColorings, AreRefusedByWhoeverReadsTheWholeMesh) {
+// A ring of solid edges lacks an end to locate a strip from, and a triangle of three solid edges is not part of a
+// strip.
+TEST(InvalidColorings, AreRefusedByReadersOfTheWholeMesh) {
   for (const bool cycle : {true, false}) {
     StripMesh mesh = sample::rectangle(3, 3);
     if (cycle) {

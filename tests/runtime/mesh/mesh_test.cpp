@@ -1,5 +1,5 @@
-// The concepts hold for meshes that offer what they name and for no others, and the steps that a mesh may offer by
-// itself are those made of the five functions that every mesh has.
+// The concepts hold exactly for meshes with the members that they name, and optional steps of a mesh agree with the
+// steps made of the five functions that every mesh has.
 #include "restrip/mesh/mesh.hpp"
 
 #include <gtest/gtest.h>

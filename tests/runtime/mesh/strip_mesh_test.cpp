@@ -1,5 +1,5 @@
-// A StripMesh is built from triangles as they come, refuses more than it holds before it reads them, and a list that
-// watches it names every triangle that changes.
+// A StripMesh is built from triangles in any order, refuses more than it can hold before it reads them, and its list of
+// changes names every triangle that changes.
 #include "restrip/mesh/strip_mesh.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The neighbours in a triangle list are the ones of a table of all edges, for any list; the report says
-// what is wrong with it, and a list that is trusted has the same neighbours.
+// what is wrong with it, and a trusted list has the same neighbours.
 #include "restrip/mesh/triangle_list.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ Expected from_table(const std::vector<Corners>& list, std::size_t vertices) {
   return expected;
 }
 
-// At an edge of more than two sides as many pairs as there can be, each of one side one way and one the other way.
+// At an edge with more than two sides, the most possible pairs of sides with opposite directions.
 void expect_pairs(const std::vector<Corners>& list, const std::vector<std::uint32_t>& sides, Across& across) {
   const auto from = [&](std::uint32_t h) { return list[h / 4][h % 4]; };
   const auto upwards = static_cast<std::size_t>(std::count_if(

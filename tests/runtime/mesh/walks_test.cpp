@@ -1,5 +1,5 @@
-// What the walks visit is what a look through all triangles finds: of a vertex, of both ends of an edge, of the
-// neighbours, of the component.
+// The walks visit exactly what a scan of all triangles finds: of a vertex, of both ends of an edge, of the neighbours,
+// of the component.
 #include "restrip/mesh/walks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A watched mesh names every triangle that changes, whatever changes it.
+// A watched mesh names every triangle that changes, for every kind of change.
 #include "restrip/mesh/watched.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Adoption takes isolated triangles into strips, reports what it changed, and changes nothing where it fails.
+// Isolated triangles are absorbed into strips, changes are reported, and a failure changes nothing.
 #include "restrip/operations/adopt.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-// Four triangles, the one in the middle in a strip with two of the others: whoever adopts the third isolates another,
+// Four triangles, the one in the middle in a strip with two of the others: absorbing the third isolates another,
 // however often it is passed on. So nothing changes.
 TEST(Adopt, ThatFailsChangesNothing) {
   StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}}, 6);
@@ -36,7 +36,7 @@ TEST(Adopt, LeavesFewAlone) {
   std::mt19937 random(5);
   Keeper keeper(mesh, Policy::local, Cost::strips());
   for (int n = 0; n < 2000; ++n) random_operation(keeper, random, mesh.triangle_count() < 800);
-  // Isolate triangles by hand, then adopt them: what is reported is what a count from scratch finds.
+  // Isolate triangles by hand, then absorb them: a count from scratch finds the reported change.
   std::size_t adopted = 0;
   for (int n = 0; n < 3000; ++n) {
     const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());

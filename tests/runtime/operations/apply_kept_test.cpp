@@ -40,16 +40,16 @@ TEST(KeptApply, KeepersFollow) {
         for (std::size_t n = 0; n < test::large(1500); ++n) {
           if (row.policy == Policy::bare && n % 8 == 0) stripify(mesh, Effort::fast, Cost::strips()), keeper.rebuild();
           ColoringChange change = cost_of(mesh);
-          Rewrite<Halfedge> told = stir(keeper, mesh, random, 2 * start.triangle_count()).rewrite;
+          Rewrite<Halfedge> reported = stir(keeper, mesh, random, 2 * start.triangle_count()).rewrite;
           random_application(mesh, random, 3 * start.triangle_count(), [&](const auto& table, Halfedge h) {
             const auto rewrite = keeper.apply(table, h);
-            told.strips += rewrite.strips;
-            told.isolated += rewrite.isolated;
+            reported.strips += rewrite.strips;
+            reported.isolated += rewrite.isolated;
             ++done;
           });
           change = cost_of(mesh) - change;
-          ASSERT_EQ(told.strips, change.strips);
-          ASSERT_EQ(told.isolated, change.isolated);
+          ASSERT_EQ(reported.strips, change.strips);
+          ASSERT_EQ(reported.isolated, change.isolated);
           ASSERT_EQ(keeper.swaps(), static_cast<std::size_t>(cost_of(mesh).swaps));
           if (n % 8 != 0) continue;
           const ColoringReport counted = check_coloring(mesh);
@@ -135,12 +135,12 @@ TEST(KeptApply, DoesTheSameOnAForeignMesh) {
     const auto h = random_place(mesh, table, random);
     if (!h) return;
     Foreign foreign(mesh);
-    const auto told = apply(foreign, table, Foreign::Halfedge(*h), change(foreign));
+    const auto reported = apply(foreign, table, Foreign::Halfedge(*h), change(foreign));
     const auto done = apply(mesh, table, *h);
-    EXPECT_EQ(told.strips, done.strips);
-    EXPECT_EQ(told.isolated, done.isolated);
+    EXPECT_EQ(reported.strips, done.strips);
+    EXPECT_EQ(reported.isolated, done.isolated);
     std::map<Vertex, Vertex> names;
-    const std::vector<Vertex> theirs = added_vertices(foreign, table, told.halfedge);
+    const std::vector<Vertex> theirs = added_vertices(foreign, table, reported.halfedge);
     const std::vector<Vertex> ours = added_vertices(mesh, table, done.halfedge);
     ASSERT_EQ(theirs.size(), ours.size());
     for (std::size_t i = 0; i < ours.size(); ++i) names[theirs[i]] = ours[i];
@@ -175,10 +175,10 @@ TEST(KeptApply, KeepersFollowOnAForeignMesh) {
         if (!h) return;
         ++done[kind];
         const ColoringChange before = cost_of(mesh.same());
-        const auto told = keeper.apply(table, Foreign::Halfedge(*h), change_mesh);
+        const auto reported = keeper.apply(table, Foreign::Halfedge(*h), change_mesh);
         const ColoringChange change = cost_of(mesh.same()) - before;
-        ASSERT_EQ(told.strips, change.strips);
-        ASSERT_EQ(told.isolated, change.isolated);
+        ASSERT_EQ(reported.strips, change.strips);
+        ASSERT_EQ(reported.isolated, change.isolated);
         ASSERT_TRUE(check_coloring(mesh.same()).valid);
         ASSERT_EQ(count_strips(mesh), keeper.strips());
         ASSERT_EQ(static_cast<long>(keeper.swaps()), cost_of(mesh.same()).swaps);
@@ -220,7 +220,7 @@ TEST(KeptApply, KeepsPairsOnAHandMadeMesh) {
     const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
     if (!mesh.can_flip(h)) continue;
     const auto done = apply(mesh, tables::flip_matching, h, [&](const auto& patch) {
-      // r -> l of (r, l, u), where the file begins with l, u, r.
+      // r -> l of (r, l, u); the file begins with l, u, r
       return mesh.next(mesh.turn_edge(patch.side[0][0]));
     });
     alone += done.isolated;

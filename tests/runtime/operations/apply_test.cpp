@@ -70,27 +70,27 @@ ColoringChange counted(const StripMesh& mesh) {
   return {static_cast<int>(report.strips), 0, static_cast<int>(report.isolated)};
 }
 
-TEST(Apply, TellsWhatItChanged) {
+TEST(Apply, ReportsWhatItChanged) {
   std::mt19937 random(5);
   std::size_t done = 0;
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh, Effort::fast, Cost::strips());
-    ColoringChange told = counted(mesh);
+    ColoringChange reported = counted(mesh);
     const std::size_t size = 3 * mesh.triangle_count() + 20;
     for (std::size_t n = 0; n < test::large(20'000); ++n) {
       Rewrite<Halfedge> rewrite = stir(mesh, mesh, random, size).rewrite;
-      told += {rewrite.strips, 0, rewrite.isolated};
+      reported += {rewrite.strips, 0, rewrite.isolated};
       if (!random_application(mesh, random, size, [&](const auto& table, Halfedge h) {
             rewrite = apply(mesh, table, h);
             EXPECT_EQ(rewrite.valence, table.ports);
           }))
         continue;
       ++done;
-      told += {rewrite.strips, 0, rewrite.isolated};
+      reported += {rewrite.strips, 0, rewrite.isolated};
       if (n % 64 != 0) continue;
-      ASSERT_EQ(counted(mesh), told);
+      ASSERT_EQ(counted(mesh), reported);
     }
-    ASSERT_EQ(counted(mesh), told);
+    ASSERT_EQ(counted(mesh), reported);
     expect_sound(mesh);
   }
   EXPECT_GT(done, test::large(20'000) / 5);
@@ -158,9 +158,9 @@ TEST(Apply, InTwoHalves) {
     EXPECT_EQ(pending.patch().side[0][0], h);
     EXPECT_TRUE(check_coloring(other).valid);
     const Halfedge chord = other.insert_vertex(detail::split_into_face(other, h));
-    const auto told = after_apply(other, pending, StripMesh::next(other.opposite(chord)));
+    const auto reported = after_apply(other, pending, StripMesh::next(other.opposite(chord)));
     const auto done = split_face(mesh, h);
-    EXPECT_EQ(told.strips, done.strips);
+    EXPECT_EQ(reported.strips, done.strips);
     EXPECT_EQ(solid_edges_of(other), solid_edges_of(mesh));
   }
 }

@@ -1,4 +1,4 @@
-// Baked flips give exactly the colouring they were taken from, and give it back; a sequence played up and down is the
+// Baked flips produce exactly the colouring they were taken from, and undo it; a sequence played up and down is the
 // same bit for bit; what is played out of order is noticed, done by the rules, and leaves a valid colouring.
 #include "restrip/operations/baked.hpp"
 
@@ -164,7 +164,7 @@ TEST(Baked, OutOfOrderIsNoticedAndDoneByTheRules) {
   EXPECT_FALSE(player.can_collapse(n / 2 - 2));
   EXPECT_TRUE(player.in_step());  // to ask changes nothing
 
-  // The records that are left, in an order drawn at random, as far as their vertices allow; now and then one is taken
+  // The records that are left, in an order drawn at random, as far as their vertices allow; occasionally one is taken
   // back.
   std::vector<std::size_t> order;
   for (std::size_t i = n / 2 + 1; i < n; ++i) order.push_back(i);

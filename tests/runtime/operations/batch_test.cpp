@@ -243,7 +243,7 @@ TEST(Batch, SplitsWithNamedVertices) {
   for (std::size_t i = 0; i < splits.size(); ++i) EXPECT_EQ(mesh.to(up.rewrites[i].halfedge), names[i]);
   std::vector<Halfedge> down;
   for (const auto& rewrite : up.rewrites) down.push_back(rewrite.halfedge);
-  // The same patches, but two may share an apex now: as many as go together.
+  // The same patches, but two may share an apex now: the most that are compatible.
   std::vector<Halfedge> some;
   PatchClaims claims(mesh);
   for (const Halfedge chord : down)
@@ -547,7 +547,7 @@ TEST(Batch, FaultsNameTheRequestAndChangeNothing) {
   EXPECT_EQ(report.request, 6U);
   EXPECT_EQ(report.refusal, Refusal::no_such_edge);
   EXPECT_EQ(difference(start, mesh), "");
-  EXPECT_FALSE(overlapping_operations(mesh, std::span<const Halfedge>(chords)));  // refused ones have no patch
+  EXPECT_FALSE(overlapping_operations(mesh, std::span<const Halfedge>(chords)));  // refused ones lack a patch
 
   EXPECT_TRUE(batch(mesh, std::vector<SplitRequest>{}, {2, false}).done());
   EXPECT_TRUE(batch(mesh, std::vector<Halfedge>{}, {2, false}).done());

@@ -1,6 +1,6 @@
 // The halves of operations around a change by other code: they give what split(), collapse() and flip() give on a
-// second mesh, colour by colour and in what they tell, on closed and open meshes, for fans of any size; between the
-// halves, and so after a change that was given up, the colouring is valid.
+// second mesh, colour by colour and in their reports, on closed and open meshes, for fans of any size; between the
+// halves, and so after a change that was abandoned, the colouring is valid.
 #include "restrip/operations/hooks.hpp"
 
 #include <gtest/gtest.h>

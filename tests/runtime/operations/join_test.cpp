@@ -68,7 +68,7 @@ std::vector<StripMesh> meshes() {
 
 unsigned side(std::mt19937& random) { return static_cast<unsigned>(random() % 3); }
 
-TEST(Join, ToldWhetherTwoEndsAreOfOneStrip) {
+TEST(Join, FindsWhetherTwoEndsAreOfOneStrip) {
   std::mt19937 random(1);
   std::size_t same = 0;
   std::size_t different = 0;
@@ -191,7 +191,7 @@ TEST(Join, FarEndsThatACutPartsAreJoined) {
 TEST(Join, ManyEndsAroundOneVertex) {
   for (const Vertex k : {15U, 16U, 17U, 40U}) {
     StripMesh mesh = sample::double_cone(k);
-    // Each strip is a pair of triangles, one at each apex, but for a few longer ones.
+    // Each strip is a pair of triangles, one at each apex, except for a few longer ones.
     for (Vertex i = 0; i < k; ++i) mesh.set_solid(mesh.spoke(2 + i, 2 + (i + 1) % k), true);
     ASSERT_EQ(count_strips(mesh), k);
     const ColoringReport before = check_coloring(mesh);

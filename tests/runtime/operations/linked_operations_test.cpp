@@ -204,7 +204,7 @@ void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const O
   tally.valences.insert(valence);
 }
 
-/// A split at a random position of the fan of `v`, then a collapse of the new edge, each under colours of its own.
+/// A split at a random position of the fan of `v`, then a collapse of the new edge, each under separate colours.
 template <class Random>
 void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
   using Spokes = FanSplit::Spokes;

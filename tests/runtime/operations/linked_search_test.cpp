@@ -195,7 +195,8 @@ constexpr LinkedFamily linked_families[] = {LinkedFamily::split,          Linked
                                             LinkedFamily::open_split,     LinkedFamily::open_collapse,
                                             LinkedFamily::boundary_split, LinkedFamily::boundary_collapse};
 
-/// Linked and local rules against the frontier; returns how often the linked one keeps more strips together.
+/// Linked and local rules against the frontier; returns the number of times that the linked one keeps more strips
+/// together.
 int check_linked(std::uint64_t seed, int runs, std::size_t from, std::size_t to) {
   std::mt19937_64 random(seed);
   int bolder = 0;

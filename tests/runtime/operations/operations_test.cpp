@@ -189,7 +189,7 @@ TEST(Operations, AnyValence) {
   }
 }
 
-// A fan of k triangles around vertex 0, with one triangle behind each: a boundary vertex of a chosen valence.
+// A fan of k triangles around vertex 0, with one triangle outside each: a boundary vertex of a chosen valence.
 StripMesh open_fan(Vertex k) {
   std::vector<sample::Corners> triangles;
   for (Vertex i = 1; i <= k; ++i) {

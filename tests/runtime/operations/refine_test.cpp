@@ -1,7 +1,7 @@
 // split_face, bisect and their inverses: they make the mesh that they promise, on a bare list of triangles; the
-// colouring stays valid, and what they tell of strips and isolated triangles is what a census of the whole mesh finds,
-// mixed with splits, collapses and flips, on closed and open meshes; each undoes the other; their checks refuse what is
-// not theirs.
+// colouring stays valid, and the reported changes of strips and isolated triangles are what a census of the whole mesh
+// finds, mixed with splits, collapses and flips, on closed and open meshes; each undoes the other; their checks refuse
+// other patches.
 #include "restrip/operations/refine.hpp"
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ class RefineWalk {
     return random_() % 2 == 0 ? h : mesh_.opposite(h);
   }
 
-  void tell(const Rewrite<Halfedge>& done) {
+  void note(const Rewrite<Halfedge>& done) {
     told_.strips += done.strips;
     told_.isolated += done.isolated;
   }
@@ -123,7 +123,7 @@ class RefineWalk {
     }
     if (!done) return false;
     ++granted[static_cast<std::size_t>(kind)];
-    tell(done.rewrite);
+    note(done.rewrite);
     const Halfedge made = done.rewrite.halfedge;
     EXPECT_EQ(mesh_.from(made), from);
     if (!look) return true;
@@ -142,19 +142,19 @@ class RefineWalk {
   bool others(Halfedge h, bool grow) {
     if (random_() % 4 == 0) {
       const Checked done = checked_flip(mesh_, h);
-      if (done) tell(done.rewrite);
+      if (done) note(done.rewrite);
       return done.granted();
     }
     if (!grow) {
       const Checked done = checked_collapse(mesh_, h);
-      if (done) tell(done.rewrite);
+      if (done) note(done.rewrite);
       return done.granted();
     }
     VertexSplit<Halfedge> where{h, h};
     for (unsigned turns = 1 + random_() % 4; turns > 0; --turns)
       if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh_, where.right);
     const Checked done = checked_split(mesh_, where);
-    if (done) tell(done.rewrite);
+    if (done) note(done.rewrite);
     return done.granted();
   }
 
@@ -164,7 +164,7 @@ class RefineWalk {
   Census told_;
 };
 
-TEST(Refine, TellsWhatItChangedInAMillionOperations) {
+TEST(Refine, ReportsWhatItChangedInAMillionOperations) {
   std::array<std::size_t, 4> granted{};
   unsigned seed = 1;
   for (const StripMesh& start : sample::meshes()) {
@@ -209,7 +209,7 @@ TEST(Refine, KeepersFollow) {
     stripify(mesh, Effort::fast, Cost::strips());
     Keeper keeper(mesh, policy, Cost::strips());
     std::mt19937 random(3);
-    Census told = census_of(mesh);
+    Census reported = census_of(mesh);
     for (std::uint32_t n = 0; n < test::large(4000); ++n) {
       const bool grow = mesh.triangle_count() < 200 || (mesh.triangle_count() < 600 && random() % 2 == 0);
       const Halfedge h = random_halfedge(mesh, random);
@@ -223,12 +223,12 @@ TEST(Refine, KeepersFollow) {
         done = keeper.merge(h);
       else
         continue;
-      told.strips += done.strips;
-      told.isolated += done.isolated;
+      reported.strips += done.strips;
+      reported.isolated += done.isolated;
       if (n % 16 != 0) continue;
       const Census counted = census_of(mesh);
-      ASSERT_EQ(told.strips, counted.strips);
-      ASSERT_EQ(told.isolated, counted.isolated);
+      ASSERT_EQ(reported.strips, counted.strips);
+      ASSERT_EQ(reported.isolated, counted.isolated);
       ASSERT_EQ(static_cast<long>(keeper.strips()), counted.strips);
       if (keeper.locator() != nullptr) {
         ASSERT_TRUE(agrees(*keeper.locator(), mesh));

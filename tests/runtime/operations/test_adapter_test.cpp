@@ -1,6 +1,5 @@
-// test_adapter(): meshes that keep the contract pass, and every operation they offer was done many times; of meshes
-// that break one line of it, for each that line is reported. The broken ones are a StripMesh behind members with one
-// fault.
+// test_adapter(): meshes that keep the contract pass, and every operation they offer was done many times; for a mesh
+// that breaks one line of it, that line is reported. The broken meshes wrap a StripMesh in members with one fault.
 #include "restrip/operations/test_adapter.hpp"
 
 #include <gtest/gtest.h>
@@ -154,9 +153,9 @@ class Faulty {
     if (fault_ == Fault::insert_exchanges_spokes && where.spokes == Where::Spokes::both)
       std::swap(where.left, where.right);
     const Halfedge chord = mesh_.insert_vertex(where);
-    if (fault_ == Fault::insert_solid_chord) light(chord);
+    if (fault_ == Fault::insert_solid_chord) make_solid(chord);
     if (fault_ == Fault::insert_solid_spoke)
-      light(StripMesh::on_boundary(chord) ? StripMesh::next(mesh_.opposite(chord)) : StripMesh::next(chord));
+      make_solid(StripMesh::on_boundary(chord) ? StripMesh::next(mesh_.opposite(chord)) : StripMesh::next(chord));
     if (fault_ == Fault::insert_dashes_more) dash_far_from(chord);
     return fault_ == Fault::insert_returns_back ? mesh_.opposite(chord) : chord;
   }
@@ -165,7 +164,7 @@ class Faulty {
   }
   Halfedge remove_vertex(Halfedge chord) {
     const Halfedge spoke = mesh_.remove_vertex(chord);
-    if (fault_ == Fault::remove_merges_solid) light(spoke);
+    if (fault_ == Fault::remove_merges_solid) make_solid(spoke);
     if (fault_ == Fault::remove_dashes_more) dash_far_from(spoke);
     if (fault_ == Fault::remove_returns_back) return mesh_.opposite(spoke);
     if (fault_ == Fault::remove_returns_other_spoke)
@@ -195,7 +194,7 @@ class Faulty {
   [[nodiscard]] bool inside(Halfedge h) const {
     return !StripMesh::on_boundary(h) && !StripMesh::on_boundary(mesh_.opposite(h));
   }
-  void light(Halfedge h) {
+  void make_solid(Halfedge h) {
     if (inside(h)) mesh_.set_solid(h, true);
   }
   [[nodiscard]] bool near(Halfedge h, Triangle t) const {
@@ -207,7 +206,7 @@ class Faulty {
       }
     return false;
   }
-  /// An edge that has no end in common with that of h, nor with the triangles at it.
+  /// An edge that shares no vertex with the edge of h, nor with the triangles at it.
   void dash_far_from(Halfedge h) {
     std::set<Vertex> close{mesh_.from(h), mesh_.to(h)};
     for (const Vertex end : {mesh_.from(h), mesh_.to(h)})
@@ -243,7 +242,7 @@ void expect_told(Fault fault, Contract line, const std::string& during) {
   EXPECT_EQ(report.during, during) << "fault " << static_cast<int>(fault);
 }
 
-TEST(TestAdapter, TellsWhichLineIsBroken) {
+TEST(TestAdapter, ReportsTheBrokenLine) {
   const AdapterReport good = report_of(Fault::none, sample::rectangle(7, 6));
   ASSERT_TRUE(good.kept()) << describe(good.broken);
   const std::string first = "the mesh as it is given";
@@ -279,7 +278,7 @@ TEST(TestAdapter, TellsWhichLineIsBroken) {
 }
 
 // These depend on colours that only some operation makes.
-TEST(TestAdapter, TellsFaultsThatShowLater) {
+TEST(TestAdapter, ReportsFaultsThatShowLater) {
   EXPECT_EQ(report_of(Fault::fan_step_mixes_up, sample::torus(7, 6)).broken, Contract::fan_step_agrees);
   EXPECT_EQ(report_of(Fault::strip_step_stops, sample::torus(7, 6)).broken, Contract::strip_step_agrees);
   // split() alone calls this member.

@@ -1,5 +1,5 @@
-// Undo and redo give the very indices and colours there were, under all policies, and what is done after an undo writes
-// what it wrote at first.
+// Undo and redo restore the indices and colours exactly, under all policies, and operations repeated after an undo
+// write the same bytes again.
 #include "restrip/output/buffer_history.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ struct Kept {
   [[nodiscard]] std::vector<std::uint32_t> indices() const {
     return {buffer.indices().begin(), buffer.indices().end()};
   }
-  /// The indices, and behind them the triangles with their colours.
+  /// The indices, followed by the triangles with their colours.
   [[nodiscard]] std::vector<std::uint32_t> look() const {
     std::vector<std::uint32_t> look = indices();
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t)

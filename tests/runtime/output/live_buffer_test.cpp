@@ -1,5 +1,5 @@
-// A live buffer of every form and width draws its mesh after random operations, what its updates return is enough to
-// keep a copy of it on a device, and the ranges are as asked for.
+// A live buffer of every form and width draws its mesh after random operations, the returned ranges are enough to keep
+// a copy of it on a device, and have the requested alignment and gaps.
 #include "restrip/output/live_buffer.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::array forms{StripForm::restart, StripForm::stitched, StripForm::lengths, StripForm::list};
 constexpr std::array widths{IndexWidth::bits16, IndexWidth::bits32, IndexWidth::automatic};
 
-/// A device: a buffer of its own, made again when it is outgrown, that gets nothing but the ranges.
+/// A device: a separate buffer, made again when it is outgrown, that receives only the ranges.
 class Device {
  public:
   template <class Live>

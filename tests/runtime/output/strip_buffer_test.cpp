@@ -1,4 +1,4 @@
-// The buffer draws the mesh after every update, what is not reported has not changed, and it is never much longer than
+// The buffer draws the mesh after every update, indices not reported have not changed, and it is never much longer than
 // the strips: for StripMesh and for a mesh made by hand, with indices of 32 and of 16 bits.
 #include "restrip/output/strip_buffer.hpp"
 
@@ -86,7 +86,7 @@ TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
   }
 }
 
-// Where a strip is cut is a share of its triangles, whose product with the number of cuts needs more than 32 bits.
+// A strip is cut at a share of its triangles, whose product with the number of cuts needs more than 32 bits.
 TEST(StripBuffer, CutsAStripOfHundredsOfThousandsOfTriangles) {
   StripMesh mesh = sample::rectangle(200'000, 1);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
@@ -128,7 +128,7 @@ TEST(StripBuffer, WritesLittleForALittleChangeInALongStrip) {
   EXPECT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
 }
 
-// A run that is read is written as it was, unless it begins and ends beside the same vertex: it may be turned around.
+// A run that is read is written as it was, unless it begins and ends next to the same vertex: it may be reversed.
 TEST(StripBuffer, WritesOnlyWhatDiffers) {
   StripMesh mesh = sample::torus(60, 60);
   stripify(mesh, Effort::full, Cost::strips());

@@ -1,5 +1,5 @@
-// Every form of an index buffer draws the triangles of the mesh, with their windings, in as few indices as it says:
-// whatever the strips, however they are cut into batches, and read by a reader of its own.
+// Every form of an index buffer draws the triangles of the mesh, with their windings, in the stated number of indices,
+// for all strips and batches, read by an independent reader.
 #include "restrip/output/strip_format.hpp"
 
 #include <gtest/gtest.h>

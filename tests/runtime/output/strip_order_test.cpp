@@ -1,6 +1,6 @@
 // Strips in the order for a vertex cache are the same strips: the buffer draws each triangle once with its winding and
 // has the same number of indices. A cache that is simulated here by a queue misses no more often than before, and on
-// all meshes together less often. What is compared on the way is in proportion to the strips, whatever the valences.
+// all meshes together less often. The work is proportional to the strips, for all valences.
 #include "restrip/output/strip_order.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// A trace is what a reader needs to follow the mesh and its colours, operation after operation: read by a reader of its
-// own here, which keeps sets of triangles and edges and knows no mesh.
+// A reader can follow the mesh and its colours from a trace, operation after operation: an independent reader here
+// keeps sets of triangles and edges, without a mesh.
 #include "restrip/output/trace.hpp"
 
 #include <gtest/gtest.h>

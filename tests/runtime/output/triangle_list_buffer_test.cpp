@@ -1,5 +1,5 @@
-// The list draws the mesh after every update, what is not reported has not changed, and no more is written than the
-// corners that changed.
+// The list draws the mesh after every update, indices not reported have not changed, and only changed corners are
+// written.
 #include "restrip/output/triangle_list_buffer.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Claim: restrip::exact returns a sound recolouring, and none is better. Proved by exhaustion for every key and every
-// position, valence by valence, against graphs with union-find.
+// Claim: restrip::exact returns a sound recolouring, and no other is better. Proved by exhaustion for every key and
+// every position, valence by valence, against graphs with union-find.
 //
 // RESTRIP_EXHAUSTIVE=1 in the environment continues to k = 12.
 #include "restrip/rules/exact.hpp"
@@ -195,7 +195,7 @@ void check_all_keys(const naive::Patch& patch, Answer answer) {
       if (given == 0) break;
     }
   }
-  // Each triangle has no port, or one that is joined, or one that is not; but see `meaningful`.
+  // Each triangle lacks a solid port, or has one that is joined or not; but see `meaningful`.
   std::size_t words = 1;
   for (std::size_t i = 0; i < k; ++i) words *= 3;
   EXPECT_EQ(keys, patch.cyclic ? words - k : (words + 1) / 2);

@@ -9,7 +9,7 @@ namespace restrip {
 namespace {
 
 #ifdef RESTRIP_SMALL_TABLES
-static_assert(table_max_k == RESTRIP_SMALL_TABLES, "this program has tables of its own");
+static_assert(table_max_k == RESTRIP_SMALL_TABLES, "this program has smaller tables");
 #endif
 
 // At compile time: an empty 4-fan gets five triangles in one strip or two; a solid loop is not a stripification.

@@ -1,6 +1,6 @@
-// Strips from scratch under a cost: valid, the same every time, no dearer with more effort, and the cheapest there are
-// on meshes small enough to try every colouring. What a colouring annealed_costs is counted here from the strips and
-// the index buffer, not by the sums of the search.
+// Strips from scratch under a cost: valid, the same every time, not more expensive with more effort, and the cheapest
+// possible on meshes small enough to try every colouring. Costs are counted here from the strips and the index buffer,
+// not from the sums of the search.
 #include "restrip/search/anneal.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(Anneal, MoreEffortCostsNoMore) {
     }
 }
 
-TEST(Anneal, TellsTheCostOfValidColorsAndNeverRaisesIt) {
+TEST(Anneal, ReportsTheCostOfValidColorsAndNeverRaisesIt) {
   std::mt19937 random(4);
   for (StripMesh& mesh : sample::meshes())
     for (const Cost cost : annealed_costs)

@@ -1,5 +1,5 @@
 // ChunkLists against lists that are written out: the same neighbours, ranks that grow, the same directions, after any
-// mixture of operations; and with so little room for ranks that they have to be spread again all the time.
+// mixture of operations; and with so little room for ranks that they must be spread again all the time.
 #include "restrip/search/impl/chunk_lists.hpp"
 
 #include <gtest/gtest.h>
@@ -152,7 +152,7 @@ TEST(ChunkLists, AgreeWithListsThatAreWrittenOut) {
   }
 }
 
-TEST(ChunkLists, SpreadTheirRanksWhenThereIsNoMoreRoom) {
+TEST(ChunkLists, SpreadTheirRanksWhenRoomRunsOut) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     Play play(64, seed);
     for (int i = 0; i < 5'000; ++i) {

@@ -1,6 +1,6 @@
-// Every move at the end of a strip costs what it says, and no such move is missing; a search never raises the cost,
-// reports what it changed, keeps to its limits, ends where no move at an end pays, and does not report moves that it
-// takes back. All by the definitions: moves are enumerated, made on a copy of the mesh, and the copy is counted as a
+// Every move at the end of a strip has the stated price, and no such move is missing; a search never raises the cost,
+// reports its changes, keeps to its limits, ends when no move at an end lowers the cost, and does not report moves that
+// it undoes. All by the definitions: moves are enumerated, made on a copy of the mesh, and the copy is counted as a
 // whole.
 #include "restrip/search/end_search.hpp"
 
@@ -126,12 +126,12 @@ TEST(EndSearch, RepeatedEndsWhereNoMoveAtAnEndPays) {
         const ColoringChange before = cost_of(mesh);
         EndSearch search(cost);
         ColoringChange sum;
-        for (ColoringChange told{-1, -1, -1}; told.price(cost) < 0;) {
-          told = run_everywhere(mesh, search, limits);
+        for (ColoringChange reported{-1, -1, -1}; reported.price(cost) < 0;) {
+          reported = run_everywhere(mesh, search, limits);
           ASSERT_TRUE(check_coloring(mesh).valid);
-          sum += told;
+          sum += reported;
           EXPECT_EQ(sum, cost_of(mesh) - before);
-          EXPECT_LE(told.price(cost), 0);
+          EXPECT_LE(reported.price(cost), 0);
         }
         EXPECT_GE(best_price_at_ends(mesh, cost), 0);
       }
@@ -168,13 +168,13 @@ TEST(EndSearch, KeepsToItsLimits) {
 }
 
 // Moves that are tried and taken back are not reported, those that are made are.
-TEST(EndSearch, WatchersAreToldOfWhatIsMade) {
+TEST(EndSearch, ReportsMovesToWatchers) {
   StripMesh mesh = sample::torus(20, 15);
   stripify_fast(mesh);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   EndSearch search;
-  std::size_t told = 0;
+  std::size_t reported = 0;
   std::size_t quiet = 0;
   for (const Triangle t : all_triangles(mesh)) {
     const StripMesh before = mesh;
@@ -188,10 +188,10 @@ TEST(EndSearch, WatchersAreToldOfWhatIsMade) {
     for (const Triangle u : all_triangles(mesh)) {
       if (mesh.solid_sides(u) == before.solid_sides(u)) continue;
       EXPECT_TRUE(named.contains(u));
-      ++told;
+      ++reported;
     }
   }
-  EXPECT_GT(told, 50U);
+  EXPECT_GT(reported, 50U);
   EXPECT_GT(quiet, 50U);
 }
 

@@ -1,6 +1,6 @@
 // A keeper leaves a valid colouring after every operation and reports exactly what each changed; its counts and its
-// locator are right after any mixture of operations; and strips, or the cost, stay few however long it is used. What it
-// tells is compared with counts of the whole mesh.
+// locator are right after any mixture of operations; and strips, or the cost, stay few in long use. Its reports are
+// compared with counts of the whole mesh.
 #include "restrip/search/keeper.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(Keeper, IsRightAfterEveryOperation) {
   }
 }
 
-// The mesh has numbers of its own, and nothing but flips.
+// The mesh has custom numbers, and only flips.
 TEST(Keeper, OfAMeshMadeByHand) {
   std::mt19937 random(31);
   for (const Cost& cost : {Cost::strips(), Cost::indices()})
@@ -125,7 +125,7 @@ void expect_counted(const Keeper<StripMesh>& keeper) {
   ASSERT_EQ(keeper.isolated(), static_cast<std::size_t>(cost.isolated));
 }
 
-TEST(KeeperByCost, TellsWhatEveryOperationChanged) {
+TEST(KeeperByCost, ReportsWhatEveryOperationChanged) {
   std::mt19937 random(21);
   for (const Cost& weights : {Cost::indices(), Cost{5, 0, 2}, Cost{3, 1, 2}})
     for (const Policy policy : weighing_policies)
@@ -215,7 +215,8 @@ TEST(KeeperByCost, SameOperationsSameColours) {
   EXPECT_NE(outcome(Policy::local), outcome(Policy::full));
 }
 
-// Steps are edges priced and triangles walked past; with sixteen times the triangles an operation takes as many.
+// Steps are edges priced and triangles walked past; with sixteen times the triangles an operation takes the same
+// number.
 TEST(KeeperByCost, OperationsTakeAsLongOnALargerMesh) {
   for (const Policy policy : weighing_policies) {
     const auto steps = [&](Vertex size) {
@@ -231,7 +232,7 @@ TEST(KeeperByCost, OperationsTakeAsLongOnALargerMesh) {
 }
 
 // After a change that is not the keeper's, its counters are right again once it has counted again.
-TEST(KeeperByCost, CountsAnewWhereItIsTold) {
+TEST(KeeperByCost, CountsAgainWhenAsked) {
   StripMesh mesh = sample::torus(12, 9);
   Keeper keeper(mesh, Policy::quick, Cost::indices());
   EXPECT_EQ(keeper.strips(), mesh.triangle_count());
@@ -270,7 +271,7 @@ bool any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow, b
   return if_granted(check_split(mesh, where), [&] { return keeper.split(where); });
 }
 
-// A vertex of the mesh is on the boundary or not at random; closed fans are those of the torus.
+// A vertex of the mesh is on the boundary or not at random; closed fans come from the torus.
 TEST(RuleFirst, EveryOperationAsksItsRuleAndKeepsBothGuarantees) {
   for (const Cost& cost : {Cost::strips(), Cost::indices()})
     for (const PolicyRow& row : policies) {
@@ -349,7 +350,7 @@ TEST(RuleFirst, ColoursStayAsTheyAreWhereNothingIsCheaper) {
     }
 }
 
-// Newest-vertex bisection: each triangle is halved opposite its newest vertex, after the triangle behind if that has
+// Newest-vertex bisection: each triangle is halved opposite its newest vertex, after the triangle beyond if that has
 // another newest vertex. Rules alone make one strip of many swaps here: 1.6 indices a triangle.
 TEST(RuleFirst, BisectionKeepsIndicesFew) {
   constexpr std::array most{1.45, 1.42, 1.38, 1.37, 1.36};

@@ -1,5 +1,5 @@
-// Each policy looks further than the one before it, and so keeps the cost lower through the same operations, be it that
-// of strips or of indices.
+// Each policy searches further than the one before it, and so keeps the cost lower through the same operations, for the
+// cost of strips and of indices.
 #include "restrip/search/policy.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Rounds of tunnelling leave few strips, continue where they stopped, keep to their budget, end where there are few
-// enough strips, and do the same every time.
+// Rounds of tunnelling leave few strips, continue where they stopped, keep to their budget, end when strips are few
+// enough, and are deterministic.
 #include "restrip/search/rounds.hpp"
 
 #include <gtest/gtest.h>

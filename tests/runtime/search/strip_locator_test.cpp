@@ -1,4 +1,5 @@
-// The locator says of every triangle what walking its strip says, after any mixture of cuts, links and local rewrites.
+// The locator agrees with a walk along the strip for every triangle, after any mixture of cuts, links and local
+// rewrites.
 #include "restrip/search/strip_locator.hpp"
 
 #include <gtest/gtest.h>
@@ -124,7 +125,7 @@ TEST_P(StripLocatorOf, AgreesOnALargeMeshAfterEverything) {
 
 // Splits at one vertex, over and over: the labels between the two triangles at its fan come closer until there is
 // no room. Some strips have been cut and linked before, so that chunks read in either direction.
-TEST_P(StripLocatorOf, AgreesWhereThereIsNoRoomBetweenLabels) {
+TEST_P(StripLocatorOf, AgreesWithoutRoomBetweenLabels) {
   std::mt19937 random(6);
   StripMesh mesh = sample::torus(30, 20);
   StripLocator locator(mesh, GetParam());

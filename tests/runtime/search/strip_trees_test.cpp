@@ -1,5 +1,5 @@
-// The trees of an annealing know which triangles are of one strip as lists of triangles do that are cut and joined
-// next to them, however often strips turn around; and a set of marked words gives its numbers as a std::set does.
+// The trees of an annealing agree with lists of triangles that are cut and joined in step about which triangles are in
+// one strip, also after reversals; and a set of marked words has the same numbers as a std::set.
 #include "restrip/search/impl/strip_trees.hpp"
 
 #include <gtest/gtest.h>

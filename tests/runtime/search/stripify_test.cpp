@@ -1,5 +1,5 @@
-// Strips from scratch by search are valid, the same every time, and as few as can be; and no change of the searches
-// alters strips that are only to be few.
+// Strips from scratch by search are valid, the same every time, and the fewest possible; and no change of the searches
+// alters strips made for the cost of strips.
 #include "restrip/search/stripify.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// From a list to strips without a mesh: the same indices as by way of a StripMesh, for every effort and cost, whatever
-// the list is and whether it is trusted or not.
+// From a list to strips without a mesh: the same indices as from a StripMesh, for every effort, cost and list, trusted
+// or not.
 #include "restrip/search/strips_of.hpp"
 
 #include <gtest/gtest.h>

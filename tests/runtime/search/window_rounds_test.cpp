@@ -1,6 +1,5 @@
-// Rounds of windows lower the cost and report by how much, continue where they stopped, keep to their budget, do the
-// same every time, and end on a mesh without triangles. What is reported is compared with the strips as they are
-// written.
+// Rounds of windows lower the cost and report the change, continue where they stopped, keep to their budget, are
+// deterministic, and end on a mesh without triangles. The reports are compared with the strips as they are written.
 #include "restrip/search/window_rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@
 namespace restrip {
 namespace {
 
-TEST(WindowRounds, LowerTheCostAndTellIt) {
+TEST(WindowRounds, LowerTheCostAndReportIt) {
   for (StripMesh& mesh : sample::meshes())
     for (const Cost cost : {Cost::indices(), Cost::strips(), Cost{3, 1, 2}}) {
       stripify(mesh, Effort::fast, Cost::strips());

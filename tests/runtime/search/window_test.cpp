@@ -1,8 +1,8 @@
 // A window finds what exhaustive search finds: on patches small enough to try every colouring of the edges inside, with
-// and without edges that leave them, it has the least price and reports what has changed, and with Ties::fewest_changes
-// no colouring of that price is nearer to the one before; with limits it says when it may have missed something. It
-// touches no other edge, is never worse than before, and depends on its seed alone. Prices are counted here along the
-// strips and in the index buffer, not by the sums of the search.
+// and without edges that leave them, it has the least price and reports the change, and with Ties::fewest_changes no
+// colouring of that price is nearer to the previous one; with limits it says when it may have missed something. It
+// touches no other edge, never raises the price, and depends only on its seed. Prices are counted here along the strips
+// and in the index buffer, not by the sums of the search.
 #include "restrip/search/window.hpp"
 
 #include <gtest/gtest.h>
