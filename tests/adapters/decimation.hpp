@@ -116,7 +116,7 @@ void expect_kept(const Strips& strips, const ColoringReport& before, const HookT
   EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + tally.strips);
   EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + tally.isolated);
   EXPECT_EQ(extract_strips(strips).size(), after.strips);
-  EXPECT_EQ(tally.untold, 0U);
+  EXPECT_EQ(tally.unannounced, 0U);
   EXPECT_GT(tally.operations, before.triangles / 4);
   EXPECT_LE(after.triangles, before.triangles / 2);
   EXPECT_LT(after.strips, after.triangles / 3);

@@ -7,12 +7,12 @@ int main(int argc, char** argv) {
   // First what takes a few milliseconds and needs little of the library; then what searches, because a fault below a
   // search may let it run for ever; last what takes a tenth of a second or more.
   tests.stages = {
-      "Operations.AnyValence:Join.*:Adopt.That*:Operations.AFree*:"
+      "Operations.AnyValence:Join.*:Absorb.That*:Operations.AFree*:"
       "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
       "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:Apply.Takes*:Apply.Refuses*:Apply.In*:KeptApply.KeepsPairs*:"
       "Checked.*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:Strips.*:"
       "ChunkLists.*:StripTrees.*:MarkedWords.*:*StripLocatorOf.AgreesAfterCuts*",
-      "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesW*:Adopt.Leaves*:Operations.LargeFans*:"
+      "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesW*:Absorb.Leaves*:Operations.LargeFans*:"
       "LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*",
       "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:Keeper.Changes*:"
       "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:KeeperByCost.Reports*:"

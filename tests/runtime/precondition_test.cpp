@@ -66,10 +66,10 @@ TEST(PreconditionDeathTest, ADeadHandle) {
   EXPECT_REFUSED((void)mesh.solid(dead), "StripMesh::solid", no_such_edge);
   EXPECT_REFUSED((void)mesh.fan_step(dead), "StripMesh::fan_step", no_such_edge);
   EXPECT_REFUSED(mesh.set_solid(dead, true), "StripMesh::set_solid", no_such_edge);
-  EXPECT_REFUSED(adopt(mesh, dead), "adopt", no_such_edge);
+  EXPECT_REFUSED(absorb(mesh, dead), "absorb", no_such_edge);
   EXPECT_REFUSED(join_end(mesh, dead), "join_end", no_such_edge);
   EXPECT_REFUSED(join_around(mesh, dead), "join_around", no_such_edge);
-  EXPECT_REFUSED(join_beside(mesh, dead), "join_beside", no_such_edge);
+  EXPECT_REFUSED(join_at_edge(mesh, dead), "join_at_edge", no_such_edge);
 }
 
 TEST(PreconditionDeathTest, EveryRefusalOfASplit) {

@@ -74,7 +74,7 @@ class Paper {
     return turned;
   }
 
-  Mending between() {
+  Repair between() {
     if (!locator_) return {};
     // Some are in a strip by now, some were noted twice, some no longer exist.
     const auto too_many = [&](std::size_t isolated) { return 10 * isolated > locator_->strips(); };

@@ -35,8 +35,8 @@ class TracedOperations {
     const Vertex to = mesh_.to(h);
     return added(Traced::Kind::flip, from, to, kept_->flip(h));
   }
-  Mending between() {
-    const Mending done = kept_->between();
+  Repair between() {
+    const Repair done = kept_->between();
     if (!changed_.empty()) add({Traced::Kind::other, 0, 0, done.strips, done.isolated});
     return done;
   }

@@ -14,7 +14,7 @@
 
 #include "lod/progressive_mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/absorb.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/search/keeper.hpp"
 
@@ -50,7 +50,7 @@ class Upkeep {
   Rewrite<Halfedge> collapse(Halfedge chord) { return collapse(chord, no_record); }
   /// What the way does to all strips between two operations, usually nothing. Call it after each single operation; the
   /// loops do so themselves.
-  virtual Mending between() = 0;
+  virtual Repair between() = 0;
 
   /// Plays split records in order, finding the spokes by their vertices. `first` is the number of the first record.
   virtual void play_up(std::span<const Record> records, std::size_t first) = 0;
@@ -144,7 +144,7 @@ class UpkeepBy final : public Upkeep {
       return witness_.after_flip(*mesh_, operations_.flip(h));
     }
   }
-  Mending between() override {
+  Repair between() override {
     if constexpr (requires { operations_.between(); })
       return operations_.between();
     else

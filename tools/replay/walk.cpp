@@ -131,7 +131,7 @@ class Walker {
   }
 
   std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
-    const Mending between = upkeep_->between();
+    const Repair between = upkeep_->between();
     reported = reported + Account{done.strips + between.strips, done.isolated + between.isolated};
     for (const Vertex v : around) {
       if (v == none) continue;

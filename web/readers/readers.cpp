@@ -1,5 +1,5 @@
 // The readers of the program `restrip` for JavaScript (bindings/js/formats.mjs): one module for each file that is read.
-// The caller writes the bytes into memory taken by readers_take, and reads the Found that readers_read returns.
+// The caller writes the bytes into memory taken by readers_take, and reads the ReadResult that readers_read returns.
 //
 // The readers throw, but this module cannot catch. The sentence of an exception goes to JavaScript, which throws it and
 // drops the module with all of its memory.
@@ -39,7 +39,7 @@ namespace {
 using namespace restrip::tools;
 
 /// Addresses, and counts of numbers or characters; lists that the kind lacks are empty.
-struct Found {
+struct ReadResult {
   enum class Kind : std::uint32_t { mesh, progressive, baked } kind = Kind::mesh;
   const void* points = nullptr;  // three floats each
   std::uint32_t point_numbers = 0;
@@ -56,7 +56,7 @@ struct Found {
 ReadMesh mesh;
 std::string left_out;
 std::vector<float> points;
-Found found;
+ReadResult found;
 
 template <class List>
 void give(const List& list, std::size_t numbers, const void*& address, std::uint32_t& count) {
@@ -79,13 +79,13 @@ void set_found(Soup& soup, bool repeats_vertices) {
   left_out = attributes_in_words(soup.left_out_attributes);
 }
 void set_found(const ProgressiveMesh& progressive) {
-  found.kind = Found::Kind::progressive;
+  found.kind = ReadResult::Kind::progressive;
   give_points(progressive.points);
   give(progressive.base, 3, found.triangles, found.triangle_numbers);
   give(progressive.splits, 4, found.splits, found.split_numbers);
 }
 void set_found(const BakedBytes& baked) {
-  found.kind = Found::Kind::baked;
+  found.kind = ReadResult::Kind::baked;
   give(baked.bytes, 1, found.baked, found.baked_bytes);
   left_out = attributes_in_words(baked.left_out_attributes);
 }
@@ -104,7 +104,7 @@ void* readers_take(std::uint32_t bytes) { return std::malloc(bytes); }
 
 /// The extension of `name` decides.
 READERS_EXPORT(readers_read)
-const Found* readers_read(const char* bytes, std::uint32_t count, const char* name, std::uint32_t name_bytes) {
+const ReadResult* readers_read(const char* bytes, std::uint32_t count, const char* name, std::uint32_t name_bytes) {
   const std::string file(name, name_bytes);
   const ReadSibling no_sibling = [&](const std::string& other) -> std::string {
     throw BadInput(file + ": keeps part of itself in '" + other +

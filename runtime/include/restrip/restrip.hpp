@@ -31,7 +31,7 @@
 #include "restrip/mesh/triangle_list.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/mesh/watched.hpp"
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/absorb.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/checked.hpp"

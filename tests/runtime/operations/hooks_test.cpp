@@ -79,7 +79,7 @@ TEST(Hooks, TallyAddsUp) {
   EXPECT_TRUE(after.valid);
   EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + tally.strips);
   EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + tally.isolated);
-  EXPECT_EQ(tally.untold, 0U);
+  EXPECT_EQ(tally.unannounced, 0U);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(Join, FindsWhetherTwoEndsAreOfOneStrip) {
 TEST(Join, AllLeavesNoEndsThatMeet) {
   for (StripMesh mesh : meshes()) {
     const Ends before = count_ends(mesh);  // all isolated
-    const Mending done = join_all(mesh);
+    const Repair done = join_all(mesh);
     ASSERT_TRUE(check_coloring(mesh).valid);
     const Ends after = count_ends(mesh);
     EXPECT_EQ(static_cast<int>(after.strips), static_cast<int>(before.strips) + done.strips);
@@ -195,7 +195,7 @@ TEST(Join, ManyEndsAroundOneVertex) {
     for (Vertex i = 0; i < k; ++i) mesh.set_solid(mesh.spoke(2 + i, 2 + (i + 1) % k), true);
     ASSERT_EQ(count_strips(mesh), k);
     const ColoringReport before = check_coloring(mesh);
-    const Mending done = join_around(mesh, mesh.spoke(0, 2));
+    const Repair done = join_around(mesh, mesh.spoke(0, 2));
     const ColoringReport after = check_coloring(mesh);
     ASSERT_TRUE(after.valid);
     EXPECT_EQ(static_cast<int>(after.strips), static_cast<int>(before.strips) + done.strips);
@@ -213,7 +213,7 @@ TEST(Join, GoesAroundTheWholeFan) {
       for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) { spokes.push_back(h); });
       for (const StripMesh::Halfedge start : spokes) {
         StripMesh copy = mesh;
-        const Mending done = join_around(copy, start);
+        const Repair done = join_around(copy, start);
         EXPECT_EQ(static_cast<long>(check_coloring(copy).isolated),
                   static_cast<long>(mesh.triangle_count()) + done.isolated);
         for (const StripMesh::Halfedge h : spokes)

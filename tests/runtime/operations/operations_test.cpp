@@ -21,7 +21,7 @@
 #include "random_colors.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/absorb.hpp"
 #include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"

@@ -79,7 +79,7 @@ class RefineWalk {
 
   void run(std::size_t operations) {
     const std::size_t size = mesh_.triangle_count();
-    told_ = census_of(mesh_);
+    reported_ = census_of(mesh_);
     for (done_ = 0; done_ < operations && !::testing::Test::HasFailure();) {
       const bool grow = mesh_.triangle_count() < size / 2 || (mesh_.triangle_count() < 2 * size && random_() % 2 == 0);
       const Halfedge h = random_halfedge();
@@ -99,14 +99,14 @@ class RefineWalk {
   }
 
   void note(const Rewrite<Halfedge>& done) {
-    told_.strips += done.strips;
-    told_.isolated += done.isolated;
+    reported_.strips += done.strips;
+    reported_.isolated += done.isolated;
   }
 
   void compare() {
     const Census counted = census_of(mesh_);
-    EXPECT_EQ(told_.strips, counted.strips);
-    EXPECT_EQ(told_.isolated, counted.isolated);
+    EXPECT_EQ(reported_.strips, counted.strips);
+    EXPECT_EQ(reported_.isolated, counted.isolated);
   }
 
   bool ours(Halfedge h, bool grow) {
@@ -161,7 +161,7 @@ class RefineWalk {
   StripMesh mesh_;
   std::mt19937 random_;
   std::size_t done_ = 0;
-  Census told_;
+  Census reported_;
 };
 
 TEST(Refine, ReportsWhatItChangedInAMillionOperations) {

@@ -283,7 +283,7 @@ TEST(TestAdapter, ReportsFaultsThatShowLater) {
   EXPECT_EQ(report_of(Fault::strip_step_stops, sample::torus(7, 6)).broken, Contract::strip_step_agrees);
   // split() alone calls this member.
   const AdapterReport report = report_of<true>(Fault::fast_insert_returns_back, sample::torus(7, 6));
-  EXPECT_TRUE(report.broken == Contract::coloring_stays_valid || report.broken == Contract::told_is_true)
+  EXPECT_TRUE(report.broken == Contract::coloring_stays_valid || report.broken == Contract::report_is_true)
       << describe(report.broken);
   EXPECT_EQ(report.during, std::string("split"));
   EXPECT_GT(report.operations, 300U);

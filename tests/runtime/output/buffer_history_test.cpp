@@ -18,7 +18,7 @@ namespace restrip {
 namespace {
 
 /// A mesh and its buffer, both with a history.
-struct Kept {
+struct SavedState {
   StripMesh mesh;
   Keeper<StripMesh> keeper;
   std::vector<Triangle> changed;
@@ -27,7 +27,7 @@ struct Kept {
   BufferHistory buffers;
   std::vector<std::uint32_t> uploaded;  // by the ranges alone
 
-  Kept(StripMesh shape, std::size_t most, Policy policy = Policy::local, Cost cost = Cost::strips())
+  SavedState(StripMesh shape, std::size_t most, Policy policy = Policy::local, Cost cost = Cost::strips())
       : mesh(std::move(shape)),
         keeper(mesh, policy, cost),
         buffer(mesh),
@@ -78,7 +78,7 @@ struct Kept {
 };
 
 // Random frames, undone, redone, and where nothing but the mesh decides what an operation does, done once more.
-void expect_the_very_looks(Kept& kept, std::mt19937& random, int steps, bool once_more) {
+void expect_the_very_looks(SavedState& kept, std::mt19937& random, int steps, bool once_more) {
   std::vector<std::vector<std::uint32_t>> looks{kept.look()};  // at the end of each frame
   std::vector<std::pair<unsigned, unsigned>> done;             // seed and operations of each
   std::size_t at = 0;
@@ -121,12 +121,12 @@ TEST(BufferHistory, GivesBackTheVeryIndices) {
   for (StripMesh shape : {sample::torus(12, 12), sample::rectangle(9, 8)}) {
     stripify(shape, Effort::fast, Cost::strips());
     for (const std::size_t most : {std::size_t{400}, std::size_t{1} << 20}) {
-      Kept kept(shape, most);
+      SavedState kept(shape, most);
       expect_the_very_looks(kept, random, 120, true);
       if (HasFatalFailure()) return;
       for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full})
         for (const Cost cost : {Cost::strips(), Cost::indices()}) {
-          Kept under(shape, most, policy, cost);
+          SavedState under(shape, most, policy, cost);
           expect_the_very_looks(under, random, 60, false);
           if (HasFatalFailure()) return;
         }
@@ -138,7 +138,7 @@ TEST(BufferHistory, GivesBackTheVeryIndices) {
 TEST(BufferHistory, WhatIsNoFrameIsForgotten) {
   StripMesh mesh = sample::torus(12, 12);
   stripify(mesh, Effort::fast, Cost::strips());
-  Kept kept(mesh, 1 << 20);
+  SavedState kept(mesh, 1 << 20);
   const std::vector<std::uint32_t> first = kept.indices();
   kept.changed = {0, 1, 2};
   EXPECT_FALSE(kept.end_frame());

@@ -37,7 +37,7 @@ TEST(SideView, AnswersWhatTheMeshAnswers) {
         ASSERT_EQ(view.opposite(view.opposite(h)), h);
         ASSERT_EQ(view.solid(h), mesh.solid(h));
         ASSERT_EQ(view.solid(view.opposite(h)), mesh.solid(h));
-        ASSERT_EQ(view.solid_beside(h), mesh.solid_beside(h));
+        ASSERT_EQ(view.other_solid_sides(h), mesh.other_solid_sides(h));
         ASSERT_EQ(view.from(h), mesh.from(h));
         ASSERT_EQ(view.from(view.opposite(h)), mesh.to(h));
         ASSERT_EQ(view.named(view.own(h)), h);

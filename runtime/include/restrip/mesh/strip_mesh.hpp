@@ -155,8 +155,8 @@ class StripMesh {
   }
   /// The solid sides of the triangle of h other than h: bit 0 for next(h), bit 1 for the one before h. If the edge of h
   /// is solid as well, this is how the strip turns: 1 or 2, or 0 if it ends.
-  [[nodiscard]] unsigned solid_beside(Halfedge h) const noexcept {
-    RESTRIP_ASSERT(is_side(h), "StripMesh::solid_beside", describe(Refusal::no_such_edge));
+  [[nodiscard]] unsigned other_solid_sides(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::other_solid_sides", describe(Refusal::no_such_edge));
     const auto& link = triangles_[triangle(h)].link;
     return (link[side_after(side(h))] & 1U) | (link[side_before(side(h))] & 1U) << 1;
   }

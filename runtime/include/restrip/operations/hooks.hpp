@@ -77,7 +77,7 @@ struct HookTally {
   long isolated = 0;  ///< change in the number of isolated triangles
   /// Operations that the library made without a prior callback. The colouring is valid, but count its strips again:
   /// `strips` and `isolated` do not include these operations.
-  std::size_t untold = 0;
+  std::size_t unannounced = 0;
 
   template <class Halfedge>
   void add(const Rewrite<Halfedge>& done) noexcept {

@@ -7,8 +7,7 @@
 //     strips that end around the operation in parallel, until at most one has not reached its other end, and joined
 //     there.
 //  2. Ends in the patch, and outside cleared ports, are joined with the ends next to them.
-//  3. Triangles that are still isolated are absorbed (adopt.hpp), and the ends that this leaves are treated as in 1 and
-//     2.
+//  3. Triangles that are still isolated are absorbed (absorb.hpp), and the ends left by this go through 1 and 2.
 //
 // Guarantee. A mesh in which no dashed edge joins ends of two different strips keeps this property under
 // split_and_join(), collapse_and_join() and flip_and_join(). It bounds the number of strips of the whole mesh at every
@@ -23,7 +22,7 @@
 
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/absorb.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/operations.hpp"
 
@@ -42,19 +41,19 @@ template <ColoredMesh Mesh>
 /// If a strip ends in the triangle to the left of h, joins it with adjacent ends of other strips: at most two. Time
 /// linear in the shorter strip of each pair that meets.
 template <ColoredMesh Mesh>
-Mending join_end(Mesh& mesh, typename Mesh::Halfedge h);
+Repair join_end(Mesh& mesh, typename Mesh::Halfedge h);
 
 /// Joins all ends that meet in the whole mesh. Time: the number of triangles times the mean length of strips that end
 /// next to each other.
 template <NumberedMesh Mesh>
-Mending join_all(Mesh& mesh);
+Repair join_all(Mesh& mesh);
 
 /// Steps 1 to 3 above, for custom operations and the operations of refine.hpp, after the operation: around the vertex
 /// that h leaves; or in the two triangles at the edge of h and their neighbours, where ports may have been cleared.
 template <ColoredMesh Mesh>
-Mending join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = Exchange::no);
+Repair join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = Exchange::no);
 template <ColoredMesh Mesh>
-Mending join_beside(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = Exchange::no);
+Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = Exchange::no);
 
 /// split(), then steps 1 to 3. The Rewrite includes all changes. `name`: the new vertex, for meshes that let the caller
 /// name it.

@@ -8,7 +8,7 @@
 //
 // have three steps. First comes the operation, with the best recolouring that keeps its ports and is sound given the
 // strips followed. Then adjacent strip ends in the patch or around it are joined, and exchanges made (join.hpp). Last,
-// isolated triangles are absorbed (adopt.hpp). A strip that has not ended after `reach` triangles is assumed to return
+// isolated triangles are absorbed (absorb.hpp). A strip that has not ended after `reach` triangles is assumed to return
 // through any port.
 //
 // The recolouring comes from the tables for closed fans of at most table_max_k triangles: a list for each position and
@@ -225,7 +225,7 @@ Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfed
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",
                  describe(detail::refusal_of_flip(mesh, h)));
   const auto done = flip(mesh, h);
-  return detail::with(done, join_beside(mesh, done.halfedge, Exchange::yes));
+  return detail::with(done, join_at_edge(mesh, done.halfedge, Exchange::yes));
 }
 
 }  // namespace restrip

@@ -58,7 +58,7 @@ template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_flip_and_link(Mesh& mesh, PendingFlip<typename Mesh::Halfedge> pending,
                                                      typename Mesh::Halfedge h) {
   const auto done = after_flip(mesh, std::move(pending), h);
-  return detail::with(done, join_beside(mesh, done.halfedge, Exchange::yes));
+  return detail::with(done, join_at_edge(mesh, done.halfedge, Exchange::yes));
 }
 
 /// The hooks of an adapter, with the given rules.

@@ -51,7 +51,7 @@ enum class Contract {
   other_colors_stay,         ///< other dual edges keep their colours
   triangle_count,            ///< an operation adds and removes the triangles that it should
   coloring_stays_valid,      ///< split(), collapse(), flip() and refine.hpp leave a valid colouring
-  told_is_true,              ///< and their Rewrite::strips is the change in strips
+  report_is_true,            ///< and their Rewrite::strips is the change in strips
   changes_named              ///< a list of changed triangles names all of them
 };
 

@@ -100,7 +100,7 @@ class BasicStripBuffer {
 
   /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them; the same
   /// for ranges that a BufferHistory has written.
-  void keep_ranges() noexcept { told_ = false; }
+  void keep_ranges() noexcept { returned_ = false; }
 
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
   /// The runs in the order of the buffer, without the indices that separate them, for a multi-draw without restart.
@@ -186,9 +186,9 @@ class BasicStripBuffer {
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
   bool stitched_ = false;
-  bool stale_ = true;    // an update was interrupted: the next one rewrites everything
-  bool rebuilt_ = true;  // the last update rewrote everything
-  bool told_ = true;     // whether written_ has been returned
+  bool stale_ = true;     // an update was interrupted: the next one rewrites everything
+  bool rebuilt_ = true;   // the last update rewrote everything
+  bool returned_ = true;  // whether written_ has been returned
   std::vector<Range> written_;
   // The state of the current update.
   std::vector<std::uint32_t> dirty_;  // places whose runs are read

@@ -100,8 +100,8 @@ class Trace {
     gone_.clear();
     come_.clear();
     for (const std::uint32_t t : named_) {
-      const Seen now = seen(mesh, t);
-      Seen& then = seen_[t];
+      const SeenTriangle now = seen(mesh, t);
+      SeenTriangle& then = seen_[t];
       solid_edges(then, before_);
       solid_edges(now, after_);
       if (then.corners != now.corners) {
@@ -138,15 +138,15 @@ class Trace {
   using Corners = std::array<std::uint32_t, 3>;  // counter-clockwise, the smallest first
 
   static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
-  struct Seen {
+  struct SeenTriangle {
     Corners corners{nothing, nothing, nothing};
     std::uint32_t solid = 0;  // bit s: the edge from corner s to the next one
     [[nodiscard]] bool there() const noexcept { return corners[0] != nothing; }
   };
 
   template <class Mesh>
-  static Seen seen(const Mesh& mesh, std::uint32_t t) {
-    Seen now;
+  static SeenTriangle seen(const Mesh& mesh, std::uint32_t t) {
+    SeenTriangle now;
     if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return now;
     auto h = mesh.halfedge(t);
     const auto corner = [&] { return static_cast<std::uint32_t>(mesh.from(h)); };
@@ -165,7 +165,7 @@ class Trace {
     return now;
   }
 
-  static void solid_edges(const Seen& triangle, std::vector<Edge>& edges) {
+  static void solid_edges(const SeenTriangle& triangle, std::vector<Edge>& edges) {
     for (std::size_t side = 0; side < 3; ++side) {
       if ((triangle.solid >> side & 1U) == 0) continue;
       const std::uint32_t from = triangle.corners[side];
@@ -202,7 +202,7 @@ class Trace {
 
   std::string text_;
   std::size_t operations_ = 0;
-  std::vector<Seen> seen_;  // by triangle
+  std::vector<SeenTriangle> seen_;  // by triangle
   // Scratch lists of one operation, kept for their memory.
   std::vector<std::uint32_t> named_;
   std::vector<Edge> before_;

@@ -209,7 +209,7 @@ class Keeper {
   Rewrite<Halfedge> tunnel_from_patch(const Step& step);
   [[nodiscard]] std::uint32_t states_now() const noexcept;
   template <class Sides>
-  Mending adopt(Sides&& sides, StripMesh::Halfedge h);
+  Repair absorb(Sides&& sides, StripMesh::Halfedge h);
   std::size_t improve_strips(std::size_t budget);
   std::size_t improve_cost(std::size_t budget);
 

@@ -29,7 +29,7 @@ concept SidedMesh = std::same_as<typename Mesh::Halfedge, StripMesh::Halfedge> &
   { mesh.solid(h) } -> std::same_as<bool>;
   { mesh.solid_sides(t) } -> std::same_as<unsigned>;
   { mesh.solid_degree(t) } -> std::same_as<unsigned>;
-  { mesh.solid_beside(h) } -> std::same_as<unsigned>;
+  { mesh.other_solid_sides(h) } -> std::same_as<unsigned>;
   { mesh.strip_step(h) } -> std::same_as<StripStep<StripMesh::Halfedge>>;
   { mesh.alive(t) } -> std::same_as<bool>;
   { mesh.triangle_bound() } -> std::same_as<std::size_t>;
@@ -85,7 +85,7 @@ class SideView {
            unsigned{mesh_->solid(mesh_->next(second))} << 2;
   }
   [[nodiscard]] unsigned solid_degree(Triangle t) const { return static_cast<unsigned>(std::popcount(solid_sides(t))); }
-  [[nodiscard]] unsigned solid_beside(Halfedge h) const {
+  [[nodiscard]] unsigned other_solid_sides(Halfedge h) const {
     const auto side = mesh_->next(own(h));
     return unsigned{mesh_->solid(side)} | unsigned{mesh_->solid(mesh_->next(side))} << 1;
   }

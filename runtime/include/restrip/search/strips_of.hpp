@@ -48,7 +48,7 @@ class ListedStrips {
   [[nodiscard]] std::size_t triangle_bound() const noexcept { return colors_.triangle_bound(); }
   [[nodiscard]] bool alive(Triangle t) const noexcept { return colors_.alive(t); }
   [[nodiscard]] unsigned solid_sides(Triangle t) const noexcept { return colors_.solid_sides(t); }
-  [[nodiscard]] unsigned solid_beside(Halfedge h) const noexcept { return colors_.solid_beside(h); }
+  [[nodiscard]] unsigned other_solid_sides(Halfedge h) const noexcept { return colors_.other_solid_sides(h); }
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept { return colors_.across_solid(h); }
   [[nodiscard]] Vertex from(Halfedge h) const noexcept { return list_.corner(h.id); }
 

@@ -65,7 +65,7 @@ class WindowRounds {
     for (unsigned s = 0; s < 3; ++s) {
       if ((solid >> s & 1U) == 0) continue;
       const auto h = StripMesh::halfedge(t, s);
-      if (detail::is_swap(mesh.solid_beside(h), mesh.solid_beside(mesh.opposite(h))) != 0) return true;
+      if (detail::is_swap(mesh.other_solid_sides(h), mesh.other_solid_sides(mesh.opposite(h))) != 0) return true;
     }
     return false;
   }

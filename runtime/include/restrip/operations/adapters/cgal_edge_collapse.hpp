@@ -9,8 +9,8 @@
 //
 // StripVisitor(strips, tally, restrip::HookRules::linked) keeps longer strips. Without a visitor edge_collapse leaves
 // colours that are not valid. CGAL first collapses mesh edges of length zero and notifies a visitor only afterwards;
-// strips are cut there if necessary, and HookTally::untold counts these collapses. Include this header only where you
-// have CGAL 5.4 or later.
+// strips are cut there if necessary, and HookTally::unannounced counts these collapses. Include this header only where
+// you have CGAL 5.4 or later.
 #pragma once
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
@@ -58,7 +58,7 @@ class StripVisitor : public Base {
       // Each was merged from two edges of a removed triangle. All other edges keep their colours.
       for (const Halfedge merged : {left, right})
         if (merged.is_valid()) strips_->set_solid(merged, false);
-      ++tally_->untold;
+      ++tally_->unannounced;
     }
     Base::OnCollapsed(profile, kept);
   }

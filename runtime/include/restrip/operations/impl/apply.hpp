@@ -101,7 +101,7 @@ class PendingApply {
       std::array<Halfedge, most_ports> behind;  // not {}: a handle's default constructor may be explicit
       std::size_t count = 0;
       detail::for_each_edge(patch_, given_up, [&](Halfedge h) { behind[count++] = mesh.opposite(h); });
-      isolated_ += detail::isolated_behind(mesh, std::span<const Halfedge>(behind.data(), count));
+      isolated_ += detail::isolated_outside(mesh, std::span<const Halfedge>(behind.data(), count));
     }
     detail::for_each_edge(patch_, before & ~(solid_ & detail::all_ports),
                           [&](Halfedge h) { mesh.set_solid(h, false); });

@@ -61,7 +61,7 @@ namespace restrip {
       return "insert_vertex, remove_vertex, turn_edge: the number of triangles is not what it should be";
     case Contract::coloring_stays_valid:
       return "the colouring is not valid after an operation of restrip, though every other line held";
-    case Contract::told_is_true:
+    case Contract::report_is_true:
       return "an operation of restrip did not report the change in strips, though every other line held";
     case Contract::changes_named:
       return "the list of changes: a triangle changed and is not in it";

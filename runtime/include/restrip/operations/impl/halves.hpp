@@ -106,7 +106,7 @@ auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh
     change.strips = rule.strips;
     change.isolated = count_difference(isolated_ring(k, a, rule.colors, interior.ports),
                                        isolated_closed(k, interior.loop, interior.ports));
-    interior.dash(mesh, kept_loop(k, a, rule.colors));
+    interior.clear(mesh, kept_loop(k, a, rule.colors));
     return do_rest(change);
   }
   if (auto fan = read_fan<WordBits>(mesh, where); fan.k <= max_word_valence) {
@@ -187,7 +187,7 @@ auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chor
     change.strips = rule.strips;
     change.isolated =
         count_difference(isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports));
-    interior.dash(mesh, rule.colors);
+    interior.clear(mesh, rule.colors);
     return do_rest(change);
   }
   WordBits inner;
@@ -226,7 +226,7 @@ Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const PatchChange<B
 /// Isolated triangles outside the ports that a flip clears: the triangles left without a solid edge when the dual edges
 /// of `given_up` (halfedges of triangles outside the patch) are cleared.
 template <class Mesh>
-int isolated_behind(const Mesh& mesh, std::span<const typename Mesh::Halfedge> given_up) {
+int isolated_outside(const Mesh& mesh, std::span<const typename Mesh::Halfedge> given_up) {
   int isolated = 0;
   for (std::size_t i = 0; i < given_up.size(); ++i) {
     bool counts = true;
@@ -267,7 +267,7 @@ FlipChange begin_flip(Mesh& mesh, typename Mesh::Halfedge h) {
     std::size_t n = 0;
     for (unsigned i = 0; i < 4; ++i)
       if ((given_up >> i & 1U) != 0) outer[n++] = mesh.opposite(port[i]);
-    isolated += detail::isolated_behind(mesh, std::span<const Halfedge>(outer, n));
+    isolated += detail::isolated_outside(mesh, std::span<const Halfedge>(outer, n));
     for (std::size_t i = 0; i < n; ++i) mesh.set_solid(outer[i], false);
   }
   if (inner && !rule.inner) mesh.set_solid(h, false);

@@ -53,7 +53,7 @@ class PendingFan {
 };
 
 template <class Mesh>
-void dash_if_solid(Mesh& mesh, typename Mesh::Halfedge h) {
+void clear_if_solid(Mesh& mesh, typename Mesh::Halfedge h) {
   if (mesh.solid(h)) mesh.set_solid(h, false);
 }
 
@@ -110,8 +110,8 @@ PendingSplit<typename Mesh::Halfedge> before_split_by(Rules&& rules, Mesh& mesh,
   auto pending =
       with_split_begun(rules, mesh, where, [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
   // The edges of the spokes become two each.
-  if (where.spokes != Spokes::right_only) detail::dash_if_solid(mesh, where.left);
-  if (where.spokes != Spokes::left_only) detail::dash_if_solid(mesh, where.right);
+  if (where.spokes != Spokes::right_only) detail::clear_if_solid(mesh, where.left);
+  if (where.spokes != Spokes::left_only) detail::clear_if_solid(mesh, where.right);
   return pending;
 }
 
@@ -126,7 +126,7 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse_by(Rules&& rules, Mesh&
   for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(inward)) continue;
     const Halfedge up = mesh.next(inward);
-    for (const Halfedge h : {inward, up, mesh.next(up)}) detail::dash_if_solid(mesh, h);
+    for (const Halfedge h : {inward, up, mesh.next(up)}) detail::clear_if_solid(mesh, h);
   }
   return pending;
 }
@@ -182,7 +182,7 @@ PendingFlip<typename Mesh::Halfedge> before_flip(Mesh& mesh, typename Mesh::Half
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "before_flip",
                  describe(detail::refusal_of_flip(mesh, h)));
   PendingFlip<typename Mesh::Halfedge> pending(detail::begin_flip(mesh, h));
-  detail::dash_if_solid(mesh, h);  // the library may make the turned edge again
+  detail::clear_if_solid(mesh, h);  // the library may make the turned edge again
   return pending;
 }
 

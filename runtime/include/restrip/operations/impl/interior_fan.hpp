@@ -26,11 +26,11 @@ struct InteriorFan {
   /// Give the kept loop edges the colours `now`, in two steps: edges are cleared before the mesh changes and set after
   /// it. So the colouring is valid all the time (mesh.hpp, "Exceptions").
   template <ColoredMesh Mesh>
-  void dash(Mesh& mesh, Word now) const {
+  void clear(Mesh& mesh, Word now) const {
     write(mesh, loop & ~now, false);
   }
   template <ColoredMesh Mesh>
-  void light(Mesh& mesh, Word now) const {
+  void set(Mesh& mesh, Word now) const {
     write(mesh, now & ~loop, true);
   }
   template <ColoredMesh Mesh>
@@ -71,7 +71,7 @@ constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
 template <ColoredMesh Mesh>
 void light_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
                 Word inner) {
-  fan.light(mesh, kept_loop(fan.k, fan.a, inner));
+  fan.set(mesh, kept_loop(fan.k, fan.a, inner));
   const auto back = mesh.opposite(chord);
   const auto above_left = mesh.next(chord);
   const auto below_right = mesh.next(back);
@@ -117,7 +117,7 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
 /// Sets the solid edges of the fan that a collapse leaves; `left` is its spoke to v_l. The others are clear.
 template <ColoredMesh Mesh>
 void light_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
-  fan.light(mesh, loop);
+  fan.set(mesh, loop);
   mesh.set_solid(left, has(loop, fan.k - 1));
   mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(loop, fan.a - 1));
 }

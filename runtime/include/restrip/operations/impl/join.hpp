@@ -62,7 +62,7 @@ class FarEnds {
  public:
   static constexpr std::size_t most = 16;
 
-  void add(Mesh& mesh, StripWalker<Mesh> walker, Mending& sum) {
+  void add(Mesh& mesh, StripWalker<Mesh> walker, Repair& sum) {
     if (count_ < most) {
       walkers_[count_++] = walker;
       return;
@@ -70,7 +70,7 @@ class FarEnds {
     while (!walker.ended()) walker.step(mesh);
     sum += join_end(mesh, walker.at());
   }
-  void join(Mesh& mesh, Mending& sum) {
+  void join(Mesh& mesh, Repair& sum) {
     std::array<typename Mesh::Halfedge, most> found;
     std::size_t ended = 0;
     while (count_ > 1) {
@@ -95,7 +95,7 @@ class FarEnds {
 /// If a strip ends in u, the triangle to the left of h, exchanges an adjacent edge x - y for u - x and y - w, if there
 /// is such an edge with an end w of another strip.
 template <class Mesh>
-Mending exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
+Repair exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
   using Halfedge = typename Mesh::Halfedge;
   const int degree = solid_degree(mesh, u);
   if (degree > 1) return {};
@@ -136,12 +136,12 @@ class NearEnds {
   explicit NearEnds(Exchange exchange) : exchange_(exchange) {}
 
   /// The triangle to the left of h, if it is one and a strip ends there.
-  void add(Mesh& mesh, Halfedge h, Mending& sum) {
+  void add(Mesh& mesh, Halfedge h, Repair& sum) {
     if (mesh.on_boundary(h) || solid_degree(mesh, h) > 1) return;
     sum += join_end(mesh, h);
     if (exchange_ == Exchange::yes && count_ < most) ends_[count_++] = h;
   }
-  void exchange(Mesh& mesh, Mending& sum) {
+  void exchange(Mesh& mesh, Repair& sum) {
     for (std::size_t i = 0; i < count_; ++i) sum += exchange_end(mesh, ends_[i]);
   }
 
@@ -168,16 +168,16 @@ void visit_around(const Mesh& mesh, typename Mesh::Halfedge h, Visit&& visit) {
 
 /// Step 3 of join.hpp, for the triangles that each(visit) names.
 template <class Mesh, class Each>
-void adopt_and_join(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
+void absorb_and_join(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
   using Halfedge = typename Mesh::Halfedge;
   each([&](Halfedge h) {
-    std::array<Halfedge, default_adoptions + 2> ends;
+    std::array<Halfedge, default_absorptions + 2> ends;
     std::size_t count = 0;
-    const Mending adopted = adopt_with(
-        mesh, h, default_adoptions, [&](Halfedge g, bool solid) { mesh.set_solid(g, solid); },
+    const Repair absorbed = absorb_with(
+        mesh, h, default_absorptions, [&](Halfedge g, bool solid) { mesh.set_solid(g, solid); },
         [&](Halfedge end) { ends[count++] = end; });
-    if (adopted.isolated == 0) return;
-    sum += adopted;
+    if (absorbed.isolated == 0) return;
+    sum += absorbed;
     join_at_ends(mesh, exchange, sum, [&](auto&& visit) {
       for (std::size_t i = 0; i < count; ++i) visit(ends[i]);
     });
@@ -186,7 +186,7 @@ void adopt_and_join(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
 
 /// Steps 1 and 2 without a list of cut strips: for the strips that end in the triangles that each(visit) names.
 template <class Mesh, class Each>
-void join_at_ends(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
+void join_at_ends(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
   using Halfedge = typename Mesh::Halfedge;
   if (exchange == Exchange::no) {
     FarEnds<Mesh> far;
@@ -202,16 +202,16 @@ void join_at_ends(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
 
 /// Steps 1 to 3, likewise.
 template <class Mesh, class Each>
-Mending join_and_adopt(Mesh& mesh, Exchange exchange, Each&& each) {
-  Mending sum;
+Repair join_and_absorb(Mesh& mesh, Exchange exchange, Each&& each) {
+  Repair sum;
   join_at_ends(mesh, exchange, sum, each);
-  adopt_and_join(mesh, exchange, sum, each);
+  absorb_and_join(mesh, exchange, sum, each);
   return sum;
 }
 
 /// The same for the triangles to the left of some halfedges, each once; boundary halfedges are skipped.
 template <class Mesh, class Halfedge>
-Mending join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
+Repair join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
   std::size_t count = 0;
   for (const Halfedge h : near) {
     const auto met = near.first(count);
@@ -220,7 +220,7 @@ Mending join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
       continue;
     near[count++] = h;
   }
-  return join_and_adopt(mesh, exchange, [&](auto&& visit) {
+  return join_and_absorb(mesh, exchange, [&](auto&& visit) {
     for (const Halfedge h : near.first(count)) visit(h);
   });
 }
@@ -275,10 +275,10 @@ constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before,
 
 /// Steps 1 to 3 for those triangles: visit_ends(visit), visit_parted(visit), and if necessary visit_all(visit).
 template <class Mesh, class Ends, class Parted, class All>
-Mending join_in_fan(Mesh& mesh, Exchange exchange, bool isolated, Ends&& visit_ends, Parted&& visit_parted,
-                    All&& visit_all) {
+Repair join_in_fan(Mesh& mesh, Exchange exchange, bool isolated, Ends&& visit_ends, Parted&& visit_parted,
+                   All&& visit_all) {
   using Halfedge = typename Mesh::Halfedge;
-  Mending sum;
+  Repair sum;
   if (exchange == Exchange::no) {
     FarEnds<Mesh> far;
     visit_parted([&](Halfedge h) { far.add(mesh, StripWalker<Mesh>(mesh.opposite(mesh.next(h))), sum); });
@@ -287,7 +287,7 @@ Mending join_in_fan(Mesh& mesh, Exchange exchange, bool isolated, Ends&& visit_e
   NearEnds<Mesh> near(exchange);
   visit_ends([&](Halfedge h) { near.add(mesh, h, sum); });
   near.exchange(mesh, sum);
-  if (isolated) adopt_and_join(mesh, exchange, sum, visit_all);
+  if (isolated) absorb_and_join(mesh, exchange, sum, visit_all);
   return sum;
 }
 
@@ -327,7 +327,7 @@ template <class Mesh, class Change>
 Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change, typename Mesh::Halfedge chord,
                                                        Exchange exchange) {
   const auto done = finish_split(mesh, change, chord);
-  return with(done, join_and_adopt(mesh, exchange, [&](auto&& visit) {
+  return with(done, join_and_absorb(mesh, exchange, [&](auto&& visit) {
                 visit_around(mesh, chord, visit);
                 // A and D have been visited.
                 visit_around(mesh, mesh.opposite(chord), [&](auto h) {
@@ -339,7 +339,7 @@ template <class Mesh, class Change>
 Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const Change& change,
                                                           typename Mesh::Halfedge spoke, Exchange exchange) {
   const auto done = finish_collapse(mesh, change, spoke);
-  return with(done, join_and_adopt(mesh, exchange, [&](auto&& visit) { visit_around(mesh, spoke, visit); }));
+  return with(done, join_and_absorb(mesh, exchange, [&](auto&& visit) { visit_around(mesh, spoke, visit); }));
 }
 
 template <class Rules, class Mesh, class... Name>
@@ -373,10 +373,10 @@ bool same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
 }
 
 template <ColoredMesh Mesh>
-Mending join_end(Mesh& mesh, typename Mesh::Halfedge h) {
+Repair join_end(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_end", describe(Refusal::no_such_edge));
   int degree = detail::solid_degree(mesh, h);
-  Mending done;
+  Repair done;
   for (int side = 0; side < 3 && degree < 2; ++side, h = mesh.next(h)) {
     if (mesh.solid(h)) continue;
     const auto across = mesh.opposite(h);
@@ -391,14 +391,14 @@ Mending join_end(Mesh& mesh, typename Mesh::Halfedge h) {
 }
 
 template <ColoredMesh Mesh>
-Mending join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
+Repair join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_around", describe(Refusal::no_such_edge));
-  return detail::join_and_adopt(mesh, exchange, [&](auto&& visit) { detail::visit_around(mesh, h, visit); });
+  return detail::join_and_absorb(mesh, exchange, [&](auto&& visit) { detail::visit_around(mesh, h, visit); });
 }
 
 template <ColoredMesh Mesh>
-Mending join_beside(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
-  RESTRIP_ASSERT(detail::knows(mesh, h), "join_beside", describe(Refusal::no_such_edge));
+Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "join_at_edge", describe(Refusal::no_such_edge));
   std::array<typename Mesh::Halfedge, 6> near;
   std::size_t count = 0;
   for (const auto inner : {h, mesh.opposite(h)}) {
@@ -410,8 +410,8 @@ Mending join_beside(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
 }
 
 template <NumberedMesh Mesh>
-Mending join_all(Mesh& mesh) {
-  Mending sum;
+Repair join_all(Mesh& mesh) {
+  Repair sum;
   const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
   for (std::uint32_t t = 0; t < bound; ++t)
     if (mesh.has_triangle(t)) sum += join_end(mesh, mesh.halfedge(t));
@@ -438,7 +438,7 @@ Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfed
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_join",
                  describe(detail::refusal_of_flip(mesh, h)));
   const auto done = flip(mesh, h);
-  return detail::with(done, join_beside(mesh, done.halfedge));
+  return detail::with(done, join_at_edge(mesh, done.halfedge));
 }
 
 namespace detail {
@@ -446,7 +446,7 @@ namespace detail {
 /// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in their
 /// neighbours, which may have lost a port.
 template <class Mesh, class Table>
-Mending join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first, Exchange exchange) {
+Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first, Exchange exchange) {
   const auto patch = read_sides(mesh, table.triangles_after, first);
   std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
   std::size_t count = 0;

@@ -470,7 +470,7 @@ class AdapterDrive {
     if (look_at(done.halfedge, limit)) return true;
     long strips = 0;
     if (!recount(strips)) return fail(Contract::coloring_stays_valid);
-    return fail(strips == before + done.strips ? Contract::kept : Contract::told_is_true);
+    return fail(strips == before + done.strips ? Contract::kept : Contract::report_is_true);
   }
 
   bool operation(std::size_t h, std::size_t kind, bool grow) {

@@ -20,8 +20,8 @@ struct WrittenStrip {
   bool wrong_backwards;
 };
 
-// Writes all strips, as strip_indices() promises, of a mesh that returns turns as StripMesh::solid_beside does. Strips
-// turn at random, so no turn is a branch.
+// Writes all strips, as strip_indices() promises, of a mesh that returns turns as StripMesh::other_solid_sides does.
+// Strips turn at random, so no turn is a branch.
 template <class Mesh>
 class SidedWriter {
  public:
@@ -79,7 +79,7 @@ class SidedWriter {
       written = indices(size);
       t = StripMesh::triangle(entry);
       const unsigned side = StripMesh::side(entry);
-      turn = mesh_.solid_beside(entry);
+      turn = mesh_.other_solid_sides(entry);
       // The corner opposite the entry comes next; for a swap, the last but one comes again before it.
       const std::uint32_t third = corner(t, side + 2);
       if (turn == 0) {

@@ -17,16 +17,16 @@ inline constexpr std::uint32_t cut_window = 4;           // the distance by whic
 inline constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
 
 // A triangle entered over a halfedge; the edge is the exclusive or of its vertices.
-struct Seen {
+struct SeenTriangle {
   std::uint32_t edge;
   std::uint32_t apex;  // the corner opposite to it
 };
 template <NumberedMesh Mesh>
-Seen seen_over(const Mesh& mesh, typename Mesh::Halfedge h) {
+SeenTriangle seen_over(const Mesh& mesh, typename Mesh::Halfedge h) {
   const auto second = mesh.next(h);
   return {from_of(mesh, h) ^ from_of(mesh, second), from_of(mesh, mesh.next(second))};
 }
-inline Seen seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
+inline SeenTriangle seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
   const Vertex apex = mesh.from(StripMesh::next(StripMesh::next(h)));
   const std::array<Vertex, 3> corner = mesh.corners(StripMesh::triangle(h));
   return {corner[0] ^ corner[1] ^ corner[2] ^ apex, apex};
@@ -71,7 +71,7 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
     written_.clear();
   }
   written_.assign(cells_.empty() ? 0 : 1, {0, cells_.size()});
-  told_ = rebuilt_ = true;
+  returned_ = rebuilt_ = true;
   stale_ = false;
 }
 
@@ -85,7 +85,7 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   }
   stale_ = true;
   rebuilt_ = false;
-  if (std::exchange(told_, true)) written_.clear();
+  if (std::exchange(returned_, true)) written_.clear();
   begin_reading();
   places_.make_room(0);  // copies lack this room, and so do buffers restored by a BufferHistory
   if (run_of_.size() < mesh.triangle_bound()) {
@@ -150,7 +150,7 @@ bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge i
     run_of_[t] = reading;
     if (links == strip_.size()) strip_.resize(2 * strip_.size() + 64);
     Link* link = strip_.data() + links++;
-    const detail::Seen seen = detail::seen_over(mesh, in);
+    const detail::SeenTriangle seen = detail::seen_over(mesh, in);
     link->triangle = t;
     link->corners = seen.edge ^ seen.apex;
     link->run = run;
@@ -171,7 +171,7 @@ void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
   const std::uint32_t run = std::exchange(run_of_[t], reading);
   const std::uint32_t least = run != nothing ? places_.run(run).triangles : 1;
   const auto h = mesh.halfedge(t);
-  const detail::Seen seen = detail::seen_over(mesh, h);
+  const detail::SeenTriangle seen = detail::seen_over(mesh, h);
   const detail::Exits<Mesh> out = detail::exits(mesh, h);
   const bool cut_before = out.count > 0 && follow(mesh, mesh.opposite(out.side[0]), begin, least, 0);
   std::reverse(strip_.data() + begin, strip_.data() + links_);

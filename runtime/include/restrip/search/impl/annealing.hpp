@@ -143,7 +143,7 @@ class Annealing : private ColoringCopy {
   }
   void flip(std::uint32_t h) noexcept {
     ColoringCopy::flip(h);
-    if (trees_kept_) tell_trees(h);
+    if (trees_kept_) note_for_trees(h);
   }
 
   // The cost that the solid edge of h adds: its swaps, minus a strip, minus triangles that would be isolated without
@@ -184,32 +184,32 @@ class Annealing : private ColoringCopy {
 
   // The trees are built for the first query. Later changes are applied only before the next query; after too many
   // changes the trees are rebuilt.
-  void tell_trees(std::uint32_t h) noexcept {
-    if (!untold_.empty() && untold_.back() >> 1 == h)
-      untold_.pop_back();  // taken back
-    else if (untold_.size() < untold_.capacity())
-      untold_.push_back(h << 1 | static_cast<std::uint32_t>(solid(h)));
+  void note_for_trees(std::uint32_t h) noexcept {
+    if (!unsent_.empty() && unsent_.back() >> 1 == h)
+      unsent_.pop_back();  // taken back
+    else if (unsent_.size() < unsent_.capacity())
+      unsent_.push_back(h << 1 | static_cast<std::uint32_t>(solid(h)));
     else
       trees_kept_ = false;
   }
   StripTrees& trees() {
-    const auto tell = [this](std::uint32_t h, bool linked) {
+    const auto update = [this](std::uint32_t h, bool linked) {
       if (linked)
         trees_.link(h >> 2, across(h) >> 2);
       else
         trees_.cut(h >> 2, across(h) >> 2);
     };
     if (trees_kept_) {
-      for (const std::uint32_t change : untold_) tell(change >> 1, (change & 1U) != 0);
-      untold_.clear();
+      for (const std::uint32_t change : unsent_) update(change >> 1, (change & 1U) != 0);
+      unsent_.clear();
       return trees_;
     }
     trees_.reset(across_.size());
-    untold_.clear();
-    untold_.reserve(across_.size() / 4 + 16);
+    unsent_.clear();
+    unsent_.reserve(across_.size() / 4 + 16);
     for (Triangle t = 0; t < across_.size(); ++t)
       for (unsigned s = 0; s < 3; ++s)
-        if (const std::uint32_t h = t << 2 | s; solid(h) && h < across(h)) tell(h, true);
+        if (const std::uint32_t h = t << 2 | s; solid(h) && h < across(h)) update(h, true);
     trees_kept_ = true;
     return trees_;
   }
@@ -324,7 +324,7 @@ class Annealing : private ColoringCopy {
   std::uint64_t tried_ = 0;
   StripTrees trees_;
   bool trees_kept_ = false;
-  std::vector<std::uint32_t> untold_;  // halfedge << 1 | solid: changes since the last query of the trees
+  std::vector<std::uint32_t> unsent_;  // halfedge << 1 | solid: changes since the last query of the trees
 };
 
 }  // namespace restrip::detail

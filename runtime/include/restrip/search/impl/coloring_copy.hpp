@@ -75,7 +75,7 @@ class ColoringCopy {
   [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
     return static_cast<unsigned>(std::popcount(solid_[t]));
   }
-  [[nodiscard]] unsigned solid_beside(Halfedge h) const noexcept { return turn(h.id); }
+  [[nodiscard]] unsigned other_solid_sides(Halfedge h) const noexcept { return turn(h.id); }
   [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const noexcept {
     const std::uint32_t out = other(in.id);
     if (out == none) return {};

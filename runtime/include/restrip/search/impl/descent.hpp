@@ -24,10 +24,10 @@ constexpr unsigned turned_side(unsigned side, unsigned turn) noexcept {
 /// Whether a solid edge is a swap, from the turns on its two sides.
 constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
 
-/// The solid sides of the triangle of h other than h: see StripMesh::solid_beside.
+/// The solid sides of the triangle of h other than h: see StripMesh::other_solid_sides.
 template <ColoredMesh Mesh>
-unsigned solid_beside(const Mesh& mesh, typename Mesh::Halfedge h) {
-  if constexpr (requires { mesh.solid_beside(h); }) return mesh.solid_beside(h);
+unsigned other_solid_sides(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.other_solid_sides(h); }) return mesh.other_solid_sides(h);
   const auto right = mesh.next(h);
   return unsigned{mesh.solid(right)} | unsigned{mesh.solid(mesh.next(right))} << 1;
 }
@@ -45,15 +45,15 @@ typename Mesh::Halfedge neighbor_at(const Mesh& mesh, typename Mesh::Halfedge h,
 /// swap.
 template <ColoredMesh Mesh>
 int swap_behind(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
-  return int{solid_beside(mesh, neighbor_at(mesh, h, turn)) == turn};
+  return int{other_solid_sides(mesh, neighbor_at(mesh, h, turn)) == turn};
 }
 
 /// The change by cutting the solid edge of h.
 template <ColoredMesh Mesh>
 ColoringChange cut_change(const Mesh& mesh, typename Mesh::Halfedge h) {
   const auto back = mesh.opposite(h);
-  const unsigned turn = solid_beside(mesh, h);
-  const unsigned turn_back = solid_beside(mesh, back);
+  const unsigned turn = other_solid_sides(mesh, h);
+  const unsigned turn_back = other_solid_sides(mesh, back);
   ColoringChange change{1, -is_swap(turn, turn_back), int{turn == 0} + int{turn_back == 0}};
   if (turn != 0) change.swaps -= swap_behind(mesh, h, turn);
   if (turn_back != 0) change.swaps -= swap_behind(mesh, back, turn_back);
@@ -149,7 +149,7 @@ struct Descent::End {
 // edge itself is not counted.
 template <SidedMesh Mesh>
 void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
-  const unsigned others = mesh.solid_beside(h);
+  const unsigned others = mesh.other_solid_sides(h);
   if (others == 0) {
     end.count = 1;
     end.way[0].isolated = -1;
@@ -162,13 +162,13 @@ void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
     const Halfedge kept = detail::neighbor_at(mesh, h, others);
     way.kept = StripMesh::triangle(kept);
     way.turn = others;
-    way.swaps = int{mesh.solid_beside(kept) == others};
+    way.swaps = int{mesh.other_solid_sides(kept) == others};
     end.fewest_swaps = way.swaps;
     return;
   }
   end.count = 2;
   const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, h, 1), detail::neighbor_at(mesh, h, 2)};
-  const std::array<unsigned, 2> turn{mesh.solid_beside(towards[0]), mesh.solid_beside(towards[1])};
+  const std::array<unsigned, 2> turn{mesh.other_solid_sides(towards[0]), mesh.other_solid_sides(towards[1])};
   for (unsigned keeps = 1; keeps <= 2; ++keeps) {
     const unsigned gives = 3 - keeps;
     Way& way = end.way[keeps - 1];
@@ -183,7 +183,7 @@ void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
     way.beyond = StripMesh::triangle(behind);
     way.isolated = int{freed_turn == 0};
     way.swaps = int{turn[keeps - 1] == keeps} - int{turn[keeps - 1] == gives} - int{freed_turn == keeps} -
-                int{mesh.solid_beside(behind) == freed_turn};
+                int{mesh.other_solid_sides(behind) == freed_turn};
   }
   end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
 }
@@ -205,7 +205,7 @@ void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_
   const Triangle u = StripMesh::triangle(back);
   End here;
   look_at_end(mesh, h, here);
-  const int giving = int{here.count == 2} + int{mesh.solid_beside(back) == 3};
+  const int giving = int{here.count == 2} + int{mesh.other_solid_sides(back) == 3};
   // The other side saves at most three swaps, and at most two triangles stop being isolated.
   if (std::int32_t{cost_.restart} * (giving - 1) + std::int32_t{cost_.swap} * (here.fewest_swaps - 3) -
           2 * std::int32_t{cost_.isolated} >

@@ -49,13 +49,13 @@ struct EndSearch::Tip {
 // Another strip ends across the edge.
 template <SidedMesh Mesh>
 void EndSearch::find_joint(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const {
-  const unsigned turn = mesh.solid_beside(back);
+  const unsigned turn = mesh.other_solid_sides(back);
   StripMove move{tip.edge, {}, {-1, tip.swaps() + detail::is_swap(tip.turn, turn), tip.isolated}};
   if (turn != 0) {
     const Halfedge kept = detail::neighbor_at(mesh, back, turn);
     // Two triangles that share two edges and follow each other already.
     if (StripMesh::triangle(kept) == StripMesh::triangle(tip.edge)) return;
-    move.change.swaps += int{mesh.solid_beside(kept) == turn};
+    move.change.swaps += int{mesh.other_solid_sides(kept) == turn};
   } else {
     --move.change.isolated;
   }
@@ -70,7 +70,7 @@ void EndSearch::find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, 
   const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, back, 1), detail::neighbor_at(mesh, back, 2)};
   const Triangle end = StripMesh::triangle(tip.edge);
   if (StripMesh::triangle(towards[0]) == end || StripMesh::triangle(towards[1]) == end) return;
-  const std::array<unsigned, 2> turn{mesh.solid_beside(towards[0]), mesh.solid_beside(towards[1])};
+  const std::array<unsigned, 2> turn{mesh.other_solid_sides(towards[0]), mesh.other_solid_sides(towards[1])};
   for (unsigned keeps = 1; keeps <= 2; ++keeps) {
     const unsigned gives = 3 - keeps;
     const unsigned turn_freed = turn[gives - 1];
@@ -104,14 +104,14 @@ void EndSearch::find_moves(const Mesh& mesh, Triangle end, std::int32_t highest,
   if (solid != 0) {
     const Halfedge kept = mesh.opposite(StripMesh::halfedge(end, static_cast<unsigned>(std::countr_zero(solid))));
     tip.kept = StripMesh::triangle(kept);
-    tip.turn_kept = mesh.solid_beside(kept);
+    tip.turn_kept = mesh.other_solid_sides(kept);
   }
   for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
     tip.edge = StripMesh::halfedge(end, static_cast<unsigned>(std::countr_zero(dashed)));
     const Halfedge back = mesh.opposite(tip.edge);
     if (StripMesh::on_boundary(back) || StripMesh::triangle(back) == end) continue;
     ++counts_.priced;
-    tip.turn = mesh.solid_beside(tip.edge);
+    tip.turn = mesh.other_solid_sides(tip.edge);
     if (detail::is_strip_end(mesh.solid_sides(StripMesh::triangle(back))))
       find_joint(mesh, tip, back, highest, found);
     else

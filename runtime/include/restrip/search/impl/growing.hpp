@@ -40,7 +40,7 @@ class Growing {
       const std::uint32_t out = first_way(t);
       if (out == none) continue;
       for (unsigned s = 0; s < 3; ++s)
-        if (s != (out & 3U)) tell_neighbor(t, s);
+        if (s != (out & 3U)) update_neighbor(t, s);
       const Turn turn = grow(out, Turn::none);
       // In reverse the first turn is the previous one, with sides exchanged.
       const Turn before = turn == Turn::right ? Turn::left : turn == Turn::left ? Turn::right : Turn::none;
@@ -69,7 +69,7 @@ class Growing {
   }
 
   // Updates a neighbour of t, which is taken. A taken neighbour goes onto a fourth list, which has one place.
-  void tell_neighbor(Triangle t, unsigned side) noexcept {
+  void update_neighbor(Triangle t, unsigned side) noexcept {
     const std::uint32_t there = across_[t][side];
     const Triangle u = there == none ? t : there >> 2;
     const unsigned neighbors = --left_[u];
@@ -118,7 +118,7 @@ class Growing {
       solid_[t] = static_cast<std::uint8_t>(1U << (in & 3U));
       if (way.out == none) return first_turn;
       solid_[t] = static_cast<std::uint8_t>(1U << (in & 3U) | 1U << (way.out & 3U));
-      tell_neighbor(t, 3 - (in & 3U) - (way.out & 3U));
+      update_neighbor(t, 3 - (in & 3U) - (way.out & 3U));
       out = way.out;
       last = way.turn;
       if (first_turn == Turn::none) first_turn = last;

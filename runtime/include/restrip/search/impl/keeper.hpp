@@ -205,14 +205,14 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
       });
   done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
   done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
-  Mending mending;
+  Repair repair;
   if (done.isolated > 0 || Step::orphans == detail::Orphans::everywhere)
-    for (const Triangle t : patch_) mending += adopt(sides, StripMesh::halfedge(t, 0));
+    for (const Triangle t : patch_) repair += absorb(sides, StripMesh::halfedge(t, 0));
   // An operation that clears ports may isolate a triangle next to the patch.
   if (Step::orphans != detail::Orphans::as_told)
     for (const Triangle t : patch_)
-      for (unsigned side = 0; side < 3; ++side) mending += adopt(sides, sides.opposite(StripMesh::halfedge(t, side)));
-  done = detail::with(done, mending);
+      for (unsigned side = 0; side < 3; ++side) repair += absorb(sides, sides.opposite(StripMesh::halfedge(t, side)));
+  done = detail::with(done, repair);
   return counted(done, done.strips < by_rule.strips || done.isolated < by_rule.isolated);
 }
 
@@ -230,11 +230,11 @@ std::uint32_t Keeper<Mesh>::states_now() const noexcept {
 /// The triangle of h, if it is isolated.
 template <class Mesh>
 template <class Sides>
-Mending Keeper<Mesh>::adopt(Sides&& sides, StripMesh::Halfedge h) {
+Repair Keeper<Mesh>::absorb(Sides&& sides, StripMesh::Halfedge h) {
   const auto paint = [&](StripMesh::Halfedge g, bool solid) {
     solid ? locator_.link(sides, g) : locator_.cut(sides, g);
   };
-  return detail::adopt_with(sides, h, detail::default_adoptions, paint, [](StripMesh::Halfedge) {});
+  return detail::absorb_with(sides, h, detail::default_absorptions, paint, [](StripMesh::Halfedge) {});
 }
 
 // ---- background work

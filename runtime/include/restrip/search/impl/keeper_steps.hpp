@@ -32,7 +32,7 @@ void add_beside(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangl
     if (!mesh.on_boundary(side)) patch.push_back(static_cast<Triangle>(mesh.triangle(side)));
 }
 
-/// Where a step may leave triangles isolated that can be adopted.
+/// Where a step may leave triangles isolated that can be absorbed.
 enum class Orphans { as_told, beside_patch, everywhere };
 
 template <class Mesh, class... Name>
@@ -130,7 +130,7 @@ struct FlipStep {
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
     const auto done = by_rules(mesh, choice);
-    return with(done, join_beside(mesh, done.halfedge, exchange));
+    return with(done, join_at_edge(mesh, done.halfedge, exchange));
   }
   /// The colouring would not stay valid with the sides of the two triangles as they are: all of them are dashed.
   Halfedge bare(Mesh& mesh) const {
@@ -195,7 +195,7 @@ struct RemoveStep : CollapseStep<Mesh> {
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
     const auto done = by_rules(mesh, choice);
-    return with(done, join_beside(mesh, done.halfedge, exchange));
+    return with(done, join_at_edge(mesh, done.halfedge, exchange));
   }
   Halfedge bare(Mesh& mesh) const {
     const bool no_left = mesh.on_boundary(chord);

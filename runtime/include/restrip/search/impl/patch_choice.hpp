@@ -114,7 +114,7 @@ tables::OperationRule cheapest_for_patch(const Mesh& mesh, const Table& table, c
       const std::uint8_t side = patch.triangles[t].side[s];
       if (side < PatchTriangle::port_side || (ports & edge_of(side)) == 0) continue;
       const auto behind = mesh.opposite(patch.side[t][s]);
-      const unsigned turn = solid_beside(mesh, behind);
+      const unsigned turn = other_solid_sides(mesh, behind);
       outside[side - PatchTriangle::port_side] = static_cast<std::uint8_t>(turn);
       if (turn != 0 && (rule.ports >> (side - PatchTriangle::port_side) & 1) == 0)
         given_up.swaps -= swap_behind(mesh, behind, turn);

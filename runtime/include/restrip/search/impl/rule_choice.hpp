@@ -291,7 +291,7 @@ class RuleChoice {
     Bits next;  // how strips turn behind the ports
     Bits last;
     walk_ports([&](std::size_t i, Halfedge port) {
-      const unsigned turn = ports.get(i) ? solid_beside(mesh, mesh.opposite(port)) : 0;
+      const unsigned turn = ports.get(i) ? other_solid_sides(mesh, mesh.opposite(port)) : 0;
       next.put(i, (turn & 1U) != 0);
       last.put(i, (turn & 2U) != 0);
     });
@@ -327,7 +327,7 @@ class RuleChoice {
     const Word last_in_fan = turned_down(loop, k - 1, k);
     for (Word rest = ports & ((next ^ loop) | (last ^ last_in_fan)); rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      const unsigned outside = solid_beside(mesh, mesh.opposite(mesh.next(i == 0 ? first : fan.spokes[i - 1])));
+      const unsigned outside = other_solid_sides(mesh, mesh.opposite(mesh.next(i == 0 ? first : fan.spokes[i - 1])));
       const auto turn = [i](Word to_next, Word to_last) {
         return static_cast<unsigned>(to_next >> i & 1) | static_cast<unsigned>(to_last >> i & 1) << 1;
       };

@@ -35,7 +35,7 @@ struct WindowSide {
   };
   Kind kind = Kind::dashed;
   std::uint8_t slot = 0;
-  std::uint8_t turn = 0;  ///< of ports: how the strip turns beyond it, seen from the edge (solid_beside)
+  std::uint8_t turn = 0;  ///< of ports: how the strip turns beyond it, seen from the edge (other_solid_sides)
   std::uint8_t far = 0;   ///< of Kind::port: a StrandEnd
 };
 
@@ -231,7 +231,7 @@ template <SidedMesh Mesh>
 bool WindowPlan::place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot) {
   using Kind = WindowSide::Kind;
   Halfedge in = mesh.opposite(h);
-  side.turn = static_cast<std::uint8_t>(mesh.solid_beside(in));
+  side.turn = static_cast<std::uint8_t>(mesh.other_solid_sides(in));
   if (slot != no_slot) {
     side.kind = Kind::port_back;
     return true;
@@ -240,7 +240,7 @@ bool WindowPlan::place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std:
     const auto step = mesh.strip_step(in);
     if (!step.goes_on) {
       side.kind = Kind::port;
-      const unsigned last_turn = mesh.solid_beside(mesh.opposite(in));
+      const unsigned last_turn = mesh.other_solid_sides(mesh.opposite(in));
       side.far = side.turn == 0 ? ends_there : last_turn == 1 ? ends_wrong : ends_well;
       return true;
     }

@@ -1,5 +1,5 @@
 // Isolated triangles are absorbed into strips, changes are reported, and a failure changes nothing.
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/absorb.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,12 @@ using Halfedge = StripMesh::Halfedge;
 
 // Four triangles, the one in the middle in a strip with two of the others: absorbing the third isolates another,
 // however often it is passed on. So nothing changes.
-TEST(Adopt, ThatFailsChangesNothing) {
+TEST(Absorb, ThatFailsChangesNothing) {
   StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}}, 6);
   for (unsigned alone = 0; alone < 3; ++alone) {
     for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), side != alone);
     for (const int depth : {0, 1, 2, 3, 4}) {
-      const Mending done = adopt(mesh, mesh.opposite(StripMesh::halfedge(0, alone)), depth);
+      const Repair done = absorb(mesh, mesh.opposite(StripMesh::halfedge(0, alone)), depth);
       EXPECT_EQ(done.strips, 0);
       EXPECT_EQ(done.isolated, 0);
       for (unsigned side = 0; side < 3; ++side) EXPECT_EQ(mesh.solid(StripMesh::halfedge(0, side)), side != alone);
@@ -31,13 +31,13 @@ TEST(Adopt, ThatFailsChangesNothing) {
   }
 }
 
-TEST(Adopt, LeavesFewAlone) {
+TEST(Absorb, LeavesFewAlone) {
   StripMesh mesh = sample::rectangle(20, 20);
   std::mt19937 random(5);
   Keeper keeper(mesh, Policy::local, Cost::strips());
   for (int n = 0; n < 2000; ++n) random_operation(keeper, random, mesh.triangle_count() < 800);
   // Isolate triangles by hand, then absorb them: a count from scratch finds the reported change.
-  std::size_t adopted = 0;
+  std::size_t absorbed = 0;
   for (int n = 0; n < 3000; ++n) {
     const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
     if (!mesh.alive(t)) continue;
@@ -45,14 +45,14 @@ TEST(Adopt, LeavesFewAlone) {
     for (const Halfedge side : {h, StripMesh::next(h), StripMesh::next(StripMesh::next(h))})
       if (mesh.solid(side)) mesh.set_solid(side, false);
     const ColoringReport before = check_coloring(mesh);
-    const Mending done = n % 3 == 0 ? adopt(mesh, h) : n % 3 == 1 ? join_around(mesh, h) : join_beside(mesh, h);
+    const Repair done = n % 3 == 0 ? absorb(mesh, h) : n % 3 == 1 ? join_around(mesh, h) : join_at_edge(mesh, h);
     const ColoringReport after = check_coloring(mesh);
     ASSERT_TRUE(after.valid);
     ASSERT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + done.strips);
     ASSERT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + done.isolated);
-    adopted += done.isolated < 0 ? 1U : 0U;
+    absorbed += done.isolated < 0 ? 1U : 0U;
   }
-  EXPECT_GT(adopted, 1500U);
+  EXPECT_GT(absorbed, 1500U);
 }
 
 }  // namespace

@@ -16,11 +16,11 @@
 namespace restrip {
 
 /// The changes of a repair after an operation.
-struct Mending {
+struct Repair {
   int strips = 0;    ///< change in the number of strips: 0 or less
   int isolated = 0;  ///< change in the number of isolated triangles: 0 or less
 
-  constexpr Mending& operator+=(Mending more) noexcept {
+  constexpr Repair& operator+=(Repair more) noexcept {
     strips += more.strips;
     isolated += more.isolated;
     return *this;
@@ -42,12 +42,12 @@ int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
 
 namespace detail {
 
-inline constexpr int default_adoptions = 4;
+inline constexpr int default_absorptions = 4;
 
-/// adopt() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
+/// absorb() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
 /// triangle that has become a strip end, with one of its halfedges.
 template <class Mesh, class Paint, class End>
-Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint, End&& end) {
+Repair absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint, End&& end) {
   if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
   for (const bool pass_on : {false, true}) {
     if (pass_on && depth == 0) break;
@@ -67,11 +67,11 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
         if (!spares_one && !pass_on) continue;
         paint(other, false);
         paint(h, true);
-        Mending done{0, -1};
+        Repair done{0, -1};
         if (spares_one)
           end(beyond);
         else
-          done = adopt_with(mesh, beyond, depth - 1, paint, end);
+          done = absorb_with(mesh, beyond, depth - 1, paint, end);
         if (done.isolated < 0) {
           end(h);
           return done;
@@ -90,18 +90,18 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
 /// to isolate another triangle, one of them does, and that triangle is absorbed in turn, `depth` times at most. If that
 /// fails as well, nothing has changed.
 template <ColoredMesh Mesh>
-Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_adoptions) {
-  RESTRIP_ASSERT(detail::knows(mesh, h), "adopt", describe(Refusal::no_such_edge));
-  return detail::adopt_with(
+Repair absorb(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_absorptions) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "absorb", describe(Refusal::no_such_edge));
+  return detail::absorb_with(
       mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); }, [](auto) {});
 }
 
 namespace detail {
 
 template <class Halfedge>
-Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Mending mending) {
-  rewrite.strips += mending.strips;
-  rewrite.isolated += mending.isolated;
+Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Repair repair) {
+  rewrite.strips += repair.strips;
+  rewrite.isolated += repair.isolated;
   return rewrite;
 }
 
