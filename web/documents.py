@@ -119,7 +119,7 @@ def main():
         title = re.sub(r"<[^>]*>", "", re.search(r"<h1[^>]*>(.*?)</h1>", body)[1])
         (given.out / page).parent.mkdir(parents=True, exist_ok=True)
         if page.name == "index.html":
-            title, body = "restrip: triangle strips kept while the mesh changes", body.replace("</h1>", f"</h1>\n{BUTTONS}", 1)
+            title, body = "restrip: triangle strips maintained while the mesh changes", body.replace("</h1>", f"</h1>\n{BUTTONS}", 1)
         (given.out / page).write_text(whole(title, body, style, "../" * (len(page.parts) - 1)), encoding="utf-8")
     for name in documents.copied:
         shutil.copyfile(documents.root / name, given.out / name)

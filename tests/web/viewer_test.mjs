@@ -321,7 +321,7 @@ try {
   for (const { counts, expected, drawings, strips, text, fills, faces, colours } of splits) {
     assert.deepEqual([counts[0], counts[2], counts.length, drawings], [...expected, 3, 3]);
     assert.ok(counts[1] > counts[0] && counts[2] - counts[0] >= strips && fills === faces && colours);
-    assert.match(text, /^A vertex with k = \d+ triangles\. (Mended by its rule( split-[-\w]+)?\.|Its rule.* leaves \d+ strips? in the patch; the policy then looked further\.)$/);
+    assert.match(text, /^A vertex with k = \d+ triangles\. (Repaired by its rule( split-[-\w]+)?\.|Its rule.* leaves \d+ strips? in the patch; the policy then searched further\.)$/);
   }
   assert.ok(splits.some(({ text }) => /rule split-/.test(text)));
   // The vertices that can be split are marked, and no others; at the finest level the page says that it has none.
@@ -422,7 +422,7 @@ try {
   await flat.send('Page.addScriptToEvaluateOnNewDocument', { source: 'HTMLCanvasElement.prototype.getContext = () => null;' });
   await flat.open(address);
   await flat.until(() => !document.getElementById('fault').hidden);
-  assert.match(await flat.run('document.getElementById("fault-text").textContent'), /offers no WebGL 2/);
+  assert.match(await flat.run('document.getElementById("fault-text").textContent'), /does not offer WebGL 2/);
   assert.equal(await flat.run(still), 1);
   const plain = await browser.page(900, 600, { scripts: false });
   await plain.open(address);

@@ -1,12 +1,12 @@
 // One vertex split, shown in steps: the patch before, the patch with its two new triangles and the strips that they cut,
-// and the patch as the rule mended it; on the mesh and as adjacent drawings, in the same colours.
+// and the patch as repaired by the rule; on the mesh and as adjacent drawings, in the same colours.
 import { none } from '../../bindings/js/restrip.mjs';
 import { cross, unit } from './camera.mjs';
 import { bitsIn } from './judge.mjs';
 import { largestPuzzle } from './puzzles.mjs';
 import { fanPicture, listed, representative, ringPicture, ruleName } from './patch.mjs';
 
-/// Milliseconds from the click on, at which the new triangles begin to open, are open, and the rule has mended.
+/// Milliseconds from the click on, at which the new triangles begin to open, are open, and the rule has been applied.
 const opensAt = 700;
 const openAt = 1700;
 const mendedAt = 3200;
@@ -194,8 +194,8 @@ export class Cut {
       return `<button value="${step}" aria-pressed="false">${picture}<span>${names[step]}</span><span>${plural(strips, 'strip')}</span></button>`;
     }).join('');
     const rule = viewer.restrip.rule({ family: 'split', k, a, edges: last.before, ports }).colors;
-    by('last-text').innerHTML = `A vertex with k = ${k} triangles. ` + (rule === last.after ? `Mended by its rule${nameOf(last)}.`
-      : `Its rule${nameOf(last)} leaves ${plural(k + 2 - bitsIn(rule), 'strip')} in the patch; the policy then looked further.`);
+    by('last-text').innerHTML = `A vertex with k = ${k} triangles. ` + (rule === last.after ? `Repaired by its rule${nameOf(last)}.`
+      : `Its rule${nameOf(last)} leaves ${plural(k + 2 - bitsIn(rule), 'strip')} in the patch; the policy then searched further.`);
   }
 }
 

@@ -86,7 +86,7 @@ export class Scene {
 
   constructor(canvas) {
     const gl = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
-    if (!gl) throw new Error('This browser offers no WebGL 2, so the mesh cannot be shown. The picture is a still one.');
+    if (!gl) throw new Error('This browser does not offer WebGL 2, so the mesh cannot be shown. The picture is a still image.');
     this.#gl = gl;
     this.canvas = canvas;
     for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['ribbon', ribbonVertex, ribbonFragment]])

@@ -30,7 +30,7 @@ function remembered(numbers) {
 const whyNot = {
   branch: 'A strip enters a triangle once and leaves it once.',
   cycle: 'A strip has two ends.',
-  join: 'They were not joined before. Outside they may be two ends of one strip, which would become a cycle; a rule does not look there.'
+  join: 'They were not joined before. Outside they may be two ends of one strip, which would become a cycle; a rule does not read that far.'
 };
 
 export class Turn {
@@ -212,8 +212,8 @@ export class Turn {
     if (!found) return;
     const met = this.puzzles.met(found.index);
     const share = 10000 * met / this.puzzles.counted;
-    const often = `Of 10,000 splits in real meshes ${share < 0.01 ? 'under 0.01' : share.toFixed(2)} meet its rule, `;
-    where.append(met === 0 ? 'Splits in four real meshes did not meet its rule, ' : often,
+    const often = `Of 10,000 splits in real meshes ${share < 0.01 ? 'under 0.01' : share.toFixed(2)} use its rule, `;
+    where.append(met === 0 ? 'Splits in four real meshes did not use its rule, ' : often,
       Object.assign(document.createElement('a'), { href: `atlas/split-${k}-${a}.html#${found.rule}`, textContent: found.rule }), '.');
   }
   #tellReason(found) {

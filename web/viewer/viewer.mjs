@@ -261,7 +261,7 @@ class Viewer {
   // ---- text
   /// The browser has taken the graphics card, or has given it back.
   lost() {
-    this.fault('The browser has taken the graphics card from this page. The picture returns when it gives it back; else load the page again.');
+    this.fault('The browser has taken the graphics card from this page. The picture returns when the browser restores it; otherwise load the page again.');
   }
   found() {
     by('fault').hidden = true;
