@@ -70,7 +70,7 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
         if (look_at(live.mesh()) != before) {
           looks.resize(at + 1);
           if (random() % 4 == 0) {
-            // Changes since the last frame are a frame of their own kind.
+            // Changes since the last frame count as a frame.
             ASSERT_TRUE(live.undo());
             ASSERT_EQ(look_at(live.mesh()), before);
             ASSERT_TRUE(live.redo());

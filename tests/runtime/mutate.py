@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Copies headers and sources and puts the deliberate faults of a list into the copy, each behind a question asked at run time.
+"""Copies headers and sources and puts the deliberate faults of a list into the copy, each selected at run time.
 
   mutate.py LIST SOURCES COPY [PREFIX]
 

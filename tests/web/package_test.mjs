@@ -481,7 +481,7 @@ function asDependency() {
   assert.throws(() => example(), /usage: node example.mjs MESH/);
   for (const { types, default: code } of Object.values(about.exports).filter((path) => typeof path === 'object'))
     for (const path of [types, code]) assert.ok(about.files.includes(path.slice(2)), path);
-  // The types, where a compiler for them is at hand: what is right compiles, what is marked as wrong does not.
+  // The types, if a compiler for them is available: right uses compile, uses marked as wrong do not.
   if (tsc) {
     copyFileSync(fileURLToPath(new URL('types.mts', import.meta.url)), join(project, 'types.mts'));
     for (const [module, resolution] of [['nodenext', 'nodenext'], ['esnext', 'bundler']])

@@ -5,7 +5,7 @@
 // operations that fit into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A
 // dropped mesh is prepared in a worker and shown, a file that is not a mesh is refused with a sentence. Without WebGL
 // or JavaScript, and when the context is lost, the page says so. The race holds what race_check.mjs says, the picture
-// of README.md what picture_check.mjs says. The page is no higher and no wider than its content: on a desktop the panel
+// of README.md what picture_check.mjs says. The page is not higher or wider than its content: on a desktop the panel
 // scrolls, on a telephone the page does. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';

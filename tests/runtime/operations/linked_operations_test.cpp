@@ -167,9 +167,9 @@ struct FanTally {
   std::set<std::size_t> valences;
 };
 
-/// One operation on copies of the mesh: by the local rules, by the linked ones that follow strips to their ends, and by
-/// the ones that follow them three triangles far. `operate(copy, rules)` does it and returns the reported changes and
-/// the vertices around which the patch lies then; before it lies around `centers`.
+/// One operation on copies of the mesh: by local rules, by linked ones that follow strips to their ends, and by the
+/// ones that follow them three triangles far. `operate(copy, rules)` does it and returns the reported changes and the
+/// vertices around which the patch lies then; before it lies around `centers`.
 template <class Operate>
 void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const Operate& operate, FanTally& tally) {
   const ColoringReport old = check_coloring(mesh);
