@@ -67,7 +67,7 @@ class Mesh {
     }
   }
 
-  // ---- what mesh.hpp asks for
+  // ---- members of mesh.hpp
   [[nodiscard]] Halfedge next(Halfedge h) const { return at(h).next; }
   [[nodiscard]] Halfedge opposite(Halfedge h) const { return at(h).twin; }
   [[nodiscard]] bool on_boundary(Halfedge h) const { return at(h).triangle == none; }
@@ -113,14 +113,14 @@ class Mesh {
     return h;
   }
 
-  // ---- what numbered_mesh.hpp asks for
+  // ---- members of numbered_mesh.hpp
   [[nodiscard]] std::uint32_t triangle(Halfedge h) const { return at(h).triangle; }
   [[nodiscard]] Halfedge halfedge(std::uint32_t t) const { return triangles_.records[t].first; }
   [[nodiscard]] bool has_triangle(std::uint32_t t) const { return halfedge(t) != Halfedge{}; }
   [[nodiscard]] std::size_t triangle_bound() const { return triangles_.records.size(); }
   [[nodiscard]] std::uint32_t from(Halfedge h) const { return at(h).from; }
 
-  // ---- what its owner wants besides
+  // ---- other members for its owner
   [[nodiscard]] std::uint32_t to(Halfedge h) const { return from(opposite(h)); }
   /// The halfedge from v to w, {} if it does not exist.
   [[nodiscard]] Halfedge find(std::uint32_t v, std::uint32_t w) const {

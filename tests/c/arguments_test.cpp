@@ -102,7 +102,7 @@ TEST(CArguments, NullIsACode) {
                                   restrip_lookup_flip(0, 0, nullptr)};
   for (std::size_t i = 0; i < std::size(codes); ++i) EXPECT_EQ(codes[i], RESTRIP_NULL_ARGUMENT) << "call " << i;
   EXPECT_EQ(made, nullptr);
-  // What answers by a number says nothing is there.
+  // Functions that return a number return none.
   restrip_mesh_free(nullptr);
   EXPECT_EQ(restrip_mesh_triangle_count(nullptr) + restrip_mesh_triangle_bound(nullptr) +
                 restrip_mesh_vertex_bound(nullptr) + restrip_baked_levels(nullptr),
@@ -145,7 +145,7 @@ TEST(CArguments, NumbersOutOfRangeAreCodes) {
     EXPECT_EQ(restrip_mesh_keep(m, RESTRIP_POLICY_LOCAL, &wrong), RESTRIP_BAD_ARGUMENT);
   }
   EXPECT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_QUICK);
-  // In no such state.
+  // Without baked levels or a live buffer.
   const restrip_range* ranges = nullptr;
   const void* data = nullptr;
   const float* points = nullptr;

@@ -56,7 +56,7 @@ SystemCalls with_faults() {
             return failed ? -1 : 0;
           },
       .rename = [](const char* from, const char* to) { return fails(EACCES) ? -1 : ::rename(from, to); },
-      // A draft that cannot be removed is beyond help; what is there to be replaced is another matter.
+      // A draft that cannot be removed must stay; a file to be replaced must not.
       .unlink =
           [](const char* path) {
             const bool draft = std::string_view(path).find("/.restrip-") != std::string_view::npos;
@@ -121,7 +121,8 @@ class Faults : public tools::ScratchFolder {
       }
       countdown = 0;
       check(refused);
-      // Nothing is lost when a file that was only looked at, or a probe, cannot be closed. All else must be noticed.
+      // Nothing is lost when a file that was only read, or a probe, cannot be closed. Every other failure must be
+      // noticed.
       EXPECT_TRUE(refused || !hit || hit_closing) << "a failure that was not noticed";
       if (!hit) return n - 1;
     }
@@ -165,13 +166,13 @@ TEST_F(Faults, WritingASet) {
   };
   const Contents old{{"a", "old a"}, {"index", "old index"}};
   const Contents wanted{{"a", "new a"}, {"more", "no file"}, {"more/b", "new b"}, {"index", "new index"}};
-  // Whatever has its new name already goes back.
+  // Files that already have their new name go back.
   EXPECT_GT(each_in_turn(
                 prepare, work, [&](const Contents& found) { return found == old; }, wanted),
             30);
 }
 
-// The disk takes no more renames, from the n-th on, so that nothing can be put back either.
+// Renames fail from the n-th on, so nothing can be restored either.
 TEST_F(Faults, WritingASetWithoutAWayBack) {
   static int renames_left;
   system_calls().rename = [](const char* from, const char* to) {
@@ -210,7 +211,8 @@ TEST_F(Faults, WritingASetWithoutAWayBack) {
       EXPECT_EQ(found, (Contents{{"a", "old a"}, {"c", "old c"}, {"index", "old index"}}));
       continue;
     }
-    // Nothing vouches for a mixture, and nothing old is lost: it has its own name, or one that the message names.
+    // The last file does not describe a mixture, and old files are not lost: they have their names, or one that the
+    // message names.
     EXPECT_FALSE(found.contains("index"));
     for (const std::string bytes : {"old a", "old c", "old index"}) {
       const auto place =

@@ -102,7 +102,7 @@ TEST_F(Outputs, GoThroughLinks) {
 }
 
 TEST_F(Outputs, BystandersStay) {
-  // Whatever name a draft has, a file of that name may exist.
+  // A file with the name of a draft may exist.
   put(at("precious"), "precious");
   for (int i = 0; i < 5; ++i) {
     const fs::path name = folder_ / fmt::format(".restrip-{}-{}", ::getpid(), i);
@@ -171,7 +171,7 @@ TEST_F(Outputs, MustBeOfTheFormat) {
   EXPECT_EQ(complaint(at("a.SVG"), rules), "");
   EXPECT_SAYS(complaint(at("a.obj"), rules), "a.obj: has the extension '.obj', but what is written is .pm or .svg");
   EXPECT_SAYS(complaint(at("a"), rules), "has the extension ''");
-  // Neither by the back door; a store of files without extensions is welcome.
+  // Also through links; a store of files without extensions is allowed.
   put(at("mesh.obj"), "precious");
   put(at("store"), "");
   fs::create_symlink("mesh.obj", at("b.pm"));

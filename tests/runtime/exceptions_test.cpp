@@ -179,7 +179,7 @@ TEST(Exceptions, OfEveryCallLeaveAValidColoring) {
   EXPECT_GT(failed, 10'000U);
 }
 
-// Fans that go the general way, and fans of more than max_word_valence triangles, which take bit strings.
+// Fans that use the general code, and fans of more than max_word_valence triangles, which use bit strings.
 TEST(Exceptions, InLongFansLeaveAValidColoring) {
   std::mt19937 random(2);
   for (const StripMesh& start : {sample::double_cone(20), sample::open_double_cone(20), sample::double_cone(70),
@@ -321,7 +321,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
   for (const std::size_t times : begun) EXPECT_GT(times, 5U);
 }
 
-// What is drawn is right again after the next update, and frames that can no longer be undone are not.
+// The buffer is right again after the next update, and frames that can no longer be undone are not undone.
 TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
   std::size_t failed = 0;
   for (const bool undoes : {false, true}) {

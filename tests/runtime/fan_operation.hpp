@@ -57,7 +57,7 @@ struct FanOperation {
   }
 };
 
-// Anywhere, and at either end more often.
+// A random position, more often at either end.
 inline FanOperation random_operation(std::mt19937_64& random, std::size_t k) {
   FanOperation operation{static_cast<int>(random() % 5), k, 0, 0};
   operation.i = operation.family == 0 ? 1 + random() % (k - 1) : random() % k;

@@ -77,7 +77,7 @@ TEST(HubSteps, SearchesFromScratchAreLinear) {
                 [](StripMesh& mesh) { stripify(mesh, Effort::full, Cost::strips(), 2 * mesh.triangle_count()); });
 }
 
-// Walks along strips end at some length, and triangles without a flaw are not looked at one by one.
+// Walks along strips end at some length, and triangles without a flaw are not examined one by one.
 TEST(HubSteps, AnnealingIsLinear) {
   for (const std::uint32_t heat : {0U, 100U})
     expect_linear(

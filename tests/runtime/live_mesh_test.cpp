@@ -55,7 +55,7 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
       ASSERT_EQ(fault_of(live.mesh()), "");
     };
     gpu.indices.assign(live.indices().begin(), live.indices().end());
-    // The indices at the end of each frame; undo and redo give them back one for one.
+    // The indices at the end of each frame; undo and redo restore them exactly.
     std::vector<std::vector<std::uint32_t>> looks{gpu.indices};
     std::size_t at = 0;
     for (int frame = 0; frame < 60; ++frame) {

@@ -4,8 +4,8 @@
 
 int main(int argc, char** argv) {
   restrip::testing_support::MutantTests tests;
-  // First what takes a few milliseconds and needs little of the library; then what searches, because a fault below a
-  // search may let it run for ever; last what takes a tenth of a second or more.
+  // First tests that take a few milliseconds and need little of the library; then searches, because a fault below a
+  // search may let it run for ever; last tests that take a tenth of a second or more.
   tests.stages = {
       "Operations.AnyValence:Join.*:Absorb.That*:Operations.AFree*:"
       "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"

@@ -274,13 +274,13 @@ TEST(PreconditionDeathTest, EveryLookUp) {
   EXPECT_FAILED((void)valid_path_with_chord(4, 2, 2, none_solid, none_solid), "valid_path_with_chord: the position");
 }
 
-// The checks are there, and the look-ups are still what they promise to be.
+// With the checks, the look-ups still keep their promises.
 static_assert(noexcept(split_rule({4, 2}, 0, 0)) && split_rule({4, 2}, 0, 0).valid);
 static_assert(noexcept(flip_rule(false, 0)) && flip_rule(false, 0).valid);
 static_assert(noexcept(exact::best_split(12, 5, 0, 0)) && exact::best_split(12, 5, 0, 0).value.solid == 13);
 static_assert(noexcept(valid_closed(5, 0, 0)) && valid_closed(5, 0, 0));
 
-// A mesh that offers no more than the concepts ask for.
+// A mesh with only the members of the concepts.
 class Plain {
  public:
   using Halfedge = StripMesh::Halfedge;
@@ -372,7 +372,7 @@ TEST(StripMeshLimit, AFullMeshSaysSoAndStaysAsItIs) {
   EXPECT_THROW(apply(mesh, tables::split_face, mesh.spoke(7)), std::length_error);
   EXPECT_EQ(mesh.triangle_count(), 40U);
   EXPECT_EQ(state(), before);
-  // What a collapse gives back can be taken again; one triangle free is not enough for two.
+  // Handles that a collapse frees can be taken again; one free triangle is not enough for two.
   const Halfedge edge = mesh.spoke(0, 1);
   ASSERT_EQ(check_collapse(mesh, edge), Refusal::granted);
   collapse(mesh, edge);

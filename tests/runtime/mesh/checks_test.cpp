@@ -27,7 +27,7 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 
-// All that the mesh has, those on the boundary included.
+// All halfedges of the mesh, boundary ones included.
 std::vector<Halfedge> halfedges_of(const StripMesh& mesh) {
   std::vector<Halfedge> all;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
@@ -46,7 +46,7 @@ std::string text(const bare::List& list) {
   return all;
 }
 
-// Compares one operation: what the check says, and what comes out.
+// Compares one operation: the check and the outcome.
 class Comparison {
  public:
   std::size_t granted = 0;

@@ -68,7 +68,7 @@ TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
   EXPECT_THROW((void)StripMesh::build({}, std::size_t{1} << 32), std::length_error);
 }
 
-// What a watched mesh names is compared with all of the mesh before and after.
+// Compares the list of changes with the whole mesh before and after.
 TEST(StripMesh, AWatchNamesEveryTriangleThatChanges) {
   struct Known {
     sample::Corners corners{};
@@ -107,7 +107,7 @@ TEST(StripMesh, AWatchNamesEveryTriangleThatChanges) {
   }
 }
 
-// A watch goes where its mesh is moved, and nowhere else.
+// A watch moves only with its mesh.
 TEST(StripMesh, AWatchMovesWithItsMesh) {
   const auto changes = [](StripMesh& mesh, const std::vector<Triangle>& list) {
     const std::size_t before = list.size();

@@ -69,7 +69,7 @@ TEST(KeptApply, KeepersFollow) {
       }
 }
 
-// ---- a mesh that is not ours
+// ---- a foreign mesh
 
 /// A user's mesh: another type of handles, other numbers, and only the functions of the concepts.
 class Foreign {

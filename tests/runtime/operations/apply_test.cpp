@@ -96,7 +96,7 @@ TEST(Apply, ReportsWhatItChanged) {
   EXPECT_GT(done, test::large(20'000) / 5);
 }
 
-// And the same mesh, colours and handles of the operation itself as the shipped functions.
+// The mesh, the colours and the handles of the operation are the same as by the shipped functions.
 TEST(Apply, DoesWhatTheShippedFunctionsDo) {
   std::mt19937 random(6);
   std::array<std::size_t, 6> compared{};
@@ -136,7 +136,7 @@ TEST(Apply, DoesWhatTheShippedFunctionsDo) {
           compare(mesh, 3, tables::bisect, h, bisected);
       }
       if (check_merge(mesh, g) != Refusal::granted) continue;
-      // h leaves the vertex that goes.
+      // h leaves the vertex to be removed.
       if (StripMesh::on_boundary(g))
         compare(mesh, 4, tables::merge_boundary, h, merged);
       else if (!mesh.leaves_boundary(h))
@@ -147,7 +147,7 @@ TEST(Apply, DoesWhatTheShippedFunctionsDo) {
   for (const std::size_t times : compared) EXPECT_GT(times, 10U);
 }
 
-// The halves, for code that changes the mesh by itself.
+// The halves, for code that changes the mesh itself.
 TEST(Apply, InTwoHalves) {
   StripMesh mesh = sample::torus(6, 6);
   stripify(mesh, Effort::fast, Cost::strips());

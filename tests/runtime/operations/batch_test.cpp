@@ -162,7 +162,7 @@ void compare_all_ways(const StripMesh& start, const std::vector<Request>& reques
   std::int64_t strips = 0;
   std::int64_t isolated = 0;
   for (const Request& request : requests) {
-    // Granted at first, granted still.
+    // Granted before, and still granted.
     ASSERT_EQ(detail::check_request(expected, request), Refusal::granted);
     rewrites.push_back(perform(expected, request));
     strips += rewrites.back().strips;

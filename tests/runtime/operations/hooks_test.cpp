@@ -39,8 +39,8 @@ TEST(Hooks, FansOfAnySize) {
   }
 }
 
-// As a library does of which one of two edges stays where they merge: that edge may come with any colour, also where it
-// lies on the boundary then.
+// A library chooses which of two merged edges stays: that edge may have any colour, also if it then lies on the
+// boundary.
 TEST(Hooks, MergedEdgesComeDashed) {
   for (StripMesh mesh : {sample::rectangle(9, 7), sample::torus(12, 9)}) {
     stripify(mesh, Effort::fast, Cost::strips());

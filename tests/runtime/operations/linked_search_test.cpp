@@ -231,7 +231,7 @@ TEST(LinkedSearch, IsBestByTheFrontierInLargerFans) { EXPECT_GT(check_linked(202
 
 TEST(LinkedSearch, IsBestByTheFrontierUpToTheWordSize) { EXPECT_GT(check_linked(20260203, 20, 50, 61), 20); }
 
-// No recolouring at all is better; and neither is any by the frontier.
+// No recolouring is better, by exhaustion and by the frontier.
 TEST(LinkedSearch, IsBestOfAllRecolorings) {
   std::mt19937_64 random(20260204);
   for (int run = 0; run < 44; ++run)

@@ -335,7 +335,7 @@ class LargeFan {
   std::vector<Triangle> split_triangles_;
 };
 
-// What an operation reported is what a count finds, and the patch is as good as the second search says.
+// A count finds the reported change, and the patch is as good as the second search says.
 void expect_best(const ColoringReport& before, const StripMesh& mesh, const Rewrite<Halfedge>& reported,
                  const naive::Analysis& outcome, long best) {
   const ColoringReport after = check_coloring(mesh);
@@ -460,7 +460,7 @@ TEST(Operations, RefusedOperationsSayWhy) {
   EXPECT_EQ(check_collapse(bow_tie, bow_tie.spoke(0)), Refusal::non_manifold_vertex);
   const StripMesh one = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}}, 3);
   EXPECT_EQ(check_collapse(one, StripMesh::halfedge(0, 0)), Refusal::dangling_edge);
-  // Two hubs side by side, 0 and 1, amid a ring of 80 that begins at vertex 2: 2 ... 42 are around 0, 42 ... 81 and 2
+  // Two adjacent hubs, 0 and 1, amid a ring of 80 that begins at vertex 2: 2 ... 42 are around 0, 42 ... 81 and 2
   // around 1. Then one vertex of the ring stands for two, so that both hubs have it.
   for (const Vertex both : {none, Vertex{22}}) {
     std::vector<sample::Corners> fans{{0, 1, 2}, {1, 0, 42}};

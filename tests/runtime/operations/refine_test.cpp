@@ -237,7 +237,7 @@ TEST(Refine, KeepersFollow) {
   }
 }
 
-// Around v_t there must be just the triangles that the operation takes away.
+// Exactly the triangles that the operation removes must lie around v_t.
 TEST(Refine, RefusesOtherValences) {
   const StripMesh sphere = sample::sphere(1);
   std::set<std::size_t> seen;

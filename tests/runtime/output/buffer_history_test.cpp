@@ -77,7 +77,7 @@ struct SavedState {
   }
 };
 
-// Random frames, undone, redone, and where nothing but the mesh decides what an operation does, done once more.
+// Random frames, undone, redone, and, if only the mesh decides what an operation does, done once more.
 void expect_the_very_looks(SavedState& kept, std::mt19937& random, int steps, bool once_more) {
   std::vector<std::vector<std::uint32_t>> looks{kept.look()};  // at the end of each frame
   std::vector<std::pair<unsigned, unsigned>> done;             // seed and operations of each
@@ -134,7 +134,7 @@ TEST(BufferHistory, GivesBackTheVeryIndices) {
   }
 }
 
-// A frame in which the mesh did not change is none, although the buffer may have been written.
+// A frame in which the mesh did not change does not count, although the buffer may have been written.
 TEST(BufferHistory, WhatIsNoFrameIsForgotten) {
   StripMesh mesh = sample::torus(12, 12);
   stripify(mesh, Effort::fast, Cost::strips());

@@ -25,8 +25,8 @@ namespace {
 
 using sample::Corners;
 
-// The fewest indices of any buffer that draws each triangle once, found breadth first: what is drawn and the last two
-// indices are all that matters. `no_vertex` stands for no index since the last restart.
+// The fewest indices of any buffer that draws each triangle once, found breadth first: only the triangles drawn and the
+// last two indices matter. `no_vertex` stands for no index since the last restart.
 std::size_t fewest_indices_of_any_buffer(const std::vector<Corners>& triangles, Vertex vertices) {
   struct State {
     std::size_t drawn;
@@ -204,7 +204,7 @@ TEST(IndexBound, CountsComponentsByTheirVertices) {
   EXPECT_EQ(strip_index_lower_bound(StripMesh{}).indices, 0U);
 }
 
-// A vertex of many triangles: what is looked at stays in proportion to the mesh.
+// A vertex of many triangles: the work stays proportional to the mesh.
 TEST(IndexBound, TakesVerticesOfAnyValence) {
   for (const Vertex n : {1000U, 4000U}) {
     std::vector<Corners> fan;

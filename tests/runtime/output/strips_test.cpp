@@ -221,7 +221,7 @@ TEST(CheckColoring, FindsWhatIsWrong) {
   EXPECT_EQ(report.isolated, 3U);
 }
 
-// What a mesh of another structure gets is what a StripMesh of the same triangles gets.
+// A mesh of another structure gets the same strips as a StripMesh of the same triangles.
 TEST(Strips, OfAMeshMadeByHand) {
   for (const StripMesh& shape : {sample::rectangle(7, 4), sample::torus(6, 5), sample::octahedron()}) {
     StripMesh mesh = shape;

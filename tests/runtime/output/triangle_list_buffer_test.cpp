@@ -44,7 +44,7 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
         }
         std::sort(listed.begin(), listed.end());
         ASSERT_EQ(listed, sample::triangles_of(mesh));
-        // With 16 bits an index more, if need be, makes a multiple of four bytes.
+        // With 16 bits one more index makes a multiple of four bytes if necessary.
         ASSERT_EQ(narrow.indices().size(), (buffer.indices().size() + 1) / 2 * 2);
         ASSERT_TRUE(std::equal(buffer.indices().begin(), buffer.indices().end(), narrow.indices().begin()));
         if (HasFatalFailure()) return;

@@ -66,7 +66,7 @@ class ExhaustiveSearch {
       const std::optional<Mask> needed = needs(coloring);
       if (needed && better(merit(coloring), best_[*needed])) best_[*needed] = merit(coloring);
     }
-    // A key with more pairs may do all that one with fewer may.
+    // A key with more pairs allows everything that a key with fewer pairs allows.
     for (Mask joined = 0; joined < best_.size(); ++joined) {
       for (std::size_t i = 0; i < k; ++i) {
         if (((joined >> i) & 1) == 0) continue;
@@ -243,7 +243,7 @@ TEST(Exact, FanCollapse) {
 }
 
 // From colours to colours: for every valid configuration the answer to its key is best among the recolourings that join
-// no pair but the configuration's own, whatever those pairs are. This needs no faith in keys.
+// no pair but the configuration's own, for all such pairs. This does not depend on keys.
 template <class KeyOf, class Answer>
 void check_all_configurations(const naive::Patch& before, const naive::Patch& after, KeyOf key_of, Answer answer) {
   const std::size_t k = before.port_node.size();
