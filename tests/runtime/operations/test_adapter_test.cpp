@@ -236,7 +236,7 @@ AdapterReport report_of(Fault fault, const StripMesh& start) {
   return test_adapter(mesh, StripMesh::halfedge(0, 0), {600, 3});
 }
 
-void expect_told(Fault fault, Contract line, const std::string& during) {
+void expect_reported(Fault fault, Contract line, const std::string& during) {
   const AdapterReport report = report_of(fault, sample::rectangle(7, 6));
   EXPECT_EQ(describe(report.broken), std::string(describe(line))) << "fault " << static_cast<int>(fault);
   EXPECT_EQ(report.during, during) << "fault " << static_cast<int>(fault);
@@ -246,35 +246,35 @@ TEST(TestAdapter, ReportsTheBrokenLine) {
   const AdapterReport good = report_of(Fault::none, sample::rectangle(7, 6));
   ASSERT_TRUE(good.kept()) << describe(good.broken);
   const std::string first = "the mesh as it is given";
-  expect_told(Fault::opposite_turns_on, Contract::opposite_is_involution, first);
-  expect_told(Fault::opposite_of_boundary_is_itself, Contract::opposite_is_involution, first);
-  expect_told(Fault::next_stands_still, Contract::triangle_of_three, first);
-  expect_told(Fault::next_goes_astray, Contract::triangle_of_three, first);
-  expect_told(Fault::triangle_on_boundary, Contract::triangle_has_no_boundary, first);
-  expect_told(Fault::colors_differ, Contract::same_color_on_both_sides, first);
-  expect_told(Fault::boundary_is_solid, Contract::boundary_is_dashed, first);
-  expect_told(Fault::set_one_side, Contract::set_solid_sets, "set_solid");
-  expect_told(Fault::set_two_edges, Contract::set_solid_sets_one, "set_solid");
-  expect_told(Fault::set_nothing, Contract::set_solid_sets, "set_solid");
-  expect_told(Fault::dead_handle, Contract::alive_knows, first);
-  expect_told(Fault::leaves_boundary_always, Contract::leaves_boundary_knows, first);
-  expect_told(Fault::one_triangle_number, Contract::triangle_numbers, first);
-  expect_told(Fault::vertex_numbers_of_sides, Contract::vertex_numbers, first);
-  expect_told(Fault::numbers_from_behind, Contract::numbers_stay, "insert_vertex");
-  expect_told(Fault::another_halfedge, Contract::numbers_stay, "turn_edge");
-  expect_told(Fault::insert_solid_chord, Contract::new_edges_dashed, "insert_vertex");
-  expect_told(Fault::insert_solid_spoke, Contract::new_edges_dashed, "insert_vertex");
-  expect_told(Fault::insert_returns_back, Contract::chord_between_new_ends, "insert_vertex");
-  expect_told(Fault::insert_exchanges_spokes, Contract::chord_between_new_ends, "insert_vertex");
-  expect_told(Fault::insert_dashes_more, Contract::other_colors_stay, "insert_vertex");
-  expect_told(Fault::remove_returns_other_spoke, Contract::spoke_to_apex, "remove_vertex");
-  expect_told(Fault::remove_returns_back, Contract::spoke_to_apex, "remove_vertex");
-  expect_told(Fault::remove_merges_solid, Contract::merged_edges_dashed, "remove_vertex");
-  expect_told(Fault::remove_dashes_more, Contract::other_colors_stay, "remove_vertex");
-  expect_told(Fault::turn_returns_back, Contract::edge_turned, "turn_edge");
-  expect_told(Fault::turn_dashes, Contract::other_colors_stay, "turn_edge");
-  expect_told(Fault::turn_twice, Contract::edge_turned, "turn_edge");
-  expect_told(Fault::turn_renames, Contract::handles_stay, "turn_edge");
+  expect_reported(Fault::opposite_turns_on, Contract::opposite_is_involution, first);
+  expect_reported(Fault::opposite_of_boundary_is_itself, Contract::opposite_is_involution, first);
+  expect_reported(Fault::next_stands_still, Contract::triangle_of_three, first);
+  expect_reported(Fault::next_goes_astray, Contract::triangle_of_three, first);
+  expect_reported(Fault::triangle_on_boundary, Contract::triangle_has_no_boundary, first);
+  expect_reported(Fault::colors_differ, Contract::same_color_on_both_sides, first);
+  expect_reported(Fault::boundary_is_solid, Contract::boundary_is_dashed, first);
+  expect_reported(Fault::set_one_side, Contract::set_solid_sets, "set_solid");
+  expect_reported(Fault::set_two_edges, Contract::set_solid_sets_one, "set_solid");
+  expect_reported(Fault::set_nothing, Contract::set_solid_sets, "set_solid");
+  expect_reported(Fault::dead_handle, Contract::alive_knows, first);
+  expect_reported(Fault::leaves_boundary_always, Contract::leaves_boundary_knows, first);
+  expect_reported(Fault::one_triangle_number, Contract::triangle_numbers, first);
+  expect_reported(Fault::vertex_numbers_of_sides, Contract::vertex_numbers, first);
+  expect_reported(Fault::numbers_from_behind, Contract::numbers_stay, "insert_vertex");
+  expect_reported(Fault::another_halfedge, Contract::numbers_stay, "turn_edge");
+  expect_reported(Fault::insert_solid_chord, Contract::new_edges_dashed, "insert_vertex");
+  expect_reported(Fault::insert_solid_spoke, Contract::new_edges_dashed, "insert_vertex");
+  expect_reported(Fault::insert_returns_back, Contract::chord_between_new_ends, "insert_vertex");
+  expect_reported(Fault::insert_exchanges_spokes, Contract::chord_between_new_ends, "insert_vertex");
+  expect_reported(Fault::insert_dashes_more, Contract::other_colors_stay, "insert_vertex");
+  expect_reported(Fault::remove_returns_other_spoke, Contract::spoke_to_apex, "remove_vertex");
+  expect_reported(Fault::remove_returns_back, Contract::spoke_to_apex, "remove_vertex");
+  expect_reported(Fault::remove_merges_solid, Contract::merged_edges_dashed, "remove_vertex");
+  expect_reported(Fault::remove_dashes_more, Contract::other_colors_stay, "remove_vertex");
+  expect_reported(Fault::turn_returns_back, Contract::edge_turned, "turn_edge");
+  expect_reported(Fault::turn_dashes, Contract::other_colors_stay, "turn_edge");
+  expect_reported(Fault::turn_twice, Contract::edge_turned, "turn_edge");
+  expect_reported(Fault::turn_renames, Contract::handles_stay, "turn_edge");
 }
 
 // These depend on colours that only some operation makes.

@@ -1,18 +1,18 @@
-// split_face, bisect and their inverses: operations on two to four triangles, with strips kept.
+// split_face, bisect and their inverses: operations on two to four triangles that maintain strips.
 //
-// A new vertex inside a triangle or on an edge could be made by split() as well, which recolours the whole fan around a
-// vertex. Here the patch is the triangles around the new vertex and nothing else, so time does not depend on valences
-// (a StripMesh moves a vertex of its own choice, and never one that has more triangles than the patch). Longest-edge
-// bisection of terrains and of finite elements refines and coarsens so. The rules come from operation files,
-// tables/operations/*.json; docs/tutorials/custom-operation.md shows how to add a custom one.
+// split() can also insert a vertex into a triangle or an edge, but it recolours the whole fan around a vertex. Here the
+// patch consists of only the triangles around the new vertex, so time does not depend on valences (a StripMesh chooses
+// the vertex to move, never one with more triangles than the patch). Longest-edge bisection of terrains and of finite
+// elements uses these operations. The rules come from operation files, tables/operations/*.json;
+// docs/tutorials/custom-operation.md shows how to add a custom one.
 //
 //     split_face   one triangle becomes three         join_faces   and back
 //     bisect       the triangles at an edge           merge        and back
 //                  become two each
 //
-// Nothing outside the patch is read or written, except that the inverses may give a port up, which dashes an edge of
-// the triangle behind it. Preconditions and exceptions are as in operations.hpp: preconditions come from the mesh
-// operation, checked in debug builds; exceptions of the mesh leave the colouring valid.
+// Nothing outside the patch is read or written, except that the inverses may clear a port, which is also an edge of the
+// triangle outside. Preconditions and exceptions are as in operations.hpp: debug builds check the preconditions of the
+// mesh operation; exceptions of the mesh leave the colouring valid.
 #pragma once
 
 #include <concepts>
@@ -29,8 +29,8 @@ namespace restrip {
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split_face(Mesh& mesh, typename Mesh::Halfedge h);
 
-/// Removes v_t, a vertex of three triangles, of `chord` = v_s -> v_t: what split_face() did. Rewrite::halfedge leaves
-/// v_s and is a side of the triangle that remains, which lies to the left of its opposite; its valence is 3.
+/// Removes v_t, a vertex of three triangles, of `chord` = v_s -> v_t: the inverse of split_face(). Rewrite::halfedge
+/// leaves v_s and is a side of the triangle that remains, which lies to the left of its opposite; its valence is 3.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> join_faces(Mesh& mesh, typename Mesh::Halfedge chord);
 
@@ -40,12 +40,12 @@ template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> bisect(Mesh& mesh, typename Mesh::Halfedge h);
 
 /// Removes v_t, an interior vertex of four triangles or a boundary vertex of two, of `chord` = v_s -> v_t, and joins
-/// v_s to the vertex opposite: what bisect() did. On the boundary `chord` or its opposite has no triangle.
-/// Rewrite::halfedge is the mesh edge that takes the place of two, as it leaves v_s; its valence is 4, or 2.
+/// v_s to the vertex opposite: the inverse of bisect(). On the boundary `chord` or its opposite lacks a triangle.
+/// Rewrite::halfedge is the mesh edge that replaces two, as it leaves v_s; its valence is 4, or 2.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> merge(Mesh& mesh, typename Mesh::Halfedge chord);
 
-// May it be done on a StripMesh? See checks.hpp. A few steps; the inverses as check_collapse().
+// Whether they may be done on a StripMesh, see checks.hpp. A few steps; the inverses as check_collapse().
 [[nodiscard]] inline Refusal check_split_face(const StripMesh& mesh, StripMesh::Halfedge h);
 [[nodiscard]] inline Refusal check_join_faces(const StripMesh& mesh, StripMesh::Halfedge chord);
 [[nodiscard]] inline Refusal check_bisect(const StripMesh& mesh, StripMesh::Halfedge h);

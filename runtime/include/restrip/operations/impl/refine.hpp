@@ -63,7 +63,7 @@ VertexSplit<Halfedge> split_on_edge(const Mesh& mesh, Halfedge h) {
   return {left, mesh.next(mesh.opposite(h))};
 }
 
-/// Does v_t of the chord v_s -> v_t have this many triangles, if it is interior, and at most this many otherwise?
+/// Whether v_t of the chord v_s -> v_t has this many triangles if it is interior, and at most this many otherwise.
 template <class Mesh, class Halfedge = typename Mesh::Halfedge>
 bool head_has(const Mesh& mesh, Halfedge chord, std::size_t interior, std::size_t boundary) {
   const Halfedge first = mesh.opposite(chord);
@@ -140,7 +140,7 @@ Rewrite<typename Mesh::Halfedge> merge_with(Mesh& mesh, typename Mesh::Halfedge 
     });
   return rewrite_patch(mesh, tables::merge_boundary, first_on_boundary(mesh, chord), choose, [&] {
     const auto spoke = mesh.remove_vertex(chord);
-    // To the apex, past which the edge on the boundary comes, or before which.
+    // To the apex; the edge on the boundary comes after or before it.
     const auto inside = no_left ? mesh.next(mesh.next(spoke)) : mesh.next(mesh.opposite(spoke));
     return std::pair{no_left ? mesh.opposite(inside) : inside, inside};
   });

@@ -198,7 +198,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   for (const Triangle t : patch_)
     if (sides.solid_degree(t) < 2) tunnel_.join(sides, locator_, t, states);
   // Cleared ports end strips next to the patch.
-  if (Step::orphans != detail::Orphans::as_told)
+  if (Step::may_isolate != detail::MayIsolate::as_reported)
     for (const Triangle t : patch_)
       for_each_neighbor(sides, t, [&](Triangle beside) {
         if (sides.solid_degree(beside) < 2) tunnel_.join(sides, locator_, beside, states);
@@ -206,10 +206,10 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
   done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
   Repair repair;
-  if (done.isolated > 0 || Step::orphans == detail::Orphans::everywhere)
+  if (done.isolated > 0 || Step::may_isolate == detail::MayIsolate::everywhere)
     for (const Triangle t : patch_) repair += absorb(sides, StripMesh::halfedge(t, 0));
   // An operation that clears ports may isolate a triangle next to the patch.
-  if (Step::orphans != detail::Orphans::as_told)
+  if (Step::may_isolate != detail::MayIsolate::as_reported)
     for (const Triangle t : patch_)
       for (unsigned side = 0; side < 3; ++side) repair += absorb(sides, sides.opposite(StripMesh::halfedge(t, side)));
   done = detail::with(done, repair);

@@ -1,4 +1,4 @@
-// The operations as a Keeper asks for them. Included by keeper.hpp.
+// The operations of a Keeper, in steps. Included by keeper.hpp.
 //
 // Each step has
 //   find_patch(mesh, patch)          the triangles about to be rewritten
@@ -7,8 +7,8 @@
 //   bare(mesh)                       the mesh update alone, what it returns as Rewrite::halfedge
 //   surround(mesh, around)           the triangles that bare() changes
 //   find_new(mesh, done, patch)      adds the triangles that are new
-// and says whether the choice counts swaps and names the triangles where searches begin, how many rings of triangles
-// around the patch they include, and whether it may leave a triangle isolated, in its patch or next to it.
+// and constants: whether the choice counts swaps and names the triangles where searches begin, the number of rings of
+// triangles around the patch that these include, and where a triangle may be left isolated.
 #pragma once
 
 #include <tuple>
@@ -32,8 +32,8 @@ void add_beside(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangl
     if (!mesh.on_boundary(side)) patch.push_back(static_cast<Triangle>(mesh.triangle(side)));
 }
 
-/// Where a step may leave triangles isolated that can be absorbed.
-enum class Orphans { as_told, beside_patch, everywhere };
+/// Where an operation may leave isolated triangles, which can then be absorbed.
+enum class MayIsolate { as_reported, next_to_patch, everywhere };
 
 template <class Mesh, class... Name>
 struct SplitStep {
@@ -41,7 +41,7 @@ struct SplitStep {
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
   static constexpr bool counts_swaps = true;
   static constexpr unsigned rings = 0;
-  static constexpr Orphans orphans = Orphans::as_told;
+  static constexpr MayIsolate may_isolate = MayIsolate::as_reported;
   VertexSplit<Halfedge> where;
   std::tuple<Name...> names;
 
@@ -88,7 +88,7 @@ struct CollapseStep {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = true;
   static constexpr unsigned rings = 0;
-  static constexpr Orphans orphans = Orphans::as_told;
+  static constexpr MayIsolate may_isolate = MayIsolate::as_reported;
   Halfedge chord;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const { edge_triangles(mesh, chord, patch); }
@@ -118,7 +118,7 @@ struct FlipStep {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = false;
   static constexpr unsigned rings = 0;
-  static constexpr Orphans orphans = Orphans::beside_patch;
+  static constexpr MayIsolate may_isolate = MayIsolate::next_to_patch;
   Halfedge edge;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
@@ -132,7 +132,7 @@ struct FlipStep {
     const auto done = by_rules(mesh, choice);
     return with(done, join_at_edge(mesh, done.halfedge, exchange));
   }
-  /// The colouring would not stay valid with the sides of the two triangles as they are: all of them are dashed.
+  /// The colouring would not stay valid with the colours of the two triangles' sides, so all of them are cleared.
   Halfedge bare(Mesh& mesh) const {
     for (auto h : {edge, mesh.opposite(edge)})
       for (int side = 0; side < 3; ++side, h = mesh.next(h))
@@ -146,7 +146,7 @@ struct FlipStep {
   void find_new(const Mesh& /*mesh*/, Halfedge /*turned*/, std::vector<Triangle>& /*patch*/) const {}
 };
 
-/// A new vertex in the triangle of h, or on its edge. Nothing is isolated by that.
+/// A new vertex in the triangle of h, or on its edge. It isolates no triangle.
 template <class Mesh, bool on_edge>
 struct InsertStep : SplitStep<Mesh> {
   using Halfedge = typename Mesh::Halfedge;
@@ -183,7 +183,7 @@ struct RemoveStep : CollapseStep<Mesh> {
   using CollapseStep<Mesh>::chord;
   static constexpr bool counts_swaps = false;
   static constexpr unsigned rings = 1;
-  static constexpr Orphans orphans = Orphans::everywhere;
+  static constexpr MayIsolate may_isolate = MayIsolate::everywhere;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     fan_triangles(mesh, mesh.opposite(chord), patch);
@@ -203,7 +203,7 @@ struct RemoveStep : CollapseStep<Mesh> {
   }
 
  private:
-  // From the spoke that a collapse returns to the mesh edge beside it that takes the place of two.
+  // From the spoke that a collapse returns to the adjacent mesh edge that replaces two.
   static Halfedge merged(const Mesh& mesh, bool no_left, Halfedge spoke) {
     if constexpr (!from_edge) return spoke;
     return no_left ? mesh.opposite(mesh.next(mesh.next(spoke))) : mesh.next(mesh.opposite(spoke));
@@ -216,7 +216,7 @@ struct ApplyStep {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = false;
   static constexpr unsigned rings = 1;
-  static constexpr Orphans orphans = Orphans::everywhere;
+  static constexpr MayIsolate may_isolate = MayIsolate::everywhere;
   const Table& table;
   Halfedge where;
   Change& change;

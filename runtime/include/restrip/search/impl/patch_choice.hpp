@@ -1,7 +1,7 @@
 // The colours that an operation with a table writes under a policy that searches: its rule, or cheaper colours that
 // join two ports only if they were joined before. Included by rule_choice.hpp.
 //
-// Such colours are sound whatever lies outside the patch: a strip that closes over them would have closed before the
+// Such colours are sound for every surrounding mesh: a strip that closes over them would have closed before the
 // operation. A patch of up to six inner edges has at most 64 colourings, which are priced before anything is written.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace restrip::detail {
 
-/// The most inner edges of a patch of which all colours are tried.
+/// The most inner edges of a patch for which all colours are tried.
 inline constexpr unsigned most_tried_edges = 6;
 
 /// Finds the port at the other end of each port's strip in the patch: partner[p], or p if the strip ends inside.
@@ -71,7 +71,7 @@ bool strip_partners(const Triangles& triangles, PatchEdges solid, std::array<std
 }
 
 /// Strips, swaps and isolated triangles of a patch with these colours, up to a constant. `outside[p]`: how the strip
-/// turns behind port p.
+/// turns outside port p.
 template <class Triangles>
 ColoringChange tally(const Triangles& triangles, PatchEdges solid, const std::array<std::uint8_t, 32>& outside) {
   using tables::PatchTriangle;
@@ -108,7 +108,7 @@ tables::OperationRule cheapest_for_patch(const Mesh& mesh, const Table& table, c
   std::array<std::uint8_t, 32> now{};
   if (!strip_partners(table.triangles_before, solid, before)) return rule;
   const PatchEdges ports = solid & all_ports;
-  ColoringChange given_up;  // swaps behind ports that the rule gives up
+  ColoringChange given_up;  // swaps outside ports that the rule clears
   for (std::size_t t = 0; t < patch.triangles.size(); ++t)
     for (std::size_t s = 0; s < 3; ++s) {
       const std::uint8_t side = patch.triangles[t].side[s];

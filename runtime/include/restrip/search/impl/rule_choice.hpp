@@ -1,9 +1,9 @@
-// The colours that an operation of a Keeper writes: those of its rule, or, if the policy says so and they cost no more,
-// the colours before it, passed on. Included by keeper.hpp.
+// Chooses the colours that an operation of a Keeper writes: the rule's, or, if the policy says so and they cost no
+// more, the previous colours, passed on. Included by keeper.hpp.
 //
-// Passed on: a strip that a new triangle cuts goes through that triangle; a strip through a triangle that goes closes
-// up; nothing else changes. Both are priced before anything is written: the strips and isolated triangles from the bits
-// of the patch, the swaps from these and from the turns of the strips behind the ports whose own turn changes.
+// Passed on: a strip that a new triangle cuts goes through that triangle; a strip through a removed triangle closes up;
+// nothing else changes. Both are priced before anything is written: strips and isolated triangles from the bits of the
+// patch, swaps from these and from the turns of the strips outside ports whose turn changes.
 #pragma once
 
 #include <bit>
@@ -19,13 +19,13 @@
 
 namespace restrip {
 
-/// How a Keeper has come to its colours, over all operations but those under Policy::bare and baked ones.
+/// The sources of a Keeper's colours, over all operations except baked ones and operations under Policy::bare.
 struct RuleCounts {
-  std::uint64_t asked = 0;     ///< rules looked up
-  std::uint64_t taken = 0;     ///< of them: their colours were written
-  std::uint64_t kept = 0;      ///< of them: colours passed on cost no more and were kept
-  std::uint64_t improved = 0;  ///< operations after which a search lowered the cost, or joins the number of strips or
-                               ///< of isolated triangles
+  std::uint64_t asked = 0;  ///< rules looked up
+  std::uint64_t taken = 0;  ///< of them: their colours were written
+  std::uint64_t kept = 0;   ///< of them: passed-on colours cost no more and were kept
+  std::uint64_t improved =
+      0;  ///< operations after which a search lowered the cost, or joins the number of strips or isolated triangles
   friend constexpr bool operator==(const RuleCounts&, const RuleCounts&) = default;
 };
 
@@ -37,8 +37,8 @@ constexpr Word fan_swaps(std::size_t k, Word loop, Word ports) noexcept {
   return loop & ((turned_down(loop, 1, k) & turned_down(loop, k - 1, k)) | (ports & turned_down(ports, 1, k)));
 }
 
-/// The number of swaps on the inner edges of a ring with chord. A and D lie the other way round: where a strip
-/// continues along the ring they turn outwards, as fan triangles do by their ports.
+/// The number of swaps on the inner edges of a ring with chord. A and D are reversed: if a strip continues along the
+/// ring they turn outwards, as fan triangles do at their ports.
 constexpr int ring_swaps(std::size_t k, std::size_t a, Word inner, Word fan_ports) noexcept {
   const std::size_t n = k + 2;
   const Word ring = inner & low_bits(n);
@@ -69,7 +69,7 @@ constexpr Word passed_to_fan(std::size_t k, std::size_t a, Word ring) noexcept {
   return kept_loop(k, a, ring) | (ring >> (k + 1) & ring & 1) << (k - 1) | (ring >> a & ring >> (a + 1) & 1) << (a - 1);
 }
 
-/// The same for a layout without inserted elements and one with them, either way.
+/// The same between a layout without inserted elements and one with them, in either direction.
 template <class Bits>
 Bits passed_on(const Layout& before, const Bits& colors, const Layout& after) {
   const bool inserts = before.size() < after.size();
@@ -89,8 +89,8 @@ Bits passed_on(const Layout& before, const Bits& colors, const Layout& after) {
   return passed;
 }
 
-/// Triangles less solid inner edges, swaps and isolated triangles of a patch, swaps at its ports included. `outside(i)`
-/// is how the strip turns behind solid port i. Linear time.
+/// Triangles minus solid inner edges, swaps and isolated triangles of a patch, including swaps at its ports.
+/// `outside(i)` is how the strip turns outside solid port i. Linear time.
 template <class Bits, class Outside>
 ColoringChange tally(const Layout& at, const Bits& colors, const Bits& ports, Outside&& outside) {
   const std::size_t n = at.size();
@@ -125,7 +125,7 @@ ColoringChange tally(const Layout& at, const Bits& colors, const Bits& ports, Ou
   return sum;
 }
 
-/// Where split_with() and its like get their rules from (LocalRules has the members).
+/// The source of rules for split_with() and collapse_with() (LocalRules has the members).
 template <class Mesh>
 class RuleChoice {
  public:
@@ -174,7 +174,7 @@ class RuleChoice {
                         mesh, chord, [](std::size_t, Halfedge) {}, read);
                   });
   }
-  /// A flip, which has no colours but its rule's, and has been done.
+  /// Counts a flip, which always takes its rule and has been done.
   Rewrite<Halfedge> taken(const Rewrite<Halfedge>& done) noexcept {
     ++counts_.asked;
     took({done.strips, 0, done.isolated});
@@ -198,7 +198,7 @@ class RuleChoice {
     return done;
   }
 
-  /// After a split or a collapse: notes where a search begins. What is new comes first.
+  /// After a split or a collapse: notes where a search begins. New triangles come first.
   void begin_after_split(const Mesh& mesh, const InteriorChange<Halfedge>& change, Halfedge chord) {
     if (!searches_) return;
     const auto& fan = change.fan;
@@ -225,14 +225,15 @@ class RuleChoice {
   }
   [[nodiscard]] std::vector<Triangle>& start() noexcept { return start_; }
 
-  /// What begin_split() and its like have counted, where swaps are not weighed.
+  /// Takes the counts of begin_split() and begin_collapse(), if swaps are not weighed.
   void note(const InteriorChange<Halfedge>& change) noexcept { change_.isolated = change.isolated; }
   template <class Bits>
   void note(const PatchChange<Bits>& change) noexcept {
     change_.isolated = change.rule.isolated;
   }
 
-  /// Of the colours chosen last. Swaps are right if they are weighed and the operation is a split or a collapse.
+  /// The change by the colours chosen last. Swaps are right if they are weighed and the operation is a split or a
+  /// collapse.
   [[nodiscard]] const ColoringChange& change() const noexcept { return change_; }
   [[nodiscard]] RuleCounts& counts() noexcept { return counts_; }
   [[nodiscard]] const RuleCounts& counts() const noexcept { return counts_; }
@@ -251,7 +252,7 @@ class RuleChoice {
     change_ = change;
     ++counts_.taken;
   }
-  /// Are colours with that change as good as the rule's?
+  /// Whether colours with the change `kept` are as good as the rule's.
   bool keeps(const ColoringChange& kept, const ColoringChange& by_rule) noexcept {
     if (kept.price(cost_) > by_rule.price(cost_)) {
       took(by_rule);
@@ -288,7 +289,7 @@ class RuleChoice {
       took({rule.strips, 0, 0});
       return rule;
     }
-    Bits next;  // how strips turn behind the ports
+    Bits next;  // how strips turn outside the ports
     Bits last;
     walk_ports([&](std::size_t i, Halfedge port) {
       const unsigned turn = ports.get(i) ? other_solid_sides(mesh, mesh.opposite(port)) : 0;
@@ -313,7 +314,7 @@ class RuleChoice {
     return rule;
   }
 
-  /// What changes when a closed fan with these colours becomes a ring with those. `first`: the spoke of t_0.
+  /// The change when a closed fan becomes a ring with the given colours. `first`: the spoke of t_0.
   static ColoringChange ring_for_fan(const Mesh& mesh, Halfedge first, const InteriorFan<Halfedge>& fan, Word ring,
                                      Word loop) {
     const auto [k, a] = std::pair{fan.k, fan.a};
@@ -321,7 +322,8 @@ class RuleChoice {
     ColoringChange change{2 - count_difference(ring, loop),
                           ring_swaps(k, a, ring, ports) - count_bits(fan_swaps(k, loop, ports)),
                           count_difference(isolated_ring(k, a, ring, ports), isolated_closed(k, loop, ports))};
-    // The fan triangles whose strip turns another way than before, seen from their ports: to the next, to the last one.
+    // The fan triangles whose strip turns differently from before, seen from their ports: to the next, to the previous
+    // one.
     const Word next = (ring >> 1 & low_bits(a)) | (ring >> 2 & low_bits(k) & ~low_bits(a));
     const Word last = (ring & low_bits(a)) | (ring >> 1 & low_bits(k) & ~low_bits(a));
     const Word last_in_fan = turned_down(loop, k - 1, k);
