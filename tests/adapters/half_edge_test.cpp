@@ -106,5 +106,63 @@ TEST(HalfEdgeMesh, UndoOfItsOwnerGoesWithStrips) {
   EXPECT_GT(done, 400);
 }
 
+std::size_t triangles_in(const half_edge::Mesh& mesh) {
+  std::size_t triangles = 0;
+  for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t) triangles += mesh.has_triangle(t) ? 1U : 0U;
+  return triangles;
+}
+/// Checked operations on the mesh and on its keeper: what is refused changes nothing, what is granted is done.
+template <class Target>
+void expect_checked(half_edge::Mesh& mesh, Target& target) {
+  using Spokes = VertexSplit<half_edge::Halfedge>;
+  std::size_t flips = 0;
+  std::size_t refused = 0;
+  const std::size_t size = triangles_in(mesh);
+  for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t) {
+    const auto h = [&mesh, t] {
+      std::uint32_t next = t;
+      while (!mesh.has_triangle(next)) next = (next + 1) % static_cast<std::uint32_t>(mesh.triangle_bound());
+      return mesh.halfedge(next);
+    };
+    const bool boundary = mesh.on_boundary(mesh.opposite(h()));
+    const auto bisected = checked_bisect(target, h());
+    ASSERT_TRUE(bisected);
+    ASSERT_EQ(triangles_in(mesh), size + (boundary ? 1U : 2U));
+    ASSERT_TRUE(checked_merge(target, bisected.rewrite.halfedge));
+    ASSERT_EQ(triangles_in(mesh), size);
+    const auto face = checked_split_face(target, h());
+    ASSERT_TRUE(face);
+    ASSERT_EQ(checked_merge(target, face.rewrite.halfedge).refusal, Refusal::other_valence);
+    ASSERT_EQ(triangles_in(mesh), size + 2);
+    ASSERT_TRUE(checked_join_faces(target, face.rewrite.halfedge));
+    ASSERT_EQ(checked_split(target, Spokes{h(), h()}).refusal, Refusal::same_spoke);
+    const auto split = checked_split(target, Spokes{turn_ccw(mesh, h()), h()});
+    ASSERT_TRUE(split);
+    ASSERT_EQ(triangles_in(mesh), size + 2);
+    ASSERT_TRUE(checked_collapse(target, split.rewrite.halfedge));
+    ASSERT_EQ(triangles_in(mesh), size);
+    const std::size_t strips = count_strips(mesh);
+    const auto flip = checked_flip(target, h());
+    if (flip) {
+      ++flips;
+      ASSERT_EQ(count_strips(mesh), strips + static_cast<std::size_t>(flip.rewrite.strips));
+      ASSERT_TRUE(checked_flip(target, flip.rewrite.halfedge));
+    } else {
+      ++refused;
+      ASSERT_EQ(count_strips(mesh), strips);
+    }
+    ASSERT_TRUE(check_coloring(mesh).valid);
+  }
+  EXPECT_GT(flips, 20U);
+  EXPECT_GT(refused, 2U);
+}
+TEST(HalfEdgeMesh, HasCheckedOperations) {
+  half_edge::Mesh mesh = copy_of(sample::rectangle(6, 5));
+  stripify(mesh);
+  expect_checked(mesh, mesh);
+  Keeper keeper(mesh, Policy::quick, Cost::indices());
+  expect_checked(mesh, keeper);
+}
+
 }  // namespace
 }  // namespace restrip

@@ -6,14 +6,17 @@
 //     report(describe(done.refusal));
 //
 // Each calls its check (mesh/checks.hpp) and does the operation if it is granted; a refused operation changes nothing.
-// Pass a StripMesh for the rules (operations.hpp), or a Keeper for its policy.
+// Pass a StripMesh for the rules (operations.hpp), or a Keeper for its policy. A custom mesh and its Keeper have the
+// same functions, checked as CustomTarget says.
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 #include <utility>
 
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/impl/patch_checks.hpp"
 #include "restrip/operations/operations.hpp"
 
 namespace restrip {
@@ -81,6 +84,80 @@ Checked checked_collapse(Keeper& keeper, StripMesh::Halfedge chord) {
 template <KeepsStrips Keeper>
 Checked checked_flip(Keeper& keeper, StripMesh::Halfedge h) {
   return detail::done_if_granted(check_flip(keeper.mesh(), h), [&] { return keeper.flip(h); });
+}
+
+/// What a checked operation did on a custom mesh, or why it did nothing. The halfedge of the rewrite leads to a new
+/// vertex.
+template <class Halfedge>
+struct CustomChecked {
+  Refusal refusal = Refusal::granted;
+  Rewrite<Halfedge> rewrite{};
+
+  [[nodiscard]] constexpr bool granted() const noexcept { return refusal == Refusal::granted; }
+  constexpr explicit operator bool() const noexcept { return granted(); }
+};
+
+namespace detail {
+
+/// The mesh of a keeper, or the mesh itself.
+template <class Target>
+const auto& mesh_of(const Target& target) {
+  if constexpr (ColoredMesh<Target>)
+    return target;
+  else
+    return target.mesh();
+}
+template <class Target>
+using MeshOf = std::remove_cvref_t<decltype(mesh_of(std::declval<const Target&>()))>;
+
+}  // namespace detail
+
+/// A custom mesh, or a Keeper of one. Its handles are checked if it has alive(). The check is its own check_split(),
+/// check_collapse() or check_flip(), found by argument-dependent lookup. Without these it is what a walk around the
+/// patch can see, which excludes the link condition and flips onto an existing edge: vertices have no names there.
+template <class Target>
+concept CustomTarget = (ColoredMesh<Target> || requires(const Target& target) { target.mesh(); }) &&
+                       ColoredMesh<detail::MeshOf<Target>> && !std::derived_from<detail::MeshOf<Target>, StripMesh>;
+
+namespace detail {
+
+template <CustomTarget Target>
+using HalfedgeOf = typename MeshOf<Target>::Halfedge;
+template <CustomTarget Target, class Operation>
+CustomChecked<HalfedgeOf<Target>> custom_if_granted(Refusal refusal, Operation&& operation) {
+  if (refusal != Refusal::granted) return {refusal};
+  return {Refusal::granted, operation()};
+}
+
+}  // namespace detail
+
+/// `name`: the new vertex, if the mesh takes one.
+template <CustomTarget Target, class... Name>
+auto checked_split(Target& target, const VertexSplit<detail::HalfedgeOf<Target>>& where, const Name&... name) {
+  return detail::custom_if_granted<Target>(detail::refusal_of_split(detail::mesh_of(target), where, name...), [&] {
+    if constexpr (ColoredMesh<Target>)
+      return split(target, where, name...);
+    else
+      return target.split(where, name...);
+  });
+}
+template <CustomTarget Target>
+auto checked_collapse(Target& target, detail::HalfedgeOf<Target> chord) {
+  return detail::custom_if_granted<Target>(detail::refusal_of_collapse(detail::mesh_of(target), chord), [&] {
+    if constexpr (ColoredMesh<Target>)
+      return collapse(target, chord);
+    else
+      return target.collapse(chord);
+  });
+}
+template <CustomTarget Target>
+auto checked_flip(Target& target, detail::HalfedgeOf<Target> h) {
+  return detail::custom_if_granted<Target>(detail::refusal_of_flip(detail::mesh_of(target), h), [&] {
+    if constexpr (ColoredMesh<Target>)
+      return flip(target, h);
+    else
+      return target.flip(h);
+  });
 }
 
 }  // namespace restrip

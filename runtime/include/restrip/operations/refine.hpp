@@ -83,6 +83,16 @@ Checked checked_merge(Keeper& keeper, StripMesh::Halfedge chord) {
   return detail::done_if_granted(check_merge(keeper.mesh(), chord), [&] { return keeper.merge(chord); });
 }
 
+/// The same on a custom mesh or a Keeper of one.
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_split_face(Target& target, detail::HalfedgeOf<Target> h);
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_join_faces(Target& target, detail::HalfedgeOf<Target> chord);
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_bisect(Target& target, detail::HalfedgeOf<Target> h);
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_merge(Target& target, detail::HalfedgeOf<Target> chord);
+
 }  // namespace restrip
 
 #include "restrip/operations/impl/refine.hpp"

@@ -208,4 +208,44 @@ inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord) {
   return detail::done_if_granted(check_merge(mesh, chord), [&] { return merge(mesh, chord); });
 }
 
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_split_face(Target& target, detail::HalfedgeOf<Target> h) {
+  return detail::custom_if_granted<Target>(detail::refusal_of_face_split(detail::mesh_of(target), h), [&] {
+    if constexpr (ColoredMesh<Target>)
+      return split_face(target, h);
+    else
+      return target.split_face(h);
+  });
+}
+
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_join_faces(Target& target, detail::HalfedgeOf<Target> chord) {
+  return detail::custom_if_granted<Target>(detail::refusal_of_removal(detail::mesh_of(target), chord, 3, 0), [&] {
+    if constexpr (ColoredMesh<Target>)
+      return join_faces(target, chord);
+    else
+      return target.join_faces(chord);
+  });
+}
+
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_bisect(Target& target, detail::HalfedgeOf<Target> h) {
+  return detail::custom_if_granted<Target>(detail::refusal_of_bisection(detail::mesh_of(target), h), [&] {
+    if constexpr (ColoredMesh<Target>)
+      return bisect(target, h);
+    else
+      return target.bisect(h);
+  });
+}
+
+template <CustomTarget Target>
+CustomChecked<detail::HalfedgeOf<Target>> checked_merge(Target& target, detail::HalfedgeOf<Target> chord) {
+  return detail::custom_if_granted<Target>(detail::refusal_of_removal(detail::mesh_of(target), chord, 4, 2), [&] {
+    if constexpr (ColoredMesh<Target>)
+      return merge(target, chord);
+    else
+      return target.merge(chord);
+  });
+}
+
 }  // namespace restrip
