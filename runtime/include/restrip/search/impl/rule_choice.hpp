@@ -21,11 +21,10 @@ namespace restrip {
 
 /// The sources of a Keeper's colours, over all operations except baked ones and operations under Policy::bare.
 struct RuleCounts {
-  std::uint64_t asked = 0;  ///< rules looked up
-  std::uint64_t taken = 0;  ///< of them: their colours were written
-  std::uint64_t kept = 0;   ///< of them: passed-on colours cost no more and were kept
-  std::uint64_t improved =
-      0;  ///< operations after which a search lowered the cost, or joins the number of strips or isolated triangles
+  std::uint64_t asked = 0;     ///< rules looked up
+  std::uint64_t taken = 0;     ///< of them: their colours were written
+  std::uint64_t kept = 0;      ///< of them: passed-on colours cost no more and were kept
+  std::uint64_t improved = 0;  ///< operations after which a search lowered the cost, or joins strips or isolated ones
   friend constexpr bool operator==(const RuleCounts&, const RuleCounts&) = default;
 };
 
