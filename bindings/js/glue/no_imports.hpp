@@ -1,5 +1,5 @@
-// What the standard library of WebAssembly calls when memory ends or when it would throw. Its own versions print, and
-// whatever prints makes the module import files. These stop the module instead.
+// Functions that the standard library of WebAssembly calls when memory runs out or when it would throw. Its own
+// versions print, for which the module would import files. These stop the module instead.
 #pragma once
 
 #ifdef __wasm__

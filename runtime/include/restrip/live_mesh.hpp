@@ -3,7 +3,7 @@
 //   LiveMesh live(triangles, vertex_count);            // upload live.bytes(), with room for live.room() indices
 //   live.collapse(live.edge(v_s, v_t));                // and split, flip, as often as the frame wants
 //   const auto ranges = live.update();
-//   if (ranges.outgrown) make_buffer(live.room());     // then there is one range: everything
+//   if (ranges.outgrown) make_buffer(live.room());     // the only range is then everything
 //   for (const auto& range : ranges) upload(range);
 //   live.undo();                                       // the last frame, if a history is kept
 //

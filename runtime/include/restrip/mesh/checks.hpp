@@ -25,7 +25,7 @@ namespace restrip {
 
 namespace detail {
 
-/// The number of spokes of v, or `most` if there are more. O(most), whatever the size of the fan.
+/// The number of spokes of v, or `most` if there are more. O(most), for any size of the fan.
 inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t most) {
   const StripMesh::Halfedge first = mesh.spoke(v);
   StripMesh::Halfedge h = first;

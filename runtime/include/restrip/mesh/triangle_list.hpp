@@ -102,8 +102,8 @@ TriangleList(const Elements&)
 /// Writes the halfedge across each side of each triangle, or none for sides without a neighbour: sides of triangles
 /// that are left out, sides at boundary and inconsistent edges, and at non-manifold edges the sides that remain when
 /// sides of opposite directions are joined in pairs. Writes all of the report except non_manifold_vertices. `across`
-/// must have list.size() elements. O(triangles + vertices), whatever the valences; 12 bytes a vertex while it runs.
-/// Throws std::length_error for more than 2^32 - 1 vertices.
+/// must have list.size() elements. O(triangles + vertices), for any valences; 12 bytes a vertex while it runs. Throws
+/// std::length_error for more than 2^32 - 1 vertices.
 template <class Element>
 void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
                     std::span<std::array<std::uint32_t, 3>> across, BuildReport& report);

@@ -107,7 +107,7 @@ class LiveBuffer {
     return std::visit([](const auto& buffer) { return buffer.indices().size(); }, buffer_);
   }
   /// The number of indices that the buffer on the device should have room for: a quarter more than when it was last
-  /// outgrown, or what was reserved.
+  /// outgrown, or the number reserved.
   [[nodiscard]] std::size_t room() const noexcept { return room_; }
   /// In the byte order of this machine.
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
@@ -174,7 +174,7 @@ class LiveBuffer {
   bool outgrown_ = false;  // by the last update
   bool kept_ = false;
   std::size_t room_ = 0;
-  std::size_t device_bytes_ = 0;  // what the device was asked to have
+  std::size_t device_bytes_ = 0;  // that the device should have
   IndexRange all_;
 };
 

@@ -54,7 +54,7 @@ struct RangeOptions {
   /// Ranges at most this many indices apart are joined: fewer uploads, with a few more indices.
   std::size_t merge_gap = 2;
   /// Ranges begin and end at multiples of this many bytes, 2 or a multiple of 4; the last may end with the buffer,
-  /// whose length is a multiple of 4 bytes. WebGPU's writeBuffer asks for 4.
+  /// whose length is a multiple of 4 bytes. WebGPU's writeBuffer needs 4.
   std::size_t align = 4;
 };
 

@@ -5,7 +5,7 @@
 //   restrip::collapse(strips, halfedge);                        // v_s -> v_t: v_t is removed
 //   restrip::split(strips, {to_left, to_right}, new_vertex);    // new_vertex: added by you, with its point
 //
-// Needs OpenMesh 8 or later; include this header only where you have it. collapse() wants the status attributes of
+// Needs OpenMesh 8 or later; include this header only where you have it. collapse() needs the status attributes of
 // vertices, edges, halfedges and faces (OpenMesh marks what it removes); the constructor requests them.
 // operations/adapters/openmesh_decimater.hpp has a module for OpenMesh's decimaters.
 #pragma once

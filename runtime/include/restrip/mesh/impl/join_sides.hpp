@@ -19,8 +19,8 @@ namespace detail {
 /// Finds the neighbour's side for each side. Sides are named like halfedges, 4 * triangle + side. Each side is put on
 /// the list of the smaller of its two vertices; the links of the list are stored where the neighbours go later. A
 /// vertex then reads its list, and the larger vertex identifies an edge. Which side comes second at its edge is as good
-/// as random, so that is not a branch. O(triangles + vertices), whatever the valences; 12 bytes a vertex while it runs,
-/// 4 more with odd edges, and 16 for each side of an odd edge.
+/// as random, so that is not a branch. O(triangles + vertices), for any valences; 12 bytes a vertex while it runs, 4
+/// more with odd edges, and 16 for each side of an odd edge.
 ///
 /// Edges with three sides or more, and edges with two sides of the same direction, are *odd*. Sides of opposite
 /// directions are joined in pairs, so that windings stay right: first sides that close the fan around one of their

@@ -10,7 +10,7 @@
 
 namespace restrip::detail {
 
-/// The colours a rule gives and what it changes.
+/// The colours of a rule and the changes that it makes.
 template <class Bits>
 struct Answer {
   Bits colors;

@@ -15,8 +15,8 @@
 
 namespace restrip::detail {
 
-/// The source of rules for the operations; linked.hpp has another one. Interior fans of ordinary valence are asked for
-/// by split() and collapse(), others by answer_split() and answer_collapse().
+/// The source of rules for the operations; linked.hpp has another one. split() and collapse() are for interior fans of
+/// ordinary valence, answer_split() and answer_collapse() for others.
 struct LocalRules {
   template <class Mesh, class Halfedge>
   Rule split(const Mesh& /*mesh*/, Halfedge /*left*/, const InteriorFan<Halfedge>& fan) const noexcept {
@@ -91,7 +91,7 @@ PatchChange<Bits> begin_split(Rules&& rules, Mesh& mesh, const VertexSplit<typen
   return change;
 }
 
-/// The first half of a split, of whatever size and kind the fan is; then do_rest(change).
+/// The first half of a split, for any size and kind of fan; then do_rest(change).
 template <class Rules, class Mesh, class Rest>
 auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, Rest&& do_rest) {
   using Halfedge = typename Mesh::Halfedge;
@@ -174,7 +174,7 @@ PatchChange<Bits> begin_collapse(Rules&& rules, Mesh& mesh, typename Mesh::Halfe
   return change;
 }
 
-/// The first half of a collapse, of whatever size and kind the patch is; then do_rest(change).
+/// The first half of a collapse, for any size and kind of patch; then do_rest(change).
 template <class Rules, class Mesh, class Rest>
 auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, Rest&& do_rest) {
   InteriorChange<typename Mesh::Halfedge> change;

@@ -119,7 +119,7 @@ inline bool StripLocator::grew(Halfedge h) noexcept {
   return strand != nullptr && (strand->in == h ? strand->up_in : strand->up_out);
 }
 
-// Once for each chunk, when all strands have their addresses: until then only labels outside the patch are looked at.
+// Once for each chunk, when all strands have their addresses: until then only labels outside the patch are read.
 inline void StripLocator::renumber_later(Halfedge h, bool up) {
   bool& crowded = lists_.crowded(addresses_[StripMesh::triangle(h)].chunk);
   if (crowded) return;
