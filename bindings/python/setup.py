@@ -51,7 +51,7 @@ class OfThisMachine(bdist_wheel):
         return ("py3", "none", super().get_tag()[2])
 
 
-setup(name="restrip", version=VERSION, description="Triangle strips, from scratch and kept while a mesh changes", license="MIT",
+setup(name="restrip", version=VERSION, description="Triangle strips, made from scratch and maintained while a mesh changes", license="MIT",
       long_description=(HERE / "README.md").read_text(), long_description_content_type="text/markdown", python_requires=">=3.8",
       packages=["restrip"], package_dir={"": "src"}, package_data={"restrip": ["py.typed"]}, install_requires=["numpy"],
       options={"build": {"build_base": SCRATCH}, "egg_info": {"egg_base": SCRATCH}},

@@ -26,7 +26,7 @@ using namespace restrip::tools;
 constexpr int exit_bad_input = 2;
 
 int run_command_line(int argc, char** argv) {
-  CLI::App app{"Triangle strips kept while the mesh changes, by proven rules", "restrip"};
+  CLI::App app{"Maintains triangle strips while a mesh changes, by proven rules", "restrip"};
   app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
   app.require_subcommand(1);
   app.formatter(std::make_shared<PlainFormatter>());
