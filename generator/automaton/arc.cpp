@@ -5,7 +5,7 @@
 namespace restrip::generator {
 namespace {
 
-/// A triangle alone: what it may do with its two links.
+/// A triangle alone: the possible colours of its two links.
 Costs costs_of(Letter letter) {
   Costs costs;
   if (has_port(letter)) {
@@ -21,8 +21,8 @@ Costs costs_of(Letter letter) {
   return costs;
 }
 
-/// The case of an arc followed by a triangle; nothing where their links have different colours, or where two ports
-/// would be joined that may not be.
+/// The case of an arc followed by a triangle; empty if their links have different colours, or if two ports would be
+/// joined that must not be.
 std::optional<Case> followed(Case arc, Case triangle, Letter letter) {
   const Reach link = right_of(arc);
   const Reach from = left_of(triangle);
@@ -35,8 +35,8 @@ std::optional<Case> followed(Case arc, Case triangle, Letter letter) {
 }
 
 /// The tie-break among equal costs (docs/explanation/automaton.md, "Ties"): the reach of the link in front of the
-/// triangle, by whether the triangle has a solid port; smaller is preferred. Found by trying all orders: these agree
-/// with the tables' rules most often.
+/// triangle, by whether the triangle has a solid port; smaller is preferred. Found by trying all orders: this one
+/// agrees with the tables' rules most often.
 unsigned rank(Case arc, Case triangle, Letter letter) {
   constexpr std::array<unsigned, 4> in_front_of_no_port{0, 1, 3, 2};
   constexpr std::array<unsigned, 4> in_front_of_port{2, 3, 0, 1};

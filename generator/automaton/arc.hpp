@@ -1,13 +1,13 @@
-// Arcs: rows of fan triangles between two cuts, and all that the rest of a patch must know of one
+// Arcs: rows of fan triangles between two cuts, and all that the rest of a patch must know of an arc
 // (docs/explanation/automaton.md).
 //
-// An arc has two links, the dual edges over which its first and its last triangle leave it. Inside the arc the solid
-// edges form strands. A strand that enters over a link passes only triangles without a solid port, so it can reach one
-// port at most, the solid port nearest to that link. Where it goes is the *reach* of the link; the reaches of both
-// links are a *case*. Of all colourings of the arc with the same case only a cheapest one can be part of a cheapest
-// recolouring.
+// An arc has two links, the dual edges by which its first and its last triangle are connected to the rest. Inside the
+// arc the solid edges form strands. A strand that enters over a link passes only triangles without a solid port, so it
+// can reach at most one port, the solid port nearest to that link. Its destination is the *reach* of the link; the
+// reaches of both links are a *case*. Of all colourings of the arc with the same case, only a cheapest one can be part
+// of a cheapest recolouring.
 //
-// Which edges an arc counts: its left link and the edges inside it. The right link is the left link of what follows.
+// An arc counts its left link and the edges inside it. The right link is the left link of the next arc.
 #pragma once
 
 #include <array>
@@ -17,21 +17,21 @@
 
 namespace restrip::generator {
 
-/// What is least: strip_cost * strips + isolated_cost * isolated triangles. Fewest strips, and of those fewest isolated
-/// triangles: so few of these meet in one comparison that they never outweigh a strip (docs/explanation/automaton.md,
+/// The cost: strip_cost * strips + isolated_cost * isolated triangles. This means fewest strips, then fewest isolated
+/// triangles: a comparison involves too few isolated triangles to outweigh a strip (docs/explanation/automaton.md,
 /// "Costs").
 inline constexpr int strip_cost = 1000;
 inline constexpr int isolated_cost = 1;
 
-/// Where the strand over a link goes, on the side of the arc.
+/// The destination of the strand over a link, on the side of the arc.
 enum class Reach : unsigned {
-  dashed,  ///< none exists: the link is dashed
+  dashed,  ///< no strand: the link is dashed
   ends,    ///< it ends inside the arc
   port,    ///< it leaves by the nearest solid port
-  through  ///< it leaves the arc by the other link; then this is the reach of both
+  through  ///< it leaves the arc by the other link; then both links have this reach
 };
 
-/// A case: the reach of the left link times four plus that of the right one, as headers number it.
+/// A case: four times the reach of the left link plus the reach of the right one, as headers number it.
 using Case = unsigned;
 inline constexpr std::size_t case_codes = 16;
 inline constexpr Case both_dashed = 0;
@@ -43,18 +43,19 @@ inline constexpr Case through_case = case_of(Reach::through, Reach::through);
 [[nodiscard]] constexpr Reach right_of(Case c) { return static_cast<Reach>(c % 4); }
 [[nodiscard]] constexpr bool right_is_solid(Case c) { return right_of(c) != Reach::dashed; }
 
-/// The codes that are cases, ascending: both links go through, or none.
+/// The codes that are cases, ascending: either both links go through, or neither.
 inline constexpr std::array<Case, 10> all_cases{0, 1, 2, 4, 5, 6, 8, 9, 10, through_case};
 
 /// A case as certificates write it: one character for each link, of `-ept` in the order of Reach.
 [[nodiscard]] std::string text_of(Case c);
 
-/// What may be appended to an arc: a triangle, by its port; or the boundary. Headers and certificates number them so.
+/// What can be appended to an arc: a triangle, by its port; or the boundary. Headers and certificates use these
+/// numbers.
 enum class Letter : unsigned {
-  dashed,   ///< dashed, or none exists
+  dashed,   ///< dashed, or no port
   solid,    ///< solid
   joined,   ///< solid, and joined to the solid port before it
-  boundary  ///< the mesh boundary in a ring that stands for an open fan: no edge leads over it
+  boundary  ///< the mesh boundary in a ring that stands for an open fan: no edge crosses it
 };
 inline constexpr std::array<Letter, 4> all_letters{Letter::dashed, Letter::solid, Letter::joined, Letter::boundary};
 [[nodiscard]] constexpr bool has_port(Letter letter) { return letter == Letter::solid || letter == Letter::joined; }
@@ -62,14 +63,14 @@ inline constexpr std::array<Letter, 4> all_letters{Letter::dashed, Letter::solid
 /// A letter as certificates write it: `d`, `s`, `S` or `b`.
 [[nodiscard]] char text_of(Letter letter);
 
-/// The least cost of each case, up to what all have in common; nothing where none exists. A strip's restart is
-/// counted by what it lacks: each solid edge is worth one.
+/// The least cost of each case, up to a common constant; empty if the case does not exist. Restarts of strips are
+/// counted by their absence: each solid edge is worth one.
 using Costs = std::array<std::optional<int>, case_codes>;
 
-/// The arc without triangles: its two links are one edge, which what follows will count.
+/// The arc without triangles: its two links are one edge, which the next arc counts.
 [[nodiscard]] Costs costs_of_empty_arc();
 
-/// An arc with one letter more: its costs, and for each case the case before from which the least cost comes.
+/// An arc with one more letter: its costs, and for each case the previous case from which the least cost comes.
 struct Appended {
   Costs costs;
   std::array<Case, case_codes> before{};

@@ -23,7 +23,7 @@ Costs relative(Costs costs) {
   return costs;
 }
 
-/// An arc before anything is thrown away that some patch may need; costs less the least.
+/// An arc with all cases that some patch may need; costs minus the least.
 struct FullArc {
   Costs costs;
   Ports ports;
@@ -31,13 +31,13 @@ struct FullArc {
   friend auto operator<=>(const FullArc&, const FullArc&) = default;
 };
 
-/// What a letter leads to: an index and where each case came from.
+/// The result of a letter: an index, and the origin of each case.
 struct FullStep {
   std::size_t to = 0;
   std::array<Case, case_codes> before{};
 };
 
-/// All arcs, distinguished by what they are: finitely many, found breadth first.
+/// All distinguishable arcs: finitely many, found breadth first.
 struct Closure {
   std::vector<FullArc> arcs;
   std::vector<std::string> witness;
@@ -74,7 +74,7 @@ struct Closure {
 /// Every two arcs around A and D, and every arc around a fan.
 struct Contexts {
   Meetings all_meetings;
-  std::vector<std::vector<std::uint16_t>> best;  ///< by first and second arc; empty where none exist
+  std::vector<std::vector<std::uint16_t>> best;  ///< by first and second arc; empty if none exist
   std::vector<std::optional<Case>> closings;
 
   explicit Contexts(const Closure& all) : best(all.arcs.size()), closings(all.arcs.size()) {
@@ -94,8 +94,8 @@ struct Contexts {
 
 using CaseSet = std::set<Case>;
 
-/// For each arc the cases that a best recolouring of some patch has: those chosen in a context, and those from which
-/// such a case of a longer arc comes.
+/// For each arc, the cases in best recolourings of some patch: cases chosen in a context, and cases from which such a
+/// case of a longer arc comes.
 std::vector<CaseSet> needed_cases(const Closure& all, const Contexts& contexts) {
   std::vector<CaseSet> needed(all.arcs.size());
   for (std::size_t x = 0; x < all.arcs.size(); ++x) {
@@ -119,13 +119,13 @@ std::vector<CaseSet> needed_cases(const Closure& all, const Contexts& contexts) 
   return needed;
 }
 
-/// Numbers for equal things, in order of appearance.
+/// Numbers equal things, in order of appearance.
 template <class Thing>
 std::size_t number_for(std::map<Thing, std::size_t>& numbers, const Thing& thing) {
   return numbers.emplace(thing, numbers.size()).first->second;
 }
 
-/// Moore's algorithm: arcs are kept together as long as nothing distinguishes them.
+/// Moore's algorithm: arcs stay together as long as nothing distinguishes them.
 std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& contexts,
                                          const std::vector<CaseSet>& needed, const std::vector<Costs>& costs) {
   const std::size_t n = all.arcs.size();
@@ -180,7 +180,7 @@ AutomatonCounts counts_of(const Closure& all) {
   return counts;
 }
 
-/// Finds the rows and columns of meetings that differ.
+/// Numbers the distinct rows and columns of meetings.
 void number_meetings(Automaton& automaton, const Contexts& contexts, const std::vector<std::size_t>& smallest) {
   using Line = std::vector<std::pair<std::size_t, unsigned>>;  // meetings, and the own case
   std::map<Line, std::size_t> firsts;
@@ -238,7 +238,7 @@ Automaton make_automaton() {
       kept = ArcStep{class_of[step->to], 0, {}};
       for (const Case c : needed[step->to]) kept->before[c] = step->before[c];
       const Case any = *needed[step->to].begin();
-      // The cost of one case, relative to the best case of the one class and to that of the other.
+      // The cost of one case, relative to the best cases of the two classes.
       const Appended longer = all.appended(x, all_letters.at(letter));
       const Case from = step->before[any];
       kept->cost = *longer.costs[any] - *all.arcs[x].costs[from] + *costs[x][from] - *costs[step->to][any];

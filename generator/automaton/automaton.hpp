@@ -1,5 +1,4 @@
-// Every fan in one finite automaton: arcs fall into finitely many classes, whatever their length
-// (docs/explanation/automaton.md).
+// A finite automaton for all fans: arcs of any length fall into finitely many classes (docs/explanation/automaton.md).
 #pragma once
 
 #include <cstddef>
@@ -12,33 +11,33 @@
 
 namespace restrip::generator {
 
-/// What a letter leads to.
+/// The result of a letter.
 struct ArcStep {
   std::size_t to = 0;                     ///< a class
-  int cost = 0;                           ///< of the best case of `to`, more than that of this class
-  std::array<Case, case_codes> before{};  ///< for each case that `to` has: the case of this class that it came from
+  int cost = 0;                           ///< of the best case of `to`, minus the cost of this class's best case
+  std::array<Case, case_codes> before{};  ///< for each case of `to`: the case of this class from which it came
 };
 
-/// Arcs that no continuation, no other arc and no tie-break tells apart.
+/// Arcs that no continuation, no other arc and no tie-break distinguishes.
 struct ArcClass {
-  std::string witness;    ///< its shortest arc, letter by letter; the first in the order of letters of the shortest
+  std::string witness;    ///< its shortest arc, letter by letter; the first one in the order of letters
   bool boundary = false;  ///< the mesh boundary is inside
-  /// For each case that some best recolouring needs its cost, less the least of them; nothing for the other cases.
+  /// For each case that some best recolouring needs, its cost minus the least of them; empty for other cases.
   Costs costs;
-  std::vector<std::optional<ArcStep>> steps;  ///< by letter; nothing for a second boundary
-  std::size_t as_first = 0;                   ///< arcs with equal numbers meet every second arc alike
-  std::size_t as_second = 0;                  ///< the same the other way round
+  std::vector<std::optional<ArcStep>> steps;  ///< by letter; empty for a second boundary
+  std::size_t as_first = 0;                   ///< arcs with equal numbers have equal meetings with every second arc
+  std::size_t as_second = 0;                  ///< the same for the second arc
   std::optional<Case> closing;                ///< as a whole closed fan; not with the boundary inside
 
-  /// Whether it can lie between A and D; any arc but the empty one can lie between D and A.
+  /// Whether it can lie between A and D; every arc except the empty one can lie between D and A.
   [[nodiscard]] bool can_be_first() const { return !witness.empty() && !boundary; }
 };
 
-/// How many there are before and after.
+/// Their numbers before and after minimisation.
 struct AutomatonCounts {
-  std::size_t values = 0;      ///< different sets of relative costs, of arcs without boundary, the empty one left out
-  std::size_t with_ports = 0;  ///< the same, where end ports are distinguished as well
-  std::size_t with_boundary = 0;  ///< the same, with arcs that have the boundary inside
+  std::size_t values = 0;         ///< different sets of relative costs of arcs without boundary, except the empty arc
+  std::size_t with_ports = 0;     ///< the same, with end ports distinguished as well
+  std::size_t with_boundary = 0;  ///< the same, including arcs with the boundary inside
 };
 
 struct Automaton {

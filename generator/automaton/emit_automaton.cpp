@@ -19,7 +19,7 @@ namespace {
 
 constexpr unsigned automaton_format_version = 2;
 
-/// Everything the header holds.
+/// The contents of the header.
 struct HeaderNumbers {
   std::vector<std::size_t> next;
   std::vector<std::uint64_t> before;
@@ -70,7 +70,7 @@ std::size_t longest_witness(const Automaton& automaton) {
   return longest;
 }
 
-/// Rows one after the other, counted.
+/// A sequence of rows, counted.
 class Rows {
  public:
   template <class... Words>

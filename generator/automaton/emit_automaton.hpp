@@ -1,4 +1,4 @@
-// Text of the automaton's files: a constexpr header, a certificate, and figures as JSON. Same input, same bytes.
+// The text of the automaton's files: a constexpr header, a certificate, and figures as JSON. Same input, same bytes.
 #pragma once
 
 #include <string>
@@ -19,19 +19,19 @@ struct AutomatonCertificate {
 };
 [[nodiscard]] AutomatonCertificate automaton_certificate(const Automaton& automaton);
 
-/// The numbers of the header for other languages (languages/): `next` has 0 where a letter is not allowed, so that any
-/// entry is a class, and a number of `before` is two words, the low one first.
+/// The numbers of the header for other languages (languages/): `next` has 0 for a letter that is not allowed, so that
+/// every entry is a class, and a number of `before` is two words, the low one first.
 struct AutomatonArrays {
   std::size_t seconds = 0;  ///< columns of `meet`
   TableLayout table;
 };
 [[nodiscard]] AutomatonArrays automaton_arrays(const Automaton& automaton);
 
-/// Classes before and after, letters, cases, bytes.
+/// The numbers of classes before and after minimisation, letters, cases, bytes.
 [[nodiscard]] std::string automaton_json(const Automaton& automaton);
 
-/// Every class as JSON, for pictures: its witness, and for each of its cases the cost and a best colouring, the colours
-/// of the links from left to right.
+/// Every class as JSON, for pictures: its witness, and for each of its cases the cost and a best colouring, as the
+/// colours of the links from left to right.
 [[nodiscard]] std::string classes_json(const Automaton& automaton);
 
 }  // namespace restrip::generator

@@ -21,11 +21,11 @@ constexpr unsigned end_pair(unsigned x, unsigned y) {
   return 1U << (pairs_before.at(x) + y - x - 1);
 }
 
-/// Ends and new triangles under "connected by solid edges".
+/// Connected components of ends and new triangles under solid edges.
 class Strands {
  public:
   Strands() { std::iota(label_.begin(), label_.end(), 0U); }
-  /// False when the edge closes a cycle.
+  /// False if the edge closes a cycle.
   bool join(unsigned x, unsigned y) {
     const unsigned from = label_.at(x);
     const unsigned to = label_.at(y);
@@ -41,7 +41,7 @@ class Strands {
 
 constexpr bool is_solid(Reach reach) { return reach != Reach::dashed; }
 
-/// The pairs of ends that reach ports which the key joins.
+/// The pairs of ends that reach ports joined by the key.
 unsigned joined_ends(const Ports& first, const Ports& second) {
   unsigned pairs = 0;
   const auto add = [&](unsigned x, unsigned y) {
@@ -81,7 +81,7 @@ Ports with_letter(Ports ports, Letter letter) {
   return ports;
 }
 
-std::optional<Meetings::Way> Meetings::way_of(const Meeting& meeting) {
+std::optional<Meetings::Combination> Meetings::combination_of(const Meeting& meeting) {
   const std::array<Reach, ends> reach{left_of(meeting.first), right_of(meeting.first), left_of(meeting.second),
                                       right_of(meeting.second)};
   const auto solid = [&](End end) { return is_solid(reach.at(end)) ? 1 : 0; };
@@ -98,32 +98,33 @@ std::optional<Meetings::Way> Meetings::way_of(const Meeting& meeting) {
                         joins(solid(second_first) != 0, at_d, second_first) &&
                         joins(solid(second_last) != 0, at_a, second_last) && joins(meeting.chord, at_a, at_d);
   if (!no_cycle) return {};
-  Way way;
-  way.meeting = meeting;
+  Combination combination;
+  combination.meeting = meeting;
   int joined = 0;
   for (unsigned x = first_first; x < second_last; ++x)
     for (unsigned y = x + 1; y < ends; ++y)
       if (reach.at(x) == Reach::port && reach.at(y) == Reach::port && strands.same(x, y)) {
-        way.joins |= end_pair(x, y);
+        combination.joins |= end_pair(x, y);
         ++joined;
       }
   const int isolated = (degree_a == 0 ? 1 : 0) + (degree_d == 0 ? 1 : 0);
-  way.cost = isolated_cost * isolated - strip_cost * (solid(first_last) + solid(second_last) + chord);
-  // The tie-break (docs/explanation/automaton.md, "Ties"): as much of the tables' own (tie_break.cpp) as can be seen
-  // from here.
-  way.tie = 64 * (chord + degree_a + degree_d) + 100 * ((degree_a == 1 ? 1 : 0) + (degree_d == 1 ? 1 : 0)) -
-            49 * joined - 53 * static_cast<int>(std::count(reach.begin(), reach.end(), Reach::ends));
-  return way;
+  combination.cost = isolated_cost * isolated - strip_cost * (solid(first_last) + solid(second_last) + chord);
+  // The tie-break (docs/explanation/automaton.md, "Ties"): the part of the tables' tie-break (tie_break.cpp) that can
+  // be evaluated here.
+  combination.tie = 64 * (chord + degree_a + degree_d) + 100 * ((degree_a == 1 ? 1 : 0) + (degree_d == 1 ? 1 : 0)) -
+                    49 * joined - 53 * static_cast<int>(std::count(reach.begin(), reach.end(), Reach::ends));
+  return combination;
 }
 
 Meetings::Meetings() : number_of_(place_of(case_codes, 0, false), -1) {
   for (const Case first : all_cases)
     for (const Case second : all_cases)
       for (const bool chord : {false, true})
-        if (const auto way = way_of({first, second, chord})) ways_.push_back(*way);
-  std::stable_sort(ways_.begin(), ways_.end(), [](const Way& x, const Way& y) { return x.tie < y.tie; });
-  for (std::size_t i = 0; i < ways_.size(); ++i) {
-    const Meeting& m = ways_[i].meeting;
+        if (const auto combination = combination_of({first, second, chord})) combinations_.push_back(*combination);
+  std::stable_sort(combinations_.begin(), combinations_.end(),
+                   [](const Combination& x, const Combination& y) { return x.tie < y.tie; });
+  for (std::size_t i = 0; i < combinations_.size(); ++i) {
+    const Meeting& m = combinations_[i].meeting;
     number_of_[place_of(m.first, m.second, m.chord)] = static_cast<int>(i);
   }
 }
@@ -136,9 +137,9 @@ std::size_t Meetings::best(const Arc& first, const Arc& second) const {
       for (const bool chord : {false, true}) {
         const int number = number_of_[place_of(x.arc, y.arc, chord)];
         if (number < 0) continue;
-        const Way& way = ways_[static_cast<std::size_t>(number)];
-        if ((way.joins & ~joined) != 0) continue;
-        const std::pair found{x.cost + y.cost + way.cost, number};
+        const Combination& combination = combinations_[static_cast<std::size_t>(number)];
+        if ((combination.joins & ~joined) != 0) continue;
+        const std::pair found{x.cost + y.cost + combination.cost, number};
         if (!best || found < *best) best = found;
       }
   if (!best) throw std::logic_error("two arcs without a sound recolouring");

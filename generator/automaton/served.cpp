@@ -32,7 +32,7 @@ bool are_neighbours(const Side& side, unsigned one, unsigned other) {
 
 enum class Fan { closed, open };
 
-/// The fan that a side is: one port at each triangle, each beside the next.
+/// The fan formed by a side: one port at each triangle, each next to the previous one.
 std::optional<Fan> fan_of(const Side& side) {
   if (side.ports() != side.nodes) return {};
   std::vector<unsigned> sorted = side.owner;
@@ -46,7 +46,7 @@ std::optional<Fan> fan_of(const Side& side) {
              : std::nullopt;
 }
 
-/// At all its positions.
+/// The same for all its positions.
 Fan fan_of(const Description& family) {
   std::optional<Fan> fan;
   const std::vector<Position> positions = positions_up_to(family, most_ports);
@@ -61,7 +61,7 @@ Fan fan_of(const Description& family) {
   return *fan;
 }
 
-/// How many triangles there are after the operation, at all positions that were looked at.
+/// The number of triangles after the operation, valid at all checked positions.
 Sum triangles_after(const Description& family) {
   Sum all;
   const auto add = [&](const std::optional<Stretch::Range>& range) {
@@ -76,7 +76,7 @@ Sum triangles_after(const Description& family) {
   else
     for (const Chain& chain : std::get<SidePattern>(family.after).chains)
       for (const Stretch& stretch : chain.elements) add(stretch.range);
-  // A range that ends before it begins is empty, and the sum is less.
+  // A range that ends before it begins is empty, and the sum is smaller.
   for (const Position& position : positions_up_to(family, most_ports))
     if (const unsigned nodes = make_patch(position).after.nodes; all.at(position.numbers()) != static_cast<int>(nodes))
       refuse(family, fmt::format("{} has {} triangles after the operation, but its ranges as a sum give {}",
@@ -84,7 +84,7 @@ Sum triangles_after(const Description& family) {
   return all;
 }
 
-/// "k + 2 * i - 1", where the numbers are named by their places.
+/// "k + 2 * i - 1", with the numbers' names by index.
 constexpr std::array<const char*, 3> number_names{"k", "i", "j"};
 std::string text_of(const Sum& sum) {
   std::string text;
@@ -100,7 +100,7 @@ std::string text_of(const Sum& sum) {
   return text.empty() ? "0" : text;
 }
 
-/// The parameters of a look-up: those that the number of ports depends on have their names in the call.
+/// The parameters of a look-up: only the ones on which the number of ports depends have a name in the call.
 std::string parameters_of(const Description& family, const Sum& size) {
   std::string parameters;
   for (std::size_t i = 0; i < family.numbers.size(); ++i)
@@ -109,7 +109,7 @@ std::string parameters_of(const Description& family, const Sum& size) {
   return parameters;
 }
 
-/// The look-up of a fan that keeps every port, by the shipped automaton, by masks and by bit strings.
+/// The look-up of a fan that keeps every port, by the shipped automaton, for masks and for bit strings.
 std::string fan_header(const Description& family) {
   const bool closed = fan_of(family) == Fan::closed;
   const Sum size = triangles_after(family);
@@ -156,7 +156,7 @@ void make_served_headers(const std::vector<std::string>& files, const std::strin
   for (const std::string& file : files)
     for (const Description& family : read_descriptions(file)) {
       if (std::count(paths.begin(), paths.end(), path_of(family)) != 0)
-        throw std::runtime_error(fmt::format("{}: another of these files is named {} as well", file, family.name));
+        throw std::runtime_error(fmt::format("{}: another of these files has the name {}", file, family.name));
       paths.emplace_back(path_of(family));
       made.push_back({paths.back(), served_header(family)});
     }

@@ -8,11 +8,11 @@
 
 namespace restrip::generator {
 
-/// A header with the look-up of such a family, which asks restrip/rules/exact.hpp. Throws std::runtime_error with the
+/// A header with the look-up of such a family, which uses restrip/rules/exact.hpp. Throws std::runtime_error with the
 /// reason if the automaton does not answer the family.
 [[nodiscard]] std::string served_header(const Description& family);
 
-/// Writes that of every description in these files, all at once, and says so on standard output.
+/// Writes the headers of all descriptions in these files, all at once, and reports on standard output.
 void make_served_headers(const std::vector<std::string>& files, const std::string& out);
 
 }  // namespace restrip::generator

@@ -62,16 +62,16 @@ HEADERS = {
     ],
     "layout": [
         ("where the rows of a table start", f"{TABLES}/rows.hpp", token("6, 7, 11, 0,", "6, 7, 10, 0,"), "split", "table split k "),
-        ("the format of automata", f"{TABLES}/automaton_format.hpp", token("solid = 3", "solid = 2"), "automaton", "the certificate's answers make it"),
+        ("the format of automata", f"{TABLES}/automaton_format.hpp", token("solid = 3", "solid = 2"), "automaton", "the certificate's answers give"),
     ],
     "readers": [
         ("the look-up in tables", f"{RULES}/rules.hpp", token("const std::size_t by = exchange ? a : 0;", "const std::size_t by = exchange ? k : 0;"), "split", "table split k "),
-        ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers make it"),
+        ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers give"),
     ],
     "stated": [
         ("the strips that a rule states", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table states "),
         ("the isolated triangles that a flip states", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, but there are"),
-        ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers make it"),
+        ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers give"),
     ],
 }
 # For a single operation, by the command of docs/tutorials/custom-operation.md.

@@ -81,7 +81,7 @@ std::vector<FanPlace> all_places(unsigned k) {
 
 std::string FanKey::text() const { return fmt::format("ports {:x} joined {:x}", ports, joined); }
 
-/// An arc with the class behind each of its letters.
+/// An arc with the class after each of its letters.
 class AutomatonReader::Walk {
  public:
   Walk(const AutomatonCertificate& certificate, const std::string& word)
@@ -123,7 +123,7 @@ AutomatonAnswer AutomatonReader::two_arcs(const FanPlace& place, const FanKey& k
   const AutomatonMeeting& meeting = certificate_.meeting(x.arc_class(), y.arc_class());
   const LinkColors inside = x.links(meeting.first);
   const LinkColors outside = y.links(meeting.second);
-  const std::size_t above = place.k - first_to;  // triangles behind D
+  const std::size_t above = place.k - first_to;  // triangles after D
   LinkColors colors;
   if (ring) {
     append(colors, inside, 0, inside.size());

@@ -14,7 +14,7 @@ class ColoredArc {
     return true;
   }
 
-  /// From port to port, along the links to the right.
+  /// Follows strands from port to port, along the links to the right.
   bool joins_only_what_it_may() const {
     for (std::size_t i = 0; i < word_.size(); ++i) {
       if (!has_port(word_[i])) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// Arcs by their definition (docs/explanation/automaton.md): triangles in a row, every colouring of the dual edges
-// between them tried, every strand walked.
+// Arcs by their definition (docs/explanation/automaton.md): triangles in a row; every colouring of the dual edges
+// between them is tried, and every strand walked.
 
 #include <array>
 #include <compare>
@@ -17,7 +17,7 @@ namespace restrip::verify {
 inline constexpr int strip_cost = 1000;
 inline constexpr int isolated_cost = 1;
 
-/// The letters of arcs: a triangle whose port is dashed; solid; solid and joined to the solid port before it. And the
+/// The letters of arcs: a triangle whose port is dashed; solid; solid and joined to the solid port before it; and the
 /// boundary of the mesh.
 inline constexpr std::string_view letters = "dsSb";
 constexpr bool is_boundary(char letter) { return letter == 'b'; }
@@ -26,12 +26,13 @@ constexpr bool is_joined(char letter) { return letter == 'S'; }
 inline bool has_boundary(std::string_view word) { return word.find('b') != std::string_view::npos; }
 /// The letters of the solid ports of an arc.
 std::string ports_in(std::string_view word);
-/// What of the ports of an arc says which pairs of end ports are joined before, whatever the other arc: how many there
-/// are, up to three; whether the first is joined to the one before it; whether there are two and they are joined.
+/// The properties of an arc's ports that determine which pairs of end ports are joined before, whatever the other arc:
+/// their number, up to three; whether the first is joined to the one before it; whether there are two and they are
+/// joined.
 std::string end_ports(std::string_view word);
 
-/// What the strands over the two links of an arc do, a character for each: `-` dashed; `e` it ends inside the arc; `p`
-/// it leaves by a port; `t` it leaves by the other link.
+/// The strands over the two links of an arc, a character for each: `-`: dashed; `e`: ends inside the arc; `p`: leaves
+/// by a port; `t`: leaves by the other link.
 struct Case {
   char left = '-';
   char right = '-';
@@ -39,7 +40,7 @@ struct Case {
   std::string text() const { return {left, right}; }
 };
 
-/// Cases are numbered left reach first, in the order of `reaches`; then comes `tt`.
+/// Cases are numbered by left reach first, in the order of `reaches`; `tt` comes last.
 inline constexpr std::string_view reaches = "-ep";
 inline constexpr std::size_t case_count = 10;
 inline constexpr std::size_t both_dashed = 0;
@@ -48,24 +49,23 @@ constexpr Case case_at(std::size_t number) {
   if (number == through) return {'t', 't'};
   return {reaches[number / reaches.size()], reaches[number % reaches.size()]};
 }
-/// The place of a case among all; nullopt for anything else.
+/// The number of a case; nullopt for anything else.
 std::optional<std::size_t> number_of(Case c);
 
-/// By case; nullopt where no colouring has the case.
+/// By case; nullopt if no colouring has the case.
 using Costs = std::array<std::optional<int>, case_count>;
-/// The least of them; there must be one.
+/// The least cost; at least one must exist.
 int least_of(const Costs& costs);
 Costs shifted(Costs costs, int by);
 
-/// A colouring of an arc. Its links are bits 0 … of `links`, from the left one to the right one, one more than the arc
-/// has letters.
+/// A colouring of an arc. Its links are bits 0 … of `links`, from left to right, one more than the letters of the arc.
 struct ArcColoring {
-  bool sound = false;  ///< degrees at most two, no edge over the boundary, no ports joined but those that letters join
+  bool sound = false;  ///< degrees at most two, no edge over the boundary, only ports joined that the letters join
   std::size_t arc_case = 0;
-  /// The right link is not counted, it is the left link of what follows. A solid edge saves a strip.
+  /// The right link is not counted: it is the left link of the next arc. A solid edge saves a strip.
   int cost = 0;
 };
-/// The other members say nothing of a colouring that is not sound.
+/// The other members are undefined for a colouring that is not sound.
 ArcColoring arc_coloring(std::string_view word, Mask links);
 
 }  // namespace restrip::verify

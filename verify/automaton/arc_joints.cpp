@@ -34,9 +34,9 @@ void ArcJoints::observe(const std::string& word, Mask links, bool may_be_new) {
   const auto fail = [&](const char* what) {
     failures_.add(fmt::format("the arc {} with the links {:x}: {}", word, links, what));
   };
-  if (whole.sound && whole.cost != arc.cost + alone.cost) fail("its cost is not that of its parts");
-  if (known && *known != seen) fail("the cases of its parts do not tell the case of the whole");
-  if (!known && !may_be_new) fail("cases that shorter arcs do not have");
+  if (whole.sound && whole.cost != arc.cost + alone.cost) fail("its cost is not the sum of its parts' costs");
+  if (known && *known != seen) fail("the cases of its parts do not determine the case of the whole");
+  if (!known && !may_be_new) fail("it has cases that shorter arcs do not have");
   known = seen;
 }
 

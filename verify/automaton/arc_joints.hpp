@@ -1,5 +1,5 @@
 #pragma once
-// An arc and a letter behind it: what becomes of their cases is observed in all short arcs.
+// How the cases of an arc and of a following letter combine, observed in all short arcs.
 
 #include <cstdint>
 #include <optional>
@@ -11,21 +11,21 @@
 
 namespace restrip::verify {
 
-/// An arc and a letter behind it.
+/// An arc followed by a letter.
 struct ArcJoint {
   bool sound = false;
   std::size_t arc_case = 0;
   friend bool operator==(const ArcJoint&, const ArcJoint&) = default;
 };
 
-/// What becomes of the case of an arc and that of a letter behind it: read off all colourings of all words of up to
-/// `longest` letters. It is a failure when two colourings with the same cases disagree, in the case of the whole, in
-/// what it costs or in soundness, or when the longest words show something new.
+/// The combination of the cases of an arc and a following letter, observed in all colourings of all words of up to
+/// `longest` letters. It is a failure if two colourings with the same cases disagree in the case of the whole, its cost
+/// or its soundness, or if the longest words show a new combination.
 class ArcJoints {
  public:
   explicit ArcJoints(std::size_t longest);
 
-  /// Nothing where links of different colours meet.
+  /// Empty if links of different colours meet.
   const std::optional<ArcJoint>& at(std::size_t arc_case, std::size_t own_case, char letter) const {
     return joints_[place(arc_case, own_case, letter)];
   }

@@ -22,7 +22,7 @@ class SmallGraph {
   }
   std::size_t degree(std::size_t x) const { return neighbors_[x].size(); }
 
-  /// Where the strip that starts at this node of degree one ends; marks what it passes.
+  /// The end of the strip that starts at this node of degree one; marks the nodes on it.
   std::size_t walk(std::size_t from, std::vector<bool>& visited) const {
     visited[from] = true;
     for (std::size_t at = from;;) {
@@ -34,7 +34,7 @@ class SmallGraph {
     }
   }
 
-  /// With degrees at most two: whether some nodes lie on no strip that has an end, or two edges join the same nodes.
+  /// For degrees at most two: whether some nodes lie on no strip with an end, or two edges join the same nodes.
   bool has_cycle() const {
     std::vector<bool> visited(neighbors_.size(), false);
     for (std::size_t node = 0; node < neighbors_.size(); ++node)
@@ -55,7 +55,7 @@ struct PortNode {
   ArcEnd end = first_left;
 };
 
-/// Adds what a case does between its left and its right neighbour.
+/// Adds the strands of a case between its left and its right neighbour.
 void add_arc(SmallGraph& graph, Case c, std::size_t left, std::size_t right, bool second,
              std::vector<PortNode>& ports) {
   if (c.left == 't') {
@@ -96,8 +96,8 @@ ArcWay way_around(std::size_t first, std::size_t second, bool chord) {
   return way;
 }
 
-/// The two links are one edge: a strand over it that leaves by ports at both ends joins them, one that goes through is
-/// a cycle.
+/// The two links are one edge: a strand over it that leaves by ports at both ends joins them, and one that goes through
+/// is a cycle.
 ArcWay way_closed(std::size_t c) {
   const Case k = case_at(c);
   ArcWay way;
@@ -121,7 +121,7 @@ ArcWays::ArcWays() {
 
 namespace {
 
-/// The solid ports of the ring, and those that two links reach: the nearest solid ones of their arcs.
+/// The solid ports of the ring, and the ports that two links reach: the nearest solid ones of their arcs.
 struct RingPorts {
   std::string ring;
   std::vector<std::size_t> places;

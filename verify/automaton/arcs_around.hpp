@@ -1,6 +1,6 @@
 #pragma once
-// Two arcs around A and D, laid down as a small graph: of each arc only its case is there, a strand over each solid
-// link that ends, leaves by a port or goes through. And one arc whose links meet each other.
+// Two arcs around A and D as a small graph. Each arc is represented by its case: a strand over each solid link that
+// ends, leaves by a port or goes through. Also one arc whose links meet each other.
 
 #include <string_view>
 #include <vector>
@@ -15,14 +15,14 @@ enum ArcEnd : unsigned { first_left, first_right, second_left, second_right };
 /// Pairs of links as bits.
 Mask pair_of_ends(unsigned one, unsigned other);
 
-/// Two cases put together.
+/// A combination of two cases.
 struct ArcWay {
   bool legal = false;  ///< degrees at most two, no cycle
-  int cost = 0;        ///< of what no arc counts
+  int cost = 0;        ///< cost not counted in the arcs
   Mask joined = 0;     ///< pairs of links whose strands leave by ports and are joined
 };
 
-/// All ways to put arcs together. Cases by number.
+/// All combinations of arcs. Cases by number.
 class ArcWays {
  public:
   ArcWays();
@@ -40,9 +40,9 @@ class ArcWays {
 };
 
 /// Whether, in the ring A, first, D, second of these letters, the ports that two links reach are joined before the
-/// operation. A solid port may be joined to the solid port before it in the ring, as its letter says.
+/// operation. A solid port may be joined to the solid port before it in the ring, according to its letter.
 bool joined_before(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other);
-/// All pairs of links of which that is true.
+/// All pairs of links for which that is true.
 Mask pairs_joined_before(std::string_view first, std::string_view second);
 
 }  // namespace restrip::verify

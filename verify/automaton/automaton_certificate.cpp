@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<const char*, 1> row_claim_words = {"rows"};
 
-/// Reads the rows of one section after the other, and counts them.
+/// Reads the rows of each section and counts them.
 class Parser {
  public:
   Parser(LineReader& reader, AutomatonCertificate& result) : reader_(reader), result_(result) {}
@@ -48,7 +48,7 @@ class Parser {
   static constexpr std::int64_t most_cost = 100 * strip_cost;
   static constexpr std::int64_t most_classes = 65535;
 
-  /// The head of a section, and the first line behind it, which starts with `first_row`.
+  /// Reads the head of a section, and the first line after it, which starts with `first_row`.
   void begin_section(const std::string& name, const char* first_row) {
     std::array<StatedClaim, 1> claims;
     const std::array<const char*, 1> rows = {first_row};
@@ -57,7 +57,7 @@ class Parser {
     section_start_ = result_.rows;
     claimed_ = static_cast<std::size_t>(claims[0].number);
   }
-  /// The section must have had as many rows as its head claims.
+  /// The number of rows of the section must equal the claim in its head.
   void end_section() const {
     if (const std::size_t found = result_.rows - section_start_; found != claimed_)
       reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", section_, claimed_, found));
@@ -94,7 +94,7 @@ class Parser {
     return *number;
   }
 
-  /// A row or column of meetings: the next new one, or one that was there before.
+  /// A row or column of meetings: the next new one, or an earlier one.
   std::optional<std::size_t> line_at(std::size_t word, bool wanted, std::size_t& lines) {
     if (!wanted) {
       if (reader_.words()[word] != "-") reader_.fail(fmt::format("expected -, found \"{}\"", reader_.words()[word]));
@@ -159,14 +159,14 @@ class Parser {
     }
   }
 
-  /// Every step leads to a class that is there, and says where each of its cases came from.
+  /// Every step must lead to an existing class and give the origin of each of its cases.
   void check_targets() const {
     for (std::size_t c = 0, n = 0; c < result_.classes.size(); ++c)
       for (const auto& step : result_.classes[c].steps) {
         const Mask given = given_[n++];
         if (!step) continue;
         if (step->to >= result_.classes.size())
-          throw InputError(result_.file, step->line, fmt::format("there is no class {}", step->to));
+          throw InputError(result_.file, step->line, fmt::format("class {} does not exist", step->to));
         Mask wanted = 0;
         for (unsigned k = 0; k < case_count; ++k)
           if (result_.classes[step->to].costs[k]) wanted |= single(k);
@@ -209,7 +209,7 @@ class Parser {
   LineReader& reader_;
   AutomatonCertificate& result_;
   std::string section_;
-  std::size_t section_start_ = 0;  ///< rows before it
+  std::size_t section_start_ = 0;  ///< number of the rows before it
   std::size_t claimed_ = 0;
   std::vector<Mask> given_;  ///< cases with an origin, by class and letter
   std::size_t meeting_rows_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
 // The automaton's certificate in memory, and its parser (docs/explanation/automaton.md, "Certificate"). The parser
-// settles form: every row that must be there, in its order, and no other. Whether a row is true is checked elsewhere.
+// checks form: exactly the required rows, in order. The truth of rows is checked elsewhere.
 
 #include <array>
 #include <cstddef>
@@ -15,16 +15,16 @@ namespace restrip::verify {
 struct AutomatonStep {
   std::size_t to = 0;
   int cost = 0;
-  std::array<std::size_t, case_count> from{};  ///< for each case that `to` has
+  std::array<std::size_t, case_count> from{};  ///< for each case of `to`
   unsigned line = 0;
 };
 
 struct AutomatonClass {
   std::string witness;
-  std::optional<std::size_t> as_first;   ///< its row of meetings; not of the empty arc, nor with the boundary inside
-  std::optional<std::size_t> as_second;  ///< its column; not of the empty arc
+  std::optional<std::size_t> as_first;   ///< its row of meetings; empty for the empty arc and with the boundary inside
+  std::optional<std::size_t> as_second;  ///< its column; empty for the empty arc
   Costs costs;
-  std::vector<std::optional<AutomatonStep>> steps;  ///< by place of the letter; no boundary behind a boundary
+  std::vector<std::optional<AutomatonStep>> steps;  ///< by letter; none for a boundary after a boundary
   unsigned line = 0;
 
   bool has_boundary() const { return verify::has_boundary(witness); }
@@ -55,13 +55,13 @@ struct AutomatonCertificate {
     const auto& found = classes[c].steps[letters.find(letter)];
     return found ? &*found : nullptr;
   }
-  /// The meeting of two classes, which must be able to be the first and the second arc.
+  /// The meeting of two classes that can be the first and the second arc.
   const AutomatonMeeting& meeting(std::size_t first, std::size_t second) const {
     return meetings[classes[first].as_first.value()][classes[second].as_second.value()];
   }
 };
 
-/// InputError when anything is not as docs/explanation/automaton.md says.
+/// Throws InputError if anything differs from docs/explanation/automaton.md.
 AutomatonCertificate parse_automaton(const std::string& file, std::string text);
 
 }  // namespace restrip::verify

@@ -14,7 +14,7 @@ namespace {
 
 using NumbersOf = std::vector<std::uint64_t>;
 
-/// A case in the four bits that restrip/tables/automaton_format.hpp gives it.
+/// A case in the four-bit code of restrip/tables/automaton_format.hpp.
 std::uint64_t coded(std::size_t number) {
   constexpr std::string_view reach = "-ept";
   const Case wanted = case_at(number);
@@ -60,7 +60,7 @@ class AutomatonDumpReader {
   void compare(std::uint64_t found, std::uint64_t stated, unsigned line, const Where& where) {
     ++check_.numbers;
     if (found != stated)
-      check_.wrong_numbers.add(fmt::format("{}: the table holds {}, line {} of {} makes it {}\n", where(), found, line,
+      check_.wrong_numbers.add(fmt::format("{}: the table holds {}, but line {} of {} gives {}\n", where(), found, line,
                                            certificate_.file, stated));
   }
 
@@ -123,8 +123,8 @@ class AutomatonDumpReader {
       }
       check_.keys += keys;
       if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, told); line != right)
-        check_.wrong_answers.add(fmt::format("line {}: the certificate's answers make it\n  {}\nfound\n  {}\n",
-                                             lines_.number(), right, line));
+        check_.wrong_answers.add(
+            fmt::format("line {}: the certificate's answers give\n  {}\nfound\n  {}\n", lines_.number(), right, line));
     }
   }
 

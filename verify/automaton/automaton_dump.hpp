@@ -1,7 +1,7 @@
 #pragma once
-// Checks a compiled automaton, as a program prints its numbers and digests of its answers (docs/reference/verifiers.md,
-// "Dump of the automaton"): each number that a look-up can come to must be what the certificate's rows say, and the
-// digests must be those of the certificate's own answers.
+// Checks a compiled automaton, given a program's output of its numbers and of digests of its answers
+// (docs/reference/verifiers.md, "Dump of the automaton"): each number that a look-up can use must agree with the
+// certificate's rows, and the digests must equal the digests of the certificate's answers.
 
 #include <cstdint>
 #include <cstdio>
@@ -13,17 +13,17 @@
 namespace restrip::verify {
 
 struct AutomatonDumpCheck {
-  std::uint64_t numbers = 0;  ///< compared with rows of the certificate
-  std::uint64_t keys = 0;     ///< whose answers were compared, by digests
+  std::uint64_t numbers = 0;  ///< numbers compared with rows of the certificate
+  std::uint64_t keys = 0;     ///< keys whose answers were compared, by digests
   Failures wrong_numbers;
   Failures wrong_answers;
-  std::string fault;  ///< why the dump could not be read to its end; empty when it could
+  std::string fault;  ///< why the dump could not be read to its end; otherwise empty
 };
 
 /// Reads a dump with the answers of fans of up to `max_k` triangles to its end.
 AutomatonDumpCheck check_automaton_dump(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k);
 
-/// Runs the program and checks what it prints.
+/// Runs the program and checks its output.
 AutomatonDumpCheck check_automaton_dump_of(const std::string& program, const AutomatonCertificate& certificate,
                                            unsigned max_k);
 

@@ -9,11 +9,12 @@
 namespace restrip::verify {
 namespace {
 
-/// The words that joints are read off, and the longest arc of a kind before the kinds are said not to close.
+/// The longest words from which joints are observed, and the longest arc of a kind before the kinds are reported not to
+/// close.
 constexpr std::size_t longest_joint = 6;
 constexpr std::size_t longest_kind = 100;
 
-/// They depend on no certificate.
+/// They do not depend on any certificate.
 const ArcJoints& all_joints() {
   static const ArcJoints joints(longest_joint);
   return joints;
@@ -21,8 +22,8 @@ const ArcJoints& all_joints() {
 
 std::string name_of(const std::string& word) { return word.empty() ? "-" : word; }
 
-/// The first of the shortest arcs of each class, found from the steps breadth first; none for a class that no arc leads
-/// to.
+/// The first of the shortest arcs of each class, found breadth first from the steps; empty for a class to which no arc
+/// leads.
 std::vector<std::optional<std::string>> shortest_arcs(const AutomatonCertificate& certificate) {
   std::vector<std::optional<std::string>> shortest(certificate.classes.size());
   std::deque<std::size_t> waiting{0};
@@ -42,11 +43,11 @@ std::vector<std::optional<std::string>> shortest_arcs(const AutomatonCertificate
 ClassCheck::ClassCheck(const AutomatonCertificate& certificate)
     : certificate_(certificate),
       joints_(all_joints()),
-      claims_{{"an arc and a letter behind it matter by their cases", "all colourings of all arcs of up to 6", 0, {}},
+      claims_{{"an arc and a following letter matter by their cases", "all colourings of all arcs of up to 6", 0, {}},
               {"each witness is a shortest arc of its class", "steps followed, breadth first", 0, {}},
               {"the values are the least costs", "arcs put together letter by letter", 0, {}},
               {"what a letter costs", "the same", 0, {}},
-              {"every case comes from the case that is named", "the same, without the last letter", 0, {}},
+              {"every case comes from the stated case", "the same, without the last letter", 0, {}},
               {"every meeting is sound and best", "all pairs of cases around A and D", 0, {}},
               {"every closing is sound and best", "all cases around a closed fan", 0, {}}} {
   claims_[joints].cases = joints_.colorings();
@@ -105,7 +106,7 @@ std::size_t ClassCheck::place_of(const std::string& word, const Costs& absolute,
   return place->second;
 }
 
-/// An arc with one letter more, and the cases without the letter that its least costs come from.
+/// An arc with one more letter, and the cases without the letter from which its least costs come.
 struct ClassCheck::Longer {
   Costs costs;
   std::array<Mask, case_count> from{};
@@ -170,12 +171,12 @@ void ClassCheck::explore() {
   if (arcs_[0].offset != 0) fail(values, certificate_.classes[0].line, "wrong value: the empty arc costs nothing");
   for (std::size_t at = 0; at < arcs_.size(); ++at)
     for (const char letter : letters) {
-      // A class with the boundary inside that an arc without it is given has been told.
+      // A class with the boundary inside, assigned to an arc without it, has been reported.
       if (certificate_.step(arcs_[at].arc_class, letter) == nullptr) continue;
       if (is_boundary(letter) && has_boundary(arcs_[at].word)) continue;
       if (arcs_[at].word.size() >= longest_kind) {
         fail(values, certificate_.classes[arcs_[at].arc_class].line,
-             fmt::format("the arcs do not close: {} is still a new one", arcs_[at].word));
+             fmt::format("the arcs do not close: {} is still new", arcs_[at].word));
         return;
       }
       check_step(at, letter);

@@ -1,6 +1,6 @@
 #pragma once
-// The classes of a certificate against arcs by their definition, for arcs of any length (docs/explanation/automaton.md,
-// "What is verified").
+// Checks the classes of a certificate against arcs by their definition, for arcs of any length
+// (docs/explanation/automaton.md, "What is verified").
 
 #include <cstdint>
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace restrip::verify {
 
-/// A claim of the certificate, how often it was tested and how often it failed.
+/// A claim of the certificate, with the number of tests and of failures.
 struct AutomatonClaim {
   const char* claim = "";
   const char* method = "";
@@ -23,16 +23,16 @@ struct AutomatonClaim {
   Failures failures;
 };
 
-/// Arcs distinguished by what each case costs at least and by their end ports, together with the class that the
-/// certificate gives them: finitely many, which together are all arcs.
+/// Arcs distinguished by the least cost of each case and by their end ports, together with the class that the
+/// certificate assigns to them: finitely many kinds, which include all arcs.
 struct ArcKind {
-  std::string word;  ///< a shortest one
+  std::string word;  ///< one of the shortest
   std::string ports;
-  Costs costs;                                       ///< less the least of them
-  std::vector<std::pair<std::size_t, int>> entries;  ///< the same, those that there are
+  Costs costs;                                       ///< minus the least of them
+  std::vector<std::pair<std::size_t, int>> entries;  ///< the same, existing ones only
   std::size_t arc_class = 0;
-  int offset = 0;          ///< what costs are more than the certificate's values
-  bool comparable = true;  ///< false where they differ in other ways, which has been told
+  int offset = 0;          ///< their excess over the certificate's values
+  bool comparable = true;  ///< false if they differ by more than an offset, which has been reported
 };
 
 class ClassCheck {
@@ -48,7 +48,7 @@ class ClassCheck {
 
   void check_witnesses();
   void explore();
-  /// The place of an arc among all; it is new when nothing like it was seen.
+  /// The index of an arc's kind; it is new if no equal one was seen.
   std::size_t place_of(const std::string& word, const Costs& absolute, std::size_t arc_class);
   Longer longer(const ArcKind& arc, char letter) const;
   void check_step(std::size_t at, char letter);

@@ -13,7 +13,7 @@
 namespace restrip::verify {
 namespace {
 
-/// Every mask within another one.
+/// Visits every submask of a mask.
 template <class Visit>
 void for_each_submask(Mask mask, Visit&& visit) {
   for (Mask part = mask;; part = (part - 1) & mask) {
@@ -50,7 +50,7 @@ class PortsCheck {
     std::vector<int> least(mask_count(place_.k), std::numeric_limits<int>::max());
     for (const FanSearch::Sound& coloring : colorings_)
       least[coloring.joins] = std::min(least[coloring.joins], coloring.cost);
-    // What is sound for a key is sound for a key that joins more.
+    // A recolouring sound for a key is sound for a key that joins more.
     for (unsigned port = 0; port < place_.k; ++port)
       for (Mask joined = 0; joined < mask_count(place_.k); ++joined)
         if (is_solid(joined, port)) least[joined] = std::min(least[joined], least[joined & ~single(port)]);
@@ -66,7 +66,7 @@ class PortsCheck {
       if (found == nowhere || !is_subset(colorings_[found].joins, joined))
         wrong("is not sound");
       else if (colorings_[found].cost != answer.cost)
-        wrong("does not cost what is stated");
+        wrong("does not have the stated cost");
       else if (answer.cost != least[joined])
         wrong("is not the best");
     });
@@ -114,7 +114,7 @@ FanCheck check_against_rows(const AutomatonCertificate& certificate, const Famil
       check.same += answer.inner == row.after.inner ? 1U : 0U;
       if (answer.cost != isolated_cost * static_cast<int>(of_row.isolated) -
                              strip_cost * static_cast<int>(solid_count(row.after.inner)))
-        check.failures.add(fmt::format("{}:{}: {}, {} is worth another answer than this rule", rows.file, row.line,
+        check.failures.add(fmt::format("{}:{}: {}, the answer {} differs in value from this rule", rows.file, row.line,
                                        place.text(), key.text()));
     }
   }

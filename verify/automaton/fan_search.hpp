@@ -1,5 +1,5 @@
 #pragma once
-// The best sound recolouring of a fan for every key, by plain search: every colouring tried, every strip walked.
+// The best sound recolouring of a fan for every key, by plain search: every colouring is tried, and every strip walked.
 
 #include <optional>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace restrip::verify {
 
-/// A colouring of the inner edges of a patch: degrees at most two and no cycle, ports left out.
+/// A colouring of the inner edges of a patch without ports: degrees at most two and no cycle.
 struct InnerColoring {
   Mask inner = 0;
   Mask full = 0;                                      ///< ports of triangles with two solid inner edges
@@ -25,14 +25,14 @@ class FanSearch {
   /// A recolouring that is sound for some key with certain ports.
   struct Sound {
     Mask inner = 0;
-    Mask joins = 0;  ///< the key's bits of what it joins
-    int cost = 0;    ///< less the restarts of all triangles
+    Mask joins = 0;  ///< the key's bits for its joins
+    int cost = 0;    ///< minus the restarts of all triangles
   };
   std::vector<Sound> colorings(Mask ports) const;
 
-  /// The bits that `joined` may have: solid ports that have a predecessor.
+  /// The possible bits of `joined`: solid ports with a predecessor.
   Mask joinable(Mask ports) const;
-  /// Where each of two ports precedes the other, a key has both bits or none.
+  /// If each of two ports precedes the other, a key has both bits or none.
   bool two_in_ring(Mask ports) const { return place_.closed() && solid_count(ports) == 2; }
   Mask end_of_inner() const { return mask_count(static_cast<unsigned>(inner_.size())); }
 

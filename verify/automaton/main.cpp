@@ -1,5 +1,5 @@
-// restrip-verify-automaton: proves the certificate of an automaton, for fans of any valence, from
-// docs/reference/notation.md and docs/explanation/automaton.md alone.
+// restrip-verify-automaton: proves the certificate of an automaton, for fans of any valence, using only
+// docs/reference/notation.md and docs/explanation/automaton.md.
 
 #include <fmt/format.h>
 
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
   CLI::Option* const digest_command = app.add_option(
       "--digest-command", options.digest_commands,
       "A program that prints digests of the answers of a look-up in another language "
-      "(docs/how-to/other-languages.md); may be repeated. They are compared with those of the certificate's answers");
+      "(docs/how-to/other-languages.md); may be repeated. They are compared with digests of the certificate's answers");
   app.add_option("--digest-max-k", options.digest_max_k, "The largest fans of the digests")
       ->capture_default_str()
       ->needs(digest_command)
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   app.add_option("--max-k", options.max_k, "The largest fans that are searched as a whole")
       ->capture_default_str()
       ->check(CLI::Range(0, 12));
-  app.add_option("--every", options.every, "Of the places with k > 8 search every N-th only")
+  app.add_option("--every", options.every, "Of the places with k > 8, search only every N-th")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   add_json_option(app, json);

@@ -17,7 +17,7 @@ namespace restrip::verify {
 
 namespace {
 
-/// Tells claims one after the other, each with the time since the one before.
+/// Reports claims one after the other, each with the time since the previous one.
 class ClaimTeller {
  public:
   ClaimTeller(AutomatonTotals& totals, const ClaimListener& listener) : totals_(totals), listener_(listener) {}
@@ -70,7 +70,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   const std::string path = certificate_of(options, "automaton");
   const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
   tell_classes(certificate, totals, teller);
-  // Answers are read through steps and meetings that belong together only if all of that holds.
+  // Steps and meetings are consistent only if all claims above hold; answers rely on that.
   if (totals.failed != 0) return totals;
 
   if (!options.dump_command.empty())

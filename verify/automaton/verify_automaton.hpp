@@ -1,5 +1,5 @@
 #pragma once
-// The certificate of the automaton from top to bottom.
+// The complete verification of the automaton's certificate.
 
 #include <string>
 
@@ -11,8 +11,8 @@ namespace restrip::verify {
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
-  std::string dump_command;                    ///< prints the compiled automaton; empty: it is not read
-  std::vector<std::string> digest_commands;    ///< programs that print digests of what look-ups answer
+  std::string dump_command;                    ///< prints the compiled automaton; empty: not read
+  std::vector<std::string> digest_commands;    ///< programs that print digests of the answers of look-ups
   unsigned digest_max_k = largest_digest_fan;  ///< the largest fans of digests
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
   unsigned max_k = 10;                  ///< the largest fans that are searched
@@ -25,10 +25,10 @@ struct AutomatonTotals {
   std::uint64_t classes = 0;
   std::uint64_t rows = 0;
   Sources read;
-  std::uint64_t kinds = 0;  ///< of arcs, distinguished by what is best for each case, ports and class
+  std::uint64_t kinds = 0;  ///< of arcs, distinguished by the best cost of each case, ports and class
 };
 
-/// Checks the certificate; calls the listener for each claim. InputError when a file cannot be read.
+/// Checks the certificate; calls the listener for each claim. Throws InputError if a file cannot be read.
 AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener);
 
 }  // namespace restrip::verify

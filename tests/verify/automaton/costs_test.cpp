@@ -11,8 +11,8 @@
 namespace restrip::verify {
 namespace {
 
-// Costs are strips and isolated triangles in one number. They can be reported apart, in the certificate and in sums of
-// a few of its numbers: no cost is further from whole strips than a few isolated triangles.
+// A cost is strips and isolated triangles in one number. They can be separated, in the certificate and in sums of a few
+// of its numbers: every cost differs from whole strips by a few isolated triangles only.
 TEST(AutomatonCosts, IsolatedTrianglesNeverOutweighAStrip) {
   const std::string file = std::string(RESTRIP_TABLES_DIR) + "/certificates/automaton.cert";
   const AutomatonCertificate certificate = parse_automaton(file, read_file(file));

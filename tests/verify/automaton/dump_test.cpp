@@ -1,5 +1,5 @@
-// Claim: a dump of the automaton is accepted when every number that a look-up can come to, and every answer, is the
-// certificate's, and at no other time. The dump is made here from the numbers of the shipped header.
+// Claim: a dump of the automaton is accepted if and only if every number that a look-up can use, and every answer,
+// agrees with the certificate. The dump is made here from the numbers of the shipped header.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned max_k = 3;
 
-/// What the shipped program prints of the shipped header.
+/// The shipped program's dump of the shipped header.
 std::string shipped_dump() {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(popen(RESTRIP_DUMP " --automaton --max-k 3", "r"),
                                                                pclose);
@@ -53,8 +53,8 @@ TEST(AutomatonDump, ShippedNumbersAreTheCertificates) {
   EXPECT_EQ(found.keys, 4U * 3 + 9U * 7 + 27U * 14);
 }
 
-// Other numbers in place of every fifth, and all the rest of the lines. Those that nothing asks for may be anything;
-// the format has 0 there, and 255 where a letter is not allowed.
+// Alters every fifth number, and all other lines. Unused numbers may be anything; the format has 0 there, and 255 for a
+// letter that is not allowed.
 TEST(AutomatonDump, EveryOtherNumberIsNoticed) {
   const Shipped shipped;
   std::vector<std::string> lines;

@@ -1,6 +1,6 @@
-// Claim: the automaton's verifier notices what is wrong. The shipped certificate is altered in one row, its sums
-// brought up to date, and each alteration must fail the claim that it breaks, or be refused as not well formed. Kinds
-// of rows are altered wherever a fixed stride meets them, so that no row is picked because it is known to be noticed.
+// Claim: the automaton's verifier notices faults. One row of the shipped certificate is altered and its sums are
+// updated. Each alteration must fail the claim that it breaks, or be refused as malformed. Rows of each kind are
+// altered at a fixed stride, so that no row is chosen because it is known to be noticed.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace restrip::verify::test {
 namespace {
 
-/// What stands between these characters: lines, the empty one behind the last line break included, or words.
+/// The parts between these characters: lines, including the empty one after the last line break, or words.
 std::vector<std::string> parts_of(const std::string& text, char between) {
   std::vector<std::string> parts(1);
   for (const char c : text)
@@ -33,7 +33,7 @@ std::vector<std::string> parts_of(const std::string& text, char between) {
 std::vector<std::string> words_of(const std::string& line) { return parts_of(line, ' '); }
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-/// The text with the right last line. Whatever is not part of the frame is a row.
+/// The text with the right last line. Everything outside the frame is a row.
 std::string sealed_again(const std::vector<std::string>& lines) {
   std::string text;
   std::size_t rows = 0;
@@ -46,7 +46,7 @@ std::string sealed_again(const std::vector<std::string>& lines) {
   return text + fmt::format("end {} {} {}\n", rows, sums.plain, sums.weighted);
 }
 
-/// What the checker says first; empty when all claims hold.
+/// The checker's first message; empty if all claims hold.
 std::string verdict_of(const std::string& text) {
   try {
     const AutomatonCertificate certificate = parse_automaton("altered.cert", text);
@@ -59,10 +59,10 @@ std::string verdict_of(const std::string& text) {
   }
 }
 
-/// A change of one row; nothing where it does not apply to this row.
+/// A change of one row; empty if it does not apply to this row.
 using RowChange = std::function<std::optional<std::string>(std::vector<std::string> words)>;
 
-/// The word at this place, plus one.
+/// The word at this index, plus one.
 RowChange one_more(std::size_t word) {
   return [word](std::vector<std::string> words) {
     words[word] = std::to_string(std::stoi(words[word]) + 1);
@@ -97,7 +97,7 @@ class AutomatonRejects : public testing::Test {
 
 TEST_F(AutomatonRejects, NothingInAGoodCertificate) { EXPECT_EQ(verdict_of(sealed_again(good())), ""); }
 
-/// Another cost than that of the rows.
+/// A cost that differs from the rows.
 TEST_F(AutomatonRejects, WrongWeights) {
   expect_noticed("weights", one_more(1), "altered.cert:");
   expect_noticed("weights", one_more(2), "altered.cert:");
@@ -150,7 +150,7 @@ TEST_F(AutomatonRejects, InferiorMeetings) {
     return joined(words);
   };
   expect_noticed("meet", all_dashed, " meeting");
-  // A and D keep a solid edge each: only better can be had.
+  // A and D keep a solid edge each: dropping the chord leaves only worse meetings.
   const RowChange without_chord = [](std::vector<std::string> words) -> std::optional<std::string> {
     const bool edge_at_a = words[3][0] != '-' || words[4][1] != '-';
     const bool edge_at_d = words[3][1] != '-' || words[4][0] != '-';
@@ -192,7 +192,7 @@ TEST_F(AutomatonRejects, WrongRowsAndColumns) {
   }
 }
 
-/// Files that are not well formed: no claim is looked at.
+/// Malformed files: no claim is checked.
 TEST_F(AutomatonRejects, MalformedFiles) {
   const auto row_of = [&](const std::string& start) {
     for (std::size_t i = 0; i < good().size(); ++i)
@@ -211,7 +211,7 @@ TEST_F(AutomatonRejects, MalformedFiles) {
     return verdict_of(sealed_again(lines));
   };
   EXPECT_NE(without("weights ").find("altered.cert:"), std::string::npos);
-  EXPECT_NE(without("class 5 ").find("there is no class"), std::string::npos);
+  EXPECT_NE(without("class 5 ").find("does not exist"), std::string::npos);
   EXPECT_NE(without("value 7 ").find("altered.cert:"), std::string::npos);
   EXPECT_NE(without("step 3 s ").find("expected the letter d, found \"s\""), std::string::npos);
   EXPECT_NE(without("from 3 s ").find("for each case"), std::string::npos);
@@ -226,7 +226,7 @@ TEST_F(AutomatonRejects, MalformedFiles) {
   EXPECT_NE(with("class 2 ", "class 2 sxs 1 1").find("is not a witness"), std::string::npos);
   EXPECT_NE(with("class 2 ", "class 2 s - 1").find("expected"), std::string::npos);
   EXPECT_NE(with("class 2 ", "class 2 s 70 1").find("expected a number from 0 to 1"), std::string::npos);
-  EXPECT_NE(with("step 0 d ", "step 0 d 65000 0").find("there is no class 65000"), std::string::npos);
+  EXPECT_NE(with("step 0 d ", "step 0 d 65000 0").find("class 65000 does not exist"), std::string::npos);
   EXPECT_NE(with("value 1 --", "value 1 -- -1").find("expected a number from 0"), std::string::npos);
   EXPECT_NE(with("family ", "family split").find("expected"), std::string::npos);
   std::string bytes = sealed_again(good());
