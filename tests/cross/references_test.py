@@ -1,5 +1,6 @@
 """References in documents and comments exist: every file whose path is named, every relative link with its anchor, every heading
-that is quoted after the name of a page, every section that is cited by its number. Blocks of code in documents are not read."""
+that is quoted after the name of a page, every section that is cited by its number. Blocks of code in documents are not read.
+README and the documents stay below 8 KB and 180 KB."""
 import re
 import subprocess
 import sys
@@ -205,6 +206,10 @@ class OfTheProject(unittest.TestCase):
         project = References(ROOT).check()
         self.assertGreater(project.checked, 500)
         self.assertEqual("\n".join(project.faults), "")
+
+    def test_documents_stay_short(self):
+        self.assertLessEqual((ROOT / "README.md").stat().st_size, 8_000)
+        self.assertLessEqual(sum(page.stat().st_size for page in (ROOT / "docs").rglob("*.md")), 180_000)
 
     def test_links_of_installed_documents(self):
         if not self.cmake:
