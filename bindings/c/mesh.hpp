@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,6 +28,22 @@ struct Live {
   std::vector<Triangle> changed;  // the list of changes of the mesh
   std::vector<restrip_range> ranges;
   std::vector<restrip_range> draws;
+  std::size_t budget = 0;  // of the history; 0: no history
+  std::optional<History> history;
+
+  /// Ends a frame of the history, or starts the history. After an exception it starts again.
+  void end_frame(const StripMesh& mesh) {
+    if (budget == 0) return;
+    try {
+      if (history)
+        history->frame(mesh, changed);
+      else
+        history.emplace(mesh, budget);
+    } catch (...) {
+      history.reset();
+      throw;
+    }
+  }
 };
 
 }  // namespace restrip::c
@@ -89,8 +106,15 @@ struct restrip_mesh {
   }
 
   /// Changes colours or the whole mesh without the keeper; keeper and live buffer are updated even after an exception.
+  /// The history starts again.
   template <class Work>
   void recolor(Work&& work) {
+    if (live) live->history.reset();
+    replace(work);
+  }
+  /// The same, but the history stays.
+  template <class Work>
+  void replace(Work&& work) {
     struct Afterwards {
       restrip_mesh* self;
       ~Afterwards() {

@@ -90,6 +90,28 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
   });
 }
 
+/// Ends the frame and undoes or redoes one, if any is left.
+restrip_status step(restrip_mesh* mesh, bool forward, std::int32_t* done) {
+  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->live) return RESTRIP_NOT_LIVE;
+  return guarded([&] {
+    restrip::c::Live& live = *mesh->live;
+    live.end_frame(mesh->mesh);
+    const auto& history = live.history;
+    const bool left = history && (forward ? history->redoable() : history->undoable()) != 0;
+    if (left) {
+      try {
+        mesh->replace([&](StripMesh& own) { forward ? live.history->redo(own) : live.history->undo(own); });
+      } catch (...) {
+        live.history.reset();
+        throw;
+      }
+    }
+    *done = left ? 1 : 0;
+    return RESTRIP_OK;
+  });
+}
+
 /// Whether h is a halfedge of the mesh.
 bool known(const restrip_mesh* mesh, restrip_halfedge h) noexcept {
   return mesh != nullptr && mesh->mesh.alive(StripMesh::Halfedge{h});
@@ -514,13 +536,14 @@ restrip_status restrip_live_update_with(restrip_mesh* mesh, std::size_t merge_ga
   return guarded([&] {
     restrip::c::Live& live = *mesh->live;
     const Upload upload = live.buffer.update(mesh->mesh, live.changed, {merge_gap, align});
-    live.changed.clear();
     try {
       live.ranges = restrip::c::ranges_of(upload);
+      live.end_frame(mesh->mesh);
     } catch (...) {
       live.buffer.keep_upload();  // the next update returns them
       throw;
     }
+    live.changed.clear();
     *ranges = live.ranges.data();
     *range_count = live.ranges.size();
     if (outgrown != nullptr) *outgrown = upload.outgrown ? 1 : 0;
@@ -551,6 +574,23 @@ restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indic
   if (!mesh->live) return RESTRIP_NOT_LIVE;
   *indices = mesh->live->buffer.bytes().data();
   *count = mesh->live->buffer.size();
+  return RESTRIP_OK;
+}
+restrip_status restrip_live_history(restrip_mesh* mesh, std::size_t budget) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->live) return RESTRIP_NOT_LIVE;
+  mesh->live->budget = budget;
+  mesh->live->history.reset();
+  return RESTRIP_OK;
+}
+restrip_status restrip_live_undo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, false, done); }
+restrip_status restrip_live_redo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, true, done); }
+restrip_status restrip_live_history_size(const restrip_mesh* mesh, std::size_t* undoable, std::size_t* redoable) {
+  if (any_null(mesh, undoable, redoable)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->live) return RESTRIP_NOT_LIVE;
+  const auto& history = mesh->live->history;
+  *undoable = history ? history->undoable() : 0;
+  *redoable = history ? history->redoable() : 0;
   return RESTRIP_OK;
 }
 restrip_status restrip_live_end(restrip_mesh* mesh) {

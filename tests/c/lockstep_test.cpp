@@ -384,6 +384,81 @@ form_reader::Triangles sorted_triangles(const restrip_mesh* mesh) {
   return all;
 }
 
+/// Undo and redo restore triangles, numbers and colours exactly, and the buffer draws them. Strips from scratch start
+/// the history again.
+TEST(CInterface, FramesAreUndone) {
+  std::mt19937 random(37);
+  const Handle mesh = handle_of(sample::tube(9, 12));
+  std::size_t undoable = 9;
+  std::size_t redoable = 9;
+  std::int32_t done = 9;
+  EXPECT_EQ(restrip_live_history(mesh.get(), 1000), RESTRIP_NOT_LIVE);
+  EXPECT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_NOT_LIVE);
+  EXPECT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_NOT_LIVE);
+  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
+  const restrip_format format{RESTRIP_FORM_RESTART, 32, 0, 0, 1};
+  ASSERT_EQ(restrip_live_begin_format(mesh.get(), &format), RESTRIP_OK);
+  EXPECT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
+  EXPECT_EQ(done, 0);
+  EXPECT_EQ(restrip_live_undo(mesh.get(), nullptr), RESTRIP_NULL_ARGUMENT);
+  ASSERT_EQ(restrip_live_history(mesh.get(), 1'000'000), RESTRIP_OK);
+  const auto end_frame = [&] {
+    const restrip_range* ranges = nullptr;
+    std::size_t count = 0;
+    ASSERT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+    restrip_buffer_view view{};
+    ASSERT_EQ(restrip_live_buffer(mesh.get(), &view, nullptr), RESTRIP_OK);
+    ASSERT_EQ(read_view(view.indices, 4 * view.index_count, view), sorted_triangles(mesh.get()));
+  };
+  struct State {
+    std::vector<Corners> corners;
+    std::vector<std::uint8_t> colors;
+    bool operator==(const State&) const = default;
+  };
+  const auto state = [&] { return State{corners_of(mesh.get()), colors_of(mesh.get())}; };
+  end_frame();
+  std::vector<State> states{state()};
+  std::size_t at = 0;
+  for (int round = 0; round < 400; ++round) {
+    if (random() % 2 == 0) {
+      Told told;
+      play(mesh.get(), random, 1 + static_cast<int>(random() % 6), told,
+           [](const Move&, restrip_status, const restrip_change&) {});
+      const State after = state();
+      if (after != states[at] && random() % 4 == 0) {  // undo() ends the frame
+        ASSERT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
+        ASSERT_EQ(state(), states[at]);
+        ASSERT_EQ(restrip_live_redo(mesh.get(), &done), RESTRIP_OK);
+      } else {
+        end_frame();
+      }
+      ASSERT_EQ(state(), after);
+      ASSERT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_OK);
+      ASSERT_TRUE(undoable > at || after == states[at]);
+      if (undoable > at) {
+        states.resize(++at);
+        states.push_back(after);
+      }
+    }
+    const bool forward = random() % 2 == 0;
+    const bool left = forward ? at + 1 < states.size() : at != 0;
+    ASSERT_EQ(forward ? restrip_live_redo(mesh.get(), &done) : restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
+    ASSERT_EQ(done, left ? 1 : 0);
+    if (left) forward ? ++at : --at;
+    ASSERT_EQ(state(), states[at]);
+    ASSERT_EQ(strip_count(mesh.get()), counted(mesh.get()).strips);
+    ASSERT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_OK);
+    ASSERT_EQ(undoable, at);
+    ASSERT_EQ(redoable, states.size() - 1 - at);
+    if (random() % 2 == 0) end_frame();
+  }
+  EXPECT_GT(states.size(), 5U);
+  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
+  ASSERT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
+  EXPECT_EQ(done, 0);
+  end_frame();
+}
+
 /// Every form and width: live after random operations, of a mesh as it is, and of a list.
 TEST(CInterface, BuffersInEveryForm) {
   std::mt19937 random(31);

@@ -414,7 +414,19 @@ RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffe
 /* Only the indices, after the last update: *count indices of 16 or 32 bits. Valid until the next non-const call for
  * this mesh. */
 RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, size_t* count);
-/* Ends the live buffer, if any. */
+/* Undo and redo. From the next update on, each update ends a frame of a history. Undo restores triangles, their
+ * numbers, halfedges and colours exactly. `budget`: a frame counts the triangles that changed in it, some 100 bytes
+ * each; when all frames together count more, the oldest are dropped, except the last one. 0 ends the history. It starts
+ * again after restrip_mesh_stripify, restrip_mesh_set_colors, a batch, restrip_baked_restart and an error. O(1); the
+ * next update is O(T). */
+RESTRIP_API restrip_status restrip_live_history(restrip_mesh* mesh, size_t budget);
+/* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when
+ * no frame is left. The next update writes the whole buffer. A baked mesh leaves its levels. O(T). */
+RESTRIP_API restrip_status restrip_live_undo(restrip_mesh* mesh, int32_t* done);
+RESTRIP_API restrip_status restrip_live_redo(restrip_mesh* mesh, int32_t* done);
+/* The number of frames that can be undone, and redone. O(1). */
+RESTRIP_API restrip_status restrip_live_history_size(const restrip_mesh* mesh, size_t* undoable, size_t* redoable);
+/* Ends the live buffer, if any, and its history. */
 RESTRIP_API restrip_status restrip_live_end(restrip_mesh* mesh);
 
 /* ---- Baked meshes ------------------------------------------------------------------------------ */
