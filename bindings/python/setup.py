@@ -30,6 +30,7 @@ class WithLibrary(build_py):
         super().run()
         target = pathlib.Path(self.build_lib) / "restrip" / NAME
         target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / "LICENSE", target.parent / "LICENSE")
         made = os.environ.get("RESTRIP_C_LIBRARY")
         if made:
             shutil.copyfile(made, target)

@@ -180,8 +180,10 @@ class Live(unittest.TestCase):
         with self.assertRaisesRegex(restrip.RestripError, "live"):
             restrip.LiveMesh(grid(3)).update()
 
-    def test_types_are_shipped(self):
-        self.assertTrue((pathlib.Path(restrip.__file__).parent / "py.typed").exists())
+    def test_types_and_licence_are_shipped(self):
+        folder = pathlib.Path(restrip.__file__).parent
+        self.assertTrue((folder / "py.typed").exists())
+        self.assertIn("MIT License", (folder / "LICENSE").read_text())
 
 
 if __name__ == "__main__":
