@@ -28,6 +28,7 @@ TEST(CArguments, NullIsACode) {
   const void* data = nullptr;
   const float* points = nullptr;
   const restrip_range* ranges = nullptr;
+  std::int32_t done = 0;
   const restrip_status codes[] = {restrip_mesh_build_u32(nullptr, 3, 3, nullptr, nullptr, &made),
                                   restrip_mesh_build_u32(&number, 3, 3, nullptr, nullptr, nullptr),
                                   restrip_mesh_build_u16(nullptr, 3, 3, nullptr, nullptr, &made),
@@ -77,6 +78,14 @@ TEST(CArguments, NullIsACode) {
                                   restrip_live_indices(nullptr, &data, &size),
                                   restrip_live_indices(m, nullptr, &size),
                                   restrip_live_indices(m, &data, nullptr),
+                                  restrip_live_history(nullptr, 9),
+                                  restrip_live_undo(nullptr, &done),
+                                  restrip_live_undo(m, nullptr),
+                                  restrip_live_redo(nullptr, &done),
+                                  restrip_live_redo(m, nullptr),
+                                  restrip_live_history_size(nullptr, &size, &size),
+                                  restrip_live_history_size(m, nullptr, &size),
+                                  restrip_live_history_size(m, &size, nullptr),
                                   restrip_live_end(nullptr),
                                   restrip_baked_read(nullptr, 1, nullptr, 0, &made),
                                   restrip_baked_read(&number, 4, nullptr, 0, nullptr),
@@ -334,6 +343,15 @@ TEST(CArguments, MemoryMayRunOut) {
         const restrip_range* ranges = nullptr;
         std::size_t count = 0;
         return restrip_live_update(mesh, &ranges, &count);
+      });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        const restrip_range* ranges = nullptr;
+        std::size_t count = 0;
+        std::int32_t done = 0;
+        restrip_status status = restrip_live_history(mesh, 1000);
+        if (status == RESTRIP_OK) status = restrip_live_update(mesh, &ranges, &count);
+        if (status == RESTRIP_OK) status = restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
+        return status == RESTRIP_OK ? restrip_live_undo(mesh, &done) : status;
       });
       EXPECT_GT(failures, 20U) << "policy " << policy;
     }
