@@ -294,7 +294,7 @@ def check_languages(scratch):
             put_in(copy / file, fault)
         else:
             alter_data(copy)
-        refused(f"{what} ({file})", "the answers that were judged make it", judged(name, copy))
+        refused(f"{what} ({file})", "the judged answers give", judged(name, copy))
 
 
 def resum(tables, file):

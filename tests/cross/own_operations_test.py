@@ -395,7 +395,7 @@ def check_corpus():
 
 def check_single():
     done = solve(CORPUS / "split-face-graph.json")
-    expect(done.returncode == 2 and "no family, so --max-k has no effect" in done.stderr, done.stderr)
+    expect(done.returncode == 2 and "not a family, so --max-k has no effect" in done.stderr, done.stderr)
 
 
 shutil.rmtree(SCRATCH, ignore_errors=True)

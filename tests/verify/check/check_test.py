@@ -190,11 +190,11 @@ for kind in ("split", "collapse"):
 # Words that do not exist.
 operation = lines[first].split(" ")
 for wrong, said in (
-    ("splits " + " ".join(operation[1:]), "does not begin a line"),
-    ("", "does not begin a line"),
+    ("splits " + " ".join(operation[1:]), "is not the beginning of a line"),
+    ("", "is not the beginning of a line"),
     (lines[first] + " ", "d?"),
     (lines[first] + " x", ""),
-    (" ".join(operation[:4]), "two numbers"),
+    (" ".join(operation[:4]), "two changes"),
     (" ".join([*operation[:3], "-0", *operation[4:]]), "is not a number"),
     (" ".join([*operation[:3], "1.5", *operation[4:]]), "is not a number"),
     (" ".join([operation[0], "4294967295", *operation[2:]]), "is beyond"),
