@@ -11,6 +11,7 @@
 #include "form_reader.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "sample_meshes.hpp"
+#include "sheets.hpp"
 
 namespace restrip {
 namespace {
@@ -59,23 +60,9 @@ TEST(StripsOf, WhatIsLeftOutIsNotDrawn) {
   }
 }
 
-using Triangles = std::vector<Corners>;
+using sample::Triangles;
+using sample::with_backs;
 
-/// `columns` times `rows` squares on vertices that `at` numbers.
-template <class At>
-Triangles sheet(Vertex columns, Vertex rows, At&& at) {
-  Triangles made;
-  for (Vertex x = 0; x < columns; ++x)
-    for (Vertex y = 0; y < rows; ++y) {
-      made.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
-      made.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
-    }
-  return made;
-}
-Triangles with_backs(Triangles list) {
-  for (std::size_t t = 0, size = list.size(); t < size; ++t) list.push_back({list[t][1], list[t][0], list[t][2]});
-  return list;
-}
 std::size_t index_count(const Triangles& list, StripForm form, Effort effort) {
   Vertex vertices = 0;
   for (const Corners& c : list) vertices = std::max(vertices, *std::max_element(c.begin(), c.end()) + 1);
@@ -89,46 +76,14 @@ std::size_t index_count(const Triangles& list, StripForm form, Effort effort) {
 
 /// Meshes with edges of more than two triangles: strips continue where the sheets do.
 TEST(StripsOf, GoesOnInTheSheetsOfNonManifoldMeshes) {
-  const Triangles grid = with_backs(sheet(40, 40, [](Vertex x, Vertex y) { return 41 * x + y; }));
-  // Pages that share the column 0, two-sided, in any order; three are one-sided sheets on one edge.
-  const auto book = [](Vertex pages) {
-    Triangles all;
-    for (Vertex p = 0; p < pages; ++p) {
-      const Triangles page = sheet(9, 12, [p](Vertex x, Vertex y) { return x == 0 ? y : 13 * (9 * p + x) + y; });
-      all.insert(all.end(), page.begin(), page.end());
-    }
-    return all;
-  };
-  Triangles shuffled = with_backs(book(7));
+  const Triangles grid = with_backs(sample::sheet(40, 40, [](Vertex x, Vertex y) { return 41 * x + y; }));
+  Triangles shuffled = with_backs(sample::book(7));
   std::mt19937 random(1);
   std::shuffle(shuffled.begin(), shuffled.end(), random);
-  Triangles band;  // with half a turn
-  const Vertex length = 31;
-  for (Vertex x = 0; x < length; ++x) {
-    const bool turned = x + 1 == length;
-    const Vertex a = 2 * x;
-    const Vertex b = turned ? 1 : 2 * x + 2;
-    const Vertex c = turned ? 0 : 2 * x + 3;
-    band.insert(band.end(), {{a, b, a + 1}, {a + 1, b, c}});
-  }
-  // Two boxes of 4 x 4 squares a side that have an edge in common.
-  Triangles boxes;
-  const auto box = [&boxes](auto at) {
-    const Vertex n = 4;
-    for (const Triangles& side : {sheet(n, n, [&](Vertex x, Vertex y) { return at(y, x, 0); }),
-                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(x, y, n); }),
-                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(x, 0, y); }),
-                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(y, n, x); }),
-                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(0, y, x); }),
-                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(n, x, y); })})
-      boxes.insert(boxes.end(), side.begin(), side.end());
-  };
-  box([](Vertex x, Vertex y, Vertex z) { return x + 5 * y + 25 * z; });
-  box([](Vertex x, Vertex y, Vertex z) { return x == 0 && y == 0 ? 25 * z : 125 + x + 5 * y + 25 * z; });
   for (const Effort effort : {Effort::fast, Effort::full}) {
     EXPECT_LE(index_count(grid, StripForm::restart, effort), 11 * grid.size() / 10);
     EXPECT_LE(index_count(grid, StripForm::stitched, effort), 11 * grid.size() / 10);
-    for (const Triangles& list : {book(3), shuffled, with_backs(band), boxes})
+    for (const Triangles& list : {sample::book(3), shuffled, with_backs(sample::band(31)), sample::boxes(2)})
       EXPECT_LE(index_count(list, StripForm::restart, effort), 5 * list.size() / 4) << list.size();
   }
 }
