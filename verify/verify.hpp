@@ -15,7 +15,7 @@ struct Options {
   /// Programs that print digests of look-ups in other languages, which are compared with the tables.
   std::vector<std::string> digest_commands;
   std::string linked_dump_command;    ///< prints the choices of the linked look-up; empty: not judged
-  bool headers_only = false;          ///< no certificates are read: the dumps are judged on their own
+  bool headers_only = false;          ///< no certificates are read: the dumps are judged alone
   std::vector<std::string> families;  ///< of certificates; empty: all
   unsigned threads = 2;
   unsigned max_k = largest_fan;  ///< tests use smaller tables

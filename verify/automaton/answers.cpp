@@ -118,8 +118,8 @@ AutomatonAnswer AutomatonReader::two_arcs(const FanPlace& place, const FanKey& k
   const unsigned first_from = ring ? 0 : place.a;
   const unsigned first_to = ring ? place.a : place.b;
   const Walk x(certificate_, word_of(key, first_from, first_to));
-  const std::string behind = ring ? "" : 'b' + word_of(key, 0, first_from);
-  const Walk y(certificate_, word_of(key, first_to, place.k) + behind);
+  const std::string boundary = ring ? "" : 'b' + word_of(key, 0, first_from);
+  const Walk y(certificate_, word_of(key, first_to, place.k) + boundary);
   const AutomatonMeeting& meeting = certificate_.meeting(x.arc_class(), y.arc_class());
   const LinkColors inside = x.links(meeting.first);
   const LinkColors outside = y.links(meeting.second);

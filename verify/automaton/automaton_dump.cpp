@@ -114,15 +114,15 @@ class AutomatonDumpReader {
       if (!line.starts_with(head)) lines_.fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
       ++entries_;
       std::uint64_t digest = 0;
-      std::uint64_t told = 0;
+      std::uint64_t changes = 0;
       for (std::uint64_t n = 0; n < keys; ++n) {
         const FanKey key = seen_key(written_key(place.k, n), place);
         const Mask inner = certified.answer(place, key).inner;
         digest = digest * 1000003 + inner;
-        told = told * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});
+        changes = changes * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});
       }
       check_.keys += keys;
-      if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, told); line != right)
+      if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, changes); line != right)
         check_.wrong_answers.add(
             fmt::format("line {}: the certificate's answers give\n  {}\nfound\n  {}\n", lines_.number(), right, line));
     }

@@ -1,14 +1,14 @@
 (* restrip-check: checks a trace of a run (docs/how-to/check-a-run.md). *)
 
 let usage =
-  {|Checks a trace that `restrip replay --trace` or a custom program has written
-(restrip/output/trace.hpp): keeps its own mesh of the raw triangles and colours, and wants
-after each operation valid colours and true numbers of strips and isolated triangles.
-docs/how-to/check-a-run.md has the format and says what is proved of this program.
+  {|Checks a trace written by `restrip replay --trace` or a custom program
+(restrip/output/trace.hpp). It maintains a separate mesh of triangles and colours and requires,
+after each operation, valid colours and true numbers of strips and isolated triangles.
+docs/reference/file-formats.md has the format, docs/how-to/check-a-run.md what is proved.
 
 usage: restrip-check [--json FILE] TRACE
 
-  --json FILE  Writes the report as JSON; with - to standard output in place of the text
+  --json FILE  Writes the report as JSON; with - to standard output instead of the text
   --help       Prints this help
 
 Exit status: 0 accepted, 1 refused or unreadable, 2 wrong use.

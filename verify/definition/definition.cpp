@@ -102,7 +102,7 @@ bool PatchInWorlds::valid(Colors colors, std::size_t world) const {
   for (unsigned triangle = 0; triangle < triangles_; ++triangle)
     if (degree[triangle] > most_solid_) return false;
 
-  // A graph is a forest if its edges are as many as its nodes minus its connected components.
+  // A graph is a forest if its number of edges is its nodes minus its connected components.
   std::array<std::size_t, most_triangles + most_ports> rank;
   std::array<std::size_t, most_triangles + most_ports> parent;
   boost::disjoint_sets<std::size_t*, std::size_t*> components(rank.data(), parent.data());

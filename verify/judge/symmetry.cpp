@@ -22,7 +22,7 @@ enum NodeColor : unsigned {
   solid_after,
   first_term
 };
-enum EdgeColor : unsigned { owner_before = 1, owner_after, inner_before, end_of_inner_after, counted };
+enum EdgeColor : unsigned { owner_before = 1, owner_after, inner_before, end_of_inner_after, counted_member };
 
 /// A term of the cost, with the index of its criterion.
 using PlacedTerm = std::pair<std::size_t, Term>;
@@ -79,7 +79,7 @@ ColoredGraph graph_of(const Operation& operation, bool before_too, Colors after)
     const Among among = among_of(placed.second.count);
     const unsigned first = among == Among::edges ? first_edge : (among == Among::triangles ? first_after : 0);
     for (unsigned i = 0; i < most_colors; ++i)
-      if (is_solid(placed.second.among, i)) add_edge(num_vertices(graph) - 1, first + i, counted, graph);
+      if (is_solid(placed.second.among, i)) add_edge(num_vertices(graph) - 1, first + i, counted_member, graph);
   }
   return graph;
 }

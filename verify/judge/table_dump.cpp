@@ -169,7 +169,7 @@ class DumpReader {
     compared.families[operation.family] += {1, result_.lines - lines_before};
   }
 
-  /// The answer in the next line; nullopt if it says that there is nothing to answer.
+  /// The answer in the next line; nullopt if it states that no answer exists.
   std::optional<Answer> answer_to(Colors configuration, const Operation& operation) {
     prefix_.clear();
     append_mask(prefix_, configuration.inner);
