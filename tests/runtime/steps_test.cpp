@@ -133,11 +133,11 @@ TEST(Complexity, AddingChunksInTheMiddleOfAListIsLogarithmic) {
     auto last = lists.add();
     auto middle = last;
     for (unsigned i = 0; i < 20'000U << size; ++i) {
-      last = lists.add_beside(last, true);
+      last = lists.add_next_to(last, true);
       if (i == 10'000U << size) middle = last;
     }
     adding[size] = work_of([&] {
-      for (int i = 0; i < 10'000; ++i) lists.add_beside(middle, i % 3 == 0);
+      for (int i = 0; i < 10'000; ++i) lists.add_next_to(middle, i % 3 == 0);
     });
     EXPECT_LT(adding[size].steps, 10'000U * 400);
     EXPECT_EQ(adding[size].allocations, 0U);

@@ -72,7 +72,7 @@ class Play {
     const auto at = [&](std::size_t index) { return written_[l].begin() + static_cast<std::ptrdiff_t>(index); };
     if (kind == 1 && chunks() < 60) {
       const bool backwards = written_[l][i].backwards;
-      written_[l].insert(at(i + (later ? 1 : 0)), {lists_.add_beside(c, after), backwards});
+      written_[l].insert(at(i + (later ? 1 : 0)), {lists_.add_next_to(c, after), backwards});
     } else if (kind == 2) {
       lists_.erase(c);
       EXPECT_FALSE(lists_.in_use(c));

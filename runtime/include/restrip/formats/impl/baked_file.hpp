@@ -197,8 +197,8 @@ class BakedReader {
     const auto flips = file_.records[record_];
     flip_colors(now_, flips);
     for (const Halfedge h : flips)
-      for (const Halfedge beside : {h, now_.opposite(h)})
-        if (now_.solid_degree(StripMesh::triangle(beside)) > 2) return fail("it gives a triangle three solid edges");
+      for (const Halfedge half : {h, now_.opposite(h)})
+        if (now_.solid_degree(StripMesh::triangle(half)) > 2) return fail("it gives a triangle three solid edges");
     file_.splits.push_back(split);
     return true;
   }

@@ -97,11 +97,11 @@ class PendingApply {
     strips_ = rule.strips;
     isolated_ =
         tables::isolated_among(table.triangles_after, solid_) - tables::isolated_among(table.triangles_before, before);
-    if (const detail::PatchEdges given_up = before & ~solid_ & detail::all_ports; given_up != 0) {
-      std::array<Halfedge, most_ports> behind;  // not {}: a handle's default constructor may be explicit
+    if (const detail::PatchEdges cleared = before & ~solid_ & detail::all_ports; cleared != 0) {
+      std::array<Halfedge, most_ports> outer;  // not {}: a handle's default constructor may be explicit
       std::size_t count = 0;
-      detail::for_each_edge(patch_, given_up, [&](Halfedge h) { behind[count++] = mesh.opposite(h); });
-      isolated_ += detail::isolated_outside(mesh, std::span<const Halfedge>(behind.data(), count));
+      detail::for_each_edge(patch_, cleared, [&](Halfedge h) { outer[count++] = mesh.opposite(h); });
+      isolated_ += detail::isolated_outside(mesh, std::span<const Halfedge>(outer.data(), count));
     }
     detail::for_each_edge(patch_, before & ~(solid_ & detail::all_ports),
                           [&](Halfedge h) { mesh.set_solid(h, false); });

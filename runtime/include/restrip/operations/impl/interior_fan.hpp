@@ -91,9 +91,9 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   std::size_t edge = 0;  // inner edges met
   for (const auto start : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(start)) return false;
-    const auto beside = fan_step(mesh, start);  // the triangle to be removed
-    inner |= Word{beside.edge} << edge++;
-    auto h = beside.spoke;
+    const auto removed = fan_step(mesh, start);  // the triangle to be removed
+    inner |= Word{removed.edge} << edge++;
+    auto h = removed.spoke;
     for (;;) {
       if (mesh.on_boundary(h)) return false;
       const auto step = fan_step(mesh, h);

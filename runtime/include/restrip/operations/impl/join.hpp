@@ -235,12 +235,12 @@ void visit_ring(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fa
   for (; elements != 0; elements &= elements - 1) {
     const auto element = static_cast<std::size_t>(std::countr_zero(elements));
     const bool second = element > fan.a;  // D, and the triangles of the second arc
-    const auto beside = second ? mesh.opposite(chord) : chord;
+    const auto side = second ? mesh.opposite(chord) : chord;
     const std::size_t after = second ? element - (fan.a + 1) : element;
     if (after == 0)
-      visit(beside);
+      visit(side);
     else if (after == 1)
-      visit(mesh.opposite(mesh.next(mesh.next(beside))));
+      visit(mesh.opposite(mesh.next(mesh.next(side))));
     else
       visit(fan.spokes[(second ? fan.a : 0) + after - 2]);
   }

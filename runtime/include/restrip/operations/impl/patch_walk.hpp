@@ -70,7 +70,7 @@ Fan<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>&
   const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
   Fan<Bits> fan;
   std::size_t ahead = 0;  // the other spoke, counted in triangles from the first one, in either direction
-  std::size_t behind = 0;
+  std::size_t clockwise = 0;
   Halfedge h = start;
   while (!mesh.on_boundary(h)) {
     const Halfedge link = mesh.next(h);
@@ -92,14 +92,14 @@ Fan<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>&
     h = turn_cw(mesh, h);
     lower.ports.put(lower.k, mesh.solid(mesh.next(h)));
     ++lower.k;
-    if (h == other) behind = lower.k;
+    if (h == other) clockwise = lower.k;
   }
   // Loop edge i lies between triangles i and i + 1: those read backwards end with the one across the first spoke.
   fan.loop = Bits::with_reversed_below(lower.loop, lower.k, fan.loop);
   fan.ports = Bits::with_reversed_below(lower.ports, lower.k, fan.ports);
   fan.k += lower.k;
   fan.left = lower.k;
-  fan.right = behind != 0 ? lower.k - behind : lower.k + ahead;
+  fan.right = clockwise != 0 ? lower.k - clockwise : lower.k + ahead;
   if (where.spokes == Spokes::right_only) fan.left = fan.right = lower.k;
   return fan;
 }

@@ -288,9 +288,9 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   }
   if (largest >= restart)
     RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
-  const Index behind = stitched_ ? *(out - 1) : restart;
-  *out++ = behind;
-  if (stitched_ && (static_cast<std::uint32_t>(out - text_.data()) - letters_) % 2 != 0) *out++ = behind;
+  const Index separator = stitched_ ? *(out - 1) : restart;
+  *out++ = separator;
+  if (stitched_ && (static_cast<std::uint32_t>(out - text_.data()) - letters_) % 2 != 0) *out++ = separator;
   letters_ = static_cast<std::uint32_t>(out - text_.data());
   text.length = letters_ - text.first;
   texts_.push_back(text);

@@ -242,19 +242,19 @@ void BasicStripBuffer<Index>::draws(std::vector<Range>& draws) const {
 inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap,
                                 std::size_t unit) noexcept {
   for (IndexRange& range : ranges) {
-    const std::size_t behind =
+    const std::size_t stop =
         unit < 2 ? range.first + range.count : (range.first + range.count + unit - 1) / unit * unit;
     if (unit >= 2) range.first = range.first / unit * unit;
-    range.count = behind - range.first;
+    range.count = stop - range.first;
   }
   std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t kept = 0;
   for (const auto& [first, count] : ranges) {
-    const std::size_t behind = std::min(first + count, end);
-    if (first >= behind) break;
+    const std::size_t stop = std::min(first + count, end);
+    if (first >= stop) break;
     if (kept == 0 || first > ranges[kept - 1].first + ranges[kept - 1].count + gap) ranges[kept++] = {first, 0};
     IndexRange& last = ranges[kept - 1];
-    last.count = std::max(last.count, behind - last.first);
+    last.count = std::max(last.count, stop - last.first);
   }
   ranges.resize(kept);
 }

@@ -159,12 +159,12 @@ class StripFormatter {
   [[nodiscard]] std::size_t fitting(const Strip& strip) {
     const std::size_t used = out_.size() - first_;
     // The most additional indices: those that lead to the strip, and one for parity.
-    std::size_t beside = form_ == StripForm::list ? 0 : 1;
-    if (used != 0 && form_ == StripForm::restart) beside += 1;
-    if (used != 0 && form_ == StripForm::stitched) beside += 2;
+    std::size_t extra = form_ == StripForm::list ? 0 : 1;
+    if (used != 0 && form_ == StripForm::restart) extra += 1;
+    if (used != 0 && form_ == StripForm::stitched) extra += 2;
     const std::size_t most = format_.most_indices == 0 ? strip.count
-                             : format_.most_indices > used + beside
-                                 ? std::min(strip.count, format_.most_indices - used - beside)
+                             : format_.most_indices > used + extra
+                                 ? std::min(strip.count, format_.most_indices - used - extra)
                                  : 0;
     for (std::size_t i = 0; i < most && format_.most_vertices != 0; ++i) {
       std::size_t& batch = batch_of_[text_[strip.first + i]];

@@ -119,16 +119,16 @@ class Annealing : private ColoringCopy {
     const std::uint32_t kept = across((g & ~3U) | (before != 0 ? after_g : before_g));   // over the one that stays
     const unsigned turn_here = turn(h);
     const unsigned turn_there = turn(there);
-    const std::uint32_t behind = turn_here == 0 ? none : across(other(h));
+    const std::uint32_t before_here = turn_here == 0 ? none : across(other(h));
     const std::uint32_t beyond = turn_there == 0 ? none : across(other(there));
-    if (kept >> 2 == h >> 2 || kept >> 2 == there >> 2 || behind >> 2 == there >> 2 || behind >> 2 == g >> 2)
+    if (kept >> 2 == h >> 2 || kept >> 2 == there >> 2 || before_here >> 2 == there >> 2 || before_here >> 2 == g >> 2)
       return std::numeric_limits<std::int64_t>::min();
     // The turn from the cleared edge to the one that stays. A turn t is 1 or 2; in reverse it is 3 - t.
     const unsigned to_kept = before + 1;
     const unsigned turn_kept = turn(kept);
     int swaps = int{turn_here == to_kept} + int{turn_kept == 3 - to_kept};
     swaps -= int{turn_there == 3 - to_kept} + int{turn_kept == to_kept};
-    if (behind != none) swaps += int{turn(behind) == turn_here};
+    if (before_here != none) swaps += int{turn(before_here) == turn_here};
     if (beyond != none) swaps -= int{turn(beyond) == turn_there};
     return std::int64_t{cost_.swap} * swaps +
            std::int64_t{cost_.isolated} * (int{turn_there == 0} - int{turn_here == 0});

@@ -68,7 +68,7 @@ class ChunkLists {
     return c;
   }
   /// Adds a chunk next to c, in the same list and direction as c. Amortised O(log(chunks of the list)).
-  Id add_beside(Id c, bool after) {
+  Id add_next_to(Id c, bool after) {
     const Id fresh = new_chunk();
     Chunk& chunk = chunks_[fresh];
     const Chunk& by = chunks_[c];
@@ -125,7 +125,7 @@ class ChunkLists {
   Id cut_off(Id c, bool after) {
     const Id next = towards(chunks_[c], after);
     cut(c, after);
-    const Id fresh = next == no_chunk ? add() : add_beside(next, !after);
+    const Id fresh = next == no_chunk ? add() : add_next_to(next, !after);
     chunks_[fresh].backwards = chunks_[c].backwards;
     return fresh;
   }

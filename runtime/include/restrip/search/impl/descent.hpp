@@ -44,7 +44,7 @@ typename Mesh::Halfedge neighbor_at(const Mesh& mesh, typename Mesh::Halfedge h,
 /// A strip enters the triangle of h over h and turns there by `turn`, not 0: 1 when the edge by which it leaves is a
 /// swap.
 template <ColoredMesh Mesh>
-int swap_behind(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
+int swap_beyond(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
   return int{other_solid_sides(mesh, neighbor_at(mesh, h, turn)) == turn};
 }
 
@@ -55,8 +55,8 @@ ColoringChange cut_change(const Mesh& mesh, typename Mesh::Halfedge h) {
   const unsigned turn = other_solid_sides(mesh, h);
   const unsigned turn_back = other_solid_sides(mesh, back);
   ColoringChange change{1, -is_swap(turn, turn_back), int{turn == 0} + int{turn_back == 0}};
-  if (turn != 0) change.swaps -= swap_behind(mesh, h, turn);
-  if (turn_back != 0) change.swaps -= swap_behind(mesh, back, turn_back);
+  if (turn != 0) change.swaps -= swap_beyond(mesh, h, turn);
+  if (turn_back != 0) change.swaps -= swap_beyond(mesh, back, turn_back);
   return change;
 }
 
@@ -179,11 +179,11 @@ void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
     // The freed triangle becomes an end, so it loses the swap on its other side, if any. (A turn of 0 leads back to the
     // triangle of h, whose turns are not 0.)
     const unsigned freed_turn = turn[gives - 1];
-    const Halfedge behind = detail::neighbor_at(mesh, way.given_up, freed_turn);
-    way.beyond = StripMesh::triangle(behind);
+    const Halfedge across_freed = detail::neighbor_at(mesh, way.given_up, freed_turn);
+    way.beyond = StripMesh::triangle(across_freed);
     way.isolated = int{freed_turn == 0};
     way.swaps = int{turn[keeps - 1] == keeps} - int{turn[keeps - 1] == gives} - int{freed_turn == keeps} -
-                int{mesh.other_solid_sides(behind) == freed_turn};
+                int{mesh.other_solid_sides(across_freed) == freed_turn};
   }
   end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
 }

@@ -87,7 +87,7 @@ void EndSearch::find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, 
       colors.change(move.edge, true);
       move.change = colors.difference();
     } else if (turn_freed != 0) {
-      move.change.swaps -= detail::swap_behind(mesh, move.given_up[1], turn_freed);
+      move.change.swaps -= detail::swap_beyond(mesh, move.given_up[1], turn_freed);
     }
     move.price = move.change.price(cost_);
     found.offer(move, highest);

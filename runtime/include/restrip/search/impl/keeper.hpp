@@ -200,8 +200,8 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   // Cleared ports end strips next to the patch.
   if (Step::may_isolate != detail::MayIsolate::as_reported)
     for (const Triangle t : patch_)
-      for_each_neighbor(sides, t, [&](Triangle beside) {
-        if (sides.solid_degree(beside) < 2) tunnel_.join(sides, locator_, beside, states);
+      for_each_neighbor(sides, t, [&](Triangle neighbor) {
+        if (sides.solid_degree(neighbor) < 2) tunnel_.join(sides, locator_, neighbor, states);
       });
   done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
   done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);

@@ -27,7 +27,7 @@
 namespace restrip::detail {
 
 template <class Mesh>
-void add_beside(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangle>& patch) {
+void add_next_to(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangle>& patch) {
   for (const auto side : {h, mesh.opposite(h)})
     if (!mesh.on_boundary(side)) patch.push_back(static_cast<Triangle>(mesh.triangle(side)));
 }
@@ -69,11 +69,11 @@ struct SplitStep {
     return named([&](auto... name) { return mesh.insert_vertex(where, name...); });
   }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
-    if (where.spokes != Spokes::right_only) around.add_beside(mesh, where.left);
-    if (where.spokes != Spokes::left_only) around.add_beside(mesh, where.right);
+    if (where.spokes != Spokes::right_only) around.add_next_to(mesh, where.left);
+    if (where.spokes != Spokes::left_only) around.add_next_to(mesh, where.right);
   }
   void find_new(const Mesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const {
-    add_beside(mesh, chord, patch);
+    add_next_to(mesh, chord, patch);
   }
 
  private:
@@ -107,7 +107,7 @@ struct CollapseStep {
   }
   Halfedge bare(Mesh& mesh) const { return mesh.remove_vertex(chord); }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
-    around.add_beside(mesh, chord);
+    around.add_next_to(mesh, chord);
     around.add_neighbors(mesh);
   }
   void find_new(const Mesh& /*mesh*/, Halfedge /*spoke*/, std::vector<Triangle>& /*patch*/) const {}
@@ -123,7 +123,7 @@ struct FlipStep {
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     patch.clear();
-    add_beside(mesh, edge, patch);
+    add_next_to(mesh, edge, patch);
   }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     return choice.taken(restrip::flip(mesh, edge));
@@ -140,7 +140,7 @@ struct FlipStep {
     return mesh.turn_edge(edge);
   }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
-    around.add_beside(mesh, edge);
+    around.add_next_to(mesh, edge);
     around.add_neighbors(mesh);
   }
   void find_new(const Mesh& /*mesh*/, Halfedge /*turned*/, std::vector<Triangle>& /*patch*/) const {}
@@ -159,7 +159,7 @@ struct InsertStep : SplitStep<Mesh> {
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     patch.clear();
     if (on_edge)
-      add_beside(mesh, h, patch);
+      add_next_to(mesh, h, patch);
     else
       patch.push_back(static_cast<Triangle>(mesh.triangle(h)));
   }
@@ -242,7 +242,7 @@ struct ApplyStep {
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
     const auto patch = read_sides(mesh, table.triangles_before, where);
     for (const auto& triangle : patch.sides())
-      for (const Halfedge h : triangle) around.add_beside(mesh, h);
+      for (const Halfedge h : triangle) around.add_next_to(mesh, h);
   }
   void find_new(const Mesh& mesh, Halfedge first, std::vector<Triangle>& patch) const {
     add_triangles(mesh, read_sides(mesh, table.triangles_after, first), patch);

@@ -108,19 +108,19 @@ tables::OperationRule cheapest_for_patch(const Mesh& mesh, const Table& table, c
   std::array<std::uint8_t, 32> now{};
   if (!strip_partners(table.triangles_before, solid, before)) return rule;
   const PatchEdges ports = solid & all_ports;
-  ColoringChange given_up;  // swaps outside ports that the rule clears
+  ColoringChange cleared;  // swaps outside ports that the rule clears
   for (std::size_t t = 0; t < patch.triangles.size(); ++t)
     for (std::size_t s = 0; s < 3; ++s) {
       const std::uint8_t side = patch.triangles[t].side[s];
       if (side < PatchTriangle::port_side || (ports & edge_of(side)) == 0) continue;
-      const auto behind = mesh.opposite(patch.side[t][s]);
-      const unsigned turn = other_solid_sides(mesh, behind);
+      const auto outer = mesh.opposite(patch.side[t][s]);
+      const unsigned turn = other_solid_sides(mesh, outer);
       outside[side - PatchTriangle::port_side] = static_cast<std::uint8_t>(turn);
       if (turn != 0 && (rule.ports >> (side - PatchTriangle::port_side) & 1) == 0)
-        given_up.swaps -= swap_behind(mesh, behind, turn);
+        cleared.swaps -= swap_beyond(mesh, outer, turn);
     }
   ColoringChange by_rule = tally(table.triangles_after, patch_edges(rule.colors, rule.ports), outside);
-  by_rule += given_up;
+  by_rule += cleared;
   const auto order = [&cost](const ColoringChange& change) { return std::pair(change.price(cost), -change.strips); };
   auto least = order(by_rule);
   tables::OperationRule best = rule;

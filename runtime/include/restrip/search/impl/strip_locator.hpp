@@ -165,7 +165,7 @@ void StripLocator::divide(const Mesh& mesh, Triangle member) {
       step(mesh, t, entry);
     }
     const bool piece_first = (addresses_[last].label < addresses_[t].label) != lists_[c].backwards;
-    move_to(lists_.add_beside(c, !piece_first), c, moving_);
+    move_to(lists_.add_next_to(c, !piece_first), c, moving_);
   }
 }
 
@@ -253,7 +253,7 @@ void StripLocator::rebuild(const Mesh& mesh) {
     ChunkId last = none;
     for (std::size_t i = 0; i < strip.size();) {
       const std::size_t n = std::min<std::size_t>(chunk_limit_ / 2, strip.size() - i);
-      const ChunkId c = last == none ? lists_.add() : lists_.add_beside(last, true);
+      const ChunkId c = last == none ? lists_.add() : lists_.add_next_to(last, true);
       lists_.count(c) = static_cast<std::uint32_t>(n);
       for (std::size_t j = 0; j < n; ++j)
         addresses_[strip[i + j]] = {c, static_cast<Label>(middle_label + label_step * (j - n / 2))};

@@ -31,7 +31,7 @@ class Surroundings {
   void add(const Mesh& mesh, Halfedge h) {
     if (!mesh.on_boundary(h)) add(static_cast<Triangle>(mesh.triangle(h)));
   }
-  void add_beside(const Mesh& mesh, Halfedge h) {
+  void add_next_to(const Mesh& mesh, Halfedge h) {
     add(mesh, h);
     add(mesh, mesh.opposite(h));
   }

@@ -136,8 +136,8 @@ bool Tunnel::move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge j
     return false;
   }
   const bool joined_in_front = f > current && !pieces[f - 1].last() && piece.front() == at.order;
-  const bool joined_behind = !piece.last() && piece.back() == at.order;
-  if (kept + (joined_in_front ? 1U : 0U) + (joined_behind ? 1U : 0U) < 2) {
+  const bool joined_at_back = !piece.last() && piece.back() == at.order;
+  if (kept + (joined_in_front ? 1U : 0U) + (joined_at_back ? 1U : 0U) < 2) {
     commit(mesh, locator, s, join);
     return true;
   }

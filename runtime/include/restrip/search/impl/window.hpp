@@ -44,10 +44,10 @@ void Window::find_ball(const Mesh& mesh, Triangle middle, std::size_t size) {
   for (std::size_t next = 0; next < ball_.size() && ball_.size() < size; ++next) {
     const unsigned first_side = random_.below(3);
     for (unsigned turn = 0; turn < 3 && ball_.size() < size; ++turn) {
-      const Triangle beside = neighbor(ball_[next], (first_side + turn) % 3);
-      if (beside == none || inside(beside)) continue;
-      add(beside);
-      hollows_.assign(1, beside);
+      const Triangle adjacent = neighbor(ball_[next], (first_side + turn) % 3);
+      if (adjacent == none || inside(adjacent)) continue;
+      add(adjacent);
+      hollows_.assign(1, adjacent);
       while (!hollows_.empty() && ball_.size() < size) {
         const Triangle t = hollows_.back();
         hollows_.pop_back();

@@ -164,18 +164,18 @@ inline void WindowPlan::find_order() {
   const auto take = [&](std::uint8_t number) {
     place_in_sequence_[number] = static_cast<std::uint8_t>(sequence_.size());
     sequence_.push_back(number);
-    for (const std::uint8_t beside : neighbors_[number]) {
-      if (beside == LocalNumbers::absent || place_in_sequence_[beside] < waits) continue;
-      if (place_in_sequence_[beside] == waits) {
-        widens[beside] = static_cast<std::int8_t>(widens[beside] - 2);
+    for (const std::uint8_t adjacent : neighbors_[number]) {
+      if (adjacent == LocalNumbers::absent || place_in_sequence_[adjacent] < waits) continue;
+      if (place_in_sequence_[adjacent] == waits) {
+        widens[adjacent] = static_cast<std::int8_t>(widens[adjacent] - 2);
         continue;
       }
-      place_in_sequence_[beside] = waits;
-      waiting[waiting_count++] = beside;
+      place_in_sequence_[adjacent] = waits;
+      waiting[waiting_count++] = adjacent;
       int edges = 0;
-      for (const std::uint8_t other : neighbors_[beside])
+      for (const std::uint8_t other : neighbors_[adjacent])
         if (other != LocalNumbers::absent) edges += place_in_sequence_[other] < waits ? -1 : 1;
-      widens[beside] = static_cast<std::int8_t>(edges);
+      widens[adjacent] = static_cast<std::int8_t>(edges);
     }
   };
   for (std::size_t start = count; start-- > 0;) {
@@ -204,18 +204,18 @@ bool WindowPlan::place(const Mesh& mesh, std::span<const Triangle> triangles, st
     WindowSide& side = here.sides[s];
     const auto bit = static_cast<std::uint8_t>(1U << s);
     const Halfedge h = StripMesh::halfedge(here.triangle, s);
-    const std::uint8_t beside = neighbors_[number][s];
+    const std::uint8_t adjacent = neighbors_[number][s];
     std::uint8_t& slot = slots_[number][s];
-    if (beside == LocalNumbers::absent) {
+    if (adjacent == LocalNumbers::absent) {
       if ((here.present & bit) == 0) continue;
       here.ports |= bit;
       if (!place_port(mesh, h, side, slot)) return false;
       if (side.kind == Kind::port_back) freed |= 1U << slot;
-    } else if (place_in_sequence_[beside] > place_in_sequence_[number]) {
+    } else if (place_in_sequence_[adjacent] > place_in_sequence_[number]) {
       here.leaving |= bit;
       side.kind = Kind::leaving;
       if (!take_slot(slot)) return false;
-      slots_[beside][StripMesh::side(mesh.opposite(h))] = slot;
+      slots_[adjacent][StripMesh::side(mesh.opposite(h))] = slot;
     } else {
       side.kind = Kind::arriving;
       freed |= 1U << slot;

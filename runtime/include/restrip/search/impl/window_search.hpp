@@ -162,9 +162,9 @@ inline bool WindowSearch::enter(const WindowTriangle& here, unsigned opened, con
     if ((solid >> s & 1U) == 0) continue;
     const WindowSide& side = here.sides[s];
     const unsigned turn = marks.turn(solid * 0b1001U >> (s + 1) & 3U);
-    const auto meets = [&](unsigned turn_behind) {
-      tally.swaps += int{(turn_behind ^ turn) == 3};
-      end_here = turn_behind == 1 ? marks.end(ends_wrong) : ends_well;
+    const auto meets = [&](unsigned turn_beyond) {
+      tally.swaps += int{(turn_beyond ^ turn) == 3};
+      end_here = turn_beyond == 1 ? marks.end(ends_wrong) : ends_well;
       if (far[n] == ends_there) far[n] = turn == 1 ? marks.end(ends_wrong) : ends_well;
     };
     own[n] = side.slot;
