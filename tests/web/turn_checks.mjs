@@ -150,7 +150,7 @@ export async function checkTurn(browser, address, scratch) {
     let write;
     while (!write) {  // else it is about to be written already
       window.setTimeout = (call) => { write = call; return 1; };
-      restripViewer.link.tell();
+      restripViewer.link.write();
       window.setTimeout = later;
       if (!write) await new Promise((passed) => setTimeout(passed, 100));
     }

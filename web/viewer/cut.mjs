@@ -137,14 +137,14 @@ export class Cut {
     const still = !this.viewer.moves;
     this.#started = performance.now();
     if (place) this.viewer.camera.fly(place, still ? 0 : opensAt, this.#started);
-    this.tell();
+    this.describe();
     this.#go(still ? 'cut' : 'before');
   }
   end() {
     this.shown = null;
     this.#started = null;
     this.step = 'mended';
-    this.tell();
+    this.describe();
   }
   show(step) {
     this.#started = null;
@@ -178,7 +178,7 @@ export class Cut {
 
   // ---- text
   /// Describes the split that is shown, if any.
-  tell() {
+  describe() {
     const { by, viewer, shown } = this;
     const last = shown ? viewer.mesh.last : null;
     by('take').disabled = !(last?.k <= largestPuzzle);

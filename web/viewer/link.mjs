@@ -27,7 +27,7 @@ function placeOf(text) {
 }
 
 export class Link {
-  #telling = 0;
+  #writing = 0;
   #known = '';  // the address as last followed or written
 
   constructor(viewer, by) {
@@ -74,10 +74,10 @@ export class Link {
   }
 
   /// Writes the settled state to the address, but not often: with the light on every frame calls this.
-  tell() {
-    this.#telling ||= setTimeout(() => {
+  write() {
+    this.#writing ||= setTimeout(() => {
       const { by, viewer } = this;
-      this.#telling = 0;
+      this.#writing = 0;
       if (!viewer.settled || location.hash !== this.#known) return;  // another address is about to be followed
       const view = placeText(viewer.camera.place);
       const choices = Object.entries(usualChoices).map(([id, ordinary]) => [id, by(id).value === ordinary ? undefined : by(id).value]);

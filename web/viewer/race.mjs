@@ -61,7 +61,7 @@ export class Race {
       if (this.tracks) this.#take();
       viewer.ask();
     });
-    by('frames').addEventListener('input', () => this.#tell());
+    by('frames').addEventListener('input', () => this.#describe());
     by('run').addEventListener('click', () => (this.#ahead ? this.#stop() : this.run()));
     for (const [id, event] of [['level', 'input'], ['up', 'click'], ['down', 'click']]) by(id).addEventListener(event, () => this.#stop());
   }
@@ -167,7 +167,7 @@ export class Race {
     let painting = false;
     if (this.#resting || (viewer.moves && piece === 'step')) for (const track of this.tracks) painting = track.draw(strength, this.#resting) || painting;
     showLevel(this.by, this.at, viewer.mesh.levels, viewer.level);
-    if (ends.includes(piece)) this.#tell();
+    if (ends.includes(piece)) this.#describe();
     if (painting) this.#resting = false;
     return !this.settled || (viewer.moves && strength > 0);
   }
@@ -180,7 +180,7 @@ export class Race {
       return [way, { write, read, all: write + frames * read }];
     }));
   }
-  #tell() {
+  #describe() {
     const { by, viewer, lanes } = this;
     if (!this.tracks || Object.keys(lanes ?? {}).length < 4) return;
     this.tracks.forEach(({ lane }, n) => { by(`${n === 0 ? 'rival' : 'kept'}-text`).textContent = ways[lane.way]; });

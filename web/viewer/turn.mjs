@@ -115,8 +115,8 @@ export class Turn {
     this.clicks = 0;
     this.by('turn-number').value = found ? found.index + 1 : '';
     this.by('turn-before').innerHTML = fanPicture(k, a, loop, ports, 'the patch before the split');
-    this.#tellWhere(found, own);
-    this.#tellReason(found);
+    this.#describePatch(found, own);
+    this.#describeReason(found);
     this.#paint(this.first);
   }
 
@@ -168,12 +168,12 @@ export class Turn {
     board.innerHTML = ringPicture(k, a, this.seen ? this.seen.inner : this.inner, ports, 'the patch after the split',
       { click: !this.seen, faces: true, named: true, marked });
     for (const node of fault?.triangles ?? []) board.querySelector(`[data-face="${node}"]`).classList.add('wrong');
-    this.#tellVerdict(fault);
+    this.#describeVerdict(fault);
   }
 
   // ---- text
   /// `fault`: of the colouring shown.
-  #tellVerdict(fault) {
+  #describeVerdict(fault) {
     const { puzzle, inner, best } = this;
     const verdict = this.by('turn-verdict');
     const [strips, least] = [inner, best].map((colors) => puzzle.after(colors));
@@ -203,7 +203,7 @@ export class Turn {
       `solved in ${counted(clicks, 'click')}. ${location.href.replace(/#.*/, '')}#part=turn&puzzle=${puzzle.name}`;
     by('turn-share').hidden = false;
   }
-  #tellWhere(found, own) {
+  #describePatch(found, own) {
     const { k, a } = this.puzzle;
     this.by('turn-share').hidden = true;
     this.by('turn-count').textContent = `of ${this.puzzles.count.toLocaleString('en')}, ${this.solved.size.toLocaleString('en')} solved`;
@@ -216,7 +216,7 @@ export class Turn {
     where.append(met === 0 ? 'Splits in four real meshes did not use its rule, ' : often,
       Object.assign(document.createElement('a'), { href: `atlas/split-${k}-${a}.html#${found.rule}`, textContent: found.rule }), '.');
   }
-  #tellReason(found) {
+  #describeReason(found) {
     const { puzzle, best } = this;
     const edges = puzzle.edges.length;
     const said = `Fewer strips means fewer dashed lines. The rule leaves ${edges - bitsIn(best)} of the ${edges} lines inside dashed.`;

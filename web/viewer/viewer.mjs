@@ -190,7 +190,7 @@ class Viewer {
     if (!this.mesh) return;
     const flying = this.camera.step(now);
     const going = this.part === 'race' ? this.race.frame(now) : this.#frameAlone(now);
-    this.link.tell();
+    this.link.write();
     if (!this.settled || flying) this.ask();
     else if (going) this.#askFrame();
   }
