@@ -19,9 +19,9 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-constexpr std::array forms{StripForm::restart, StripForm::stitched, StripForm::lengths, StripForm::list};
+constexpr std::array all_forms{StripForm::restart, StripForm::stitched, StripForm::lengths, StripForm::list};
 
-form_reader::Triangles triangles_of(const StripMesh& mesh) {
+form_reader::Triangles expected_triangles(const StripMesh& mesh) {
   const auto corners = sample::triangles_of(mesh);
   return {corners.begin(), corners.end()};
 }
@@ -46,13 +46,13 @@ void for_each_colored(Use&& use) {
 TEST(StripFormat, EveryFormDrawsTheMesh) {
   for_each_colored([](const StripMesh& mesh) {
     const Indices plain = strip_indices(mesh);
-    for (const StripForm form : forms)
+    for (const StripForm form : all_forms)
       for (const IndexWidth width : {IndexWidth::automatic, IndexWidth::bits32}) {
         const IndexBuffer buffer = format_strips(plain, {.form = form, .width = width, .list_if_shorter = false});
         ASSERT_EQ(buffer.form, form);
         ASSERT_EQ(buffer.index_bytes(), width == IndexWidth::bits32 ? 4U : 2U);
         ASSERT_EQ(buffer.triangles, mesh.triangle_count());
-        ASSERT_EQ(form_reader::read(buffer), triangles_of(mesh));
+        ASSERT_EQ(form_reader::read(buffer), expected_triangles(mesh));
       }
   });
 }
@@ -74,12 +74,12 @@ TEST(StripFormat, SizesAreAsStated) {
 TEST(StripFormat, BatchesKeepTheirLimits) {
   for_each_colored([](const StripMesh& mesh) {
     const Indices plain = strip_indices(mesh);
-    for (const StripForm form : forms)
+    for (const StripForm form : all_forms)
       for (const auto& [vertices, indices] :
            {std::pair<std::size_t, std::size_t>{3, 0}, {0, 4}, {7, 9}, {64, 0}, {0, 50}}) {
         const IndexBuffer buffer = format_strips(
             plain, {.form = form, .list_if_shorter = false, .most_vertices = vertices, .most_indices = indices});
-        ASSERT_EQ(form_reader::read(buffer), triangles_of(mesh));
+        ASSERT_EQ(form_reader::read(buffer), expected_triangles(mesh));
         const form_reader::Reader reader(buffer.bytes(), buffer.index_bytes());
         std::size_t end = 0;
         for (const IndexRange& batch : buffer.batches) {
@@ -99,9 +99,9 @@ TEST(StripFormat, TakesStitchedStripsApart) {
     const IndexBuffer stitched =
         format_strips(plain, {.form = StripForm::stitched, .width = IndexWidth::bits32, .list_if_shorter = false});
     const auto& indices = std::get<0>(stitched.indices);
-    for (const StripForm form : forms) {
+    for (const StripForm form : all_forms) {
       const IndexBuffer again = format_strips(indices, {.form = form, .list_if_shorter = false});
-      ASSERT_EQ(form_reader::read(again), triangles_of(mesh));
+      ASSERT_EQ(form_reader::read(again), expected_triangles(mesh));
     }
     ASSERT_LE(format_strips(indices, {.list_if_shorter = false}).size(), plain.size() + count_strips(mesh));
   });
