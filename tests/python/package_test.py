@@ -136,6 +136,28 @@ class Live(unittest.TestCase):
                 self.assertEqual((coloring.valid, coloring.strips, coloring.triangles), (True, mesh.strip_count, mesh.triangle_count))
                 self.assertGreaterEqual(len(done), 3, done)
 
+    def test_frames_are_undone(self):
+        mesh = restrip.LiveMesh(grid(8))
+        with self.assertRaisesRegex(restrip.RestripError, "no live buffer"):
+            mesh.undo()
+        mesh.begin_buffer(history=10_000)
+        mesh.update()
+        self.assertEqual((mesh.undo(), mesh.history), (False, (0, 0)))
+        states = [(mesh.faces().tolist(), mesh.colors.tolist())]
+        for v in (9, 18, 27):
+            mesh.collapse(mesh.find(v, v + 1))
+            states.append((mesh.faces().tolist(), mesh.colors.tolist()))
+            if v != 27:
+                mesh.update()
+        for at in (2, 1, 0):
+            self.assertTrue(mesh.undo())
+            self.assertEqual(mesh.history, (at, 3 - at))
+            self.assertEqual((mesh.faces().tolist(), mesh.colors.tolist()), states[at])
+            mesh.update()
+            self.assertEqual(rotated(drawn(mesh.buffer())), rotated(mesh.faces()))
+        self.assertEqual((mesh.undo(), mesh.redo(), mesh.history), (False, True, (1, 2)))
+        self.assertEqual((mesh.faces().tolist(), mesh.colors.tolist()), states[1])
+
     def test_splits_undo_collapses(self):
         mesh = restrip.LiveMesh(grid(6))
         h = mesh.find(14, 15)

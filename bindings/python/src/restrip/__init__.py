@@ -332,10 +332,28 @@ class LiveMesh:
 
     # ---- the index buffer that follows the mesh
 
-    def begin_buffer(self, form: str = "restart", index: Index = "auto") -> None:
+    def begin_buffer(self, form: str = "restart", index: Index = "auto", history: int = 0) -> None:
         """Starts the index buffer of the mesh, instead of a previous one, in a form of `indices`. An update of "list"
-        writes less. With "auto" it has 16 bits until a vertex needs 32."""
+        writes less. With "auto" it has 16 bits until a vertex needs 32. With a `history` each update, from the next one on,
+        ends a frame that can be undone; all frames together keep about that many changed triangles, 100 bytes each."""
         lib.call("live_begin_format", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1))
+        lib.call("live_history", self._mesh, history)
+
+    def undo(self) -> bool:
+        """Undoes the last frame; changes since the last update are a frame. Restores faces, numbers and strips exactly.
+        False if no frame is left. The next update returns the whole buffer. Linear in the mesh."""
+        return self._stepped("live_undo")
+
+    def redo(self) -> bool:
+        """Redoes the frame that was undone last, in the same way."""
+        return self._stepped("live_redo")
+
+    @property
+    def history(self) -> Tuple[int, int]:
+        """The number of frames that can be undone, and redone."""
+        undoable, redoable = ctypes.c_size_t(), ctypes.c_size_t()
+        lib.call("live_history_size", self._mesh, undoable, redoable)
+        return undoable.value, redoable.value
 
     def update(self, merge_gap: int = 0, align: int = 4) -> List[Tuple[int, np.ndarray]]:
         """Brings the buffer in step with the mesh. Returns the parts that may have changed, each with its first place, to be
@@ -358,6 +376,11 @@ class LiveMesh:
         return _array(view).copy()
 
     # ---- private
+
+    def _stepped(self, name: str) -> bool:
+        done = ctypes.c_int32()
+        lib.call(name, self._mesh, done)
+        return bool(done.value)
 
     def _made(self, form: int, index: Index, cache_size: int) -> Tuple[np.ndarray, List[Tuple[int, int]]]:
         """A buffer of the strips, and the ranges to draw separately."""

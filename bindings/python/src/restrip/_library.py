@@ -68,6 +68,9 @@ _checked = {
     "live_begin_format": [_mesh, c.POINTER(Format)],
     "live_update_with": [_mesh, _size, _size, c.POINTER(c.POINTER(Range)), c.POINTER(_size), c.POINTER(_int)],
     "live_buffer": [_mesh, c.POINTER(BufferView), c.POINTER(_size)],
+    "live_history": [_mesh, _size],
+    **{f"live_{name}": [_mesh, c.POINTER(_int)] for name in ("undo", "redo")},
+    "live_history_size": [_mesh, c.POINTER(_size), c.POINTER(_size)],
 }
 # Functions that return a value.
 _plain = {
