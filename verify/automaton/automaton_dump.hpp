@@ -8,6 +8,7 @@
 #include <string>
 
 #include "automaton/automaton_certificate.hpp"
+#include "judge/answer_digests.hpp"
 #include "judge/report.hpp"
 
 namespace restrip::verify {
@@ -26,5 +27,12 @@ AutomatonDumpCheck check_automaton_dump(std::FILE* stream, const AutomatonCertif
 /// Runs the program and checks its output.
 AutomatonDumpCheck check_automaton_dump_of(const std::string& program, const AutomatonCertificate& certificate,
                                            unsigned max_k);
+
+/// The largest fans whose colours, plus a few bits, fit a mask.
+inline constexpr unsigned largest_digest_fan = 28;
+
+/// Digests of the answers of a certificate at every position with up to `max_k` triangles
+/// (docs/reference/verifiers.md, "Digests of the automaton"), to compare look-ups in other languages with.
+Digests automaton_digests(const AutomatonCertificate& certificate, unsigned max_k);
 
 }  // namespace restrip::verify

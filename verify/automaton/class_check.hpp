@@ -8,7 +8,6 @@
 #include <tuple>
 #include <vector>
 
-#include "automaton/arc_joints.hpp"
 #include "automaton/arcs_around.hpp"
 #include "automaton/automaton_certificate.hpp"
 #include "judge/report.hpp"
@@ -62,7 +61,6 @@ class ClassCheck {
   void fail(Which which, unsigned line, const std::string& what);
 
   const AutomatonCertificate& certificate_;
-  const ArcJoints& joints_;
   const ArcWays ways_;
   std::vector<AutomatonClaim> claims_;
   std::vector<ArcKind> arcs_;

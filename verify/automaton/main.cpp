@@ -4,19 +4,134 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
-#include "automaton/automaton_digests.hpp"
-#include "automaton/verify_automaton.hpp"
+#include "automaton/automaton_dump.hpp"
+#include "automaton/class_check.hpp"
+#include "automaton/fan_check.hpp"
 #include "common/counted.hpp"
 #include "common/report_output.hpp"
+#include "judge/report.hpp"
+#include "model/family.hpp"
+#include "model/input.hpp"
 #include "model/program.hpp"
 
 namespace {
 
 using namespace restrip::verify;
+using restrip::counted;
+
+struct AutomatonOptions {
+  std::string tables_dir = "tables";
+  std::string dump_command;                    ///< prints the compiled automaton; empty: not read
+  std::vector<std::string> digest_commands;    ///< programs that print digests of the answers of look-ups
+  unsigned digest_max_k = largest_digest_fan;  ///< the largest fans of digests
+  unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
+  unsigned max_k = 10;                  ///< the largest fans that are searched
+  unsigned every = 1;                   ///< only every n-th place of the fans with k > 8 is searched
+};
+
+struct AutomatonTotals {
+  std::uint64_t claims = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t classes = 0;
+  std::uint64_t rows = 0;
+  Sources read;
+  std::uint64_t kinds = 0;  ///< of arcs, distinguished by the best cost of each case, ports and class
+};
+
+/// Reports claims one after the other, each with the time since the previous one.
+class ClaimReporter {
+ public:
+  ClaimReporter(AutomatonTotals& totals, const ClaimListener& listener) : totals_(totals), listener_(listener) {}
+
+  void report(const std::string& claim, const std::string& method, std::uint64_t cases, const Failures& failures) {
+    ClaimResult result{"automaton", claim, method, cases, thread_seconds() - start_, failures.count, failures.first};
+    start_ = thread_seconds();
+    if (cases == 0 && result.held()) {
+      result.failures = 1;
+      result.counterexample = "nothing was compared";
+    }
+    ++totals_.claims;
+    totals_.failed += result.held() ? 0U : 1U;
+    listener_(result);
+  }
+
+ private:
+  AutomatonTotals& totals_;
+  const ClaimListener& listener_;
+  double start_ = thread_seconds();
+};
+
+std::string certificate_of(const AutomatonOptions& options, const std::string& family) {
+  return options.tables_dir + "/certificates/" + family + ".cert";
+}
+
+void tell_classes(const AutomatonCertificate& certificate, AutomatonTotals& totals, ClaimReporter& reporter) {
+  totals.read.certificates = true;
+  totals.classes += certificate.classes.size();
+  totals.rows += certificate.rows;
+  const ClassCheck classes(certificate);
+  totals.kinds += classes.arcs().size();
+  for (const AutomatonClaim& claim : classes.claims())
+    reporter.report(claim.claim, claim.method, claim.cases, claim.failures);
+}
+
+void tell_dump(AutomatonDumpCheck dump, unsigned max_k, AutomatonTotals& totals, ClaimReporter& reporter) {
+  totals.read.of_headers.emplace_back("compiled automaton");
+  if (!dump.fault.empty()) dump.wrong_numbers.add(dump.fault);
+  reporter.report("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
+  reporter.report("every answer of the header is the certificate's", fmt::format("k <= {}, digests of its dump", max_k),
+                  dump.keys, dump.wrong_answers);
+}
+
+/// Checks the certificate; calls the listener for each claim. Throws InputError if a file cannot be read.
+AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener) {
+  AutomatonTotals totals;
+  ClaimReporter reporter(totals, listener);
+  const std::string path = certificate_of(options, "automaton");
+  const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
+  tell_classes(certificate, totals, reporter);
+  // Steps and meetings are consistent only if all claims above hold; answers rely on that.
+  if (totals.failed != 0) return totals;
+
+  if (!options.dump_command.empty())
+    tell_dump(check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k), options.tables_max_k,
+              totals, reporter);
+
+  if (!options.digest_commands.empty()) {
+    const Digests digests = automaton_digests(certificate, options.digest_max_k);
+    for (const std::string& command : options.digest_commands) {
+      totals.read.of_headers.emplace_back("digests of a look-up");
+      DigestComparison found = compare_digests_of(command, digests);
+      if (!found.fault.empty()) found.differences.add(found.fault);
+      reporter.report("a look-up answers as the certificate does",
+                      fmt::format("k <= {}, digests", options.digest_max_k), found.positions, found.differences);
+    }
+  }
+
+  for (const Family& family : all_families(options.tables_max_k)) {
+    if (family.sections.front().operations.front().may_give_up != 0) continue;
+    const std::string file = certificate_of(options, family.name);
+    const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
+    reporter.report(fmt::format("worth what the rules of {} are", family.name),
+                    fmt::format("k <= {}, {}, {} the very rule", options.tables_max_k,
+                                counted(check.places, "position"), check.same),
+                    check.keys, check.failures);
+  }
+  for (unsigned k = 1; k <= options.max_k; ++k) {
+    const unsigned every = k > largest_fan ? options.every : 1;
+    const FanCheck check = check_against_search(certificate, k, every);
+    reporter.report(fmt::format("every answer with k = {} is sound and best", k),
+                    fmt::format("all recolourings, {}{}", every == 1 ? "all " : "", counted(check.places, "place")),
+                    check.keys, check.failures);
+  }
+  return totals;
+}
 
 int run(const AutomatonOptions& options, const std::string& json) {
   const restrip::files::ReportOutput out(json);
@@ -28,10 +143,9 @@ int run(const AutomatonOptions& options, const std::string& json) {
     std::fflush(stdout);
   });
   out.print(fmt::format("{}: {}, {}, {} of arcs, {} of which {} failed; read: {}\n",
-                        totals.failed == 0 ? "verified" : "NOT verified",
-                        restrip::counted(totals.classes, "class", "classes"), restrip::counted(totals.rows, "row"),
-                        restrip::counted(totals.kinds, "kind"), restrip::counted(totals.claims, "claim"), totals.failed,
-                        text_of(totals.read)),
+                        totals.failed == 0 ? "verified" : "NOT verified", counted(totals.classes, "class", "classes"),
+                        counted(totals.rows, "row"), counted(totals.kinds, "kind"), counted(totals.claims, "claim"),
+                        totals.failed, text_of(totals.read)),
             text_of({{"claims", json_of(claims)},
                      {"classes", totals.classes},
                      {"rows", totals.rows},
