@@ -15,7 +15,6 @@
 #include "common/output.hpp"
 #include "common/reading.hpp"
 #include "common/system_calls.hpp"
-#include "folder_contents.hpp"
 #include "support/failing_new.hpp"
 #include "tools/scratch_folder.hpp"
 

@@ -15,7 +15,6 @@
 
 #include "common/file_error.hpp"
 #include "common/system_calls.hpp"
-#include "folder_contents.hpp"
 #include "tools/scratch_folder.hpp"
 
 namespace restrip::files {

@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "common/file_error.hpp"
-#include "folder_contents.hpp"
 #include "tools/scratch_folder.hpp"
 
 namespace restrip::files {

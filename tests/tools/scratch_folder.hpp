@@ -1,4 +1,4 @@
-// A separate folder for each test, removed afterwards.
+// A separate folder for each test, removed afterwards; and the contents of a folder, to compare before and after.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,14 +7,35 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 
-namespace restrip::tools {
+namespace restrip {
 
 inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
+
+inline void put(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+/// Every file below the folder, hidden ones as well, with its bytes; links with where they lead.
+inline std::map<std::string, std::string> contents_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().lexically_relative(folder).string();
+    contents[name] = entry.is_symlink()        ? "-> " + std::filesystem::read_symlink(entry).string()
+                     : entry.is_regular_file() ? bytes_of(entry)
+                                               : "no file";
+  }
+  return contents;
+}
+
+}  // namespace restrip
+
+namespace restrip::tools {
 
 class ScratchFolder : public testing::Test {
  protected:
