@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "growth.hpp"
 #include "hub_meshes.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"

@@ -3,6 +3,8 @@
 // the standard library's templates included, and no clock is read.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 
 namespace restrip::counter {
@@ -21,5 +23,15 @@ Work work_of(Run&& run) {
   run();
   return {steps() - before.steps, allocations() - before.allocations};
 }
+
+/// Whether work grows as promised from one size to twice the size.
+inline ::testing::AssertionResult grows_at_most(double times, const Work& once, const Work& twice) {
+  if (once.steps < 20) return ::testing::AssertionFailure() << "nothing was counted: " << once.steps << " steps";
+  const double ratio = static_cast<double>(twice.steps) / static_cast<double>(once.steps);
+  if (ratio <= times) return ::testing::AssertionSuccess() << once.steps << " steps, then " << twice.steps;
+  return ::testing::AssertionFailure() << once.steps << " steps, then " << twice.steps << ": " << ratio << " times";
+}
+inline constexpr double linear = 2.4;  ///< n log n grows no faster
+inline constexpr double constant = 1.25;
 
 }  // namespace restrip::counter

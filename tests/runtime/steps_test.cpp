@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "growth.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"

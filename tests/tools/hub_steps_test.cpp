@@ -24,7 +24,7 @@
 #include "replay/ways.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
-#include "runtime/growth.hpp"
+#include "runtime/step_counter.hpp"
 #include "runtime/hub_meshes.hpp"
 
 namespace restrip::tools {
