@@ -24,8 +24,8 @@
 #include "replay/ways.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
-#include "runtime/step_counter.hpp"
 #include "runtime/hub_meshes.hpp"
+#include "runtime/step_counter.hpp"
 
 namespace restrip::tools {
 namespace {
