@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "common/file_error.hpp"
+#include "common/reading.hpp"
 #include "common/system_calls.hpp"
 #include "tools/scratch_folder.hpp"
 
