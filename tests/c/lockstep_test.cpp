@@ -421,8 +421,8 @@ TEST(CInterface, FramesAreUndone) {
   std::size_t at = 0;
   for (int round = 0; round < 400; ++round) {
     if (random() % 2 == 0) {
-      Told told;
-      play(mesh.get(), random, 1 + static_cast<int>(random() % 6), told,
+      Tally reported;
+      play(mesh.get(), random, 1 + static_cast<int>(random() % 6), reported,
            [](const Move&, restrip_status, const restrip_change&) {});
       const State after = state();
       if (after != states[at] && random() % 4 == 0) {  // undo() ends the frame
