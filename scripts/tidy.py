@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "tidy"
-ROOMS = ["bindings", "examples", "files", "generator", "runtime", "tools", "bench", "verify", "web"]
+ROOMS = ["bindings", "common", "examples", "generator", "runtime", "tools", "bench", "verify", "web"]
 OF_EACH_PROGRAM = ["main", "register_benchmarks"]
 # They include tables that only a build makes.
 LEFT_OUT = ["examples/own_operation.cpp", "examples/own_family.cpp"]
