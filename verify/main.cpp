@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/report_output.hpp"
+#include "explain/commands.hpp"
 #include "model/input.hpp"
 #include "model/program.hpp"
 #include "verify.hpp"
@@ -47,6 +48,7 @@ int main(int argc, char** argv) {
 
   CLI::App app("Proves the rewriting rules: reads the certificates and checks every claim for every configuration.");
   app.name("restrip-verify");
+  app.require_subcommand(0, 1);
   app.footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
       "Example, from the top of the source tree:\n"
@@ -95,8 +97,13 @@ int main(int argc, char** argv) {
                                                      name == "--digest-command" || name == "--headers" ||
                                                      name == "--family")
       operation->excludes(option);
+  const ExplainCommand explain(app);
   const auto given = [&](const char* name) { return !app.get_option(name)->empty(); };
   return exit_code_of(app, argc, argv, [&] {
+    for (const CLI::Option* option : app.get_options())
+      refuse_if(explain.chosen() && !option->empty(),
+                fmt::format("{} does not go with a subcommand", option->get_name()));
+    if (explain.chosen()) return explain.run();
     refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&
                   options.dump_command.empty(),
               "--operation needs --certificate, --header or, of a family, --dump-command");

@@ -31,7 +31,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of the same floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify common model definition certificate judge linked automaton)
+set(floors_verify common model definition certificate judge linked|explain automaton)
 set(floors_tools restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
@@ -92,7 +92,7 @@ function(judge room source line out)
   endif()
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
-     OR source MATCHES "/verify/([a-z]+/)?main.cpp" AND what MATCHES "^(${door_reports})$"
+     OR source MATCHES "/verify/(([a-z]+/)?main|explain/commands).cpp" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/languages/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"

@@ -11,8 +11,7 @@
 
 namespace restrip::verify {
 
-// Not in the unnamed namespace: PatchInWorlds::Graphs, declared in the header, has these as members.
-namespace worlds {
+namespace worlds {  // not unnamed: PatchInWorlds::Graphs, declared in the header, has these as members
 constexpr unsigned outside = most_colors;
 struct DualEdge {
   unsigned number = 0;  ///< inner edges, then ports; `outside` for all edges of a world
@@ -60,7 +59,8 @@ std::vector<World> worlds_of(Constraint constraint, unsigned ports) {
   std::vector<World> all;
   extend(constraint, ports, 0, {}, all);
   std::sort(all.begin(), all.end(), [](const World& one, const World& other) {
-    return std::pair(solid_count(one.ports), one.connected) < std::pair(solid_count(other.ports), other.connected);
+    const auto connections = [](const World& world) { return solid_count(world.ports) - world.connected.size(); };
+    return std::pair(connections(one), one.connected) < std::pair(connections(other), other.connected);
   });
   return all;
 }
@@ -138,34 +138,24 @@ Definition::Definition(const Operation& operation)
       question_of_[concatenated(inner, ports, operation.ports())] = place->second;
       if (is_new) questions_.push_back({std::move(worlds), {}});
     }
-    const std::vector<Candidate> in_order = in_order_of_preference(ports);
+    std::vector<Candidate> in_order;  // the preferred ones first
+    for (Mask kept = 0; kept <= ports; ++kept)
+      if (admissible(operation_, ports, kept))
+        for (const Mask inner : valid_after_[kept])
+          in_order.push_back({cost({0, ports}, {inner, kept}), {inner, kept}});
+    std::sort(in_order.begin(), in_order.end());
     for (const auto& question : known) {
       auto& [worlds, best] = questions_[question.second];
-      const auto first = std::find_if(in_order.begin(), in_order.end(), [&, &worlds = worlds](const Candidate& one) {
-        return !refuting_world(worlds, one.colors).has_value();
-      });
-      if (first != in_order.end()) best = *first;
+      for (auto one = in_order.begin(); one != in_order.end() && !best; ++one)
+        if (!refuting_world(worlds, one->colors)) best = *one;
     }
   }
-}
-
-std::vector<Candidate> Definition::in_order_of_preference(Mask ports) const {
-  std::vector<Candidate> all;
-  for (Mask kept = 0; kept <= ports; ++kept)
-    if (admissible(operation_, ports, kept))
-      for (const Mask inner : valid_after_[kept]) all.push_back({cost({0, ports}, {inner, kept}), {inner, kept}});
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
 std::optional<unsigned> Definition::refuting_world(const std::vector<unsigned>& worlds, Colors recoloring) const {
   for (const unsigned world : worlds)
     if (!after_.valid(recoloring, world)) return world;
   return {};
-}
-
-std::optional<unsigned> Definition::refuting_world(Colors configuration, Colors recoloring) const {
-  return refuting_world(worlds(configuration), recoloring);
 }
 
 Judged Definition::judged(Colors configuration, Colors recoloring) const {

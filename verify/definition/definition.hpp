@@ -18,7 +18,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -43,12 +42,9 @@ class PatchInWorlds {
  public:
   PatchInWorlds(const Side& side, Constraint constraint, const std::vector<World>& worlds);
 
-  /// Cost: linear in the triangles, edges and ports.
-  bool valid(Colors colors, std::size_t world) const;
-  /// Whether degrees and the edges of the patch allow it: valid in the world that connects nothing.
-  bool valid(Colors colors) const { return valid(colors, 0); }
-  /// The number of graphs judged.
-  std::uint64_t graphs() const { return graphs_; }
+  bool valid(Colors colors, std::size_t world) const;           ///< linear in the triangles, edges and ports
+  bool valid(Colors colors) const { return valid(colors, 0); }  ///< in the world that connects nothing
+  std::uint64_t graphs() const { return graphs_; }              ///< how many were judged
 
  private:
   struct Graphs;
@@ -64,10 +60,7 @@ class PatchInWorlds {
 struct Candidate {
   CostValues cost{};
   Colors colors;
-  friend bool operator<(const Candidate& one, const Candidate& other) {
-    return std::tie(one.cost, one.colors.inner, one.colors.ports) <
-           std::tie(other.cost, other.colors.inner, other.colors.ports);
-  }
+  friend auto operator<=>(const Candidate&, const Candidate&) = default;
 };
 
 enum class Verdict { right, wrong_ports, unsound, not_best };
@@ -90,13 +83,14 @@ class Definition {
 
   /// Judges a recolouring of a valid configuration. Each question is answered once and cached.
   Judged judged(Colors configuration, Colors recoloring) const;
-  /// The first world in which a valid configuration may occur and the recolouring is not valid, if any. Ignores ports.
-  std::optional<unsigned> refuting_world(Colors configuration, Colors recoloring) const;
+  /// The first world in which a valid configuration may occur and the recolouring is not valid, if any: one with the
+  /// fewest connections. Ignores ports.
+  std::optional<unsigned> refuting_world(Colors configuration, Colors recoloring) const {
+    return refuting_world(worlds(configuration), recoloring);
+  }
+  bool valid_after(Colors recoloring, unsigned world) const { return after_.valid(recoloring, world); }
   /// The first of the best recolourings; empty if none is sound.
   const std::optional<Candidate>& best(Colors configuration) const { return question(configuration).best; }
-
-  /// The valid recolourings of these solid ports that keep all ports that must stay, in order of preference.
-  std::vector<Candidate> in_order_of_preference(Mask ports) const;
   CostValues cost(Colors configuration, Colors recoloring) const {
     return cost_of(operation_, recoloring, solid_count(configuration.ports & ~recoloring.ports));
   }

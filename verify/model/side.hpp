@@ -2,6 +2,7 @@
 // The triangles of a patch on one side of an operation, and the colours of their edges.
 
 #include <array>
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,7 @@ struct PlacedTriangle {
 struct Colors {
   Mask inner = 0;
   Mask ports = 0;
-  friend constexpr bool operator==(Colors, Colors) = default;
+  friend constexpr auto operator<=>(Colors, Colors) = default;
 };
 
 }  // namespace restrip::verify

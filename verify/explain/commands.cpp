@@ -1,0 +1,88 @@
+#include "explain/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "common/report_output.hpp"
+#include "explain/explanation.hpp"
+#include "judge/report.hpp"
+#include "model/input.hpp"
+#include "model/program.hpp"
+
+namespace restrip::verify {
+namespace {
+
+Mask mask_of(const std::string& option, const std::string& text, unsigned bits) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (error != std::errc() || end != text.data() + text.size() || value >= wide_mask_count(bits))
+    throw std::invalid_argument(
+        fmt::format("{} {}: expected a hexadecimal mask of at most {} bits", option, text, bits));
+  return static_cast<Mask>(value);
+}
+
+/// The shipped descriptions, or those of a file.
+std::vector<Description> descriptions_of(const std::string& file) {
+  return file.empty() ? shipped_descriptions() : parse_descriptions(file, read_file(file));
+}
+
+/// The one of this name; without a name the only one.
+Description named(const std::vector<Description>& all, const std::string& name) {
+  std::string names;
+  for (const Description& one : all) {
+    if (one.name == name || (name.empty() && all.size() == 1)) return one;
+    names += ' ' + one.name;
+  }
+  throw std::invalid_argument(fmt::format("--family {}: expected one of{}", name, names));
+}
+
+}  // namespace
+
+ExplainCommand::ExplainCommand(CLI::App& app)
+    : command_(app.add_subcommand("explain", "One rule: why nothing is better, or what is wrong with a recolouring")) {
+  command_->footer(
+      "Masks are hexadecimal and numbered as in docs/reference/notation.md; dumps print the same in decimal.\n"
+      "Exit code: 0 a rule is explained or the recolouring is as good as the rule, 1 it is not, 2 bad input.\n\n"
+      "Example:\n"
+      "  restrip-verify explain --family split --k 5 --at 2 --before 1a --ports 5 --after ff --svg why.svg");
+  command_->add_option("--family", family_, "A shipped family, such as split; or one of several in the operation file");
+  command_->add_option("--operation", operation_, "A custom operation or family: its file");
+  command_->add_option("--k", k_, "The first number of the position: triangles of the fan");
+  command_->add_option("--at", at_, "Its other numbers: a of split, i,j of open-split")->delimiter(',');
+  command_->add_option("--before", before_, "The inner edges before the operation")->required();
+  command_->add_option("--ports", ports_, "The solid ports before the operation")->required();
+  CLI::Option* const after =
+      command_->add_option("--after", after_, "The inner edges of a recolouring, which is judged as well");
+  command_->add_option("--ports-after", ports_after_, "The ports that it keeps, if it gives any up")->needs(after);
+  command_->add_option("--svg", svg_, "Draw the patch before, the patch after and the worlds that show why");
+  add_json_option(*command_, json_);
+}
+
+int ExplainCommand::run() const {
+  const files::ReportOutput out(json_, {operation_});
+  const Description description = named(descriptions_of(operation_), family_);
+  Numbers numbers = at_;
+  if (command_->count("--k") != 0) numbers.insert(numbers.begin(), k_);
+  const Operation operation = operation_at(description, numbers);
+  const Colors configuration{mask_of("--before", before_, operation.before.inner_edges()),
+                             mask_of("--ports", ports_, operation.ports())};
+  const Definition definition(operation);
+  if (!definition.valid(configuration))
+    throw std::invalid_argument(
+        fmt::format("not a valid configuration: {}",
+                    invalid_because(operation.before, configuration, most_solid(operation.constraint))));
+  std::optional<JudgedColors> judged;
+  if (!after_.empty()) {
+    const Colors recoloring{
+        mask_of("--after", after_, operation.after.inner_edges()),
+        ports_after_.empty() ? configuration.ports : mask_of("--ports-after", ports_after_, operation.ports())};
+    judged = {recoloring, judgement_of(definition, configuration, recoloring)};
+  }
+  const Explanation explanation = explanation_of(definition, configuration);
+  out.print(text_of(definition, explanation, judged), text_of(json_of(definition, explanation, judged)));
+  return !judged || judged->judgement.standing >= Standing::equally_good ? all_claims_hold : some_claim_fails;
+}
+
+}  // namespace restrip::verify

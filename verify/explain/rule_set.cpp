@@ -1,0 +1,240 @@
+#include "explain/rule_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "model/input.hpp"
+#include "model/on_threads.hpp"
+#include "model/quantity.hpp"
+
+namespace restrip::verify {
+namespace {
+
+struct RuleRow {
+  unsigned line = 0;
+  Colors configuration;
+  Colors recoloring;
+  std::optional<Change> stated;
+};
+
+/// The columns of colours: those of the dumps (docs/reference/notation.md names the masks), and of any other operation.
+std::string color_columns(const std::string& family) {
+  if (family == "split" || family == "open-split" || family == "boundary-split") return "loop,ports,inner";
+  if (family == "collapse" || family == "open-collapse" || family == "boundary-collapse") return "inner,ports,loop";
+  return "inner,ports,inner_after";
+}
+
+class RuleReader {
+ public:
+  RuleReader(const std::string& file, std::string text, const std::vector<Description>& descriptions)
+      : file_(file), lines_(file, in_words(file, std::move(text))) {
+    lines_.next("a header");
+    std::string header = lines_.rest(0);
+    std::replace(header.begin(), header.end(), ' ', ',');
+    std::string expected;
+    for (const Description& one : descriptions) {
+      const std::string begin =
+          fmt::format("{}{}{}", fmt::join(one.numbers, ","), one.numbers.empty() ? "" : ",", color_columns(one.name));
+      expected += fmt::format("\n  {}", begin);
+      if (!header.starts_with(begin)) continue;
+      std::string rest = header.substr(begin.size());
+      has_kept_ = take(rest, ",ports_after");
+      has_change_ = take(rest, ",strips,isolated");
+      if (rest.empty()) description_ = &one;
+    }
+    if (description_ == nullptr)
+      lines_.fail(fmt::format(
+          "expected one of these headers, then perhaps ports_after, then perhaps strips,isolated:{}", expected));
+  }
+  const Description& description() const { return *description_; }
+
+  /// The rows of each position, and the positions themselves.
+  void read(std::map<Numbers, Operation>& operations, std::map<Numbers, std::vector<RuleRow>>& rows) {
+    const std::size_t numbers = description_->numbers.size();
+    const std::size_t words = numbers + 3U + (has_kept_ ? 1U : 0U) + (has_change_ ? 2U : 0U);
+    while (!lines_.at_end()) {
+      lines_.next("a row");
+      lines_.expect_words(words, fmt::format("{} columns", words));
+      Numbers position;
+      for (std::size_t i = 0; i < numbers; ++i) position.push_back(mask(i, 8));
+      auto known = operations.find(position);
+      if (known == operations.end()) known = operations.emplace(position, operation_at(*description_, position)).first;
+      const Operation& operation = known->second;
+      RuleRow row;
+      row.line = lines_.line();
+      row.configuration = {mask(numbers, operation.before.inner_edges()), mask(numbers + 1, operation.ports())};
+      row.recoloring = {mask(numbers + 2, operation.after.inner_edges()), row.configuration.ports};
+      if (has_kept_) row.recoloring.ports = mask(numbers + 3, operation.ports());
+      if (has_change_)
+        row.stated = {static_cast<int>(lines_.number(words - 2)), static_cast<int>(lines_.number(words - 1))};
+      rows[position].push_back(row);
+    }
+  }
+
+ private:
+  static std::string in_words(const std::string& file, std::string text) {
+    if (text.find(' ') != std::string::npos) throw InputError(file, 0, "expected no spaces between columns");
+    std::erase(text, '\r');
+    std::replace(text.begin(), text.end(), ',', ' ');
+    return text;
+  }
+  static bool take(std::string& text, std::string_view what) {
+    if (!text.starts_with(what)) return false;
+    text.erase(0, what.size());
+    return true;
+  }
+  /// A decimal number below 2 to the number of bits.
+  Mask mask(std::size_t column, unsigned bits) const {
+    const std::int64_t value = lines_.number(column);
+    if (value < 0 || value >= std::int64_t{mask_count(bits)})
+      lines_.fail(fmt::format("expected 0 to {} in column {}, found {}", mask_count(bits) - 1, column + 1, value));
+    return static_cast<Mask>(value);
+  }
+
+  std::string file_;
+  LineReader lines_;
+  const Description* description_ = nullptr;
+  bool has_kept_ = false;
+  bool has_change_ = false;
+};
+
+/// Worse rows first: by standing, then by strips lost.
+bool is_worse(const BadRow& one, const BadRow& other) {
+  return std::tuple(one.standing, -one.strips_lost, one.line) <
+         std::tuple(other.standing, -other.strips_lost, other.line);
+}
+
+void keep_worst(RuleSetReport& report, std::size_t worst) {
+  std::sort(report.worst.begin(), report.worst.end(), is_worse);
+  if (report.worst.size() > worst) report.worst.resize(worst);
+}
+
+/// The rows of one position.
+RuleSetReport judge_position(const std::string& file, const Operation& operation, const std::vector<RuleRow>& rows,
+                             std::size_t worst) {
+  const Definition definition(operation);
+  RuleSetReport report;
+  report.rows = rows.size();
+  for (Mask both = 0; both < mask_count(operation.before.colors()); ++both)
+    if (definition.valid({high_part(both, operation.ports()), low_part(both, operation.ports())}))
+      ++report.configurations;
+  std::map<Colors, unsigned> line_of;
+  for (const RuleRow& row : rows) {
+    const auto [first, is_new] = line_of.try_emplace(row.configuration, row.line);
+    if (!is_new) throw InputError(file, row.line, fmt::format("the configuration of line {} again", first->second));
+    if (!definition.valid(row.configuration)) {
+      ++report.not_configurations;
+      continue;
+    }
+    const Judgement judgement = judgement_of(definition, row.configuration, row.recoloring);
+    ++report.standings[static_cast<std::size_t>(judgement.standing)];
+    report.strips_lost += judgement.strips_lost.value_or(0);
+    const Change change = change_of(operation, row.configuration, row.recoloring);
+    const bool misstated = row.stated && judgement.standing >= Standing::worse && *row.stated != change;
+    report.misstated += misstated ? 1U : 0U;
+    if (!misstated && judgement.standing > Standing::worse) continue;
+    report.worst.push_back({row.line, judgement.standing, judgement.strips_lost.value_or(0), judgement.because,
+                            arguments_of(operation, row.configuration, row.recoloring)});
+    if (judgement.standing > Standing::worse)
+      report.worst.back().because =
+          fmt::format("states strips {}, isolated {}, but changes them by {} and {}", row.stated->strips,
+                      row.stated->isolated, change.strips, change.isolated);
+  }
+  keep_worst(report, worst);
+  return report;
+}
+
+}  // namespace
+
+std::uint64_t RuleSetReport::at_least(Standing standing) const {
+  std::uint64_t sum = 0;
+  for (std::size_t i = static_cast<std::size_t>(standing); i < standings.size(); ++i) sum += standings[i];
+  return sum;
+}
+
+RuleSetReport judge_rules(const std::string& file, const std::string& text,
+                          const std::vector<Description>& descriptions, std::size_t worst, unsigned threads) {
+  RuleReader reader(file, text, descriptions);
+  std::map<Numbers, Operation> operations;
+  std::map<Numbers, std::vector<RuleRow>> rows;
+  reader.read(operations, rows);
+  if (rows.empty()) throw InputError(file, 0, "has no rows");
+
+  std::vector<const Numbers*> order;
+  for (const auto& position : rows) order.push_back(&position.first);
+  std::vector<RuleSetReport> parts(order.size());
+  on_threads(threads, order.size(), [&] {
+    return [&](std::size_t i) { parts[i] = judge_position(file, operations.at(*order[i]), rows.at(*order[i]), worst); };
+  });
+
+  RuleSetReport sum;
+  sum.operation = reader.description().name;
+  sum.positions = parts.size();
+  for (const RuleSetReport& part : parts) {
+    sum.rows += part.rows;
+    sum.not_configurations += part.not_configurations;
+    for (std::size_t i = 0; i < sum.standings.size(); ++i) sum.standings[i] += part.standings[i];
+    sum.misstated += part.misstated;
+    sum.configurations += part.configurations;
+    sum.strips_lost += part.strips_lost;
+    sum.worst.insert(sum.worst.end(), part.worst.begin(), part.worst.end());
+  }
+  keep_worst(sum, worst);
+  const Description& description = reader.description();
+  if (!description.numbers.empty())
+    for (const Numbers& position : description.positions(rows.rbegin()->first.front()))
+      if (description.listed.hold(position) && !rows.contains(position) &&
+          std::any_of(order.begin(), order.end(), [&](const Numbers* one) { return one->front() == position.front(); }))
+        sum.absent.push_back(description.filled(description.position, position));
+  return sum;
+}
+
+std::string text_of(const RuleSetReport& report, const std::string& source) {
+  const std::uint64_t judged = report.rows - report.not_configurations;
+  std::string text = fmt::format("{}: {} at {}\n", report.operation, quantity_grouped(report.rows, "row"),
+                                 quantity(report.positions, "position"));
+  const auto line = [&](const char* name, std::uint64_t count) {
+    text += fmt::format("{:<22}{:>9}\n", name, grouped(count));
+  };
+  line("valid", report.at_least(Standing::unsound));
+  line("sound", report.at_least(Standing::worse));
+  line("best", report.at_least(Standing::equally_good));
+  line("strips change misstated", report.misstated);
+  line("without a row", report.configurations - judged);
+  line("not a configuration", report.not_configurations);
+  text += fmt::format("{:<22}{:>9}\n", "strips lost", report.strips_lost);
+  if (!report.absent.empty()) text += fmt::format("positions without any row: {}\n", fmt::join(report.absent, ", "));
+  for (const BadRow& row : report.worst)
+    text += fmt::format("line {}: {}: {}\n  restrip-verify explain {} {}\n", row.line, name_of(row.standing),
+                        row.because, source, row.arguments);
+  return text;
+}
+
+nlohmann::ordered_json json_of(const RuleSetReport& report) {
+  nlohmann::ordered_json json = {
+      {"operation", report.operation},
+      {"positions", report.positions},
+      {"positions_without_rows", report.absent},
+      {"rows", report.rows},
+      {"not_configurations", report.not_configurations},
+      {"valid", report.at_least(Standing::unsound)},
+      {"sound", report.at_least(Standing::worse)},
+      {"best", report.at_least(Standing::equally_good)},
+      {"misstated", report.misstated},
+      {"configurations_without_row", report.configurations - (report.rows - report.not_configurations)},
+      {"strips_lost", report.strips_lost},
+      {"worst", nlohmann::ordered_json::array()}};
+  for (const BadRow& row : report.worst)
+    json["worst"].push_back({{"line", row.line},
+                             {"verdict", name_of(row.standing)},
+                             {"because", row.because},
+                             {"strips_lost", row.strips_lost},
+                             {"arguments", row.arguments}});
+  return json;
+}
+
+}  // namespace restrip::verify

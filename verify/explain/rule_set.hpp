@@ -1,0 +1,50 @@
+#pragma once
+// A rule set of any source, as CSV with the columns of `restrip-generate dump`: read, and each row judged by the
+// definition.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "explain/explanation.hpp"
+
+namespace restrip::verify {
+
+/// A row that is not as good as the best, or says something wrong of itself.
+struct BadRow {
+  unsigned line = 0;
+  Standing standing = Standing::best;
+  int strips_lost = 0;
+  std::string because;
+  std::string arguments;  ///< of `restrip-verify explain`, behind the operation
+};
+
+struct RuleSetReport {
+  std::string operation;
+  std::uint64_t rows = 0;
+  std::uint64_t not_configurations = 0;      ///< rows of colours that are not a valid configuration; not judged
+  std::array<std::uint64_t, 5> standings{};  ///< of the other rows, by Standing
+  std::uint64_t misstated = 0;               ///< rows whose `strips` or `isolated` is not what they change
+  std::uint64_t configurations = 0;          ///< valid ones of the positions that the file has rows of
+  std::int64_t strips_lost = 0;              ///< of sound rows, against the best
+  std::uint64_t positions = 0;               ///< that the file has rows of
+  std::vector<std::string> absent;           ///< listed positions of the same first number without any row
+  std::vector<BadRow> worst;                 ///< the worst first
+
+  std::uint64_t at_least(Standing standing) const;
+  bool best() const { return misstated == 0 && at_least(Standing::equally_good) == rows - not_configurations; }
+};
+
+/// Judges a file. Its header says which of the descriptions is meant: the names of the numbers, then
+/// `before,ports,after`, where shipped families have the words of their dumps; `ports_after` and `strips,isolated` may
+/// follow. InputError if the file is not well formed, has two rows of one configuration, or has rows of positions that
+/// do not exist. Keeps at most `worst` bad rows.
+RuleSetReport judge_rules(const std::string& file, const std::string& text,
+                          const std::vector<Description>& descriptions, std::size_t worst, unsigned threads);
+
+/// `source`: how `explain` is given the operation, "--family split".
+std::string text_of(const RuleSetReport& report, const std::string& source);
+nlohmann::ordered_json json_of(const RuleSetReport& report);
+
+}  // namespace restrip::verify
