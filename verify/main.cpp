@@ -98,12 +98,14 @@ int main(int argc, char** argv) {
                                                      name == "--family")
       operation->excludes(option);
   const ExplainCommand explain(app);
+  const RulesCommand rules(app);
   const auto given = [&](const char* name) { return !app.get_option(name)->empty(); };
   return exit_code_of(app, argc, argv, [&] {
     for (const CLI::Option* option : app.get_options())
-      refuse_if(explain.chosen() && !option->empty(),
+      refuse_if((explain.chosen() || rules.chosen()) && !option->empty(),
                 fmt::format("{} does not go with a subcommand", option->get_name()));
     if (explain.chosen()) return explain.run();
+    if (rules.chosen()) return rules.run();
     refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&
                   options.dump_command.empty(),
               "--operation needs --certificate, --header or, of a family, --dump-command");

@@ -39,6 +39,7 @@ commands = {
     "tables": (["restrip-generate", "tables", "--max-k", "3", "--out", scratch / "tables"], "files"),
     "merge": (["restrip-generate", "merge", "--in", scratch / "shards", "--out", scratch / "merged"], "files"),
     "operation": (["restrip-verify", "--operation", bisect, "--certificate", certificate], "claims"),
+    "explain": (["restrip-verify", "explain", "--operation", bisect, "--before", "1", "--ports", "0"], "sets"),
     "families": (["restrip-verify", "--tables-dir", root / "tables", "--family", "flip"], "claims"),
     "arcs": (["restrip-verify-automaton", "--tables-dir", root / "tables", "--max-k", "3", "--every", "1000"], "claims"),
 }

@@ -7,6 +7,8 @@
 
 #include "common/report_output.hpp"
 #include "explain/explanation.hpp"
+#include "explain/picture.hpp"
+#include "explain/rule_set.hpp"
 #include "judge/report.hpp"
 #include "model/input.hpp"
 #include "model/program.hpp"
@@ -38,6 +40,28 @@ Description named(const std::vector<Description>& all, const std::string& name) 
   throw std::invalid_argument(fmt::format("--family {}: expected one of{}", name, names));
 }
 
+/// The patch before, the recolouring if there is one, the rule; and without a recolouring what shows that nothing is
+/// better.
+std::string picture_of(const Definition& definition, const Explanation& explanation,
+                       const std::optional<JudgedColors>& judged) {
+  const Side& after = definition.operation().after;
+  const auto marked = [](const Obstacle& obstacle) {
+    return Colors{obstacle.edges.inner, obstacle.edges.ports | obstacle.ports};
+  };
+  const Obstacle* const shown = judged && judged->judgement.obstacle ? &*judged->judgement.obstacle : nullptr;
+  const World world = shown != nullptr ? definition.world(shown->world) : World{};
+  std::vector<Panel> panels{{"before", &definition.operation().before, explanation.configuration, world, {}}};
+  if (judged)
+    panels.push_back({fmt::format("yours: {}", name_of(judged->judgement.standing)), &after, judged->colors, world,
+                      shown != nullptr ? marked(*shown) : Colors{}});
+  if (explanation.best) panels.push_back({"rule", &after, explanation.best->colors, {}, {}});
+  if (judged) return picture_of(panels);
+  for (const Obstacle& obstacle : explanation.obstacles)
+    panels.push_back({obstacle.triangle ? "too many at " + name_of(after, *obstacle.triangle) : "a cycle", &after,
+                      marked(obstacle), definition.world(obstacle.world), marked(obstacle)});
+  return picture_of(panels);
+}
+
 }  // namespace
 
 ExplainCommand::ExplainCommand(CLI::App& app)
@@ -61,6 +85,8 @@ ExplainCommand::ExplainCommand(CLI::App& app)
 }
 
 int ExplainCommand::run() const {
+  std::optional<files::Output> svg;
+  if (!svg_.empty()) svg.emplace(svg_, files::OutputRules{{".svg"}, {operation_}});
   const files::ReportOutput out(json_, {operation_});
   const Description description = named(descriptions_of(operation_), family_);
   Numbers numbers = at_;
@@ -81,8 +107,34 @@ int ExplainCommand::run() const {
     judged = {recoloring, judgement_of(definition, configuration, recoloring)};
   }
   const Explanation explanation = explanation_of(definition, configuration);
+  if (svg) svg->write(picture_of(definition, explanation, judged));
   out.print(text_of(definition, explanation, judged), text_of(json_of(definition, explanation, judged)));
   return !judged || judged->judgement.standing >= Standing::equally_good ? all_claims_hold : some_claim_fails;
+}
+
+RulesCommand::RulesCommand(CLI::App& app)
+    : command_(app.add_subcommand("rules", "A rule set of any source: how many rows are valid, sound and best")) {
+  command_->footer(
+      "The file has the columns of `restrip-generate dump`, with or without strips,isolated; other operations have\n"
+      "their numbers, then inner,ports,inner_after, then perhaps ports_after.\n"
+      "Exit code: 0 every row is best, 1 some row is not, 2 bad input.\n\n"
+      "Example:\n"
+      "  restrip-generate dump --family split --k 5 > rules.csv && restrip-verify rules rules.csv");
+  command_->add_option("file", file_, "The rule set")->required();
+  command_->add_option("--operation", operation_, "The operation file that it is for; otherwise a shipped family");
+  command_->add_option("--worst", worst_, "How many bad rows are named")->capture_default_str();
+  command_->add_option("--threads", threads_, "How many threads; the result does not depend on it")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  add_json_option(*command_, json_);
+}
+
+int RulesCommand::run() const {
+  const files::ReportOutput out(json_, {file_, operation_});
+  const RuleSetReport report = judge_rules(file_, read_file(file_), descriptions_of(operation_), worst_, threads_);
+  out.print(text_of(report, operation_.empty() ? "--family " + report.operation : "--operation " + operation_),
+            text_of(json_of(report)));
+  return report.best() ? all_claims_hold : some_claim_fails;
 }
 
 }  // namespace restrip::verify

@@ -22,4 +22,18 @@ class ExplainCommand {
   Numbers at_;
 };
 
+class RulesCommand {
+ public:
+  explicit RulesCommand(CLI::App& app);
+  bool chosen() const { return command_->parsed(); }
+  /// As above.
+  int run() const;
+
+ private:
+  CLI::App* command_;
+  std::string file_, operation_, json_;
+  std::size_t worst_ = 10;
+  unsigned threads_ = 2;
+};
+
 }  // namespace restrip::verify

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +19,7 @@ struct Point {
 
 constexpr double width = 250;
 constexpr double height = 270;
+constexpr double scale = 82;  // of the circle on which the ports end
 
 Point on_circle(double radius, double turn) {
   const double angle = (turn - 0.25) * 2 * std::numbers::pi;
@@ -50,7 +52,7 @@ std::vector<Point> places_of(const Side& side) {
       for (const Point& other : places) {
         const Point away = places[i] - other;
         const double square = away.x * away.x + away.y * away.y;
-        if (square > 0) push = push + 0.04 / (square + 0.02) * away;
+        if (square > 0) push = push + 0.025 / (square + 0.02) * away;
       }
       if (count[i] > 0) next[i] = places[i] + 0.3 * (1 / count[i] * sum[i] + push - places[i]);
     }
@@ -84,7 +86,7 @@ class PanelPicture {
   const std::string& text() const { return text_; }
 
  private:
-  Point at(Point p) const { return centre_ + 88 * p; }
+  Point at(Point p) const { return centre_ + scale * p; }
 
   void line(Point from, Point to, bool solid, bool marked) {
     const Point a = at(from);
@@ -97,7 +99,7 @@ class PanelPicture {
   }
   /// One arc from each port of a set to the next, around the patch the shorter way.
   void outside(const std::vector<unsigned>& ports, std::size_t number) {
-    const double radius = 1.1 + 0.08 * static_cast<double>(number);
+    const double radius = 1.2 + 0.08 * static_cast<double>(number);
     for (std::size_t i = 1; i < ports.size(); ++i) {
       const double from = turn_of(*panel_.side, ports[i - 1]);
       const double to = turn_of(*panel_.side, ports[i]);
@@ -108,7 +110,7 @@ class PanelPicture {
       text_ += fmt::format(
           "<path class=\"outside\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}A{:.1f} {:.1f} 0 0 {} {:.1f} {:.1f}L{:.1f} "
           "{:.1f}\"/>\n",
-          a.x, a.y, b.x, b.y, 88 * radius, 88 * radius, to - from <= 0.5 ? 1 : 0, c.x, c.y, d.x, d.y);
+          a.x, a.y, b.x, b.y, scale * radius, scale * radius, to - from <= 0.5 ? 1 : 0, c.x, c.y, d.x, d.y);
     }
   }
 

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Claims: `restrip-verify explain` and `rules` end with the codes that they state; the examples of their --help run; bad
+input is refused with its place, and nothing is written; pictures and JSON are whole; one altered row of a rule set is
+found and named, and what is printed with it explains it.
+
+  explain_program_test.py BIN ROOT SCRATCH
+"""
+import json
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+bin_folder, root, scratch = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
+shutil.rmtree(scratch, ignore_errors=True)
+scratch.mkdir(parents=True)
+
+
+def run(command, code, says=""):
+    done = subprocess.run(f"PATH={bin_folder}:$PATH; {command}", shell=True, cwd=scratch, capture_output=True, text=True)
+    assert done.returncode == code and says in done.stdout + done.stderr, (command, code, says, done)
+    return done.stdout
+
+
+def verify(arguments, code, says=""):
+    return run("restrip-verify " + arguments, code, says)
+
+
+# The examples of the help.
+for command, code in (("explain", 1), ("rules", 0)):
+    run(re.search(r"Example:\n +(.*)", verify(command + " --help", 0))[1], code)
+
+# Verdicts, text and JSON the same.
+split = "explain --family split --k 5 --at 2 --before 12 --ports 5"
+bisect = f"explain --operation {root}/tables/operations/bisect.json --before 1 --ports 0"
+for arguments, code, verdict in (
+        (split, 0, None), (split + " --after 6d", 0, "best"), (split + " --after 0", 1, "worse"),
+        (split + " --after ff", 1, "not valid"), (split + " --after 1 --ports-after 4", 1, "not valid"),
+        ("explain --family flip --before 0 --ports 6 --after 0", 1, "unsound"),
+        ("explain --family flip --before 0 --ports 6 --after 1 --ports-after 4", 0, "equally good"),
+        ("explain --family open-split --k 4 --at 0,2 --before 0 --ports 1 --after 0", 1, "worse"), (bisect, 0, None)):
+    verify(arguments, code, f"\nverdict   {verdict}" if verdict else "\nwhy       ")
+    report = json.loads(verify(arguments + " --svg why.svg --json -", code))
+    assert report.get("verdict") == verdict, report
+    assert report["cheaper"] == sum(one["excluded"] for one in report["sets"]), report
+    assert (verdict == "unsound") == bool((report.get("obstacle") or {}).get("world")), report
+    panels = [text.text for text in xml.parse(scratch / "why.svg").iter("{http://www.w3.org/2000/svg}text")
+              if text.get("class") == "title"]
+    assert panels[0] == "before" and len(panels) == (3 if verdict else 2 + len(report["sets"])), panels
+
+# Bad input.
+(scratch / "why.svg").unlink()
+shutil.copy(root / "tables/operations/bisect.json", scratch / "own.json")
+for arguments, says in (
+        (split.replace("12", "1f"), "not a valid configuration: triangle t0 has 3 solid edges"),
+        (split.replace("12", "20"), "--before 20: expected a hexadecimal mask of at most 5 bits"),
+        (split + " --after zz", "--after zz: expected a hexadecimal mask of at most 8 bits"),
+        (split + " --ports-after 5", "--ports-after requires --after"),
+        (split.replace("--at 2", "--at 5"), "split has no position (5, 5)"),
+        (split.replace("--k 5", "--k 9"), "split k 9 a 2 has 9 ports, at most 8 are searched"),
+        (split.replace("split", "spilt"), "--family spilt: expected one of split collapse"),
+        (bisect.replace(str(root), "nowhere"), "nowhere/tables/operations/bisect.json: cannot be opened"),
+        ("--max-k 4 " + split, "--max-k does not go with a subcommand"),
+        (split + " --svg why.png", "why.png"),
+        ("explain --operation own.json --before 1 --ports 0 --json own.json", "own.json"),
+        ("rules nowhere.csv", "nowhere.csv: cannot be opened")):
+    verify(arguments + (" --svg why.svg" if "--svg" not in arguments and "explain" in arguments else ""), 2, says)
+    assert not list(scratch.glob("why.*")), arguments
+
+# Rule sets: a good one, one with one bad row, and files that are not rule sets.
+families = {"split": 5, "collapse": 4, "open-split": 3, "open-collapse": 3, "boundary-split": 4, "boundary-collapse": 4}
+for family, k in families.items():
+    run(f"restrip-generate dump --family {family} --k {k} > rules.csv", 0)
+    verify("rules rules.csv", 0, f"{family}: ")
+run("restrip-generate dump --family flip > rules.csv", 0)
+verify("rules rules.csv", 0, "flip: ")
+run("restrip-generate dump --family split --k 5 > rules.csv", 0)
+rows = (scratch / "rules.csv").read_text().splitlines()
+for column, verdict in ((4, "worse|unsound|not valid"), (5, "best|equally good")):
+    words = rows[700].split(",")
+    words[column] = "0" if column == 4 else str(int(words[column]) + 1)
+    (scratch / "bad.csv").write_text("\n".join(rows[:700] + [",".join(words)] + rows[701:]) + "\n")
+    found = re.search(r"\nline 701: (.*?): .*\n  restrip-verify (.*)\n", verify("rules bad.csv", 1))
+    assert re.fullmatch(verdict, found[1]), found
+    verify(found[2], 1 if column == 4 else 0, f"verdict   {found[1]}")
+report = json.loads(verify("rules bad.csv --json -", 1))
+assert report["rows"] == report["best"] == len(rows) - 1 and report["misstated"] == len(report["worst"]) == 1, report
+(scratch / "some.csv").write_text("\n".join(rows[:11]) + "\n")
+report = json.loads(verify("rules some.csv --json -", 0))
+assert report["configurations_without_row"] == 572 - 10 and report["positions_without_rows"] == ["k 5 a 2"], report
+for text, says in (("k,b\n1,2\n", "bad.csv:1: expected one of these headers"), (rows[0] + "\n", "bad.csv: has no rows"),
+                   (rows[0] + "\n" + rows[1], "newline"), ("\n".join((rows[0], rows[1], rows[1], "")), "bad.csv:3: the configuration of line 2 again"),
+                   (rows[0] + "\n5,1,0,0\n", "bad.csv:2: expected 7 columns"), (rows[0] + "\n5,1,0,99,0,0,0\n", "bad.csv:2: expected 0 to 31 in column 4"),
+                   (rows[0] + "\n5,9,0,0,0,0,0\n", "split has no position (5, 9)")):
+    (scratch / "bad.csv").write_text(text)
+    verify("rules bad.csv", 2, says)
+print("explained")
