@@ -33,7 +33,7 @@ std::string dump_columns() {
 }
 
 void dump(const Description& family, unsigned k, std::FILE* out) {
-  const auto sections = solved(family.certificate, k, 1);
+  const auto sections = solved(family.certificate, std::max(k, 3U), 1);  // all families have positions up to 3
   fmt::print(out, "{}\n", header(family));
   for (const Position& position : positions(family, k)) {
     const auto section = std::find_if(sections.begin(), sections.end(), [&](const Section& s) {
