@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "common/counted.hpp"
 #include "model/family.hpp"
 #include "model/input.hpp"
-#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -227,13 +227,13 @@ std::string text_of(const Definition& definition, const Explanation& explanation
       text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", text_of(operation.cost[i]), explanation.best->cost[i]);
     text += fmt::format("; {}\n", explanation.equally_good == 1
                                       ? "every other recolouring is unsound or costs more"
-                                      : quantity(explanation.equally_good, "sound recolouring") + " cost the same");
+                                      : counted(explanation.equally_good, "sound recolouring") + " cost the same");
   } else {
     text += "rule      none: no recolouring is sound; the operation would have to give up more ports\n";
   }
   text += explanation.cheaper == 0 ? "why       no recolouring costs less\n"
                                    : fmt::format("why       {} {}; each has all edges of {} solid:\n",
-                                                 quantity(explanation.cheaper, "recolouring"),
+                                                 counted(explanation.cheaper, "recolouring"),
                                                  explanation.best ? "would cost less" : "in all",
                                                  explanation.obstacles.size() == 1 ? "this set" : "one of these sets");
   std::size_t width = 0;

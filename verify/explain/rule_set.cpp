@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "common/counted.hpp"
+#include "common/share.hpp"
 #include "model/input.hpp"
-#include "model/on_threads.hpp"
-#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -195,8 +195,8 @@ RuleSetReport judge_rules(const std::string& file, const std::string& text,
 
 std::string text_of(const RuleSetReport& report, const std::string& source) {
   const std::uint64_t judged = report.rows - report.not_configurations;
-  std::string text = fmt::format("{}: {} at {}\n", report.operation, quantity_grouped(report.rows, "row"),
-                                 quantity(report.positions, "position"));
+  std::string text = fmt::format("{}: {} at {}\n", report.operation, counted_grouped(report.rows, "row"),
+                                 counted(report.positions, "position"));
   const auto line = [&](const char* name, std::uint64_t count) {
     text += fmt::format("{:<22}{:>9}\n", name, grouped(count));
   };
