@@ -44,7 +44,7 @@ def main():
         sys.stdout.write("k,a,loop,ports,inner\n")
         sys.stdout.writelines(rows(RULES[sys.argv[1]]))
     elif len(sys.argv) == 3 and sys.argv[1] == "table":
-        header("rule set", "configurations", "sound", "best", "strips lost per split")
+        header("rules", "configurations", "sound", "best", "strips lost per split")
         for name, rule in RULES.items():
             with tempfile.TemporaryDirectory() as folder:
                 file = Path(folder) / "rules.csv"
