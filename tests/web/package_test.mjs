@@ -352,7 +352,7 @@ function singleOperations() {
   const { kind, closed, k, a, before, ports, after } = mesh.last;
   assert.deepEqual({ kind, closed, k, a }, { kind: 'split', closed: true, k: 4, a: 2 });
   assert.equal(after, restrip.rule({ family: 'split', k, a, edges: before, ports }).colors);
-  assert.match(mesh.split(4, 6, 0, 1), /in use already/);
+  assert.match(mesh.split(4, 6, 0, 1), /already in use/);
   assert.match(mesh.collapse(4, 5), /not one of this mesh/);
   assert.match(mesh.collapse(4, 4000), /not one of this mesh/);
   assert.equal(mesh.flip(4, 6), null);
