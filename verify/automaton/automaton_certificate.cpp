@@ -45,7 +45,7 @@ class Parser {
   }
 
  private:
-  static constexpr std::int64_t most_cost = 100 * strip_cost;
+  static constexpr std::int64_t most_cost = std::int64_t{100} * strip_cost;
   static constexpr std::int64_t most_classes = 65535;
 
   /// Reads the head of a section, and the first line after it, which starts with `first_row`.

@@ -167,7 +167,7 @@ std::optional<FanSearch::Sound> FanSearch::with_ports(const InnerColoring& color
 std::vector<FanSearch::Sound> FanSearch::colorings(Mask ports) const {
   std::vector<Sound> list;
   for (const InnerColoring& coloring : legal_)
-    if (auto sound = with_ports(coloring, ports)) list.push_back(std::move(*sound));
+    if (auto sound = with_ports(coloring, ports)) list.push_back(*sound);
   return list;
 }
 

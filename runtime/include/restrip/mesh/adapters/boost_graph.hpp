@@ -58,7 +58,7 @@ struct DualEdge {
 
 /// The property of edges that says which are solid: `get(edge_solid, graph, edge)`, `put(edge_solid, graph, edge,
 /// true)`.
-struct edge_solid_t {
+struct edge_solid_t {  // NOLINT(readability-identifier-naming): as the library names its tags
   using kind = boost::edge_property_tag;
 };
 inline constexpr edge_solid_t edge_solid{};
