@@ -170,7 +170,9 @@ TEST(Strips, SwapsAreKnownFromFourColours) {
       EXPECT_LE(repeated, swaps + 1);
       const std::size_t written = shortest(mesh, strips[s]);
       EXPECT_LE(written, by_edges);
-      if (!with_backs) EXPECT_EQ(written, by_edges);
+      if (!with_backs) {
+        EXPECT_EQ(written, by_edges);
+      }
       shorter += written < by_edges ? 1U : 0U;
     }
   }
