@@ -263,7 +263,7 @@ def check_files(scratch):
         if file.endswith(".hpp") or file == "families.json":
             resum(copy / "tables", file)
             if file == "families.json":
-                refused("families, with their checksum", "families.json: other families", verify(copy))
+                refused("families, with their checksum", "families.json: differs from the families that this program was built with", verify(copy))
             else:
                 accepted(what, "certificates only; no header was read", verify(copy))
 

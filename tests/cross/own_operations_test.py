@@ -73,7 +73,7 @@ REFUSED_TRIANGLES = {
     "an index without values": ({"after": [["u[0]", "u[j]", "u[j+1]"]]}, "expected a number of the family", "expected a sum of k, i"),
     "an index that is a number": ({"after": [["u[0]", "u[i]", "u[i+1]", "i[1,k-1)"]]}, "other than the numbers of the family", "other than the numbers of the family"),
     "an index without end": ({"after": [["u[0]", "u[j]", "u[j+1]", "j"]]}, "expected an index with its values", "expected a range"),
-    "five words": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-1)", "j"]]}, "three vertices, and an index", "three vertices, and an index"),
+    "five words": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-1)", "j"]]}, "three vertices, optionally followed by an index", "three vertices, and an index"),
     "an open bracket": ({"after": [["u[0]", "u[j]", "u[j+1", "j[1,k-1)"]]}, 'expected "]"', "expected a vertex as"),
     "a negative index": ({"before": [["v", "u[j-1]", "u[j]", "j[0,k-1)"], LAST]}, "u[-1] is not a vertex (hub-own k 4 i 0)", "no negative index"),
     "values below 0": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[k-5,k-1)"]]}, "is not a range of indices", "expected numbers from 0 to 16"),

@@ -177,7 +177,7 @@ TEST(AlteredBytesWithNewSums, AreWrongOrAsRight) {
       ++rejected;
       // A line that was cut in two, or whose key moved, may show only at the next one.
       EXPECT_TRUE(verdict.says(fmt::format(":{}: ", line)) || verdict.says(fmt::format(":{}: ", line + 1)) ||
-                  verdict.says(fmt::format("of line {}\n", line)))
+                  verdict.says(fmt::format("in line {}\n", line)))
           << sample.family.name << ", line " << line << ": " << verdict.text;
     }
   }

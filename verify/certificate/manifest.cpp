@@ -111,7 +111,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
   }
   if (const std::string families = tables_dir + "/families.json";
       fs::is_regular_file(families) && read_file(families) != families_text)
-    faults.push_back(families + "differs from the families that this program was built with");
+    faults.push_back(families + ": differs from the families that this program was built with");
   std::set<std::string> unlisted;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tables_dir)) {
     if (entry.is_directory() && !entry.is_symlink()) continue;

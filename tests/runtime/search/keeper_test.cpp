@@ -350,6 +350,23 @@ TEST(RuleFirst, ColoursStayAsTheyAreWhereNothingIsCheaper) {
     }
 }
 
+// If swaps cost nothing, a cycle of all new triangles would be cheapest.
+TEST(RuleFirst, APatchAloneBecomesOneStrip) {
+  constexpr Cost cost{5, 0, 2};
+  for (const Policy policy : weighing_policies) {
+    StripMesh triangle = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2}, 3);
+    Keeper one(triangle, policy, cost);
+    one.split_face(StripMesh::halfedge(0));
+    expect_right(one);
+    EXPECT_EQ(one.strips(), 1U);
+    StripMesh pair = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, 4);
+    Keeper two(pair, policy, cost);
+    two.bisect(StripMesh::halfedge(0, 2));
+    expect_right(two);
+    EXPECT_EQ(two.strips(), 1U);
+  }
+}
+
 // Newest-vertex bisection: each triangle is halved opposite its newest vertex, after the triangle beyond if that has
 // another newest vertex. Rules alone make one strip of many swaps here: 1.6 indices a triangle.
 TEST(RuleFirst, BisectionKeepsIndicesFew) {
