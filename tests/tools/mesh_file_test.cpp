@@ -107,6 +107,7 @@ TEST(Obj, Refusals) {
 
 TEST(Obj, RefusalsOfAttributes) {
   const std::string two = "v 0 0 0\nv 1 0 0\n";
+  expect_refused(full_obj, "f 1 2 3\n", ":1: a face refers to vertex 3 (counted from 1), but there are 0");
   expect_refused(full_obj, two + "f 1 2 3\n", ":3: a face refers to vertex 3 (counted from 1), but there are 2");
   // A vertex added for another pair of attributes is not a vertex of the file.
   expect_refused(full_obj, two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", ":6: a face refers to vertex 3");

@@ -48,8 +48,9 @@ class ObjReader {
         read_face();
     }
     refuse_missing(largest_point_, soup_.point_count(), "vertex");
-    refuse_missing(largest_place_, places_.size(), "`vt`");
-    refuse_missing(largest_normal_, normals_.size(), "`vn`");
+    // Without any values the attribute is left out.
+    if (!places_.empty()) refuse_missing(largest_place_, places_.size(), "`vt`");
+    if (!normals_.empty()) refuse_missing(largest_normal_, normals_.size(), "`vn`");
     if (carry_) make_vertices();
     return std::move(soup_).finish();
   }
@@ -117,10 +118,9 @@ class ObjReader {
     std::uint32_t index = 0;
     std::size_t line = 0;  ///< 0: none yet
   };
-  /// At the end of the file: refuses a face that names an element beyond the `size` elements of the list. Lists without
-  /// elements are handled elsewhere.
+  /// At the end of the file: refuses a face that names an element beyond the `size` elements of the list.
   void refuse_missing(const Largest& named, std::size_t size, const char* element) const {
-    if (size != 0 && named.line != 0 && named.index >= size)
+    if (named.line != 0 && named.index >= size)
       throw BadInput(
           fmt::format("{}:{}: a face refers to {} {} (counted from 1), but there are {}; is the file complete?", name_,
                       named.line, element, std::uint64_t{named.index} + 1, size));
