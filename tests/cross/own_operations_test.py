@@ -91,7 +91,7 @@ REFUSED_TRIANGLES = {
 REFUSED_ON_A_MESH = {
     "bad-name": ("before[0]", "20 letters", "20 letters"),
     "both-forms": ("after", "a list of triangles", "a list of 1 to 16 triangles"),
-    "boundary-of-a-graph": ("boundary", "given by their triangles", "given by their triangles"),
+    "boundary-of-a-graph": ("boundary", "patches given by triangles", "given by their triangles"),
     "closed": ("before", "close up", "Euler characteristic 2"),
     "crossed-ports": ("after[0]|before[1]", "c b is an edge of the rim after", "a d is on it before"),
     "disconnected": ("before[1]", "not connected to triangle 0", "connected over edges"),
