@@ -19,8 +19,8 @@ struct Point {
 
 constexpr double width = 250;
 constexpr double height = 270;
-constexpr double scale = 76;   // of the unit circle
-constexpr double ends = 1.15;  // the radius at which ports end
+constexpr double scale = 76;          // of the unit circle
+constexpr double port_radius = 1.15;  // the radius at which ports end
 
 Point on_circle(double radius, double turn) {
   const double angle = (turn - 0.25) * 2 * std::numbers::pi;
@@ -70,10 +70,10 @@ class PanelPicture {
     text({corner.x + width / 2, corner.y + 18}, panel.title, "title");
     for (std::size_t i = 0; i < panel.world.connected.size(); ++i) outside(panel.world.connected[i], i);
     for (unsigned port = 0; port < side.ports(); ++port) {
-      const Point end = on_circle(ends, turn_of(side, port));
+      const Point end = on_circle(port_radius, turn_of(side, port));
       line(places[side.owner_of_port[port]], end, is_solid(panel.colors.ports, port),
            is_solid(panel.marked.ports, port));
-      text(at(on_circle(ends + 0.1, turn_of(side, port) + 0.025)) + Point{0, 4}, std::to_string(port), "port");
+      text(at(on_circle(port_radius + 0.1, turn_of(side, port) + 0.025)) + Point{0, 4}, std::to_string(port), "port");
     }
     for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
       line(places[side.edges[edge][0]], places[side.edges[edge][1]], is_solid(panel.colors.inner, edge),
@@ -100,14 +100,14 @@ class PanelPicture {
   }
   /// One arc from each port of a set to the next, around the patch the shorter way.
   void outside(const std::vector<unsigned>& ports, std::size_t number) {
-    const double radius = ends + 0.2 + 0.08 * static_cast<double>(number);
+    const double radius = port_radius + 0.2 + 0.08 * static_cast<double>(number);
     for (std::size_t i = 1; i < ports.size(); ++i) {
       const double from = turn_of(*panel_.side, ports[i - 1]);
       const double to = turn_of(*panel_.side, ports[i]);
-      const Point a = at(on_circle(ends, from));
+      const Point a = at(on_circle(port_radius, from));
       const Point b = at(on_circle(radius, from));
       const Point c = at(on_circle(radius, to));
-      const Point d = at(on_circle(ends, to));
+      const Point d = at(on_circle(port_radius, to));
       text_ += fmt::format(
           "<path class=\"outside\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}A{:.1f} {:.1f} 0 0 {} {:.1f} {:.1f}L{:.1f} "
           "{:.1f}\"/>\n",
@@ -135,9 +135,11 @@ std::string picture_of(const std::vector<Panel>& panels) {
       "}}</style>\n"
       "<rect width=\"100%\" height=\"100%\"/>\n",
       width * static_cast<double>(in_row), height * static_cast<double>(rows));
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    text += PanelPicture(panels[i], {width * static_cast<double>(i % in_row), height * static_cast<double>(i / in_row)})
-                .text();
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::size_t row = i / in_row;
+    text +=
+        PanelPicture(panels[i], {width * static_cast<double>(i % in_row), height * static_cast<double>(row)}).text();
+  }
   return text + "</svg>\n";
 }
 
