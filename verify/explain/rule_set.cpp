@@ -165,6 +165,7 @@ RuleSetReport judge_rules(const std::string& file, const std::string& text,
   if (rows.empty()) throw InputError(file, 0, "has no rows");
 
   std::vector<const Numbers*> order;
+  order.reserve(rows.size());
   for (const auto& position : rows) order.push_back(&position.first);
   std::vector<RuleSetReport> parts(order.size());
   on_threads(threads, order.size(), [&] {
