@@ -1,157 +1,94 @@
 // Claims: what `restrip-verify explain` says of a recolouring is what trying every world and every recolouring says;
 // a world that refutes it has the fewest connections of all that do; no edge of a set that shows why nothing is better
 // can be left out, and each cheaper recolouring has one; and on the mesh around a split, its solid cycle is there.
-// The method shares nothing with the verifier: patches by themselves, a union-find over worlds that are listed here.
+// The method shares nothing with the verifier: it is that of naive_operation.hpp.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iostream>
-#include <numeric>
 #include <random>
 #include <restrip/restrip.hpp>
+#include <set>
 
 #include "explain/explanation.hpp"
 #include "explain/rule_set.hpp"
 #include "model/input.hpp"
+#include "naive_operation.hpp"
 
 namespace restrip::verify::test {
 namespace {
 
-using Sets = std::vector<std::vector<int>>;
 enum Said { not_valid, unsound, worse, as_good };
 
-class Forest {
- public:
-  explicit Forest(int nodes) : parent_(static_cast<std::size_t>(nodes)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  bool join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    parent_[static_cast<std::size_t>(a)] = b;
-    return a != b;
-  }
+NaiveColors naive(Colors colors) { return {static_cast<int>(colors.inner), static_cast<int>(colors.ports)}; }
 
- private:
-  int root(int node) const {
-    while (parent_[static_cast<std::size_t>(node)] != node) node = parent_[static_cast<std::size_t>(node)];
-    return node;
-  }
-  std::vector<int> parent_;
-};
-
-/// Calls back with every way to put ports, from `next` on, into sets of at most `most` (one: alone).
-void each_world(int ports, int next, std::size_t most, Sets& sets, const std::function<void(const Sets&)>& visit) {
-  if (next == ports) return visit(sets);
-  for (std::size_t i = 0; i <= sets.size(); ++i) {
-    if (i == sets.size())
-      sets.push_back({next});
-    else if (sets[i].size() < most)
-      sets[i].push_back(next);
-    else
-      continue;
-    each_world(ports, next + 1, most, sets, visit);
-    sets[i].pop_back();
-    if (sets[i].empty()) sets.pop_back();
-  }
+Pairs pairs_of(const World& world) {
+  Pairs pairs;
+  for (const auto& set : world.connected)
+    for (const unsigned i : set)
+      for (const unsigned j : set)
+        if (i < j) pairs.insert({static_cast<int>(i), static_cast<int>(j)});
+  return pairs;
 }
 
-int connections(const Sets& world) {
-  int count = 0;
-  for (const auto& set : world) count += static_cast<int>(set.size()) - 1;
-  return count;
+/// One for each port of a connected set but the smallest.
+int connections(const Pairs& world) {
+  std::set<int> ports;
+  for (const Pair& pair : world) ports.insert(pair.second);
+  return static_cast<int>(ports.size());
 }
 
 class ByTrial {
  public:
-  explicit ByTrial(const Operation& operation) : op_(operation) {
-    const bool strips = operation.constraint == Constraint::strips;
-    const std::size_t most = strips ? 2 : operation.constraint == Constraint::forest ? 99 : 1;
-    Sets sets;
-    each_world(static_cast<int>(operation.ports()), 0, most, sets,
-               [&](const Sets& world) { worlds_.push_back(world); });
-    std::stable_sort(worlds_.begin(), worlds_.end(),
-                     [](const Sets& a, const Sets& b) { return connections(a) < connections(b); });
-    most_solid_ = strips ? 2 : operation.constraint == Constraint::forest ? 3 : 1;
+  explicit ByTrial(const Operation& operation) : naive_(operation) {}
+  bool fits(bool after, Colors colors, const Pairs& world) const {
+    return naive_.valid(after, naive(colors)) && naive_.fits(after, naive(colors), world);
   }
-  bool fits(const Side& side, Colors colors, const Sets& world) const {
-    std::vector<int> degree(side.triangles);
-    const int first = static_cast<int>(side.triangles);
-    Forest forest(first + static_cast<int>(side.ports()));
-    bool good = true;
-    for (std::size_t i = 0; i < side.edges.size(); ++i) {
-      if ((colors.inner >> i & 1U) == 0) continue;
-      ++degree[side.edges[i][0]];
-      ++degree[side.edges[i][1]];
-      good = forest.join(static_cast<int>(side.edges[i][0]), static_cast<int>(side.edges[i][1])) && good;
-    }
-    for (std::size_t i = 0; i < side.owner_of_port.size(); ++i) {
-      if ((colors.ports >> i & 1U) == 0) continue;
-      ++degree[side.owner_of_port[i]];
-      good = forest.join(static_cast<int>(side.owner_of_port[i]), first + static_cast<int>(i)) && good;
-    }
-    for (const auto& set : world)
-      for (std::size_t i = 1; i < set.size(); ++i) good = forest.join(first + set[0], first + set[i]) && good;
-    return good && *std::max_element(degree.begin(), degree.end()) <= most_solid_;
-  }
-  bool possible(Colors configuration, const Sets& world) const {
-    for (const auto& set : world)
-      for (const int port : set)
-        if (set.size() > 1 && (configuration.ports >> port & 1U) == 0) return false;
-    return fits(op_.before, configuration, world);
+  bool possible(Colors configuration, const Pairs& world) const {
+    return std::all_of(world.begin(), world.end(),
+                       [&](const Pair& pair) {
+                         return (configuration.ports >> pair.first & configuration.ports >> pair.second & 1U) != 0;
+                       }) &&
+           fits(false, configuration, world);
   }
   /// The fewest connections of a world that refutes it, or -1.
   int refuted(Colors configuration, Colors after) const {
-    for (const Sets& world : worlds_)
-      if (!fits(op_.after, after, world) && possible(configuration, world)) return connections(world);
-    return -1;
+    int fewest = -1;
+    for (const Pairs& world : naive_.worlds(static_cast<int>(configuration.ports)))
+      if ((fewest < 0 || connections(world) < fewest) && !fits(true, after, world) && possible(configuration, world))
+        fewest = connections(world);
+    return fewest;
   }
   bool ports_right(Colors configuration, Colors after) const {
-    return (after.ports & ~configuration.ports) == 0 && (configuration.ports & ~after.ports & ~op_.may_give_up) == 0;
+    return naive_.may_keep(static_cast<int>(configuration.ports), static_cast<int>(after.ports));
   }
-  std::array<int, 3> cost(Colors configuration, Colors after) const {
-    std::vector<int> degree(op_.after.triangles);
-    for (std::size_t i = 0; i < op_.after.edges.size(); ++i)
-      for (const unsigned t : op_.after.edges[i]) degree[t] += static_cast<int>(after.inner >> i & 1U);
-    for (std::size_t i = 0; i < op_.after.owner_of_port.size(); ++i)
-      degree[op_.after.owner_of_port[i]] += static_cast<int>(after.ports >> i & 1U);
-    const int given_up = std::popcount(configuration.ports & ~after.ports);
-    const int strips = -std::popcount(after.inner) - std::popcount(after.ports);
-    return {op_.constraint == Constraint::matching ? 0 : strips,
-            static_cast<int>(std::count(degree.begin(), degree.end(), 0)) + given_up, given_up};
+  std::vector<long> cost(Colors configuration, Colors after) const {
+    return naive_.cost(naive(configuration), naive(after));
   }
   template <class Visit>
   void each_recolouring(Colors configuration, const Visit& visit) const {
-    for (Mask kept = 0; kept < 1U << op_.ports(); ++kept)
-      for (Mask inner = 0; inner < 1U << op_.after.edges.size(); ++inner)
+    const Operation& op = naive_.operation();
+    for (Mask kept = 0; kept < 1U << op.ports(); ++kept)
+      for (Mask inner = 0; inner < 1U << op.after.edges.size(); ++inner)
         if (ports_right(configuration, {inner, kept})) visit(Colors{inner, kept});
   }
   Said says(Colors configuration, Colors after) const {
     if (!ports_right(configuration, after)) return not_valid;
     const int refuted_by = refuted(configuration, after);
     if (refuted_by >= 0) return refuted_by == 0 ? not_valid : unsound;
-    bool better = false;
-    each_recolouring(configuration, [&](Colors other) {
-      better = better || (cost(configuration, other) < cost(configuration, after) && refuted(configuration, other) < 0);
-    });
-    return better ? worse : as_good;
+    const auto own = cost(configuration, after);
+    const auto sound = naive_.sound(naive(configuration));
+    return std::any_of(sound.begin(), sound.end(), [&](const NaiveCandidate& other) { return other.cost < own; })
+               ? worse
+               : as_good;
   }
 
  private:
-  const Operation& op_;
-  std::vector<Sets> worlds_;
-  int most_solid_ = 2;
+  NaiveOperation naive_;
 };
-
-Sets sets_of(const World& world) {
-  Sets sets;
-  for (const auto& set : world.connected) sets.emplace_back(set.begin(), set.end());
-  return sets;
-}
 
 Said said_of(Standing standing) {
   return standing == Standing::not_valid ? not_valid
@@ -164,16 +101,16 @@ Said said_of(Standing standing) {
 /// it does not.
 void expect_obstacle(const ByTrial& trial, const Definition& definition, Colors configuration, const Obstacle& one) {
   const Operation& op = definition.operation();
-  const Sets world = sets_of(definition.world(one.world));
+  const Pairs world = pairs_of(definition.world(one.world));
   const Colors edges{one.edges.inner, one.edges.ports | one.ports};
   EXPECT_TRUE(trial.possible(configuration, world)) << text_of(definition, one);
-  EXPECT_FALSE(trial.fits(op.after, edges, world)) << text_of(definition, one);
+  EXPECT_FALSE(trial.fits(true, edges, world)) << text_of(definition, one);
   EXPECT_EQ(one.ports & op.may_give_up, 0U);
   EXPECT_EQ(one.ports & ~configuration.ports, 0U);
   for (unsigned i = 0; i < 32; ++i) {
     const Mask bit = 1U << i;
-    EXPECT_TRUE((edges.inner & bit) == 0 || trial.fits(op.after, {edges.inner ^ bit, edges.ports}, world));
-    EXPECT_TRUE((edges.ports & bit) == 0 || trial.fits(op.after, {edges.inner, edges.ports ^ bit}, world));
+    EXPECT_TRUE((edges.inner & bit) == 0 || trial.fits(true, {edges.inner ^ bit, edges.ports}, world));
+    EXPECT_TRUE((edges.ports & bit) == 0 || trial.fits(true, {edges.inner, edges.ports ^ bit}, world));
   }
 }
 
@@ -209,7 +146,7 @@ TEST(Explain, SaysWhatTryingEverythingSays) {
     const auto below = [&](unsigned bits) { return static_cast<Mask>(random() % (1U << bits)); };
     Colors configuration;
     do configuration = {below(op.before.inner_edges()), below(op.ports())};
-    while (!trial.fits(op.before, configuration, {}));
+    while (!trial.fits(false, configuration, {}));
     ASSERT_TRUE(definition.valid(configuration));
     for (int i = 0; i < 4; ++i) {
       Colors after{below(op.after.inner_edges()), configuration.ports};
@@ -225,7 +162,8 @@ TEST(Explain, SaysWhatTryingEverythingSays) {
       EXPECT_EQ(judgement.because.empty(), judgement.standing == Standing::best);
       if (!judgement.obstacle) continue;
       expect_obstacle(trial, definition, configuration, *judgement.obstacle);
-      EXPECT_EQ(connections(sets_of(definition.world(judgement.obstacle->world))), trial.refuted(configuration, after));
+      EXPECT_EQ(connections(pairs_of(definition.world(judgement.obstacle->world))),
+                trial.refuted(configuration, after));
     }
     const Explanation explanation = explanation_of(definition, configuration);
     for (const Obstacle& obstacle : explanation.obstacles) expect_obstacle(trial, definition, configuration, obstacle);

@@ -57,6 +57,11 @@ class NaiveOperation {
   /// order of R, then K.
   std::vector<NaiveCandidate> sound(NaiveColors configuration, Dropped dropped = Dropped::nothing) const;
 
+  /// Whether an operation may leave these ports of the solid ones solid.
+  bool may_keep(int ports, int kept) const;
+  /// The criteria of the operation, in order.
+  std::vector<long> cost(NaiveColors configuration, NaiveColors after) const;
+
   /// All worlds of these solid ports, as sets of pairs of ports that are connected.
   const std::vector<Pairs>& worlds(int ports) const { return worlds_[static_cast<std::size_t>(ports)]; }
   bool fits(bool after, NaiveColors colors, const Pairs& world) const;
@@ -73,10 +78,8 @@ class NaiveOperation {
   const Side& side(bool after) const { return after ? operation_.after : operation_.before; }
   std::vector<int> degrees(bool after, NaiveColors colors) const;
   std::vector<int> components(bool after, int inner) const;
-  bool may_keep(int ports, int kept) const;
   bool cycle_allowed(bool after, int inner, Dropped dropped) const;
   std::vector<Pairs> worlds_of(int ports) const;
-  std::vector<long> cost(NaiveColors configuration, NaiveColors after) const;
   long counted(const Term& term, NaiveColors configuration, NaiveColors after) const;
   int moved_edges(const NaiveSymmetry& symmetry, bool after, int inner) const;
   bool cost_stays(const NaiveSymmetry& symmetry) const;
