@@ -217,7 +217,8 @@ Mesh copy_of(const StripMesh& from, Point&& point, Name&& vertex) {
   return mesh;
 }
 
-/// Strips from scratch equal those of a StripMesh if the two have the same sides, and are about equally few otherwise.
+/// If the mesh and the StripMesh have the same sides, their strips from scratch are equal. Otherwise both have about as
+/// few.
 template <class Foreign>
 void stripify_both(StripMesh mesh) {
   for (const Cost& cost : {Cost::strips(), Cost::indices()})

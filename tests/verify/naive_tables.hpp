@@ -47,7 +47,8 @@ enum class Careless {
   solid_in_both_cases
 };
 
-/// A reason why nothing is preferred to `after`, in the form of certificates; nullopt if there is none.
+/// The reason why no recolouring is preferred to `after`, as certificates write it. Returns nullopt if it has no
+/// reason.
 std::optional<std::string> naive_reason(const NaiveOperation& operation, NaiveColors before, NaiveColors after,
                                         Careless careless = Careless::not_at_all);
 

@@ -22,7 +22,7 @@ class Symmetries {
  public:
   /// Symmetries of the patches before and after, or of the patch after alone, if one rule serves every position.
   enum class Keep { both_sides, after };
-  /// Throws InputError if a patch has so many equal parts that the search takes more than a few seconds.
+  /// Throws InputError if equal parts of a patch make the search take more than a few seconds.
   Symmetries(const Operation& operation, Keep keep);
 
   /// Generators of the symmetry group.
