@@ -123,10 +123,15 @@ namespace detail {
 
 template <CustomTarget Target>
 using HalfedgeOf = typename MeshOf<Target>::Halfedge;
-template <CustomTarget Target, class Operation>
-CustomChecked<HalfedgeOf<Target>> custom_if_granted(Refusal refusal, Operation&& operation) {
+/// Calls on_mesh(mesh) or on_keeper(keeper), whichever the target is.
+template <CustomTarget Target, class OnMesh, class OnKeeper>
+CustomChecked<HalfedgeOf<Target>> custom_if_granted(Target& target, Refusal refusal, OnMesh&& on_mesh,
+                                                    OnKeeper&& on_keeper) {
   if (refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, operation()};
+  if constexpr (ColoredMesh<Target>)
+    return {Refusal::granted, on_mesh(target)};
+  else
+    return {Refusal::granted, on_keeper(target)};
 }
 
 }  // namespace detail
@@ -134,30 +139,22 @@ CustomChecked<HalfedgeOf<Target>> custom_if_granted(Refusal refusal, Operation&&
 /// `name`: the new vertex, if the mesh takes one.
 template <CustomTarget Target, class... Name>
 auto checked_split(Target& target, const VertexSplit<detail::HalfedgeOf<Target>>& where, const Name&... name) {
-  return detail::custom_if_granted<Target>(detail::refusal_of_split(detail::mesh_of(target), where, name...), [&] {
-    if constexpr (ColoredMesh<Target>)
-      return split(target, where, name...);
-    else
-      return target.split(where, name...);
-  });
+  return detail::custom_if_granted(
+      target, detail::refusal_of_split(detail::mesh_of(target), where, name...),
+      [&](auto& mesh) { return split(mesh, where, name...); },
+      [&](auto& keeper) { return keeper.split(where, name...); });
 }
 template <CustomTarget Target>
 auto checked_collapse(Target& target, detail::HalfedgeOf<Target> chord) {
-  return detail::custom_if_granted<Target>(detail::refusal_of_collapse(detail::mesh_of(target), chord), [&] {
-    if constexpr (ColoredMesh<Target>)
-      return collapse(target, chord);
-    else
-      return target.collapse(chord);
-  });
+  return detail::custom_if_granted(
+      target, detail::refusal_of_collapse(detail::mesh_of(target), chord),
+      [&](auto& mesh) { return collapse(mesh, chord); }, [&](auto& keeper) { return keeper.collapse(chord); });
 }
 template <CustomTarget Target>
 auto checked_flip(Target& target, detail::HalfedgeOf<Target> h) {
-  return detail::custom_if_granted<Target>(detail::refusal_of_flip(detail::mesh_of(target), h), [&] {
-    if constexpr (ColoredMesh<Target>)
-      return flip(target, h);
-    else
-      return target.flip(h);
-  });
+  return detail::custom_if_granted(
+      target, detail::refusal_of_flip(detail::mesh_of(target), h), [&](auto& mesh) { return flip(mesh, h); },
+      [&](auto& keeper) { return keeper.flip(h); });
 }
 
 }  // namespace restrip

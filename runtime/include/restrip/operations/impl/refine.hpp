@@ -210,42 +210,30 @@ inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord) {
 
 template <CustomTarget Target>
 CustomChecked<detail::HalfedgeOf<Target>> checked_split_face(Target& target, detail::HalfedgeOf<Target> h) {
-  return detail::custom_if_granted<Target>(detail::refusal_of_face_split(detail::mesh_of(target), h), [&] {
-    if constexpr (ColoredMesh<Target>)
-      return split_face(target, h);
-    else
-      return target.split_face(h);
-  });
+  return detail::custom_if_granted(
+      target, detail::refusal_of_face_split(detail::mesh_of(target), h),
+      [&](auto& mesh) { return split_face(mesh, h); }, [&](auto& keeper) { return keeper.split_face(h); });
 }
 
 template <CustomTarget Target>
 CustomChecked<detail::HalfedgeOf<Target>> checked_join_faces(Target& target, detail::HalfedgeOf<Target> chord) {
-  return detail::custom_if_granted<Target>(detail::refusal_of_removal(detail::mesh_of(target), chord, 3, 0), [&] {
-    if constexpr (ColoredMesh<Target>)
-      return join_faces(target, chord);
-    else
-      return target.join_faces(chord);
-  });
+  return detail::custom_if_granted(
+      target, detail::refusal_of_removal(detail::mesh_of(target), chord, 3, 0),
+      [&](auto& mesh) { return join_faces(mesh, chord); }, [&](auto& keeper) { return keeper.join_faces(chord); });
 }
 
 template <CustomTarget Target>
 CustomChecked<detail::HalfedgeOf<Target>> checked_bisect(Target& target, detail::HalfedgeOf<Target> h) {
-  return detail::custom_if_granted<Target>(detail::refusal_of_bisection(detail::mesh_of(target), h), [&] {
-    if constexpr (ColoredMesh<Target>)
-      return bisect(target, h);
-    else
-      return target.bisect(h);
-  });
+  return detail::custom_if_granted(
+      target, detail::refusal_of_bisection(detail::mesh_of(target), h), [&](auto& mesh) { return bisect(mesh, h); },
+      [&](auto& keeper) { return keeper.bisect(h); });
 }
 
 template <CustomTarget Target>
 CustomChecked<detail::HalfedgeOf<Target>> checked_merge(Target& target, detail::HalfedgeOf<Target> chord) {
-  return detail::custom_if_granted<Target>(detail::refusal_of_removal(detail::mesh_of(target), chord, 4, 2), [&] {
-    if constexpr (ColoredMesh<Target>)
-      return merge(target, chord);
-    else
-      return target.merge(chord);
-  });
+  return detail::custom_if_granted(
+      target, detail::refusal_of_removal(detail::mesh_of(target), chord, 4, 2),
+      [&](auto& mesh) { return merge(mesh, chord); }, [&](auto& keeper) { return keeper.merge(chord); });
 }
 
 }  // namespace restrip

@@ -171,8 +171,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step
     change = around_.change(*mesh_);
   }
   if (plan_.limits.looks == 0) return counted(done, change, false);
-  const unsigned rings = Step::rings + (plan_.from == IndexPlan::From::ring ? 1U : 0U);
-  if (rings != 0) add_rings(*mesh_, start, rings);
+  add_rings(*mesh_, start, Step::rings + (plan_.from == IndexPlan::From::ring ? 1U : 0U));
   const Triangle middle = start.empty() ? none : start.front();
   ColoringChange found = ends_.run(sides, start, plan_.limits);
   if (plan_.window != 0 && middle != none) found += window_.around(sides, middle, {.triangles = plan_.window}).change;

@@ -108,7 +108,7 @@ tables::OperationRule cheapest_for_patch(const Mesh& mesh, const Table& table, c
   std::array<std::uint8_t, 32> now{};
   if (!strip_partners(table.triangles_before, solid, before)) return rule;
   const PatchEdges ports = solid & all_ports;
-  ColoringChange cleared;  // swaps outside ports that the rule clears
+  int cleared = 0;  // swaps outside ports that the rule clears
   for (std::size_t t = 0; t < patch.triangles.size(); ++t)
     for (std::size_t s = 0; s < 3; ++s) {
       const std::uint8_t side = patch.triangles[t].side[s];
@@ -117,14 +117,13 @@ tables::OperationRule cheapest_for_patch(const Mesh& mesh, const Table& table, c
       const unsigned turn = other_solid_sides(mesh, outer);
       outside[side - PatchTriangle::port_side] = static_cast<std::uint8_t>(turn);
       if (turn != 0 && (rule.ports >> (side - PatchTriangle::port_side) & 1) == 0)
-        cleared.swaps -= swap_beyond(mesh, outer, turn);
+        cleared += swap_beyond(mesh, outer, turn);
     }
   ColoringChange by_rule = tally(table.triangles_after, patch_edges(rule.colors, rule.ports), outside);
-  by_rule += cleared;
+  by_rule.swaps -= cleared;
   const auto order = [&cost](const ColoringChange& change) { return std::pair(change.price(cost), -change.strips); };
   auto least = order(by_rule);
   tables::OperationRule best = rule;
-  const int strips_by_rule = by_rule.strips;
   for (std::uint32_t colors = 0; colors < std::uint32_t{1} << table.after.edges; ++colors) {
     const PatchEdges tried = ports | colors;
     const ColoringChange change = tally(table.triangles_after, tried, outside);
@@ -136,7 +135,7 @@ tables::OperationRule cheapest_for_patch(const Mesh& mesh, const Table& table, c
     }
     if (joins) continue;
     least = order(change);
-    best = {colors, static_cast<std::uint32_t>(ports >> 32), rule.strips + change.strips - strips_by_rule, true};
+    best = {colors, static_cast<std::uint32_t>(ports >> 32), rule.strips + change.strips - by_rule.strips, true};
   }
   return best;
 }
