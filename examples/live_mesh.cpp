@@ -21,7 +21,7 @@ int main() {
   end_of_frame();
   live.split({live.edge(600, 641), live.edge(600, 559)});  // vertex 600, along its edges to 641 and 559
   end_of_frame();
-  live.undo();  // the split: the very triangles, strips and indices there were
+  live.undo();  // the split: triangles, strips and indices are exactly as before
   end_of_frame();
   const auto& rules = live.rule_counts();
   std::printf("%d rules asked: %d taken, %d kept colours as good; then %d improved\n", int(rules.asked),
