@@ -1,4 +1,4 @@
-// The counts of docs/explanation/theory.md section 5, computed, next to the paper's figures.
+// The counts of docs/explanation/theory.md section 6, computed, next to the paper's figures.
 #pragma once
 
 #include <string>

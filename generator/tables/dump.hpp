@@ -1,4 +1,4 @@
-// The frozen CSV of docs/explanation/theory.md section 8, and the same format for later families.
+// The frozen CSV of docs/reference/verifiers.md, "Rules as CSV", and the same format for later families.
 #pragma once
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Compares the generator's sections with independently counted figures (docs/explanation/theory.md section 5), and
+// Compares the generator's sections with independently counted figures (docs/explanation/theory.md section 6), and
 // tests properties of any right answer.
 #include "solve/section.hpp"
 

@@ -93,7 +93,7 @@ TEST(PaperRules, Positions) {
 }
 
 TEST(PaperRules, ReducedRulesCoverEveryConfiguration) {
-  // Orbits of valid configurations and of loops: docs/explanation/theory.md, section 5.
+  // Orbits of valid configurations and of loops: docs/explanation/theory.md, section 6.
   const std::map<std::size_t, std::pair<std::size_t, std::size_t>> known{{1, {88, 10}}, {2, {55, 9}}};
   for (const auto& [a, counts] : known) {
     const SplitPosition at{4, a};

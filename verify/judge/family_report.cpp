@@ -179,7 +179,7 @@ class FamilyReport {
         compare("costing", reference.costing, check.costing);
       }
     });
-    if (cases != 0) report("the published counts", "docs/explanation/theory.md, section 5", cases, 0, wrong);
+    if (cases != 0) report("the published counts", "docs/explanation/theory.md, section 6", cases, 0, wrong);
   }
 
   const Family& family_;

@@ -1,5 +1,5 @@
 #pragma once
-// Figures published in docs/explanation/theory.md (section 5), counted there by an independent program. They are typed
+// Figures published in docs/explanation/theory.md (section 6), counted there by an independent program. They are typed
 // on purpose, for comparison.
 
 #include <array>
