@@ -91,7 +91,7 @@ TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   ASSERT_EQ(of_strips.levels.size(), of_indices.levels.size());
   for (std::size_t i = 0; i < of_strips.levels.size(); ++i)
     EXPECT_LT(of_indices.levels[i].indices * 10, of_strips.levels[i].indices * 9) << i;
-  constexpr std::size_t bytes_a_record = 30;  // 22 to 26 on large meshes (docs/how-to/baked-strips.md); here the base counts too
+  constexpr std::size_t bytes_a_record = 30;  // docs/how-to/baked-strips.md; here the base counts too
   EXPECT_LE(baked_bytes(indices).size(), bytes_a_record * indices.records.size());
 }
 
