@@ -1,5 +1,5 @@
 // Playing a baked mesh. The strips of every level are precomputed, here by a keeper with long searches. Each record
-// stores the dual edges whose colour it flips. At run time there are no rules and no searches. `restrip bake` does the
+// stores the dual edges whose colour it flips. At run time it uses no rules and no searches. `restrip bake` does the
 // first part for meshes of any size, with longer searches (docs/how-to/baked-strips.md).
 #include <cstdio>
 #include <restrip/restrip.hpp>

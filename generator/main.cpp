@@ -37,8 +37,8 @@ CLI::Option* add_json_option(CLI::App& command, std::string& file) {
 
 void add_force_option(CLI::App& command, bool& force) {
   command.add_flag("--force", force,
-                   "Make the files even if the directory has them from the same program, inputs and options "
-                   "(as restrip-digests.txt says, which is not written then); --json makes them always");
+                   "Write the files even if the directory has them from the same program, inputs and options, "
+                   "as restrip-digests.txt records (it is not written then); --json always writes them");
 }
 
 /// Adds the option of the languages; `of_cpp` says what is written in C++, `in_others` in other languages.

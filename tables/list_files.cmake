@@ -1,5 +1,5 @@
 # Adds to the MANIFEST of a folder of tables what lies there and was not written with the rules: the descriptions, the
-# headers written by hand, and the operations with tables of their own. Lines of these that are there are made from scratch.
+# headers written by hand, and the custom operations. Lines of these files that it already has are made from scratch.
 #   cmake -DTABLES=FOLDER -P list_files.cmake
 cmake_policy(SET CMP0057 NEW)
 get_filename_component(TABLES ${TABLES} ABSOLUTE)
@@ -16,7 +16,7 @@ foreach(line IN LISTS lines)
   list(APPEND by_path "${path} ${line}")
 endforeach()
 
-# The rows of a certificate are in its last line; a header has those of its certificate.
+# The number of rows of a certificate is in its last line; a header has the same number as its certificate.
 function(rows_of path out)
   string(REGEX REPLACE "^include/restrip/tables/(.*)[.]hpp$" "certificates/\\1.cert" certificate ${path})
   string(REPLACE _ - certificate ${certificate})

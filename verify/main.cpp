@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   return exit_code_of(app, argc, argv, [&] {
     for (const CLI::Option* option : app.get_options())
       refuse_if((explain.chosen() || rules.chosen()) && !option->empty(),
-                fmt::format("{} does not go with a subcommand", option->get_name()));
+                fmt::format("{} cannot be used with a subcommand", option->get_name()));
     if (explain.chosen()) return explain.run();
     if (rules.chosen()) return rules.run();
     refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&

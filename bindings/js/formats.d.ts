@@ -8,7 +8,7 @@ export function loadReaders(source?: WebAssembly.Module | ArrayBuffer | ArrayBuf
 export type ReadMesh = (name: string, content: ArrayBuffer | ArrayBufferView) => Promise<Mesh | ProgressiveMesh | BakedMesh>;
 
 interface Read {
-  /** The attributes of vertices other than positions, in words; empty if there are none. */
+  /** The attributes of vertices other than positions, in words; empty if none exist. */
   leftOut: string;
 }
 /** Three numbers a vertex, three a triangle. */

@@ -71,7 +71,7 @@ Filling operation_filling(const OperationLayout& layout, const Dialect& dialect)
   }
   std::string note;
   if (!named.numbers.empty())
-    note += fmt::format("{} Its positions are told by {}, up to {} = {}.\n", dialect.comment,
+    note += fmt::format("{} Its positions are given by {}, up to {} = {}.\n", dialect.comment,
                         fmt::join(named.numbers, ", "), named.numbers[0], largest);
   if (layout.matching())
     note += fmt::format(

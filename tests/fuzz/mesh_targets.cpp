@@ -109,7 +109,7 @@ std::function<bool(std::string_view)> refusing(Read&& read) {
   };
 }
 
-std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: there is no other file"); }
+std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: other files do not exist"); }
 
 bool check_pm(std::string_view bytes) {
   const ProgressiveMesh mesh = parse_pm(bytes, "f");

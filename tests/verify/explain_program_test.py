@@ -62,7 +62,7 @@ for arguments, says in (
         (split.replace("--k 5", "--k 9"), "split k 9 a 2 has 9 ports, at most 8 are searched"),
         (split.replace("split", "spilt"), "--family spilt: expected one of split collapse"),
         (bisect.replace(str(root), "nowhere"), "nowhere/tables/operations/bisect.json: cannot be opened"),
-        ("--max-k 4 " + split, "--max-k does not go with a subcommand"),
+        ("--max-k 4 " + split, "--max-k cannot be used with a subcommand"),
         (split + " --svg why.png", "why.png"),
         ("explain --operation own.json --before 1 --ports 0 --json own.json", "own.json"),
         ("rules nowhere.csv", "nowhere.csv: cannot be opened")):

@@ -1,7 +1,7 @@
 // Claims: what `restrip-verify explain` says of a recolouring is what trying every world and every recolouring says;
 // a world that refutes it has the fewest connections of all that do; no edge of a set that shows why nothing is better
 // can be left out, and each cheaper recolouring has one; and on the mesh around a split, its solid cycle is there.
-// The method shares nothing with the verifier: it is that of naive_operation.hpp.
+// The method shares nothing with the verifier: it is the method of naive_operation.hpp.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -188,7 +188,7 @@ TEST(Explain, SaysWhatTryingEverythingSays) {
 }
 
 /// A vertex of k triangles before and after its split at (k, a), in two rings of 2k triangles. Triangles: t_i, then the
-/// rings, in each two behind each port, then A and D. What is connected outside is connected through the outer ring.
+/// rings, in each two after each port, then A and D. What is connected outside is connected through the outer ring.
 StripMesh mesh_around(unsigned k, unsigned a, bool after, Colors colors, const std::vector<unsigned>& outside) {
   std::vector<std::uint32_t> indices;
   const auto add = [&](std::uint32_t u, std::uint32_t v, std::uint32_t w) { indices.insert(indices.end(), {u, v, w}); };

@@ -70,8 +70,8 @@ int run(const BakeCommand& command) {
       as_text(source.subject.mended) + as_text(written, command.out.string()) +
       fmt::format(
           "{}: {} and {} to {}\n"
-          "{} at the base, {} at the finest level (at least {} needed), {} at most; {}, {:.2f} % of the levels in as "
-          "many strips\n"
+          "{} at the base, {} at the finest level (at least {} needed), {} at most; {}, {:.2f} % of the levels with "
+          "one strip for each\n"
           "{:.2f} flips and {:.1f} bytes a record, {} in all; {:.1f} seconds\n",
           command.out.string(), counted(baked.base.triangle_count(), "triangle"), counted(records, "record"),
           baked.mesh.fine_triangles(), counted(report.base_strips, "strip"), report.top_strips, report.top_at_least,
@@ -95,8 +95,8 @@ Subcommand add_bake(CLI::App& app) {
       ->required();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--effort", command.bake.effort,
-                  "search budget per record, in edges; with --cost indices each 3,900 are a look at a strip end and a "
-                  "triangle of an exact window")
+                  "search budget per record, in edges; with --cost indices, 3,900 edges stand for one look at a strip "
+                  "end and one triangle of an exact window")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->capture_default_str();
   add_cost_option(*sub, command.cost, command.bake.cost);

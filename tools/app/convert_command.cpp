@@ -133,13 +133,14 @@ int run(const ConvertCommand& command) {
 Subcommand add_convert(CLI::App& app) {
   const auto kept = std::make_shared<ConvertCommand>();
   ConvertCommand& command = *kept;
-  CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format; strips of the file stay strips");
+  CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format, with the strips of the file");
   add_mesh_option(*sub, command.mesh, help_of_mesh("the finest level, unless a baked one is written as .baked or .glb"))
       ->required();
-  add_output_option(*sub, command.out, extensions_of(writes_any),
-                    list_in_words(extensions_of(writes_any), "or") +
-                        "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
-                        ".baked and .glb from a baked mesh, with all its levels; .pm from one or a progressive mesh")
+  add_output_option(
+      *sub, command.out, extensions_of(writes_any),
+      list_in_words(extensions_of(writes_any), "or") +
+          "; .bin, .ply and .glb with the strips of the file, .ply and .glb also without strips; .baked and "
+          ".glb from a baked mesh, with all levels; .pm from a baked or progressive mesh")
       ->required();
   add_strip_options(*sub, command.strips, nullptr, &command.progressive);
   add_attributes_option(*sub, command.attributes);

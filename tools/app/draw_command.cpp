@@ -211,7 +211,7 @@ std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& 
                                      word));
                    command.camera = {(*angles)[0], (*angles)[1]};
                  },
-                 "in degrees: from 0,0 one looks along -z, from 90,0 along -x, from 0,90 down along -y")
+                 "in degrees: 0,0 looks along -z, 90,0 along -x, 0,90 down along -y")
               ->option_text(fmt::format("AZIMUTH,ELEVATION (default: {},{})", camera.azimuth, camera.elevation)),
           app.add_option_function<std::string>(
                  "--size",
@@ -237,12 +237,13 @@ Subcommand add_draw(CLI::App& app) {
   const auto kept = std::make_shared<DrawCommand>();
   DrawCommand& command = *kept;
   CLI::App* sub =
-      app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips kept as replay keeps them");
+      app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips maintained as by replay");
   add_mesh_option(*sub, command.mesh, help_of_mesh(levels_kept) + "; without one a torus");
   add_output_option(*sub, command.out, drawn_extensions(),
                     ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
       ->required();
-  sub->add_option("--triangles", command.triangles, "the least size of the level (default: the finest)")
+  sub->add_option("--triangles", command.triangles,
+                  "the least number of triangles of the level (default: the finest level)")
       ->check(CLI::Range(std::size_t{1}, max_triangles));
   add_simplify_options(*sub, command.simplify);
   add_policy_option(*sub, command.way);

@@ -32,10 +32,11 @@ int run_command_line(int argc, char** argv) {
   app.formatter(std::make_shared<PlainFormatter>());
   constexpr restrip::files::ReadLimits limits;
   app.footer(fmt::format(
-      "Exit codes: 0 all is well, 1 a check failed or simplify stopped short, 2 the input or the command line is at "
+      "Exit codes: 0 success, 1 a check failed or simplify stopped short, 2 the input or the command line is at "
       "fault.\n"
       "Limits: files of {}, pipes and devices of {}, lines of text of {}.\n"
-      "Outputs appear whole or not at all; they must not be inputs and must end as their format does.\n"
+      "Output files are written whole or not at all. Their names end in the extension of the format; inputs are not "
+      "overwritten.\n"
       "Example: restrip replay --built-in",
       restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
       restrip::files::size_in_words(longest_line)));

@@ -123,12 +123,13 @@ CLI::Option* add_output_option(CLI::App& app, NamedFile& out, const std::vector<
 void add_attributes_option(CLI::App& app, ReadAttributes& attributes) {
   app.add_flag_callback(
       "--no-attributes", [&attributes] { attributes = ReadAttributes::no; },
-      "read positions alone: --weld then joins vertices that differ in normals, texture coordinates or colours");
+      "read only positions; --weld then merges vertices that differ in normals, texture coordinates or colours");
 }
 
 void add_mending_options(CLI::App& app, MendingOptions& options) {
-  app.add_flag("--weld", options.weld, "make vertices at the same place one: strips end at seams");
-  app.add_flag("--orient", options.orient, "turn triangles until neighbours agree: strips end where they do not");
+  app.add_flag("--weld", options.weld, "merge vertices at the same place; strips end at seams that remain");
+  app.add_flag("--orient", options.orient,
+               "reverse triangles until neighbours agree; strips end at edges at which they do not");
 }
 
 void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
@@ -154,7 +155,7 @@ void add_json_option(CLI::App& app, std::string& json) {
 void add_cost_option(CLI::App& app, std::optional<Cost>& cost, const Cost& otherwise) {
   app.add_option_function<std::string>(
          "--cost", [&cost](const std::string& word) { cost = word == "indices" ? Cost::indices() : Cost::strips(); },
-         "what is to be few: strips, or indices of plain triangle strips with primitive restart")
+         "what is minimised: strips, or the indices of plain triangle strips with primitive restart")
       ->check(CLI::IsMember({"strips", "indices"}))
       ->default_str(otherwise == Cost::strips() ? "strips" : "indices");
 }
@@ -181,8 +182,8 @@ void add_policy_option(CLI::App& app, std::string& way) {
 
 void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& way) {
   if (cost && !(*cost == Cost::strips()) && !way.empty() && !way_named(way).weighs())
-    throw CLI::ValidationError("--cost", fmt::format("--policy {} keeps the strips few; only {} know another cost", way,
-                                                     fmt::join(names_of_ways(&Way::weighs), ", ")));
+    throw CLI::ValidationError("--cost", fmt::format("policy {} supports only --cost strips; {} support --cost indices",
+                                                     way, fmt::join(names_of_ways(&Way::weighs), ", ")));
 }
 
 namespace {
@@ -202,19 +203,18 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
   if (progressive != nullptr) words.emplace_back("progressive");
   app.add_option_function<std::string>(
          "--gltf", set_form,
-         std::string("what a .glb has: stitched: one strip, repeated indices lead from one to the next; strips: a "
-                     "primitive for "
-                     "each; "
-                     "list: a list of triangles; restart: one primitive, for the few viewers that know "
-                     "KHR_mesh_primitive_restart; "
-                     "auto: stitched. A list is written where it has fewer indices") +
+         std::string("contents of a .glb: stitched: one strip, in which repeated indices join the strips; strips: a "
+                     "primitive for each; list: a triangle list; restart: one primitive, for the few viewers that "
+                     "know KHR_mesh_primitive_restart; auto: stitched. A list is written instead if it has fewer "
+                     "indices") +
              (progressive == nullptr ? "" : "; progressive: the base, and all splits in MANYFOLD_mesh_progressive"))
       ->check(CLI::IsMember(words))
       ->default_str("auto");
   app.add_option_function<std::string>(
          "--form", set_form,
-         "what a .bin has: restart: the index with all bits set between strips; stitched: repeated indices; lengths: a "
-         "table of lengths first; list: triangles. A list is written where it has fewer indices")
+         "contents of a .bin: restart: strips with the index with all bits set between them; stitched: one strip, in "
+         "which repeated indices join the strips; lengths: a table of lengths, then the strips; list: triangles. A "
+         "list is written instead if it has fewer indices")
       ->check(CLI::IsMember({"restart", "stitched", "lengths", "list"}))
       ->default_str("restart")
       ->excludes(app.get_option("--gltf"));
@@ -225,10 +225,10 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
                            : word == "32" ? IndexWidth::bits32
                                           : IndexWidth::automatic;
          },
-         "bits of an index in .glb and .bin; auto: 16 where all are below 65535")
+         "bits of an index in .glb and .bin; auto: 16 if all are below 65535")
       ->check(CLI::IsMember({"16", "32", "auto"}))
       ->default_str("auto");
-  app.add_option("--batch-vertices", options.most_vertices, "most vertices of a batch; each is drawn by itself")
+  app.add_option("--batch-vertices", options.most_vertices, "most vertices of a batch; each batch is drawn separately")
       ->check(CLI::Range(std::size_t{3}, std::size_t{1'000'000'000}));
   app.add_option("--batch-indices", options.most_indices, "most indices of a batch")
       ->check(CLI::Range(std::size_t{4}, std::size_t{1'000'000'000}));

@@ -123,20 +123,21 @@ int run(const ReplayCommand& command) {
 Subcommand add_replay(CLI::App& app) {
   const auto kept = std::make_shared<ReplayCommand>();
   ReplayCommand& command = *kept;
-  CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
+  CLI::App* sub =
+      app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split while maintaining its strips");
   CLI::Option* mesh = add_mesh_option(*sub, command.mesh, help_of_mesh(levels_kept));
   CLI::Option* built_in =
       sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
   mesh->excludes(built_in);
   CLI::Option* triangles =
-      sub->add_option(
-             "--triangles", command.out_triangles,
-             "with --built-in the size of that mesh (default: 100000); with -o the least size of the level that "
-             "is written (default: the finest)")
+      sub->add_option("--triangles", command.out_triangles,
+                      "with --built-in the size of that mesh (default: 100000); with -o the least number of triangles "
+                      "of the level that is written (default: the finest level)")
           ->check(CLI::Range(std::size_t{1}, max_triangles));
-  CLI::Option* output = add_output_option(*sub, command.out, extensions_of(writes_strips),
-                                          "writes a level with its strips, kept under the policy: " + strip_formats())
-                            ->excludes(built_in);
+  CLI::Option* output =
+      add_output_option(*sub, command.out, extensions_of(writes_strips),
+                        "writes a level with its strips, maintained under the policy: " + strip_formats())
+          ->excludes(built_in);
   add_strip_options(*sub, command.strips, output);
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--levels", command.replay.levels, "levels of detail to report")
@@ -148,7 +149,7 @@ Subcommand add_replay(CLI::App& app) {
            command.replay.repeats = repeats;
            command.replay.enough_operations = 0;
          },
-         fmt::format("timed runs, of which the median counts; 0: no timing [{}, and more on small meshes]",
+         fmt::format("timed runs; their median is reported; 0: no timing [{}, and more on small meshes]",
                      ReplayOptions().repeats))
       ->check(CLI::Range(0, 1000));
   sub->add_option_function<std::string>(
@@ -156,7 +157,7 @@ Subcommand add_replay(CLI::App& app) {
          [&command](const std::string& word) {
            command.replay.buffer = word == "list" ? ReplayOptions::Buffer::list : ReplayOptions::Buffer::strips;
          },
-         "the index buffer that is kept in step: strips, or a plain list of triangles to compare with")
+         "the index buffer that is updated: strips, or a triangle list for comparison")
       ->check(CLI::IsMember({"strips", "list"}))
       ->default_str("strips");
   sub->add_option("--cycles", command.replay.cycles, "times down to the base and up again")
@@ -165,9 +166,9 @@ Subcommand add_replay(CLI::App& app) {
   add_policy_option(*sub, command.way);
   sub->add_option(
          "--states", command.states,
-         "states per search for quick, full and best, fixed; more keep fewer strips and take longer (default: the "
-         "policy's own, fewer where strips are long enough); with --cost indices: strip ends looked at after each "
-         "operation")
+         "fixed number of states per search for quick, full and best; more leave fewer strips and take longer "
+         "(default: the policy's, reduced if strips are long enough); with --cost indices: strip ends looked at after "
+         "each operation")
       ->check(CLI::Range(1, 1'000'000));
   add_cost_option(*sub, command.cost);
   CLI::Option* walk =
@@ -177,8 +178,8 @@ Subcommand add_replay(CLI::App& app) {
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number())->capture_default_str();
   sub->add_option(
       "--trace", command.trace,
-      "records the first way up and the way back for restrip-check, or with --walk the walk: each operation, "
-      "the colours that it changed and what it reported");
+      "records the first refinement and coarsening for restrip-check, or with --walk the walk: each operation, the "
+      "colours that it changed and the changes that it reported");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([=, &command] {
@@ -186,7 +187,7 @@ Subcommand add_replay(CLI::App& app) {
     command.simplify_given = simplify_options_given(*sub);
     refuse_strip_options_elsewhere(*sub, command.out);
     if (!triangles->empty() && built_in->empty() && output->empty())
-      throw CLI::ValidationError("--triangles", "wants --built-in or -o");
+      throw CLI::ValidationError("--triangles", "needs --built-in or -o");
     if (!triangles->empty() && !built_in->empty()) {
       if (command.out_triangles < least_made_triangles || command.out_triangles > most_made_triangles)
         throw CLI::ValidationError(

@@ -48,7 +48,7 @@ int run(const SimplifyCommand& command) {
                               {"triangles", made.fine_triangles()}};
   std::string text = as_text(mended);
   if (!mended.left_out_attributes.empty() && command.attributes == ReadAttributes::no)
-    text += "with --attributes .glb, .ply and .obj keep what they hold\n";
+    text += "with --attributes, .glb, .ply and .obj keep the attributes that the format has\n";
   if (command.progressive || !writes_strips(format)) {
     out.write(format.write_progressive(made));
     text += fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(made.base.size(), "triangle"),
@@ -69,8 +69,8 @@ int run(const SimplifyCommand& command) {
   add_to(json, mended);
   report.print(text, json.dump(2) + "\n");
   if (!result.stopped_short()) return 0;
-  fmt::print(stderr, "restrip: {}: stopped at {}, where {}: {}\n", files::printable(command.out.string()),
-             counted(made.base.size(), "triangle"), counted(result.wanted_triangles, "was asked for", "were asked for"),
+  fmt::print(stderr, "restrip: {}: stopped at {}, but {}: {}\n", files::printable(command.out.string()),
+             counted(made.base.size(), "triangle"), counted(result.wanted_triangles, "was requested", "were requested"),
              why_no_coarser(result.left_out));
   return command.size_given ? 1 : 0;
 }
@@ -93,8 +93,8 @@ Subcommand add_simplify(CLI::App& app) {
   add_strip_options(*sub, command.strips, nullptr, &command.progressive);
   sub->add_flag_callback(
       "--attributes", [&command] { command.attributes = ReadAttributes::yes; },
-      "keep normals, texture coordinates and colours: where they differ one place is several vertices, and such seams "
-      "are boundaries, which stay unless --boundary move is given");
+      "keep normals, texture coordinates and colours: a place at which they differ is several vertices, and such "
+      "seams are boundaries, which stay unless --boundary move is given");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, triangles, &command] {
@@ -108,7 +108,7 @@ Subcommand add_simplify(CLI::App& app) {
   });
   sub->footer(
       "If no remaining edge may collapse, the mesh is written as it is then, and standard error and\n"
-      "--json say why. The exit code is 1 then, if --base or --triangles asked for a coarser one.\n"
+      "--json give the reason. If --base or --triangles requested a coarser mesh, the exit code is 1.\n"
       "Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
   return {sub, [kept] { return run(*kept); }};
 }

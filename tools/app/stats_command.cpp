@@ -39,7 +39,8 @@ int run(const StatsCommand& command) {
 Subcommand add_stats(CLI::App& app) {
   const auto kept = std::make_shared<StatsCommand>();
   StatsCommand& command = *kept;
-  CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
+  CLI::App* sub =
+      app.add_subcommand("stats", "Count the triangles per vertex, the boundaries and the faults of a mesh");
   add_mesh_option(*sub, command.mesh, help_of_mesh())->required();
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);

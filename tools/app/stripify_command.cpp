@@ -119,7 +119,7 @@ int run(const StripifyCommand& command) {
   if (command.bound) {
     const std::size_t bound = strip_index_lower_bound(mesh).indices;
     json["lower_bound_indices"] = bound;
-    at_least = fmt::format(" (at least {:.3f} in any strips)", per_triangle(bound));
+    at_least = fmt::format(" (lower bound {:.3f})", per_triangle(bound));
   }
   std::string text = as_text(mended);
   text += fmt::format(
@@ -162,15 +162,15 @@ Subcommand add_stripify(CLI::App& app) {
                                                  : word == "best" ? restrip::Effort::best
                                                                   : restrip::Effort::fast;
                               },
-                              "fast: one pass; full: a search or annealing; best: ten times longer, with windows "
-                              "solved exactly under --cost indices; file: the strips that the file has")
+                              "fast: one pass; full: a search or annealing; best: ten times longer, with exact "
+                              "windows for --cost indices; file: the strips of the file")
                            ->check(CLI::IsMember({"fast", "full", "best", "file"}))
                            ->default_str("fast");
   add_cost_option(*sub, command.cost);
   const auto* limit =
       sub->add_option("--limit", command.limit,
-                      "of --effort full and best, for each triangle: states of searches with --cost strips (default: "
-                      "40, 1000), moves of annealing and what windows try with --cost indices (100, 1000)")
+                      "for --effort full and best, per triangle: search states with --cost strips (default: 40, 1000), "
+                      "annealing moves and colourings of windows with --cost indices (default: 100, 1000)")
           ->check(CLI::Range(1, 1'000'000));
   const auto* seed =
       sub->add_option("--seed", command.seed, "of annealing and windows")->check(whole_number())->capture_default_str();
@@ -181,15 +181,15 @@ Subcommand add_stripify(CLI::App& app) {
       ->default_str("triangles");
   sub->add_flag(
       "--bound", command.bound,
-      "Also report a number of indices that every index buffer of these triangles has; may take longer than the "
-      "strips");
+      "also report a lower bound on the indices of every buffer that draws these triangles; may take longer than "
+      "making the strips");
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, effort, limit, seed, &command] {
     refuse_strip_options_elsewhere(*sub, command.out);
     if (command.as_in_file && sub->count("--cost") != 0)
-      throw CLI::ValidationError("--cost", "--effort file takes the strips as they are");
+      throw CLI::ValidationError("--cost", "--effort file leaves the strips as they are");
     const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());
     if (*limit && command.effort == restrip::Effort::fast)
       throw CLI::ValidationError("--limit", fmt::format("only {} full and best have one", effort->get_name()));

@@ -70,10 +70,11 @@ ExplainCommand::ExplainCommand(CLI::App& app)
       "Masks are hexadecimal and numbered as in docs/reference/notation.md; dumps print the same in decimal.\n"
       "Verdicts:\n"
       "  not valid     a triangle has too many solid edges, the patch has a cycle, or a port changed that may not\n"
-      "  unsound       not valid in the world named, in which the configuration is; none has fewer connections\n"
+      "  unsound       not valid in the world named, in which the configuration is valid; no such world has\n"
+      "                fewer connections\n"
       "  worse         sound, and costs more than the rule\n"
       "  equally good  costs the same as the rule, which has the smaller mask; a table may have either\n"
-      "  best          it is the rule\n\n"
+      "  best          the same as the rule\n\n"
       "Exit code: 0 a rule is explained or the recolouring is as good as the rule, 1 it is not, 2 bad input.\n\n"
       "Example:\n"
       "  restrip-verify explain --family split --k 5 --at 2 --before 1a --ports 5 --after ff --svg why.svg");

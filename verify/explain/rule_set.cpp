@@ -21,7 +21,8 @@ struct RuleRow {
   std::optional<Change> stated;
 };
 
-/// The columns of colours: those of the dumps (docs/reference/notation.md names the masks), and of any other operation.
+/// The columns of colours: the same as in dumps (docs/reference/notation.md names the masks), and of any other
+/// operation.
 std::string color_columns(const std::string& family) {
   if (family == "split" || family == "open-split" || family == "boundary-split") return "loop,ports,inner";
   if (family == "collapse" || family == "open-collapse" || family == "boundary-collapse") return "inner,ports,loop";

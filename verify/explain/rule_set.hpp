@@ -17,7 +17,7 @@ struct BadRow {
   Standing standing = Standing::best;
   int strips_lost = 0;
   std::string because;
-  std::string arguments;  ///< of `restrip-verify explain`, behind the operation
+  std::string arguments;  ///< of `restrip-verify explain`, after the operation
 };
 
 struct RuleSetReport {

@@ -79,7 +79,7 @@ struct Operation {
 /// The most solid edges that a triangle may have.
 unsigned most_solid(Constraint constraint);
 
-/// Whether a recolouring may keep exactly these of the solid ports.
+/// Whether a recolouring may keep exactly the solid ports `kept`.
 inline bool admissible(const Operation& operation, Mask ports, Mask kept) {
   return is_subset(kept, ports) && is_subset(ports & ~kept, operation.may_give_up);
 }

@@ -23,7 +23,7 @@ export function facesOf({ kind, closed, k, a, trianglesBefore, trianglesAfter })
   const vS = before[0].find((v) => before.every((corners) => corners.includes(v)) && after.some((corners) => corners.includes(v)));
   const old = new Set(before.flat());
   const vT = after.flat().find((v) => !old.has(v));
-  // Behind the centre in a triangle's order comes the rim, from its right to its left.
+  // In a triangle's order the centre is followed by the rim, from its right to its left.
   const rim = before.map((corners) => corners[(corners.indexOf(vS) + 1) % 3]);
   const next = (i) => rim[(i + 1) % k];
   const find = (...wanted) => after.find((corners) => wanted.every((v) => corners.includes(v)));

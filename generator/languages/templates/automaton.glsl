@@ -23,7 +23,7 @@
 const uint RESTRIP_AUTOMATON_MAX_K = @max_k@u;  // whose colours fit a word
 const uint RESTRIP_CHECKSUM_OF_AUTOMATON = @checksum@u;
 // Where the arrays of restrip's tables/include/restrip/tables/automaton_format.hpp begin, and the bits of an element. Of
-// `before` each number is two words, that of the low cases first, and `next` holds 0 where a letter is not allowed.
+// `before` each number is two words, the word of the low cases first, and `next` holds 0 where a letter is not allowed.
 const uint RESTRIP_LETTERS = 4u;
 const uint RESTRIP_SECONDS = @seconds@u;
 @arrays@
@@ -85,7 +85,7 @@ RestripArc restrip_empty_arc() {
   return arc;
 }
 
-// The links of an arc, bit m the one behind m letters, from the case of the whole arc.
+// The links of an arc, bit m the link after m letters, from the case of the whole arc.
 uint restrip_links(RestripArc arc, uint end) {
   uint links = 0u;
   for (uint m = arc.size; m > 0u; --m) {
@@ -96,8 +96,8 @@ uint restrip_links(RestripArc arc, uint end) {
   return links | uint((end & 3u) != 0u);
 }
 
-// The links of an arc that goes over the boundary of an open fan behind `above` triangles, as edges of the path that
-// begins behind the boundary; the first link is edge `from`. On the boundary there are no edges.
+// The links of an arc that goes over the boundary of an open fan after `above` triangles, as edges of the path that
+// begins after the boundary; the first link is edge `from`. The boundary has no edges.
 uint restrip_links_around(RestripArc arc, uint end, uint above, uint from) {
   uint links = restrip_links(arc, end);
   return ((links & restrip_low_bits(above)) << from) | (links >> (above + 2u));

@@ -56,7 +56,7 @@ restrip_recoloring restrip_best_fan_collapse(uint32_t k, restrip_key key);
 #undef RESTRIP_AUTOMATON_IMPLEMENTATION
 
 // The arrays of restrip's tables/include/restrip/tables/automaton_format.hpp, which explains them; but of `before` each
-// number is two words, that of the low cases first, and `next` holds 0 where a letter is not allowed.
+// number is two words, the word of the low cases first, and `next` holds 0 where a letter is not allowed.
 #define RESTRIP_LETTERS 4U
 #define RESTRIP_SECONDS @seconds@U
 @arrays@
@@ -93,7 +93,7 @@ static void restrip_read_fan(restrip_arc* arc, restrip_key key, uint32_t from, u
   for (; from < to; ++from) restrip_read(arc, restrip_letter(key, from));
 }
 
-// The links of an arc, bit m the one behind m letters, from the case of the whole arc.
+// The links of an arc, bit m the link after m letters, from the case of the whole arc.
 static uint64_t restrip_links(const restrip_arc* arc, uint32_t end) {
   uint64_t links = 0;
   for (uint32_t m = arc->size; m > 0; --m) {
@@ -103,8 +103,8 @@ static uint64_t restrip_links(const restrip_arc* arc, uint32_t end) {
   return links | ((end & 3) != 0 ? 1U : 0U);
 }
 
-// The links of an arc that goes over the boundary of an open fan behind `above` triangles, as edges of the path that
-// begins behind the boundary; the first link is edge `from`. On the boundary there are no edges.
+// The links of an arc that goes over the boundary of an open fan after `above` triangles, as edges of the path that
+// begins after the boundary; the first link is edge `from`. The boundary has no edges.
 static uint64_t restrip_links_around(const restrip_arc* arc, uint32_t end, uint32_t above, uint32_t from) {
   const uint64_t links = restrip_links(arc, end);
   return (links & restrip_low_bits(above)) << from | links >> (above + 2);

@@ -47,7 +47,7 @@ export class Automaton {
     return [this.#links(one, meeting & 15), meeting >> 4 & 15, (meeting >> 8) !== 0];
   }
 
-  /// The inner edges after an operation as a BigInt; null if there is no such position. `name` and `position`: split
+  /// The inner edges after an operation as a BigInt; null if the position does not exist. `name` and `position`: split
   /// [k, a], collapse [k], open_split [k, i, j], boundary_split [k, i], fan_collapse [k]. `key`: { ports, joined }.
   /// Bit i of `joined` is set when port i is joined, before the operation, to the solid port before it.
   best(name, [k, p, q], key) {
@@ -67,7 +67,7 @@ export class Automaton {
         if (!(p >= 0 && p < q && q <= k)) return null;
         const other = this.#arc([...letters.slice(q), 3, ...letters.slice(0, p)]);
         const [links, end, chord] = this.#meeting(this.#arc(letters.slice(p, q)), other);
-        const around = this.#links(other, end);  // on the boundary there are no edges
+        const around = this.#links(other, end);  // the boundary has no edges
         return [...around.slice(k - q + 2), ...links, ...around.slice(0, k - q), chord];
       },
       boundary_split: () => {

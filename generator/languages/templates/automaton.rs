@@ -10,7 +10,7 @@
 //! Masks have bit 0 the lowest, 1 = solid, 0 = dashed; docs/reference/notation.md says which bit is which edge. Each takes
 //! two table reads for a triangle.
 //!
-//! Put this file beside yours and write `mod restrip_automaton;`. It needs nothing but `core`, allocates nothing and has no
+//! Put this file next to yours and write `mod restrip_automaton;`. It needs nothing but `core`, allocates nothing and has no
 //! `unsafe`. The functions are `const`.
 //!
 //! Bad input: any masks are safe. Bits at `k` and above, and bits of `joined` without a solid port, are ignored.
@@ -127,7 +127,7 @@ impl Arc {
         self
     }
 
-    /// The links, bit m the one behind m letters, from the case of the whole arc.
+    /// The links, bit m the link after m letters, from the case of the whole arc.
     const fn links(self, end: u32) -> u64 {
         let mut end = end;
         let mut links = 0;
@@ -140,8 +140,8 @@ impl Arc {
         links | (end & 3 != 0) as u64
     }
 
-    /// The links of an arc that goes over the boundary of an open fan behind `above` triangles, as edges of the path that
-    /// begins behind the boundary; the first link is edge `from`. On the boundary there are no edges.
+    /// The links of an arc that goes over the boundary of an open fan after `above` triangles, as edges of the path that
+    /// begins after the boundary; the first link is edge `from`. The boundary has no edges.
     const fn links_around(self, end: u32, above: u32, from: u32) -> u64 {
         let links = self.links(end);
         (links & low_bits(above)) << from | links >> (above + 2)
@@ -158,7 +158,7 @@ impl Arc {
 pub const MAX_K: u32 = @max_k@;
 
 // The arrays of restrip's tables/include/restrip/tables/automaton_format.hpp, which explains them; but of BEFORE each
-// number is two words, that of the low cases first, and NEXT holds 0 where a letter is not allowed.
+// number is two words, the word of the low cases first, and NEXT holds 0 where a letter is not allowed.
 const LETTERS: u32 = 4;
 const SECONDS: u32 = @seconds@;
 @arrays@

@@ -23,7 +23,7 @@
 const RESTRIP_AUTOMATON_MAX_K = @max_k@u;  // whose colours fit a word
 const RESTRIP_CHECKSUM_OF_AUTOMATON = @checksum@u;
 // Where the arrays of restrip's tables/include/restrip/tables/automaton_format.hpp begin, and the bits of an element. Of
-// `before` each number is two words, that of the low cases first, and `next` holds 0 where a letter is not allowed.
+// `before` each number is two words, the word of the low cases first, and `next` holds 0 where a letter is not allowed.
 const RESTRIP_LETTERS = 4u;
 const RESTRIP_SECONDS = @seconds@u;
 @arrays@
@@ -82,7 +82,7 @@ fn restrip_read_fan(arc: ptr<function, RestripArc>, key: RestripKey, first: u32,
 
 fn restrip_empty_arc() -> RestripArc { return RestripArc(); }
 
-// The links of an arc, bit m the one behind m letters, from the case of the whole arc.
+// The links of an arc, bit m the link after m letters, from the case of the whole arc.
 fn restrip_links(arc: RestripArc, end_case: u32) -> u32 {
   var end = end_case;
   var links = 0u;
@@ -94,8 +94,8 @@ fn restrip_links(arc: RestripArc, end_case: u32) -> u32 {
   return links | u32((end & 3u) != 0u);
 }
 
-// The links of an arc that goes over the boundary of an open fan behind `above` triangles, as edges of the path that
-// begins behind the boundary; the first link is edge `first_edge`. On the boundary there are no edges.
+// The links of an arc that goes over the boundary of an open fan after `above` triangles, as edges of the path that
+// begins after the boundary; the first link is edge `first_edge`. The boundary has no edges.
 fn restrip_links_around(arc: RestripArc, end: u32, above: u32, first_edge: u32) -> u32 {
   let links = restrip_links(arc, end);
   return ((links & restrip_low_bits(above)) << first_edge) | (links >> (above + 2u));

@@ -48,7 +48,7 @@ uint restrip_element(uvec2 place, uint index) {
 
 // The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D
 // at element `d`, or RESTRIP_NOWHERE. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last
-// element and the first. The chord A - D has the bit behind the edges.
+// element and the first. The chord A - D has the bit after the edges.
 struct RestripPatch {
   uint k;
   uint a;
@@ -100,8 +100,8 @@ uint restrip_strand_end(RestripPatch p, uint edges, uint at) {
   return at - (31u - uint(findMSB(~(edges << (32u - at)))));
 }
 
-// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: that of the port
-// that comes after the other, with no solid port between them. 0 if there is no pair, or none of that kind.
+// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the port
+// that comes after the other, with no solid port between them. 0 if no such pair exists.
 uint restrip_joined_by_chord(RestripPatch p, uint edges, uint ports) {
   uint below_a = p.a > 0u ? p.a - 1u : restrip_size(p) - 1u;  // no edge before the first element of a path
   bool a_goes_on = restrip_has(edges, below_a) != restrip_has(edges, p.a);

@@ -69,7 +69,7 @@ restrip_flip_rule restrip_flip(uint32_t inner, uint32_t ports);
 
 // The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D
 // at element `d`, or restrip_nowhere. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last
-// element and the first. The chord A - D has the bit behind the edges.
+// element and the first. The chord A - D has the bit after the edges.
 typedef struct restrip_patch {
   uint32_t k, a, d;
   bool ring;
@@ -144,8 +144,8 @@ static uint32_t restrip_strand_end(restrip_patch p, uint32_t edges, uint32_t at)
   return at;
 }
 
-// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: that of the port
-// that comes after the other, with no solid port between them. 0 if there is no pair, or none of that kind.
+// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the port
+// that comes after the other, with no solid port between them. 0 if no such pair exists.
 static uint32_t restrip_joined_by_chord(restrip_patch p, uint32_t edges, uint32_t ports) {
   const uint32_t below_a = p.a > 0 ? p.a - 1 : restrip_size(p) - 1;  // no edge before the first element of a path
   const bool a_goes_on = restrip_has(edges, below_a) != restrip_has(edges, p.a);

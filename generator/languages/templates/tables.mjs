@@ -16,7 +16,7 @@ class Patch {
     this.ports = Array.from({ length: size }, (_, element) => (inserted.includes(element) ? -1 : port++));
   }
 
-  /// What the inner edges alone tell: the ports that must not be solid, because their triangles have two solid edges, and
+  /// What follows from the inner edges alone: the ports that must not be solid, because their triangles have two solid edges, and
   /// the pairs of ports, ascending, at the two ends of a strand. Null if a triangle has three solid edges or a cycle is
   /// solid.
   #strands(inner) {

@@ -10,7 +10,7 @@
 //! are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/reference/notation.md says which bit is which edge. Each
 //! takes O(k) steps.
 //!
-//! Put this file beside yours and write `mod restrip_tables;`. It needs nothing but `core`, allocates nothing and has no
+//! Put this file next to yours and write `mod restrip_tables;`. It needs nothing but `core`, allocates nothing and has no
 //! `unsafe`. The functions are `const`.
 //!
 //! Bad input: the answer is `None` for colours that no valid stripification has (three solid edges at a triangle, a solid
@@ -126,7 +126,7 @@ pub const fn flip(inner: u32, ports: u32) -> Option<FlipRule> {
 
 /// The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D at
 /// element `d`, or NOWHERE. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last element and
-/// the first. The chord A - D has the bit behind the edges.
+/// the first. The chord A - D has the bit after the edges.
 #[derive(Clone, Copy)]
 struct Patch {
     k: u32,
@@ -207,8 +207,8 @@ impl Patch {
         at - (edges << (32 - at)).leading_ones()
     }
 
-    /// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: that of the
-    /// port that comes after the other, with no solid port between them. 0 if there is no pair, or none of that kind.
+    /// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the
+    /// port that comes after the other, with no solid port between them. 0 if no such pair exists.
     const fn joined_by_chord(self, edges: u32, ports: u32) -> u32 {
         let below_a = if self.a > 0 { self.a - 1 } else { self.size() - 1 }; // no edge before the first of a path
         let a_goes_on = has(edges, below_a) != has(edges, self.a);

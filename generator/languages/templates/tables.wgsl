@@ -48,7 +48,7 @@ fn restrip_element(place: vec2<u32>, index: u32) -> u32 {
 
 // The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D
 // at element `d`, or RESTRIP_NOWHERE. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last
-// element and the first. The chord A - D has the bit behind the edges.
+// element and the first. The chord A - D has the bit after the edges.
 struct RestripPatch {
   k: u32,
   a: u32,
@@ -116,8 +116,8 @@ fn restrip_strand_end(p: RestripPatch, edges: u32, at: u32) -> u32 {
   return from_above - countLeadingZeros(~(edges << (32u - from_above)));
 }
 
-// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: that of the port
-// that comes after the other, with no solid port between them. 0 if there is no pair, or none of that kind.
+// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the port
+// that comes after the other, with no solid port between them. 0 if no such pair exists.
 fn restrip_joined_by_chord(p: RestripPatch, edges: u32, ports: u32) -> u32 {
   let below_a = select(restrip_size(p), p.a, p.a > 0u) - 1u;  // no edge before the first element of a path
   let a_goes_on = restrip_has(edges, below_a) != restrip_has(edges, p.a);

@@ -66,7 +66,7 @@ struct IndexBuffer {
   std::variant<std::vector<std::uint32_t>, std::vector<std::uint16_t>> indices;
   std::vector<std::uint32_t> lengths;  ///< of each strip, for StripForm::lengths
   std::vector<IndexRange> batches;     ///< to be drawn one by one: consecutive, without the restarts between; strips
-                                       ///< start again in each. One for the whole buffer when there is no limit
+                                       ///< start again in each. One for the whole buffer if nothing limits it
   std::size_t triangles = 0;           ///< drawn, degenerate ones left out
   std::size_t strips = 0;              ///< before batches cut them
 

@@ -15,7 +15,7 @@
 //     class = next[4 * class + letter]
 //
 // **Cases.** What a colouring of the arc does at its two links is a *case*, four bits: the reach of the left link times
-// four plus the reach of the right link. A reach says where the strand over the link goes on the arc's side:
+// four plus the reach of the right link. A reach says where the strand over the link leads on the arc's side:
 //
 //     0  nowhere, the link is dashed
 //     1  it ends inside the arc
@@ -39,22 +39,22 @@
 //
 //       meeting = meetings[meet[seconds * first[x] + second[y]]]
 //
-//   has the case of the first arc in bits 0 … 3, that of the second in bits 4 … 7, and the colour of the chord in bit
-//   8. Inner edges f_0 … f_a are the links of the first arc and what lies between, f_{a+1} … f_{k+1} those of the
-//   second.
+//   has the case of the first arc in bits 0 … 3, the case of the second in bits 4 … 7, and the colour of the chord in
+//   bit 8. Inner edges f_0 … f_a are the links of the first arc and the edges between them, f_{a+1} … f_{k+1} the same
+//   of the second.
 // - *Collapse* onto a closed fan. One arc, t_0 … t_{k-1}, class z; `closed[z]` is its case. Both links are e_{k-1}.
 // - *Open split*, gaps i < j. The first arc is t_i … t_{j-1}; the second is t_j … t_{k-1}, the boundary's letter, t_0 …
-//   t_{i-1}, either part perhaps empty. Then as for a split. In path order the edges are those behind that
-//   letter without the first, those of the first arc, and those before it without the last: next to the boundary
-//   there is no edge, and the cases found have it dashed.
+//   t_{i-1}, either part perhaps empty. Then as for a split. In path order the edges are the edges of the second arc
+//   after that letter without the first one, the edges of the first arc, and the edges of the second arc before the
+//   letter without the last one: no edge is next to the boundary, and the cases found have it dashed.
 // - *Boundary split*, gap i. One arc, t_0 … t_{i-1}, A with letter 0, t_i … t_{k-1}; its case is 0: both links lie on
 //   the boundary.
 // - *Collapse* onto an open fan. One arc, t_0 … t_{k-1}; its case is 0.
 //
 // In an open fan no bit of `joined` is set for the first solid port, so reading it in another order changes nothing.
 //
-// **Example.** Split at k = 4, a = 2, ports 0000: both arcs are the letters 0, 0. Their class says that everything
-// may be solid, the meeting that it is, but for one edge: all but one edge of the ring of six.
+// **Example.** Split at k = 4, a = 2, ports 0000: both arcs are the letters 0, 0. Their class says that every edge may
+// be solid. By the meeting all are, except one edge of the ring of six.
 //
 // **Complexity.** One table access for each triangle forwards, and one backwards; the accesses backwards do not wait
 // for each other, because the classes are known by then. Steps of two or more triangles can be composed from these
@@ -81,7 +81,7 @@ struct ArcAutomaton {
   static constexpr unsigned boundary = Letters - 1;
   /// The bits of a case that say that the right link is solid.
   static constexpr unsigned solid = 3;
-  /// What `next` holds where a letter is not allowed: the boundary behind a boundary.
+  /// What `next` holds where a letter is not allowed: a boundary after a boundary.
   static constexpr Number no_class = std::numeric_limits<Number>::max();
 
   std::array<Number, Letters * Classes> next;           ///< index 4 * class + letter

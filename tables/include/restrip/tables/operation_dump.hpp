@@ -16,7 +16,7 @@ namespace restrip::tables {
 /// Parts of a dump.
 struct DumpText {
   /// The lines of one table. `rule` is called with a mask of inner edges and one of ports; `more` may print what else
-  /// is told of an answer.
+  /// is reported with an answer.
   template <class Rule, class More>
   static void print_rules(unsigned edges, unsigned port_count, const Rule& rule, const More& more) {
     for (std::uint32_t inner = 0; inner < std::uint32_t{1} << edges; ++inner)

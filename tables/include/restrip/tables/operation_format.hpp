@@ -79,7 +79,7 @@ struct OperationFamily {
   std::array<Entry, Size> entries;
 };
 
-/// Which triangles of a SurfaceFamily are those of a position.
+/// The triangles of a SurfaceFamily that belong to a position.
 struct PositionTriangles {
   unsigned vertices = 0;
   std::size_t first_before = 0;
@@ -138,7 +138,7 @@ using PatchEdges = std::uint64_t;
 constexpr PatchEdges patch_edges(std::uint32_t edges, std::uint32_t ports) noexcept {
   return PatchEdges{ports} << 32 | edges;
 }
-/// That of a side of a PatchTriangle; for the boundary, which is dashed, a bit of no port.
+/// The bit of a side of a PatchTriangle; for the boundary, which is dashed, a bit that belongs to no port.
 constexpr PatchEdges edge_of(std::uint8_t side) noexcept {
   static_assert(PatchTriangle::port_side == 64 && PatchTriangle::boundary_side == 255);
   return PatchEdges{1} << ((side & 31U) | (side >> 1 & 32U));
@@ -154,8 +154,8 @@ template <class Triangles>
 }
 
 /// The rule of a configuration: `inner` has before.edges bits, `ports` has ports bits; higher bits are a programming
-/// error. Constant time. Not valid: dash everything, or look for the fault. A matching's table cannot tell whether
-/// `inner` is valid and answers as if it were.
+/// error. Constant time. If the answer is not valid, clear every edge, or look for the fault. A matching's table does
+/// not know whether `inner` is valid and answers as if it were.
 template <class Entry, std::size_t Size>
 [[nodiscard]] constexpr OperationRule rule_of(const OperationTable<Entry, Size>& table, std::uint32_t inner,
                                               std::uint32_t ports) noexcept {
@@ -171,7 +171,7 @@ template <class Entry>
                                  static_cast<Entry>(-1), table.before, table.after, table.ports, inner, ports);
 }
 
-/// Which of its positions has these numbers: found in logarithmic time, family.positions.size() where there is none.
+/// Which of its positions has these numbers: found in logarithmic time; family.positions.size() if none has.
 template <class Entry, std::size_t Size, std::size_t Positions>
 [[nodiscard]] constexpr std::size_t place_of(const OperationFamily<Entry, Size, Positions>& family,
                                              const FamilyNumbers& numbers) noexcept {

@@ -1,4 +1,4 @@
-// A new vertex on an interior edge: the two triangles beside it become four.
+// A new vertex on an interior edge: the two triangles next to it become four.
 // Written by `restrip-generate rules` from the operation file of bisect. Do not edit.
 // Explained in restrip/tables/operation_format.hpp.
 #pragma once

@@ -1,4 +1,4 @@
-// A new vertex on a boundary edge: the triangle beside it becomes two.
+// A new vertex on a boundary edge: the triangle next to it becomes two.
 // Written by `restrip-generate rules` from the operation file of bisect-boundary. Do not edit.
 // Explained in restrip/tables/operation_format.hpp.
 #pragma once

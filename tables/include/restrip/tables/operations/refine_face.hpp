@@ -1,4 +1,4 @@
-// Red-green refinement: a triangle becomes four, and each of the three beside it becomes two.
+// Red-green refinement: a triangle becomes four, and each of its three neighbours becomes two.
 // Written by `restrip-generate rules` from the operation file of refine-face. Do not edit.
 // Explained in restrip/tables/operation_format.hpp.
 #pragma once
