@@ -32,7 +32,7 @@ struct Answers {
 };
 
 /// A question: the port, and where to continue when the strip ends, when it is out of sight, when it comes back through
-/// port 0, 1, … Numbers of nodes are above all recolourings; 0 where an answer cannot be, else one more than that.
+/// port 0, 1, … Numbers of nodes are above all recolourings; 0 if an answer is impossible, else one more than that.
 using Node = std::array<std::uint32_t, 3 + most_ports>;
 constexpr std::uint32_t first_node = 1U << 16;
 

@@ -198,7 +198,7 @@ class Section:
     """The claims and rows of a section seen so far. When it is closed, all must have been seen."""
 
     def __init__(self, linked, position, recounted):
-        """`recounted`: a function that has the claims that can be counted, and the keys where these are known."""
+        """`recounted`: a function that has the claims that can be counted, and the keys if these are known."""
         self.linked, self.position, self.recounted, self.claims, self.keys = linked, position, recounted, {}, []
         self.lists, self.rows, self.longest, self.here, self.last = 0, 0, 0, 0, None
 
@@ -294,7 +294,7 @@ class Row:
             raise Wrong("a case shows too little")
 
     def image(self, to, may_go):
-        """The key where the symmetry takes this one, when it is one of the patch that keeps the ports that may go."""
+        """The key to which the symmetry maps this one, if it is a symmetry of the patch that preserves the ports that may be given up."""
         if not self.patch.allows(to) or any((may_go >> p ^ may_go >> to[p]) & 1 for p in range(len(to))):
             raise Wrong("not a symmetry of the patch")
         return sum(1 << to[p] for p in range(len(to)) if self.ports >> p & 1), mask_of({to[p] for p in pair} for pair in self.joined)

@@ -63,7 +63,7 @@ class Positions:
             raise ValueError(f"{operation['name']}: not the same keys")
 
     def where_all_stay(self, key):
-        """The key of the same configurations where no port may be given up: giving ports up lets more pairs be joined, so J has more."""
+        """The key of the same configurations if no port may be given up: giving ports up lets more pairs be joined, so J has more."""
         ports, joined = key
         return ports, joined & self.joinable[ports]
 

@@ -87,7 +87,7 @@ def side_of_pattern(given, numbers):
 
 
 def triangles_at(given, numbers):
-    """Triangles of a family at one position: "u[i+1]" is u_3 where i is 2."""
+    """Triangles of a family at one position: "u[i+1]" is u_3 if i is 2."""
     def vertex(word, known):
         name, index = re.fullmatch(r"(\w+)(?:\[(.+)\])?", word).groups()
         return name if index is None else f"{name}_{sum_of(index, known)}"
@@ -326,7 +326,7 @@ def strips_left(side, constraint, edges, ports):
 
 
 def strips_added(position, before, colors, ports, kept):
-    """By a recolouring, where `before` was strips_left(); a port given up leaves a triangle outside alone where there are pairs."""
+    """By a recolouring, if `before` was strips_left(); for a matching, a port given up leaves a triangle outside alone."""
     constraint = position.description.constraint
     given_up = (ports & ~kept).bit_count() if constraint == "matching" else 0
     return strips_left(position.after, constraint, colors.bit_count(), kept.bit_count()) + given_up - before

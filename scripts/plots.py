@@ -59,7 +59,7 @@ class Bar:
 
 @dataclass
 class BarPlot:
-    """Horizontal bars from 0 to `top`; `reference`, where positive, is a line across all bars."""
+    """Horizontal bars from 0 to `top`; `reference`, if positive, is a line across all bars."""
 
     label: str  # of the values, with their unit
     top: float = 100

@@ -145,7 +145,7 @@ TEST(BoostGraph, AnAlgorithmMayColor) {
 }
 
 /// A largest matching leaves as few triangles isolated as pairs can. A strip leaves one of its triangles without a
-/// partner where their number is odd, so that many strips at least are of odd length.
+/// partner if their number is odd, so at least that number of strips have odd length.
 TEST(BoostGraph, AMatchingBoundsIsolatedTriangles) {
   for (StripMesh mesh : sample::manifold_meshes()) {
     stripify(mesh);

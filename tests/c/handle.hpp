@@ -49,7 +49,7 @@ inline std::vector<std::uint8_t> colors_of(const StripMesh& mesh) {
   return colors;
 }
 
-/// Every triangle by its number; {RESTRIP_NONE, …} where none exists.
+/// Every triangle by its number; {RESTRIP_NONE, …} if it does not exist.
 inline std::vector<std::array<std::uint32_t, 3>> corners_of(const restrip_mesh* mesh) {
   std::vector<std::array<std::uint32_t, 3>> all(restrip_mesh_triangle_bound(mesh));
   for (std::uint32_t t = 0; t < all.size(); ++t)

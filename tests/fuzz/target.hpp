@@ -10,7 +10,7 @@ namespace restrip::fuzz {
 
 struct Target {
   std::string name;
-  std::vector<std::string> seeds;  ///< all are accepted; written by our programs where these write the format
+  std::vector<std::string> seeds;  ///< all are accepted; written by our programs if these write the format
   /// Reads the bytes as the programs do, and checks the result. True if they are accepted, false if they are refused as
   /// promised. Throws or ends the process if the reader breaks its promise.
   std::function<bool(std::string_view)> read;

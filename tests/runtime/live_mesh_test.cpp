@@ -36,7 +36,7 @@ struct Uploaded {
 void operate(LiveMesh& live, std::mt19937& random, int operations) {
   for (int n = 0; n < operations; ++n) {
     random_operation(live.keeper(), random, live.mesh().triangle_count() < 600 || random() % 2 == 0);
-    // Custom operations, where they may be done.
+    // Custom operations, if they are legal.
     const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % live.mesh().triangle_bound()), 0);
     live.apply(tables::merge, h);
     if (live.mesh().triangle_count() < 900) live.apply(tables::refine_face, h);

@@ -157,7 +157,7 @@ function sameAsBaked() {
   mesh.moveTo(mesh.levels);
   assert.ok(mesh.figures.baked);
   assert.equal(mesh.figures.strips, native.levels.at(-1).strips);
-  // An operation that is none of the records ends it as well, even where it adds the next vertex.
+  // An operation that is none of the records ends it as well, even if it adds the next vertex.
   mesh.begin({ policy: 'baked' });
   const [, vT] = mesh.splits;
   const [a, b, c] = mesh.triangles;

@@ -102,7 +102,7 @@ async function nodesOfScenes() {
   await sameRefusal('cut.glb', scene(nodes).subarray(0, -30));
 }
 
-/// Vertices that glTF repeats, as where normals differ, become one.
+/// Vertices that glTF repeats, for example because normals differ, become one.
 async function seamsAreWelded() {
   const json = { asset: { version: '2.0' }, meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 0 } }] }],
     accessors: [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 12 }], bufferViews: [{ buffer: 0, byteLength: 144 }],

@@ -48,7 +48,7 @@ struct ReplayCommand {
   std::string json;
 };
 
-/// Walks as the plan says. Baked strips continue by the rules where the mesh leaves its records. `trace` may be null.
+/// Walks as the plan says. Baked strips continue by the rules once the mesh leaves its records. `trace` may be null.
 WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan, std::optional<Trace>* trace) {
   StripMesh mesh;
   if (source.original.empty()) {

@@ -1,7 +1,7 @@
 // Writes strips to a file: PLY with a `tristrips` element, binary glTF, OBJ, or the bare index buffer.
 //
 //   .ply  binary; one list of indices, -1 between strips, as Stanford's scans have it (Cyberware's `tristrips`); faces
-//         where a list has fewer indices
+//         if a list has fewer indices
 //   .glb  glTF 2.0; a primitive for each batch, or for each strip of StripForm::lengths
 //   .obj  the triangles in the order of the strips: OBJ knows no strips
 //   .bin  little-endian: with limits of a batch the number of batches and how many indices each has; with

@@ -26,7 +26,7 @@
 namespace restrip::verify {
 
 /// The effect of solid edges outside: sets of at least two ports that are connected there. Pairs for strips, sets of
-/// any size for forests; none for matchings, where no strip continues.
+/// any size for forests; none for matchings, in which no strip continues.
 struct World {
   Mask ports = 0;  ///< all that are in some set
   std::vector<std::vector<unsigned>> connected;

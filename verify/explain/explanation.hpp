@@ -24,7 +24,7 @@ struct Obstacle {
 /// What is best for a configuration, and why nothing is better.
 struct Explanation {
   Colors configuration;
-  std::optional<Candidate> best;   ///< the first of the best: smallest R, then smallest K; nothing where none is sound
+  std::optional<Candidate> best;   ///< the first of the best: smallest R, then smallest K; nothing if none is sound
   std::uint64_t equally_good = 0;  ///< how many recolourings are best
   std::uint64_t cheaper = 0;       ///< how many would cost less; each has all edges of some obstacle
   std::vector<Obstacle> obstacles;

@@ -161,7 +161,7 @@ class HeaderReader {
     return lines;
   }
 
-  /// As in a string literal: numbers replaced by their places, with backslashes where needed.
+  /// As in a string literal: numbers replaced by their places, with backslashes as needed.
   [[nodiscard]] std::string position() const {
     std::string literal;
     for (const char c : description_.position) {

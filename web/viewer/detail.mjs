@@ -1,6 +1,6 @@
 // The distribution of detail: the level everywhere, and in the view-dependent modes all records near the view.
 
-/// A byte for each record, 1 where it is wanted; null: only the records of the level. `look`: a ray through the cursor.
+/// A byte for each record, 1 if it is wanted; null: only the records of the level. `look`: a ray through the cursor.
 export function wantedRecords({ mode, mesh, level, clicks, splits, normals, camera, look }) {
   const { points, levels } = mesh;
   const wanted = new Uint8Array(levels).fill(1, 0, level);

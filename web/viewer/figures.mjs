@@ -4,7 +4,7 @@ import { none } from '../../bindings/js/restrip.mjs';
 export const asNumber = (n, digits = 0) => n.toLocaleString('en', { minimumFractionDigits: digits, maximumFractionDigits: digits });
 /// With two digits that count, and all before the point.
 export const asRatio = (n) => (n >= 9.95 ? asNumber(n) : n.toLocaleString('en', { maximumSignificantDigits: 2 }));
-/// Kilobytes, to the byte where they are few.
+/// Kilobytes, to the byte if they are few.
 export const asBytes = (bytes) => `${bytes < 99950 ? asNumber(bytes / 1000, bytes < 1000 ? 2 : 1) : asNumber(bytes / 1000)} kB`;
 
 /// Bytes of an index of a mesh, in strips and in lists alike: two, if one number is left for restarts.

@@ -143,7 +143,7 @@ export class Scene {
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.indices.width * length, gl.DYNAMIC_DRAW);
     this.#room = length;
   }
-  /// Copies the ranges that changed; everything only where the buffer has outgrown its room.
+  /// Copies the ranges that changed; everything only if the buffer has outgrown its room.
   upload(indices, ranges) {
     const gl = this.#gl;
     if (indices.length > this.#room) {

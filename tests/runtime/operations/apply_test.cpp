@@ -1,6 +1,6 @@
 // apply() does what an operation file says: on a StripMesh the triangles are those that are worked out on a bare list;
 // its check grants just the operations that leave the mesh as good; strips and isolated triangles change as reported;
-// and where a shipped function does the same, mesh and colours are the same. Keepers and other meshes:
+// and if a shipped function does the same operation, mesh and colours are the same. Keepers and other meshes:
 // apply_kept_test.cpp.
 #include "restrip/operations/apply.hpp"
 

@@ -1,7 +1,7 @@
-// Splits and collapses of large fans on meshes, under the local and the linked rules: the strips stay valid, what is
-// reported is what a recount of the whole mesh finds, and of all recolourings of the patch that are valid none is
-// better. Valid in this mesh where the linked rules follow every strip to its end; in every mesh for the local ones.
-// The graph that is searched is made of the triangles of the mesh after the operation, patch and strips outside.
+// Splits and collapses of large fans on meshes, under the rules and the linked rules: the strips stay valid, a recount
+// of the whole mesh finds what is reported, and no valid recolouring of the patch is better. For linked rules, which
+// here follow every strip to its end, valid means in this mesh; for the rules, in every mesh. The graph that is
+// searched is made of the triangles of the mesh after the operation, patch and strips outside.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -167,9 +167,9 @@ struct FanTally {
   std::set<std::size_t> valences;
 };
 
-/// One operation on copies of the mesh: by local rules, by linked ones that follow strips to their ends, and by the
-/// ones that follow them three triangles far. `operate(copy, rules)` does it and returns the reported changes and the
-/// vertices around which the patch lies then; before it lies around `centers`.
+/// One operation on copies of the mesh: by the rules, by linked rules that follow strips to their ends, and by
+/// linked rules that follow them for three triangles. `operate(copy, rules)` does it and returns the reported changes
+/// and the vertices around which the patch lies then; before it lies around `centers`.
 template <class Operate>
 void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const Operate& operate, FanTally& tally) {
   const ColoringReport old = check_coloring(mesh);

@@ -195,7 +195,7 @@ constexpr LinkedFamily linked_families[] = {LinkedFamily::split,          Linked
                                             LinkedFamily::open_split,     LinkedFamily::open_collapse,
                                             LinkedFamily::boundary_split, LinkedFamily::boundary_collapse};
 
-/// Linked and local rules against the frontier; returns the number of times that the linked one keeps more strips
+/// Rules and linked rules against the frontier; returns the number of times that the linked rule keeps more strips
 /// together.
 int check_linked(std::uint64_t seed, int runs, std::size_t from, std::size_t to) {
   std::mt19937_64 random(seed);
@@ -248,7 +248,7 @@ TEST(LinkedSearch, IsBestOfAllRecolorings) {
     }
 }
 
-/// Fans in which the limit on answers is met: then, too, the answer is sound and no worse than the local rule.
+/// Fans in which the limit on answers is met: then, too, the answer is sound and no worse than the rule.
 TEST(LinkedSearch, GivesUpSoundly) {
   std::mt19937_64 random(20260208);
   int given_up = 0;
@@ -310,7 +310,7 @@ void for_each_outside(const LinkedInstance& instance, const Visit& visit) {
   decide(0);
 }
 
-/// The search where there are tables: as good as their first alternative that is sound, whatever is seen outside.
+/// The search at positions with tables: as good as their first alternative that is sound, whatever is seen outside.
 TEST(LinkedSearch, AgreesWithTheTables) {
   std::size_t compared = 0;
   std::mt19937_64 random(20260205);

@@ -84,7 +84,7 @@ enum class Fault {
   fast_insert_returns_back
 };
 
-/// Sides of a mesh of ours, with a fault. `splits_fast` says whether it has the member that split() calls where it can.
+/// Sides of a mesh of ours, with a fault. `splits_fast` says whether it has the member that split() calls if it exists.
 template <bool splits_fast>
 class Faulty {
  public:

@@ -159,7 +159,7 @@ TEST(Key, RandomLargeConfigurations) {
     const std::size_t i = random() % k;
     const std::size_t j = i + 1 + random() % (k - i);
     const std::size_t a = 1 + random() % (k - 1);
-    // The colours of one patch, as spans and, where they fit, as words: joined(colors…) and valid(colors…) for both.
+    // The colours of one patch, as spans and, if they fit, as words: joined(colors…) and valid(colors…) for both.
     const auto check = [&](const char* family, const naive::Patch& patch, const auto& joined, const auto& valid) {
       SCOPED_TRACE("k " + std::to_string(k) + ", " + family + ", run " + std::to_string(run));
       naive::Bits inner;

@@ -1,8 +1,8 @@
-// Linked rules: they follow the strips that leave the patch, and may join more ports than local rules.
+// Linked rules: they follow the strips that leave the patch, and may join more ports than the rules.
 //
-// A local rule must be sound for every surrounding mesh, so it may only join ports that were joined before. A rule that
-// follows the strips outward for a few triangles finds that most ports are not joined outside, and may join them
-// inside. On real meshes this keeps strips twice as long, at two to three times the time of a local rule.
+// A rule must be sound for every surrounding mesh, so it may only join ports that were joined before. A linked rule
+// follows the strips outward for a few triangles, finds that most ports are not joined outside, and may join them
+// inside. On real meshes this keeps strips twice as long, at two to three times the time of a rule.
 //
 //   split_and_link(mesh, where);  collapse_and_link(mesh, chord);  flip_and_link(mesh, h);
 //
@@ -14,7 +14,7 @@
 // The recolouring comes from the tables for closed fans of at most table_max_k triangles: a list for each position and
 // port mask, best first. For larger closed fans and for open ones it is searched for by the automaton of all valences
 // (impl/linked_search.hpp), which for most fans is run once or twice. Flips, and fans of more than max_word_valence
-// triangles, take the local rule. Nothing is allocated up to max_word_valence.
+// triangles, take the rule. Nothing is allocated up to max_word_valence.
 //
 // impl/outlook.hpp says why this is sound.
 #pragma once
@@ -56,7 +56,7 @@ constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place,
 /// only if the answer matters. The result is optimal among all recolourings that keep every port and are sound for
 /// every possible result of the calls not made. Beyond table_max_k it is searched for, as impl/linked_search.hpp says:
 /// in time linear in k, with one or two table reads for each triangle and each of at most detail::max_answers attempts,
-/// few of which are made in practice. If the attempts run out, the result is sound and no worse than the local rule,
+/// few of which are made in practice. If the attempts run out, the result is sound and no worse than the rule,
 /// but better ones may exist.
 template <class LookOut>
 [[nodiscard]] constexpr Rule linked_split_rule(SplitPosition at, Word loop, Word ports, LookOut&& look_out) {
@@ -170,7 +170,7 @@ struct LinkedRules {
                            at.kind == PatchPlace::Kind::ring ? closed_fan(at.k) : open_fan(at.k), ports.word, walk);
   }
 
-  // Fans whose colours do not fit one word use the local rule.
+  // Fans whose colours do not fit one word use the rule.
   template <class Mesh, class Halfedge>
   Answer<LongBits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<LongBits>& fan) const {
     return LocalRules{}.answer_split(mesh, where, fan);
@@ -219,7 +219,7 @@ Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Ha
   return detail::collapse_and_join_with(detail::LinkedRules{default_reach}, Exchange::yes, mesh, chord);
 }
 
-/// flip(), then joins and exchanges, which restore a port that the local rule cleared without need.
+/// flip(), then joins and exchanges, which restore a port that the rule cleared without need.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",

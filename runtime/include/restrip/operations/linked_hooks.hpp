@@ -53,7 +53,7 @@ Rewrite<typename Mesh::Halfedge> after_collapse_and_link(Mesh& mesh, PendingColl
   });
 }
 
-/// For use after before_flip(): flips use the local rule, and are linked afterwards.
+/// For use after before_flip(): flips use the rule, and are linked afterwards.
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_flip_and_link(Mesh& mesh, PendingFlip<typename Mesh::Halfedge> pending,
                                                      typename Mesh::Halfedge h) {

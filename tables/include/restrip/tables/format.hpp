@@ -1,11 +1,11 @@
 // How the generated tables are laid out. The data are in restrip/tables/*.hpp, written by restrip-generate; nothing
 // there explains itself, so here is what the numbers mean.
 //
-// A rule of a fan family depends on its position and on a key of two masks, (ports, joined): docs/reference/notation.md says why.
-// Of the 4^k pairs of masks only a few thousand are keys, so the keys of one valence are packed by *row displacement*
-// (Tarjan and Yao, "Storing a sparse table", 1979): the row of `ports` starts at rows[1 << k | ports], and the cell of
-// a key lies `joined` cells further. Rows overlap like combs; no two keys share a cell. All positions of a valence use
-// the same packing, one block of cells after the other:
+// A rule of a fan family depends on its position and on a key of two masks, (ports, joined): docs/reference/notation.md
+// says why. Of the 4^k pairs of masks only a few thousand are keys, so the keys of one valence are packed by *row
+// displacement* (Tarjan and Yao, "Storing a sparse table", 1979): the row of `ports` starts at rows[1 << k | ports],
+// and the cell of a key lies `joined` cells further. Rows overlap like combs; no two keys share a cell. All positions
+// of a valence use the same packing, one block of cells after the other:
 //
 //     rules[first[k] + place * cells[k] + rows[1 << k | ports] + joined]
 //
@@ -22,7 +22,7 @@
 
 namespace restrip {
 
-/// Places inside a table: 16 bits where they suffice, 32 in tables that go beyond k = 8 (docs/how-to/cluster.md).
+/// Places inside a table: 16 bits if they suffice, 32 in tables that go beyond k = 8 (docs/how-to/cluster.md).
 template <unsigned MaxK>
 using TableIndex = std::conditional_t<MaxK <= 8, std::uint16_t, std::uint32_t>;
 

@@ -118,8 +118,8 @@ struct OperationRule {
   int strips = 0;
   bool valid = false;
 
-  /// What an entry says of a configuration, where a patch has this size. `none` is the entry of those that are not
-  /// valid.
+  /// The meaning of an entry for a configuration, if a patch has this size. `none` is the entry of configurations that
+  /// are not valid.
   [[nodiscard]] static constexpr OperationRule in_entry(std::uint32_t entry, std::uint32_t none, PatchSize before,
                                                         PatchSize after, unsigned port_count, std::uint32_t inner,
                                                         std::uint32_t ports) noexcept {
@@ -162,7 +162,7 @@ template <class Entry, std::size_t Size>
   return OperationRule::in_entry(table.entries[table.matching ? ports : inner << table.ports | ports],
                                  static_cast<Entry>(-1), table.before, table.after, table.ports, inner, ports);
 }
-/// The same at a position of a family. Not valid where the family has no such position.
+/// The same at a position of a family. Not valid if the family has no such position.
 template <class Entry>
 [[nodiscard]] constexpr OperationRule rule_of(const PositionTable<Entry>& table, std::uint32_t inner,
                                               std::uint32_t ports) noexcept {
@@ -183,7 +183,7 @@ template <class Entry, std::size_t Size, std::size_t Positions>
              : static_cast<std::size_t>(at - family.positions.begin());
 }
 
-/// The rules and triangles of a position, as a table; one without triangles where the family has no such position.
+/// The rules and triangles of a position, as a table; one without triangles if the family has no such position.
 template <class Entry, std::size_t Size, std::size_t Positions, std::size_t Before, std::size_t After>
 [[nodiscard]] constexpr PositionTable<Entry> position_of(
     const SurfaceFamily<Entry, Size, Positions, Before, After>& family, const FamilyNumbers& numbers) noexcept {
@@ -201,7 +201,7 @@ template <class Entry, std::size_t Size, std::size_t Positions, std::size_t Befo
           std::span(family.triangles_after).subspan(triangles.first_after, at.after.triangles)};
 }
 
-/// The rule of a configuration at a position. Not valid where the family has no such position.
+/// The rule of a configuration at a position. Not valid if the family has no such position.
 template <class Entry, std::size_t Size, std::size_t Positions>
 [[nodiscard]] constexpr OperationRule rule_of(const OperationFamily<Entry, Size, Positions>& family,
                                               const FamilyNumbers& numbers, std::uint32_t inner,

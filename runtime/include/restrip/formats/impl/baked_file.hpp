@@ -57,7 +57,7 @@ class BakedReader {
     if (!open()) return false;
     const auto [points, triangles, splits, payload_bytes, payload] = header_;
     if (triangles == 0) return fail("its base has no triangles");
-    // In 64 bits, so that nothing overflows where std::size_t has 32.
+    // In 64 bits, so that nothing overflows if std::size_t has 32.
     if (std::uint64_t{points} * baked_format::point_bytes + std::uint64_t{triangles} * baked_format::triangle_bytes +
             std::uint64_t{splits} * baked_format::least_record_bytes >
         rest_.size())

@@ -9,7 +9,7 @@
 //
 // Only pairs next to ports that are joined outside, or out of sight, are ever removed. So for a given number of such
 // ports the automaton runs a bounded number of times, and never more than max_answers times. If that is too few, which
-// takes many cycles at once, the answer is the best one found, sound and at least as good as the local rule.
+// takes many cycles at once, the answer is the best one found, sound and at least as good as the rule.
 #pragma once
 
 #include <bit>
@@ -150,7 +150,7 @@ class LinkedSearch {
   int answers_left_ = max_answers;
 };
 
-/// The rule for any family but the flip. Colours that no valid stripification has get the answer of the local rules.
+/// The rule for any family but the flip. Colours that no valid stripification has get the answer of the rules.
 template <class LookOut>
 constexpr Rule searched_rule(const Layout& before, Word colors, const Layout& after, Word ports, LookOut& look_out) {
   const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());

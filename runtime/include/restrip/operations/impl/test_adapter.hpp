@@ -283,7 +283,7 @@ class AdapterDrive {
     const std::size_t l = has_left ? fan.place(left_) : 0;
     const std::size_t r = has_right ? fan.place(right_) : 0;
     const Row& all = fan.spokes;
-    const Row between = [&] {  // of v_s where it is closed or the left spoke comes first, else of v_t
+    const Row between = [&] {  // of v_s if it is closed or the left spoke comes first, else of v_t
       Row row;
       if (!has_left || !has_right) return row;
       if (fan.closed || l < r)

@@ -211,7 +211,7 @@ bool EndSearch::chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t p
   return false;
 }
 
-// Tries chains of one length at all ends where they have not been tried. True if shorter ones may be possible again.
+// Tries chains of one length at all ends at which they have not been tried. True if shorter ones may be possible again.
 template <SidedMesh Mesh>
 bool EndSearch::pass(Mesh& mesh, std::uint32_t length, const EndLimits& limits) {
   for (std::size_t i = 0; i < end_count_ && counts_.looked < last_look_; ++i) {
