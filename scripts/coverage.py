@@ -203,7 +203,7 @@ class Coverage:
         return sorted(rows, key=lambda row: wanted.index(row[0].split(", ")[0]))
 
     def table(self):
-        return table_of(["claims", "operations", "k", "method", "input checked"], [cells for *cells, _ in self.merged(self.claims)])
+        return table_of(["claims", "operations", "k", "method", "input checked"], [list(cells) for cells in dict.fromkeys(tuple(cells) for *cells, _ in self.merged(self.claims))])
 
 
 def table_of(head, lines):

@@ -173,7 +173,7 @@ class Mesh {
     at(a).solid = at(b).solid = false;
   }
 
-  /// The next halfedge counter-clockwise that leaves the same vertex, across the boundary if it is next.
+  /// The next halfedge counter-clockwise that leaves the same vertex; across the boundary after the last one.
   [[nodiscard]] Halfedge turn(Halfedge h) const { return on_boundary(h) ? first_spoke(h) : opposite(next(next(h))); }
   /// The first one counter-clockwise, around a vertex on the boundary.
   [[nodiscard]] Halfedge first_spoke(Halfedge h) const {

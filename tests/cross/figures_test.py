@@ -33,7 +33,7 @@ class Figures(unittest.TestCase):
     def test_tables_of_words_and_marked_tables_are_not_listed(self):
         self.assertEqual(figures(marked(PRINTS_IT) + TABLE.replace("7", "seven"), "--bare")[0], 0)
 
-    def test_a_command_that_is_not_there_is_listed(self):
+    def test_a_command_that_does_not_exist_is_listed(self):
         code, said, _ = figures(marked("scripts/no_such_script.py", kind="timed "), "--bare")
         self.assertEqual(code, 1)
         self.assertIn("no_such_script.py is not there", said)

@@ -173,7 +173,7 @@ class Rejects(unittest.TestCase):
         self.assertEqual(faults_of(files), [])
         self.assertEqual(faults_of({**files, name: text}), [f"{name}:{line}" for line in said])
 
-    def test_what_is_there_is_not_reported(self):
+    def test_what_exists_is_not_reported(self):
         self.refused("src/saw.hpp", '// As axe.hpp does (docs/trees.md, "Oaks", "Leaves"; docs/trees.md section 1).\n'
                                     "// See https://example.org/no.md and *.hpp.\n")
         self.refused("README.md", '[ash](docs/trees.md#elm-and-ash), [an axe](src/axe.hpp), [trees](docs)\n'
@@ -202,7 +202,7 @@ class Rejects(unittest.TestCase):
 class OfTheProject(unittest.TestCase):
     cmake = None  # and a folder where the project is built
 
-    def test_all_are_there(self):
+    def test_all_exist(self):
         project = References(ROOT).check()
         self.assertGreater(project.checked, 500)
         self.assertEqual("\n".join(project.faults), "")

@@ -64,7 +64,7 @@ TEST_F(AutomatonTest, WitnessesLeadToTheirClasses) {
 }
 
 // Counted before by a program of another language.
-TEST_F(AutomatonTest, AsManyClassesAsWereCountedBefore) {
+TEST_F(AutomatonTest, ClassesAreAsCountedBefore) {
   EXPECT_EQ(automaton.counts.values, 53U);
   EXPECT_EQ(automaton.classes.size(), 201U);
   EXPECT_EQ(automaton.meets.size(), 66U);

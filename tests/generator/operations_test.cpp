@@ -155,7 +155,7 @@ const std::string wheel = R"family({"restrip_operation": 1, "operations": [{
   "before": {"path": ["t[0,k)"]},
   "after": {"ring": ["A", "t[0,i)", "D", "t[i,k)"], "chord": ["D", "A"]}}]})family";
 
-TEST(FamiliesFile, SaysWhichPositionsThereAre) {
+TEST(FamiliesFile, ListsItsPositions) {
   const std::vector<Description> families = parse_descriptions("w.json", wheel);
   ASSERT_EQ(families.size(), 1U);
   const Description& family = families[0];
@@ -205,7 +205,7 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
   expect_refused(wheel, faults, [](const std::string& text) { (void)parse_descriptions("w.json", text); });
 }
 
-TEST(FamiliesFile, WithAPositionThatIsNoPatchIsRefused) {
+TEST(FamiliesFile, WithAPositionThatIsNotAPatchIsRefused) {
   const std::vector<Fault> faults{
       {"t[i,k)", "t[0,k)", "w.json:4: operations[0].after: t_0 occurs twice (wheel k 4 i 1)"},
       {"t[i,k)", "t[i,i-1)", "expected indices from 0 to 64, found t[1,0)"},

@@ -96,7 +96,7 @@ int most_solid(May may) {
   return most;
 }
 
-TEST(PortsGivenUp, TheRuleIsBestAmongThoseThatKeepThemAll) {
+TEST(PortsGivenUp, TheRuleIsBestIfAllAreKept) {
   EXPECT_EQ(outsides().size(), 3U);  // nothing, ports 0 and 4, ports 2 and 4; 0 and 2 would close a cycle
   EXPECT_TRUE(is_sound(rule, ports));
   EXPECT_EQ(solid(rule, ports), 7);

@@ -74,7 +74,7 @@ TEST(DecodeStrips, GivesTheMeshBackAndNoticesAMissingIndex) {
   EXPECT_NE(sorted_triangles(decode_strips(indices)), expected);
 }
 
-TEST(SortedTriangles, TellOrientationsApart) {
+TEST(SortedTriangles, DistinguishOrientations) {
   EXPECT_EQ(sorted_triangles({{1, 2, 0}}), sorted_triangles({{2, 0, 1}}));
   EXPECT_NE(sorted_triangles({{1, 2, 0}}), sorted_triangles({{2, 1, 0}}));
   EXPECT_TRUE(sorted_triangles({{1, 1, 0}}).empty());

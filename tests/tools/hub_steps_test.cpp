@@ -65,7 +65,7 @@ std::string stl_of(std::size_t facets, bool collide) {
   return bytes;
 }
 
-TEST(Reading, PlacesThatCollideTakeAsManyStepsAsOthers) {
+TEST(Reading, PlacesThatCollideTakeTheSameNumberOfSteps) {
   const auto steps = [](bool collide) {
     const std::string bytes = stl_of(3000, collide);
     Soup soup;

@@ -75,7 +75,7 @@ TEST(Obj, LinesMayEndInAnyWayAndGoOn) {
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
 }
 
-TEST(Obj, ALineGoesOnAfterABackslash) {
+TEST(Obj, ALineContinuesAfterABackslash) {
   for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/2\\\n 3/3", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\\\r3\\",
                            "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\\\nf 1 2 3\\\r\n"})
     EXPECT_EQ(read_obj(text, "f").triangles, (std::vector<Corners>{{0, 1, 2}})) << text;

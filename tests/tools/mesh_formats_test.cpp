@@ -222,7 +222,7 @@ std::map<std::string, std::array<std::string, 2>> table_of_formats() {
   return rows;
 }
 
-TEST(MeshFormats, AreThoseOfTheDocuments) {
+TEST(MeshFormats, AgreeWithTheDocuments) {
   const auto rows = table_of_formats();
   EXPECT_EQ(rows.size(), mesh_formats().size());
   const auto says = [](const std::string& cell, const char* word) { return cell.find(word) != std::string::npos; };

@@ -53,7 +53,7 @@ class Drawings(unittest.TestCase):
                 drawn += 1
         self.assertEqual(drawn, 2 * (15 + 70 + 24) + 1 + len(list(OPERATIONS.glob("*.json"))))
 
-    def test_numbers_are_those_of_the_document(self):
+    def test_numbers_agree_with_the_document(self):
         position, = positions_of(OPERATIONS / "split-face.json")  # docs/reference/operation-file.md, "Triangles"
         (_,), (after,) = drawings([position.before], [position.after])
         name = after["names"][0]

@@ -176,7 +176,7 @@ TEST_F(PaperReport, BadInputLeavesNoReport) {
   EXPECT_EQ(run_program(fmt::format("paper --levels 1 --out '{}' '{}'", file("out"), file("a.off"))).code, 2);
 }
 
-TEST_F(PaperReport, NoPageIsMadeOfWhatIsNoReport) {
+TEST_F(PaperReport, AFileThatIsNotAReportGetsNoPage) {
   std::filesystem::create_directory(file("empty"));
   std::filesystem::create_directory(file("broken"));
   std::ofstream(folder_ / "broken" / "report.json") << R"({"meshes": []})";

@@ -78,7 +78,7 @@ TEST(Paper, RowsCountEveryVertex) {
   EXPECT_FALSE(paper_row(12));
 }
 
-TEST(Paper, BunnyIsThePapersAndItsPolicyLandsBesideItsFigure) {
+TEST(Paper, BunnyIsThePapersAndItsPolicyLandsNearItsFigure) {
   const auto file = REAL_MESH("bunny.obj");
   const PaperMesh mesh = measure(read_subject(file), {});
   EXPECT_TRUE(mesh.faults.empty());

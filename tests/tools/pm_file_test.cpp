@@ -53,7 +53,7 @@ TEST(PmFile, RefusesWhatItIsNot) {
   EXPECT_NE(pm_refusal(wrong).find("refers to vertices"), std::string::npos);
 }
 
-TEST(PmFile, NothingToReplayIsNoSuccess) {
+TEST(PmFile, NothingToReplayIsAnError) {
   const auto base_of = [](const std::vector<Corners>& base) {
     ProgressiveMesh mesh;
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

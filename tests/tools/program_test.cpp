@@ -135,7 +135,7 @@ TEST_F(Program, StripifyCountsStrips) {
   EXPECT_GE(full.at("indices"), 4000);
 }
 
-TEST_F(Program, StripifyTellsWhatIndicesCost) {
+TEST_F(Program, StripifyReportsTheCostOfIndices) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 2000 -o '{}'", file("a.off"))).code, 0);
   const auto stripified = [&](const char* options) {
     const Outcome run = run_program(fmt::format("stripify '{}' {} --bound --json -", file("a.off"), options));
@@ -245,7 +245,7 @@ TEST_F(Program, LevelsAreReadWhereverAMeshIs) {
             std::string::npos);
 }
 
-TEST_F(Program, AnOutputThatIsNoFileIsWrittenTo) {
+TEST_F(Program, AnOutputThatIsNotAFileIsWrittenTo) {
   std::ofstream(file("target")) << "old";
   std::filesystem::create_symlink(file("target"), file("link.json"));
   ASSERT_EQ(
@@ -315,7 +315,7 @@ class Meshes : public ScratchFolder {
   }
 };
 
-TEST_F(Meshes, AnInputIsNoOutput) {
+TEST_F(Meshes, AnInputIsNeverAnOutput) {
   std::filesystem::create_symlink("a.obj", file("link.pm"));
   std::filesystem::create_hard_link(file("a.obj"), file("hard.svg"));
   std::filesystem::create_hard_link(file("a.pm"), file("hard.baked"));

@@ -75,7 +75,7 @@ TEST(Walk, EveryWay) {
   }
 }
 
-TEST(Walk, FindsWhatIsKeptWrongBesideTheMesh) {
+TEST(Walk, FindsFaultsInWhatIsKeptWithTheMesh) {
   struct WithAStaleLocator : Operations {
     StripLocator locator;
     explicit WithAStaleLocator(StripMesh& on) : Operations(on), locator(on) {}

@@ -51,7 +51,7 @@ TEST(Description, IsReadAsItIsWritten) {
   EXPECT_EQ(operation.cost[0][0].count, Count::strips);
 }
 
-TEST(Description, DefaultsAreThoseOfThePage) {
+TEST(Description, DefaultsAgreeWithThePage) {
   const auto text_of_cost = [](const std::string& constraint) {
     std::string text;
     std::string without = with(",\n  \"give_up\": \"all\",\n  \"cost\": [[{\"count\": \"strips\"}]]", "");

@@ -234,7 +234,7 @@ StripMesh mesh_around(unsigned k, unsigned a, bool after, Colors colors, const s
   return mesh;
 }
 
-TEST(Explain, TheCycleIsThereOnAMesh) {
+TEST(Explain, TheCycleExistsOnAMesh) {
   std::mt19937 random(4);
   int found = 0;
   for (unsigned k = 3; k <= 6; ++k)

@@ -50,7 +50,7 @@ std::map<std::vector<int>, bool> positions_by_hand(const std::string& family, in
   return positions;
 }
 
-TEST(Families, AreThoseOfTheNotation) {
+TEST(Families, AgreeWithTheNotation) {
   std::map<std::string, std::map<std::vector<int>, bool>> found;
   std::map<std::string, std::set<std::string>> certificates;
   const auto look_at = [&](const Family& family, const Operation& operation, bool listed) {

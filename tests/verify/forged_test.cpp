@@ -109,7 +109,7 @@ TEST(ForgedCertificate, EveryClaimThatIsWrong) {
 }
 
 // Reasons prove nothing if another criterion than strips comes first.
-TEST(ForgedCertificate, WhereThereCanBeNoReasons) {
+TEST(ForgedCertificate, WhoseRulesCannotHaveReasons) {
   const Forgery& good = forgery_of("merge-face-matching");
   NaiveTable table = good.table;
   for (auto& [key, row] : table.rows)

@@ -65,7 +65,7 @@ TEST(OperationHeader, OfAnotherOperationIsNot) {
   EXPECT_EQ(Header("bisect").complaint(Header("merge").text).substr(0, 30), "h:1: expected \"// A new vertex");
 }
 
-TEST(OperationHeader, AnyByteThatIsNoDigitOfATableIsMissed) {
+TEST(OperationHeader, AnyByteThatIsNotADigitOfATableIsMissed) {
   for (const std::string name : {"bisect", "new-corner", "fan-turns", "fan-stays"}) {
     const Header header(name);
     for (std::size_t at = 0; at < header.text.size(); ++at) {

@@ -24,7 +24,7 @@ static_assert(hash("a") == 0xAF63DC4C8601EC8CU);
 static_assert(hash("foobar") == 0x85944171F73967E8U);
 static_assert(magic.size() + 4 * sizeof(std::uint32_t) == header_bytes);
 
-TEST(BakedFormat, NeighborsAreThoseOfTheTrianglesInAscendingOrder) {
+TEST(BakedFormat, NeighborsComeFromTheTrianglesInAscendingOrder) {
   for (const StripMesh& mesh : sample::manifold_meshes()) {
     std::vector<Vertex> named;
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {

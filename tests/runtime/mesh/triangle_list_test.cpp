@@ -112,7 +112,7 @@ void expect_table(const std::vector<Corners>& list, std::size_t vertices) {
   ASSERT_EQ(of_trusted, across);
 }
 
-TEST(TriangleList, NeighborsAreThoseOfEverySoup) {
+TEST(TriangleList, NeighborsAreRightInEverySoup) {
   std::mt19937 random(1);
   for (unsigned round = 0; round < 4000; ++round) {
     const std::size_t vertices = 3 + round % 7;
@@ -127,7 +127,7 @@ TEST(TriangleList, NeighborsAreThoseOfEverySoup) {
   }
 }
 
-TEST(TriangleList, NeighborsAreThoseOfMeshesInAnyOrder) {
+TEST(TriangleList, NeighborsAreRightInMeshesInAnyOrder) {
   std::mt19937 random(2);
   for (const StripMesh& mesh : sample::meshes()) {
     std::vector<Corners> list = sample::triangles_of(mesh);

@@ -74,7 +74,7 @@ TEST(Walks, VisitWhatALookThroughAllTrianglesFinds) {
   }
 }
 
-TEST(Walks, RingsAndComponentsAreThoseOfThePairsOfNeighbors) {
+TEST(Walks, RingsAndComponentsFollowFromPairsOfNeighbors) {
   for (const StripMesh& mesh : sample::manifold_meshes()) {
     const auto pairs = neighbors(mesh);
     naive::UnionFind components(mesh.triangle_bound());

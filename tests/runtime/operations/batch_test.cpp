@@ -387,7 +387,7 @@ void compare_overlaps(StripMesh& mesh, Chooser& chooser, std::size_t& found, std
   }
 }
 
-TEST(Batch, OverlapsAreThoseOfTheCorners) {
+TEST(Batch, OverlapsFollowFromTheCorners) {
   Chooser chooser(4);
   std::size_t found = 0;
   std::size_t clean = 0;
@@ -403,7 +403,7 @@ TEST(Batch, OverlapsAreThoseOfTheCorners) {
   EXPECT_GT(clean, 300U);
 }
 
-TEST(Batch, BoundarySpokesThatMeetWhereTheMeshIsNoManifold) {
+TEST(Batch, BoundarySpokesThatMeetInNonManifoldMeshes) {
   // The fans share no triangle, but both splits would look at the first spoke of the middle of the bow tie: they are
   // refused, because it is not to be touched.
   const StripMesh mesh = bow_tie();

@@ -41,7 +41,7 @@ TEST(Hooks, FansOfAnySize) {
 
 // A library chooses which of two merged edges stays: that edge may have any colour, also if it then lies on the
 // boundary.
-TEST(Hooks, MergedEdgesComeDashed) {
+TEST(Hooks, MergedEdgesAreDashed) {
   for (StripMesh mesh : {sample::rectangle(9, 7), sample::torus(12, 9)}) {
     stripify(mesh, Effort::fast, Cost::strips());
     std::mt19937 random(5);

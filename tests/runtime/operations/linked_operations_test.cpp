@@ -1,7 +1,7 @@
 // Splits and collapses of large fans on meshes, under the rules and the linked rules: the strips stay valid, a recount
-// of the whole mesh finds what is reported, and no valid recolouring of the patch is better. For linked rules, which
-// here follow every strip to its end, valid means in this mesh; for the rules, in every mesh. The graph that is
-// searched is made of the triangles of the mesh after the operation, patch and strips outside.
+// of the whole mesh finds what is reported, and no valid recolouring of the patch is better. For linked rules that
+// follow every strip to its end, valid means in this mesh; for the rules, in every mesh. The graph that is searched is
+// made of the triangles of the mesh after the operation, patch and strips outside.
 #include <gtest/gtest.h>
 
 #include <algorithm>

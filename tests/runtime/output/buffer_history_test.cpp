@@ -135,7 +135,7 @@ TEST(BufferHistory, GivesBackTheVeryIndices) {
 }
 
 // A frame in which the mesh did not change does not count, although the buffer may have been written.
-TEST(BufferHistory, WhatIsNoFrameIsForgotten) {
+TEST(BufferHistory, AnUnchangedMeshIsNotAFrame) {
   StripMesh mesh = sample::torus(12, 12);
   stripify(mesh, Effort::fast, Cost::strips());
   SavedState kept(mesh, 1 << 20);

@@ -25,7 +25,7 @@ std::size_t misses_of_a_queue(const std::vector<std::uint32_t>& indices, std::si
   return misses;
 }
 
-TEST(VertexCache, MissesAreThoseOfAQueue) {
+TEST(VertexCache, MissesAreTheMissesOfAQueue) {
   std::mt19937 random(3);
   for (const std::uint32_t vertices : {1U, 3U, 15U, 16U, 17U, 40U}) {
     std::vector<std::uint32_t> indices(500);

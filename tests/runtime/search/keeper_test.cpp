@@ -175,7 +175,7 @@ TEST(KeeperByCost, IndicesDoNotAge) {
   }
 }
 
-TEST(KeeperByCost, GoesOnInTheBackground) {
+TEST(KeeperByCost, ContinuesInTheBackground) {
   StripMesh mesh = sample::torus(30, 30);
   stripify_fast(mesh);
   Keeper keeper(mesh, Policy::quick, Cost::indices());

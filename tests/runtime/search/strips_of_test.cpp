@@ -28,7 +28,7 @@ Indices by_way_of_a_mesh(const std::vector<Corners>& list, std::size_t vertices,
   return strip_indices(mesh);
 }
 
-TEST(StripsOf, AreThoseOfTheMesh) {
+TEST(StripsOf, AreTheStripsOfTheMesh) {
   for (const StripMesh& mesh : sample::meshes()) {
     const std::vector<Corners> list = sample::triangles_of(mesh);
     const std::size_t vertices = mesh.vertex_bound();
@@ -75,7 +75,7 @@ std::size_t index_count(const Triangles& list, StripForm form, Effort effort) {
 }
 
 /// Meshes with edges of more than two triangles: strips continue where the sheets do.
-TEST(StripsOf, GoesOnInTheSheetsOfNonManifoldMeshes) {
+TEST(StripsOf, ContinuesInTheSheetsOfNonManifoldMeshes) {
   const Triangles grid = with_backs(sample::sheet(40, 40, [](Vertex x, Vertex y) { return 41 * x + y; }));
   Triangles shuffled = with_backs(sample::book(7));
   std::mt19937 random(1);
