@@ -116,7 +116,7 @@ const std::vector<Way>& ways() {
 
 const Way& way_named(const std::string& name) {
   const auto found = std::find_if(ways().begin(), ways().end(), [&](const Way& way) { return way.name == name; });
-  if (found == ways().end()) throw std::invalid_argument("unknown way of keeping strips: " + name);
+  if (found == ways().end()) throw std::invalid_argument("unknown policy: " + name);
   return *found;
 }
 
@@ -128,7 +128,7 @@ Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
     : way_(&way), mesh_(&mesh), cost_(given.cost.value_or(way.usual_cost())) {
   search_ = given.search.value_or(way.search_under(cost_));
   if (!(cost_ == Cost::strips()) && !way.weighs())
-    throw std::invalid_argument("the way of keeping strips named " + way.name + " supports only --cost strips");
+    throw std::invalid_argument("policy " + way.name + " supports only --cost strips");
   if (way.bakes) {
     baked_ = given.baked;
     if (baked_ == nullptr) {
