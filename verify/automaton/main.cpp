@@ -118,8 +118,8 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     if (family.sections.front().operations.front().may_give_up != 0) continue;
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
-    reporter.report(fmt::format("worth what the rules of {} are", family.name),
-                    fmt::format("k <= {}, {}, {} the very rule", options.tables_max_k,
+    reporter.report(fmt::format("every answer costs the same as the rule of {}", family.name),
+                    fmt::format("k <= {}, {}, {} answers equal the rule", options.tables_max_k,
                                 counted(check.places, "position"), check.same),
                     check.keys, check.failures);
   }
