@@ -22,14 +22,17 @@ let seed = 5;
 const random = (n) => (seed = seed * 48271 % 2147483647) % n;
 const bit = (mask, n) => (Number(mask) >> n) & 1;
 
+/// The connected component of each node.
+function components(count, edges) {
+  const of = Array.from({ length: count }, (_, i) => i);
+  for (const [i, j] of edges) { const [p, q] = [of[i], of[j]]; of.forEach((c, n) => { if (c === p) of[n] = q; }); }
+  return of;
+}
+const fanComponents = (k, loop) => components(k, Array.from({ length: k }, (_, i) => [i, (i + 1) % k]).filter((_, i) => bit(loop, i)));
+
 /// Soundness by counting: solid degrees; a component with N edges and N triangles has a cycle; ports in one component.
 function isSound(k, a, loop, ports, inner) {
-  const components = (count, edges) => {
-    const of = Array.from({ length: count }, (_, i) => i);
-    for (const [i, j] of edges) { const [p, q] = [of[i], of[j]]; of.forEach((c, n) => { if (c === p) of[n] = q; }); }
-    return of;
-  };
-  const before = components(k, Array.from({ length: k }, (_, i) => [i, (i + 1) % k]).filter((_, i) => bit(loop, i)));
+  const before = fanComponents(k, loop);
   // In the numbering of docs/reference/notation.md: A, t_0 to t_{a-1}, D, t_a to t_{k-1} in a ring, and the chord.
   const order = ['A', ...Array.from({ length: a }, (_, i) => i), 'D', ...Array.from({ length: k - a }, (_, i) => a + i)];
   const edges = [...order.map((name, n) => [name, order[(n + 1) % order.length]]), ['A', 'D']];
@@ -43,20 +46,19 @@ function isSound(k, a, loop, ports, inner) {
   return true;
 }
 
-/// The colouring has the fault.
-function hasFault({ edges, ports, pairs, k }, inner, fault) {
-  const solid = fault.edges.map((edge) => edges[edge]);
-  assert.ok(fault.edges.every((edge) => bit(inner, edge)) && fault.ports.every((port) => bit(ports, port)));
-  if (fault.kind === 'branch') {
-    const [node] = fault.triangles;
-    return solid.length + fault.ports.length === 3 && solid.every((ends) => ends.includes(node)) && fault.ports.every((port) => port === node);
-  }
-  const joins = (n, i, j) => solid[n].includes(i) && solid[n].includes(j);
-  const { triangles } = fault;
-  const path = triangles.slice(1).every((node, n) => joins(n, triangles[n], node));
-  if (fault.kind === 'cycle') return path && triangles.length === solid.length && joins(solid.length - 1, triangles.at(-1), triangles[0]);
-  return path && solid.length === triangles.length - 1 && [triangles[0], triangles.at(-1)].sort().join() === [...fault.ports].sort().join() &&
-    fault.ports.every((port) => port < k) && !pairs.some((pair) => pair.every((port) => fault.ports.includes(port)));
+/// The fault lies in the colouring, and no edge of it is too many: three edges of one triangle, or exactly one cycle,
+/// which may pass outside between two ports that are not connected before.
+function hasFault({ k, loop, edges, ports }, inner, { inner: set, ports: used, world, triangle }) {
+  assert.ok((BigInt(set) & ~BigInt(inner)) === 0n && (BigInt(used) & ~ports) === 0n);
+  const solid = edges.filter((_, edge) => bit(set, edge));
+  for (let port = 0; port < k; ++port) if (bit(used, port)) solid.push([port, k + 2 + port]);
+  if (triangle !== null) return world.length === 0 && solid.length === 3 && solid.every((ends) => ends.includes(triangle));
+  const before = fanComponents(k, loop);
+  if (world.length > 0 && before[world[0]] === before[world[1]]) return false;
+  if (world.length > 0) solid.push(world.map((port) => k + 2 + port));
+  const of = components(2 * k + 2, solid);
+  const ends = solid.flat();
+  return ends.every((node) => ends.filter((end) => end === node).length === 2 && of[node] === of[ends[0]]);
 }
 
 const kinds = { branch: 0, cycle: 0, join: 0, sound: 0 };
@@ -64,7 +66,7 @@ function check(puzzle, inner) {
   const fault = puzzle.fault(inner);
   assert.equal(fault === null, isSound(puzzle.k, puzzle.a, puzzle.loop, puzzle.ports, inner), `${puzzle.name}, ${inner}`);
   if (fault) assert.ok(hasFault(puzzle, inner, fault), `${puzzle.name}, ${inner}: ${JSON.stringify(fault)}`);
-  ++kinds[fault?.kind ?? 'sound'];
+  ++kinds[!fault ? 'sound' : fault.triangle !== null ? 'branch' : fault.world.length > 0 ? 'join' : 'cycle'];
   return fault === null;
 }
 
@@ -87,7 +89,7 @@ for (let n = 0; n < puzzles.count; ++n) {
   if (puzzle.k > 5 || (puzzle.k === 5 && n % 5 > 0)) continue;
   for (let inner = 0n; inner < 1n << BigInt(puzzle.edges.length); ++inner) {
     if (!check(puzzle, inner)) continue;
-    const [mine, its] = [inner, best.colors].map((colors) => [puzzle.after(colors), puzzle.alone(colors).length]);
+    const [mine, its] = [inner, best.colors].map((colors) => [puzzle.after(colors), puzzle.isolated(colors).length]);
     assert.ok(mine[0] > its[0] || (mine[0] === its[0] && mine[1] >= its[1]), `${puzzle.name}: ${inner} is better than the rule`);
   }
 }

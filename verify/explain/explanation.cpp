@@ -195,8 +195,7 @@ Judgement judgement_of(const Definition& definition, Colors configuration, Color
     result.because = fmt::format("{} is {}, and may be {}", text_of(operation.cost[i]), cost[i], best.cost[i]);
   } else if (recoloring != best.colors) {
     result.standing = Standing::equally_good;
-    result.because =
-        "costs the same as the rule, which has the smaller mask; no criterion, only the tie-break of a table decides";
+    result.because = "costs the same as the rule; only a tie-break decides between them";
   }
   return result;
 }

@@ -129,7 +129,7 @@ std::string picture_of(const std::vector<Panel>& panels) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
       "<style>rect {{ fill: #fff }} path {{ fill: none; stroke: #222; stroke-linecap: round }} .solid {{ stroke-width: "
       "4 }} "
-      ".dashed {{ stroke: #999; stroke-width: 1.5; stroke-dasharray: 5 5 }} .marked {{ stroke: #c11 }} "
+      ".dashed {{ stroke: #6b7280; stroke-width: 1.5; stroke-dasharray: 5 5 }} .marked {{ stroke: #c11 }} "
       ".outside {{ stroke: #27c; stroke-width: 3 }} circle {{ fill: #fff; stroke: #222 }} "
       "text {{ font: 11px sans-serif; text-anchor: middle }} .title {{ font-size: 13px }} .port {{ fill: #666 "
       "}}</style>\n"

@@ -1,10 +1,11 @@
-// Judges a colouring of the patch after a split: its value, and its fault if it is not sound
-// (docs/reference/notation.md).
+// Judges a colouring of the patch after a split by the definition (docs/reference/notation.md), in the words of
+// `restrip-verify explain` (verify/explain/explanation.cpp).
 import { has, joinedPairs, pairsMask, ringEdges } from './patch.mjs';
 
 /// The triangles of the patch after a split by name: t0 to t_{k-1}, A and D.
 export const namesOf = (k) => [...Array.from({ length: k }, (_, i) => `t${i}`), 'A', 'D'];
-/// The number of bits.
+/// The numbers of the bits, and how many they are.
+export const bitsOf = (mask) => [...mask.toString(2)].reverse().flatMap((bit, n) => (bit === '1' ? [n] : []));
 export const bitsIn = (mask) => BigInt(mask).toString(2).replaceAll('0', '').length;
 
 /// A patch that is split, with its colours before.
@@ -13,63 +14,80 @@ export class Puzzle {
     [this.k, this.a, this.loop, this.ports] = [k, a, BigInt(loop), BigInt(ports)];
     this.edges = ringEdges(k, a);
     this.names = namesOf(k);
-    this.pairs = joinedPairs(k, this.loop, this.ports);
+    // Pairs of solid ports that may be connected outside, because they are not connected inside before.
+    const joined = joinedPairs(k, this.loop, this.ports);
+    const solid = bitsOf(this.ports);
+    this.worlds = solid.flatMap((p) => solid.filter((q) => p < q && !joined.some((pair) => pair.includes(p) && pair.includes(q))).map((q) => [p, q]));
   }
   get name() { return [this.k, this.a, this.loop.toString(16), this.ports.toString(16)].join('-'); }
-  /// What an inner edge is called: by its two triangles.
-  edgeName(edge) { return this.edges[edge].map((node) => this.names[node]).join('–'); }
+  /// Inner edges by the names of their triangles.
+  edgeNames(mask) { return bitsOf(mask).map((edge) => this.edges[edge].map((node) => this.names[node]).join('-')).join(' '); }
   /// Strips, counted inside the patch: before the split, and after it with these inner edges if they close no cycle.
   get before() { return this.k - bitsIn(this.loop); }
   after(inner) { return this.k + 2 - bitsIn(inner); }
-  /// The solid inner edges of each triangle.
-  around(inner) {
-    const solid = Number(inner);  // a picture has fewer edges than a number has bits
-    const edges = this.names.map(() => []);
-    this.edges.forEach(([i, j], edge) => {
-      if ((solid >> edge & 1) === 0) return;
-      edges[i].push(edge);
-      edges[j].push(edge);
-    });
-    return edges;
+  /// The triangles without a solid edge, and how many they were before.
+  isolated(inner) {
+    const used = new Set([...bitsOf(this.ports), ...bitsOf(inner).flatMap((edge) => this.edges[edge])]);
+    return this.names.flatMap((_, node) => (used.has(node) ? [] : [node]));
   }
-  hasPort(node) { return node < this.k && has(this.ports, node); }
-  /// The triangles that no solid edge leads away from.
-  alone(inner) {
-    return this.around(inner).flatMap((edges, node) => (edges.length === 0 && !this.hasPort(node) ? [node] : []));
+  get isolatedBefore() {
+    const used = new Set([...bitsOf(this.ports), ...bitsOf(this.loop).flatMap((edge) => [edge, (edge + 1) % this.k])]);
+    return this.k - used.size;
   }
-  /// The fault of a colouring: { kind, triangles, edges, ports }, or null if it is sound. `kind` is 'branch' (a
-  /// triangle has three solid edges), 'cycle' (inside) or 'join' (two ports that were not joined before).
-  fault(inner) {
-    const around = this.around(inner);
-    for (const [node, edges] of around.entries()) {
-      const ports = this.hasPort(node) ? [node] : [];
-      if (edges.length + ports.length > 2) return { kind: 'branch', triangles: [node], edges, ports };
+  /// The connected component of each triangle; null if a triangle has three solid edges or a cycle is solid. `world`:
+  /// two ports that are connected outside, or none.
+  #components(inner, ports, world) {
+    const of = this.names.map((_, node) => node);
+    const degree = this.names.map((_, node) => ports >> node & 1);
+    const solid = this.edges.filter((_, edge) => inner >> edge & 1);
+    for (const node of solid.flat()) if (++degree[node] > 2) return null;
+    if (world.length > 0 && world.every((port) => ports >> port & 1)) solid.push(world);
+    for (const [i, j] of solid) {
+      const [from, to] = [of[i], of[j]];
+      if (from === to) return null;
+      of.forEach((component, node) => { if (component === from) of[node] = to; });
     }
-    // Every triangle has at most two solid edges, so a path from an end is a strip, and a component without an end is a
-    // cycle.
-    const seen = new Set();
-    const follow = (from) => {
-      const way = { triangles: [from], edges: [] };
-      seen.add(from);
-      for (let node = from;;) {
-        const edge = around[node].find((e) => !way.edges.includes(e));
-        if (edge === undefined) return way;
-        way.edges.push(edge);
-        node = this.edges[edge].find((end) => end !== node);
-        if (seen.has(node)) return way;
-        seen.add(node);
-        way.triangles.push(node);
-      }
-    };
-    for (const [node, edges] of around.entries()) {
-      if (seen.has(node) || edges.length > 1) continue;
-      const way = follow(node);
-      const ports = [...new Set([way.triangles[0], way.triangles.at(-1)])].filter((end) => this.hasPort(end));
-      if (ports.length === 2 && !this.pairs.some((pair) => ports.every((port) => pair.includes(port)))) return { kind: 'join', ...way, ports };
-    }
-    for (const node of around.keys())
-      if (!seen.has(node)) return { kind: 'cycle', ...follow(node), ports: [] };
-    return null;
+    return of;
+  }
+  /// A smallest set of edges that cannot all be solid, or null if the colouring is sound: { inner, ports, world,
+  /// triangle }. In `world`, the first one with the fewest connections, they close a cycle, unless the triangle has three
+  /// solid edges.
+  fault(colors) {
+    let [inner, ports] = [Number(colors), Number(this.ports)];  // a picture has fewer edges than a number has bits
+    const of = this.#components(inner, ports, []);
+    const world = of ? this.worlds.find(([p, q]) => of[p] === of[q]) : [];
+    if (!world) return null;
+    this.edges.forEach((_, edge) => { if (inner >> edge & 1 && !this.#components(inner ^ 1 << edge, ports, world)) inner ^= 1 << edge; });
+    for (const port of bitsOf(ports)) if (!this.#components(inner, ports ^ 1 << port, world)) ports ^= 1 << port;
+    const ends = bitsOf(inner).flatMap((edge) => this.edges[edge]).concat(bitsOf(ports));
+    const triangle = ends.find((node) => ends.filter((end) => end === node).length > 2) ?? null;
+    return { inner, ports, world, triangle };
+  }
+  /// What the edges of a fault do together, and the same with the edges.
+  effect({ triangle, world }) {
+    if (triangle !== null) return `triangle ${this.names[triangle]} has 3 solid edges`;
+    return world.length === 0 ? 'a cycle' : `a cycle with ports ${world.join('-')} connected outside`;
+  }
+  faultText(fault) {
+    const ports = bitsOf(fault.ports);
+    const listed = ports.length > 0 ? `, port${ports.length === 1 ? '' : 's'} ${ports.join(' ')}` : '';
+    return `${this.edgeNames(fault.inner)}${listed}: ${this.effect(fault)}`;
+  }
+  /// What a sound colouring changes: "strips +1, isolated +0".
+  change(inner) {
+    const [strips, isolated] = [this.after(inner) - this.before, this.isolated(inner).length - this.isolatedBefore];
+    return `strips ${strips < 0 ? '' : '+'}${strips}, isolated ${isolated < 0 ? '' : '+'}${isolated}`;
+  }
+  /// Compares a colouring with the rule: { verdict, because, fault }.
+  judged(inner, rule) {
+    const fault = this.fault(inner);
+    if (fault?.world.length === 0) return { verdict: 'not valid', because: this.faultText(fault), fault };
+    if (fault) return { verdict: 'unsound', because: `${this.faultText(fault)}, and none before`, fault };
+    const [mine, its] = [inner, rule].map((colors) => ({ strips: this.after(colors) - bitsIn(this.ports), 'isolated + given_up': this.isolated(colors).length }));
+    const higher = Object.keys(mine).find((criterion) => mine[criterion] !== its[criterion]);
+    if (higher) return { verdict: 'worse', because: `${higher} is ${mine[higher]}, and may be ${its[higher]}`, fault };
+    if (inner === rule) return { verdict: 'best', because: '', fault };
+    return { verdict: 'equally good', because: 'costs the same as the rule; only a tie-break decides between them', fault };
   }
 }
 

@@ -11,12 +11,13 @@ export function rimOf(k, a) {
   return [...places, places[0]];
 }
 
-const outline = (corners) => `M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z`;
+const written = (places, between = ' ') => places.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(between);
+const outline = (corners) => `M${written(corners, 'L')}z`;
 
 export class Patch {
   faces = { old: '', new: '' };
   fills = '';
-  strokes = { dashed: '', solid: '' };
+  strokes = { outside: '', dashed: '', solid: '', 'solid marked': '' };
   nodes = [];
   extra = '';
   add(a, b, c, style = 'old') {
@@ -24,32 +25,37 @@ export class Patch {
     this.nodes.push(middle(a, b, c));
     return this.nodes.length - 1;
   }
-  stroke(from, to, solid) {
-    this.strokes[solid ? 'solid' : 'dashed'] += `M${from[0].toFixed(1)},${from[1].toFixed(1)}L${to[0].toFixed(1)},${to[1].toFixed(1)}`;
+  stroke(from, to, style) { this.strokes[style] += `M${written([from, to], 'L')}`; }
+  join(i, j, across, style) {
+    this.stroke(this.nodes[i], across, style);
+    this.stroke(across, this.nodes[j], style);
   }
-  join(i, j, across, solid) {
-    this.stroke(this.nodes[i], across, solid);
-    this.stroke(across, this.nodes[j], solid);
-  }
-  port(i, a, b, solid) {
+  port(i, a, b, style) {
     const door = middle(a, b);
     const outside = door.map((d, n) => d + (d - this.nodes[i][n]) * 0.7);
-    this.stroke(this.nodes[i], outside, solid);
+    this.stroke(this.nodes[i], outside, style);
     return outside;
+  }
+  /// Two ports that are connected outside: an arc around the patch, the shorter way.
+  outside(from, to) {
+    const [[x, y], [u, v]] = [from, to].map((end) => end.map((c) => c - 200));
+    const beyond = [[x, y], [u, v]].map((end) => end.map((c) => 200 + c * 190 / Math.hypot(...end)));
+    this.strokes.outside += `M${written([from, beyond[0]], 'L')}A190,190 0 0 ${x * v - y * u < 0 ? 0 : 1} ${written([beyond[1], to], 'L')}`;
   }
   /// An edge that can be clicked, and names itself.
   hit(edge, label, solid, points) {
-    const line = points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ');
-    this.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${solid}" aria-label="${label}" data-edge="${edge}" points="${line}"/>`;
+    this.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${solid}" aria-label="${label}" data-edge="${edge}" points="${written(points)}"/>`;
   }
-  /// A coloured triangle, and one that can be marked.
+  /// A coloured triangle.
   fill(color, corners) { this.fills += `<path class="old" style="fill:${color}" d="${outline(corners)}"/>`; }
-  face(i, corners) { this.extra += `<path class="face" data-face="${i}" d="${outline(corners)}"/>`; }
-  /// The name of a triangle, next to its node: at a distance and an angle from the direction of something else.
-  name(node, toward, away, turn, text) {
-    const [x, y] = toward.map((c, n) => (c - node[n]) * away / Math.hypot(toward[0] - node[0], toward[1] - node[1]));
-    const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
-    this.extra += `<text x="${(node[0] + cos * x - sin * y).toFixed(1)}" y="${(node[1] + sin * x + cos * y).toFixed(1)}">${text}</text>`;
+  /// The names of a triangle and of a port, as in verify/explain/picture.cpp.
+  name([x, y], text, radius) {
+    this.extra += `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius}"/><text x="${x.toFixed(1)}" y="${y.toFixed(1)}" style="font-size:${radius}px">${text}</text>`;
+  }
+  number([x, y], text) {
+    const away = Math.hypot(x - 200, y - 200);
+    const [u, v] = [(x - 200) / away, (y - 200) / away];
+    this.extra += `<text class="port" x="${(x + 5 * u - 13 * v).toFixed(1)}" y="${(y + 5 * v + 13 * u).toFixed(1)}">${text}</text>`;
   }
   svg(description) {
     const dots = this.nodes.map(([x, y]) => `M${x.toFixed(1)},${y.toFixed(1)}h0`).join('');
@@ -60,27 +66,33 @@ export class Patch {
   }
 }
 
-/// The closed fan before a split. `click`: edges can be clicked; `fills`: colours of the triangles.
-export function fanPicture(k, a, loop, ports, description, { click = false, fills = [] } = {}) {
+const strokeOf = (solid, marked = false) => (!solid ? 'dashed' : marked ? 'solid marked' : 'solid');
+
+/// The closed fan before a split. `click`: edges can be clicked; `fills`: colours of the triangles; `world`: ports that
+/// are connected outside.
+export function fanPicture(k, a, loop, ports, description, { click = false, fills = [], world = [] } = {}) {
   const rim = rimOf(k, a);
   const center = [200, 200];
   const patch = new Patch();
   for (let i = 0; i < k; ++i) patch.add(center, rim[i], rim[i + 1]);
-  for (let i = 0; i < k; ++i) {
+  const ends = patch.nodes.map((_, i) => {
     const across = middle(center, rim[i + 1]);
-    patch.join(i, (i + 1) % k, across, has(loop, i));
-    const outside = patch.port(i, rim[i], rim[i + 1], has(ports, i));
+    patch.join(i, (i + 1) % k, across, strokeOf(has(loop, i)));
+    const outside = patch.port(i, rim[i], rim[i + 1], strokeOf(has(ports, i)));
     if (fills[i]) patch.fill(fills[i], [center, rim[i], rim[i + 1]]);
-    if (!click) continue;
-    patch.hit(`loop ${i}`, `loop edge ${i}`, has(loop, i), [patch.nodes[i], across, patch.nodes[(i + 1) % k]]);
-    patch.hit(`port ${i}`, `port ${i}`, has(ports, i), [patch.nodes[i], outside]);
-  }
+    if (click) {
+      patch.hit(`loop ${i}`, `loop edge ${i}`, has(loop, i), [patch.nodes[i], across, patch.nodes[(i + 1) % k]]);
+      patch.hit(`port ${i}`, `port ${i}`, has(ports, i), [patch.nodes[i], outside]);
+    }
+    return outside;
+  });
+  if (world.length > 0) patch.outside(...world.map((port) => ends[port]));
   return patch.svg(description);
 }
 
-/// The ring with chord after it, in the same way; its ports cannot be clicked. `faces`: triangles can be marked; `marked`: inner edges to point at;
-/// `named`: each triangle has its name on it.
-export function ringPicture(k, a, inner, ports, description, { click = false, faces = false, fills = [], named = false, marked = 0n } = {}) {
+/// The ring with chord after it, in the same way; its ports cannot be clicked. `named`: triangles and ports have their
+/// names on them; `fault`: of these colours, marked, with its world (judge.mjs).
+export function ringPicture(k, a, inner, ports, description, { click = false, fills = [], named = false, fault = null } = {}) {
   const rim = rimOf(k, a);
   const patch = new Patch();
   const toward = (first, last) => middle(...rim.slice(first, last + 1)).map((c) => 200 + (c - 200) * 0.45);
@@ -90,21 +102,18 @@ export function ringPicture(k, a, inner, ports, description, { click = false, fa
   corners.forEach((places, i) => {
     patch.add(...places, i < k ? 'old' : 'new');
     if (fills[i]) patch.fill(fills[i], places);
-    if (faces) patch.face(i, places);
   });
   const names = [...Array.from({ length: k }, (_, i) => `t${i}`), 'A', 'D'];
   ringEdges(k, a).forEach(([i, j], edge) => {
     const across = edge === k + 2 ? middle(vS, vT) : middle(edge <= a ? vS : vT, rim[edge <= a ? edge : edge - 1]);
-    patch.join(i, j, across, has(inner, edge));
-    const line = [patch.nodes[i], across, patch.nodes[j]];
-    if (has(marked, edge)) patch.extra += `<polyline class="marked" points="${line.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ')}"/>`;
-    if (click) patch.hit(`inner ${edge}`, `edge between ${names[i]} and ${names[j]}`, has(inner, edge), line);
+    patch.join(i, j, across, strokeOf(has(inner, edge), fault && has(fault.inner, edge)));
+    if (click) patch.hit(`inner ${edge}`, `edge between ${names[i]} and ${names[j]}`, has(inner, edge), [patch.nodes[i], across, patch.nodes[j]]);
   });
-  for (let i = 0; i < k; ++i) patch.port(i, rim[i], rim[i + 1], has(ports, i));
+  const ends = rim.slice(1).map((end, i) => patch.port(i, rim[i], end, strokeOf(has(ports, i), fault && has(fault.ports, i))));
+  if (fault?.world.length > 0) patch.outside(...fault.world.map((port) => ends[port]));
   if (named) {
-    // Between the port and an edge; nothing lies beyond the new triangles.
-    for (let i = 0; i < k; ++i) patch.name(patch.nodes[i], middle(rim[i], rim[i + 1]), 26, 0.9, names[i]);
-    [rim[0], rim[a]].forEach((place, n) => patch.name(patch.nodes[k + n], place, 44, 0, names[k + n]));
+    names.forEach((name, i) => patch.name(patch.nodes[i], name, Math.min(15, Math.floor(230 / k))));
+    ends.forEach((end, port) => patch.number(end, port));
   }
   return patch.svg(description);
 }

@@ -27,12 +27,12 @@ export function casesOf(text) {
 }
 
 /// What each case shows for any sound colouring in it: why its sets cannot be all solid, the least number of dashed
-/// edges, and the triangles that are alone in a colouring with this number. Throws if a case does not show that no
-/// sound colouring has fewer dashed edges than `inner`, or the same number and fewer triangles alone.
+/// edges, and the triangles that are isolated in a colouring with this number. Throws if a case does not show that no
+/// sound colouring has fewer dashed edges than `inner`, or the same number and fewer isolated triangles.
 export function shown(puzzle, text, inner) {
   const edges = puzzle.edges.length;
   const all = (1n << BigInt(edges)) - 1n;
-  const [dashed, alone] = [edges - bitsIn(inner), puzzle.alone(inner).length];
+  const [dashed, isolated] = [edges - bitsIn(inner), puzzle.isolated(inner).length];
   return casesOf(text).map(({ solid, dashed: settled, sets }) => {
     let met = solid | settled;
     const why = sets.map((set) => {
@@ -44,8 +44,8 @@ export function shown(puzzle, text, inner) {
     });
     const least = bitsIn(settled) + sets.length;
     const single = sets.filter((set) => bitsIn(set) === 1).reduce((mask, set) => mask | set, settled);
-    const left = puzzle.alone(all & ~single);
-    const enough = least > dashed || (least === dashed && left.length >= alone);
+    const left = puzzle.isolated(all & ~single);
+    const enough = least > dashed || (least === dashed && left.length >= isolated);
     if (!enough) throw new Error(`${puzzle.name}: its reason shows too little`);
     return { solid, dashed: settled, why, least, left };
   });

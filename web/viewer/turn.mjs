@@ -1,23 +1,14 @@
-// Your turn: a visitor colours a patch after its split; the page counts the strips, names what is wrong, and shows from
-// the certificate why no colouring is better.
+// Your turn: a visitor colours a patch after its split; the page judges it in the words and drawings of `restrip-verify
+// explain`, and shows from the certificate why no colouring is better.
 import { embedded } from './embedded.mjs';
 import { fanPicture, ringPicture } from './patch.mjs';
-import { bitsIn } from './judge.mjs';
+import { bitsIn, bitsOf } from './judge.mjs';
 import { shown } from './reason.mjs';
 import { Puzzles } from './puzzles.mjs';
 import { cutColors } from './cut.mjs';
 
 const counted = (n, what) => `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 's'}`;
 const together = (words) => (words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`);
-const bitsOf = (mask) => [...mask.toString(2)].reverse().flatMap((bit, n) => (bit === '1' ? [n] : []));
-
-/// The fault of a colouring, in a few words.
-export function faultText({ names }, { kind, triangles, ports }) {
-  const named = together(triangles.map((node) => names[node]));
-  if (kind === 'branch') return `${named} has three solid lines, so it branches`;
-  if (kind === 'cycle') return `${named} close a cycle`;
-  return `the lines that leave ${together(ports.map((port) => names[port]))} get joined`;
-}
 /// The numbers of the puzzles that were solved, in the storage of the browser if it has one; the argument replaces them.
 function remembered(numbers) {
   try {
@@ -27,16 +18,10 @@ function remembered(numbers) {
     return [];
   }
 }
-const whyNot = {
-  branch: 'A strip enters a triangle once and leaves it once.',
-  cycle: 'A strip has two ends.',
-  join: 'They were not joined before. Outside they may be two ends of one strip, which would become a cycle; a rule does not read that far.'
-};
-
 export class Turn {
   puzzle = null;
   inner = 0n;  // solid inner edges
-  seen = null;  // of the reason: { inner, fault } that is shown instead of the visitor's colours
+  seen = null;  // inner edges of the reason that are shown instead of the visitor's colours
   #loading = null;
 
   constructor(viewer, by) {
@@ -114,7 +99,6 @@ export class Turn {
     this.number = found ? found.index : -1;
     this.clicks = 0;
     this.by('turn-number').value = found ? found.index + 1 : '';
-    this.by('turn-before').innerHTML = fanPicture(k, a, loop, ports, 'the patch before the split');
     this.#describePatch(found, own);
     this.#describeReason(found);
     this.#paint(this.first);
@@ -157,41 +141,25 @@ export class Turn {
     const same = button?.getAttribute('aria-pressed') === 'true';
     for (const each of this.by('turn-reason').querySelectorAll('[data-set]')) each.setAttribute('aria-pressed', String(each === button && !same));
     const of = button && !same ? this.lists[button.dataset.list] : null;
-    this.seen = of && { inner: of.why[button.dataset.set].set | of.solid, fault: of.why[button.dataset.set].fault };
+    this.seen = of && (of.why[button.dataset.set].set | of.solid);
     this.#draw();
   }
   #draw() {
-    const { k, a, ports } = this.puzzle;
-    const fault = this.seen ? this.seen.fault : this.puzzle.fault(this.inner);
-    const marked = (fault?.edges ?? []).reduce((mask, edge) => mask | 1n << BigInt(edge), 0n);
-    const board = this.by('turn-after');
-    board.innerHTML = ringPicture(k, a, this.seen ? this.seen.inner : this.inner, ports, 'the patch after the split',
-      { click: !this.seen, faces: true, named: true, marked });
-    for (const node of fault?.triangles ?? []) board.querySelector(`[data-face="${node}"]`).classList.add('wrong');
-    this.#describeVerdict(fault);
+    const { k, a, loop, ports } = this.puzzle;
+    const shown = this.seen ?? this.inner;
+    const judged = this.puzzle.judged(shown, this.best);
+    this.by('turn-before').innerHTML = fanPicture(k, a, loop, ports, 'the patch before the split', { world: judged.fault?.world });
+    this.by('turn-after').innerHTML = ringPicture(k, a, shown, ports, 'the patch after the split', { click: this.seen === null, named: true, fault: judged.fault });
+    this.#describeVerdict(judged);
   }
 
   // ---- text
-  /// `fault`: of the colouring shown.
-  #describeVerdict(fault) {
+  #describeVerdict({ verdict, because, fault }) {
     const { puzzle, inner, best } = this;
-    const verdict = this.by('turn-verdict');
-    const [strips, least] = [inner, best].map((colors) => puzzle.after(colors));
-    const [alone, leastAlone] = [inner, best].map((colors) => puzzle.alone(colors));
-    const solved = !fault && strips === least && alone.length === leastAlone.length;
-    verdict.className = fault ? 'unsafe' : solved ? 'solved' : '';
-    if (fault) {
-      const begins = this.seen ? 'Not your colours. With these lines solid, ' : 'Not safe: ';
-      verdict.textContent = `${begins}${faultText(puzzle, fault)}. ${whyNot[fault.kind]}`;
-      return;
-    }
-    const { before } = puzzle;
-    const count = `${counted(strips, 'strip')} in the patch; before the split there ${before === 1 ? 'was' : 'were'} ${before}.`;
-    const worth = inner === best ? 'No colouring is better; the rule does the same.'
-      : solved ? 'No colouring is better. The rule takes other lines, which are equally good.'
-        : strips > least ? 'Fewer are possible.'
-          : `Fewer are impossible, but ${isAlone(puzzle, alone)}, and it can be done with ${leastAlone.length === 0 ? 'none' : 'fewer'} alone.`;
-    verdict.textContent = `${count} ${worth}`;
+    const solved = verdict === 'best' || verdict === 'equally good';
+    const changes = fault ? '' : ` Yours: ${puzzle.change(inner)}.${solved ? ' No recolouring is better.' : ` The rule: ${puzzle.change(best)}.`}`;
+    this.by('turn-verdict').className = fault ? 'unsafe' : solved ? 'solved' : '';
+    this.by('turn-verdict').innerHTML = `<span>${this.seen === null ? '' : 'Not your colours. '}<b>${verdict}</b>${because && `: ${because}`}.${changes}</span>`;
     if (solved && this.clicks > 0) this.#remember();
   }
   /// A puzzle that the visitor solved; the one of the day has a result to copy.
@@ -219,35 +187,32 @@ export class Turn {
   #describeReason(found) {
     const { puzzle, best } = this;
     const edges = puzzle.edges.length;
-    const said = `Fewer strips means fewer dashed lines. The rule leaves ${edges - bitsIn(best)} of the ${edges} lines inside dashed.`;
+    const said = `Fewer strips means fewer dashed edges. The rule leaves ${edges - bitsIn(best)} of the ${edges} edges inside dashed.`;
     this.lists = found ? shown(puzzle, found.reason, best) : [];
     this.by('turn-reason').innerHTML = found
-      ? `<p>${said} Fewer are impossible. Press a set of lines to see why they cannot all be solid.</p>` +
+      ? `<p>${said} Fewer are impossible. Press a set of edges to see why they cannot all be solid.</p>` +
         this.lists.map((list, n) => listText(puzzle, best, list, n)).join('')
       : `<p>${said} Certificates with such reasons end at vertices of 8 triangles. A proof for vertices of any number of triangles says that fewer are impossible.</p>`;
   }
 }
 
-const isAlone = ({ names }, triangles) => `${together(triangles.map((node) => names[node]))} ${triangles.length === 1 ? 'is' : 'are'} alone`;
-
 /// One list of a reason on the page: its case, its sets as buttons, and what they show.
 function listText(puzzle, best, { solid, dashed, why, least, left }, list) {
-  const line = (edge) => puzzle.edgeName(edge);
-  const given = [...bitsOf(solid).map((edge) => `${line(edge)} is solid`), ...bitsOf(dashed).map((edge) => `${line(edge)} is dashed`)];
+  const given = [[solid, 'solid'], [dashed, 'dashed']].flatMap(([mask, color]) => bitsOf(mask).map((edge) => `${puzzle.edgeNames(1n << BigInt(edge))} is ${color}`));
   const parts = given.length > 0 ? [`<h3>If ${together(given)}</h3>`] : [];
   const quantity = { 1: '', 2: 'both ' };
   const sets = why.map(({ set, fault }, n) => `<li>
-    <button data-list="${list}" data-set="${n}" aria-pressed="false">${bitsOf(set).map(line).join(', ')}</button>
-    ${quantity[bitsIn(set)] ?? 'all '}solid: ${faultText(puzzle, fault)}.</li>`);
+    <button data-list="${list}" data-set="${n}" aria-pressed="false">${puzzle.edgeNames(set)}</button>
+    ${quantity[bitsIn(set)] ?? 'all '}solid: ${puzzle.effect(fault)}</li>`);
   if (why.length > 0) parts.push(`<ol class="sets">${sets.join('')}</ol>`);
-  const own = why.length > 1 ? `No two sets share a line, so each has a different dashed line: ${why.length}`
-    : why.length === 1 ? 'One line is dashed' : 'No other line need be dashed';
+  const own = why.length > 1 ? `No two sets share an edge, so each has a different dashed edge: ${why.length}`
+    : why.length === 1 ? 'One edge is dashed' : 'No other edge need be dashed';
   const settled = bitsIn(dashed);
-  const all = settled > 0 ? `, with ${settled === 1 ? 'the line' : `the ${settled} lines`} of this case ${least}` : '';
+  const all = settled > 0 ? `, with ${settled === 1 ? 'the edge' : `the ${settled} edges`} of this case ${least}` : '';
   const ours = puzzle.edges.length - bitsIn(best);
-  const its = puzzle.alone(best).length;
-  const alone = least === ours && its > 0
-    ? ` With no more dashed lines than that, ${isAlone(puzzle, left)}, ${left.length > its ? 'more than' : 'the same number as'} under the rule.` : '';
-  parts.push(`<p>${own}${all}. The rule leaves ${least > ours ? 'fewer' : 'the same number'}.${alone}</p>`);
+  const its = puzzle.isolated(best).length;
+  const isolated = least === ours && its > 0
+    ? ` With no more dashed edges than that, ${together(left.map((node) => puzzle.names[node]))} ${left.length === 1 ? 'is' : 'are'} isolated, ${left.length > its ? 'more than' : 'the same number as'} under the rule.` : '';
+  parts.push(`<p>${own}${all}. The rule leaves ${least > ours ? 'fewer' : 'the same number'}.${isolated}</p>`);
   return parts.join('');
 }
