@@ -41,4 +41,13 @@ std::string printable_message(std::string_view text) {
   return printable(text.substr(0, longest_message - tail)) + " [...] " + printable(text.substr(text.size() - tail));
 }
 
+std::string printable_ascii(std::string_view text) {
+  constexpr std::size_t longest = 400;
+  std::string shown;
+  for (const char c : text.substr(0, longest))
+    shown += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  if (text.size() > longest) shown += "...";
+  return shown;
+}
+
 }  // namespace restrip::files

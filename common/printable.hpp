@@ -14,4 +14,7 @@ namespace restrip::files {
 inline constexpr std::size_t longest_message = 1000;
 [[nodiscard]] std::string printable_message(std::string_view text);
 
+/// Every byte that is not printable ASCII as \x1b, and at most 400 bytes: for words quoted from a file.
+[[nodiscard]] std::string printable_ascii(std::string_view text);
+
 }  // namespace restrip::files

@@ -29,16 +29,16 @@ struct Options {
   std::string header;              ///< the table as written by the generator; empty: not read
 };
 
-/// Checks everything and reports each claim to the listener. Throws InputError if a certificate or the manifest is
-/// malformed.
+/// Checks everything and reports each claim to the listener. Throws files::FileError if a certificate or the manifest
+/// is malformed.
 Totals verify_tables(const Options& options, const ClaimListener& listener);
 
 /// Verifies the family or operation described by the file, and the answers of its dump command, whose header is checked
-/// before it is run. Throws InputError if the description or a certificate is malformed. Memory grows with 2 to the
-/// number of inner edges and ports of a side: docs/reference/operation-file.md has figures.
+/// before it is run. Throws files::FileError if the description or a certificate is malformed. Memory grows with 2 to
+/// the number of inner edges and ports of a side: docs/reference/operation-file.md has figures.
 Totals verify_operation(const Options& options, const ClaimListener& listener);
 
-/// Whether the operation file describes a family. Throws InputError as above.
+/// Whether the operation file describes a family. Throws files::FileError as above.
 bool has_family(const Options& options);
 
 /// "verified: split-face.json: 20 rules, …", or "NOT verified: …".

@@ -50,7 +50,7 @@ struct Description {
   SideForm before;
   SideForm after;
   std::vector<StretchPattern> boundary;  ///< in triangles
-  std::string in_file;                   ///< the place in the file, as errors begin: "f.json:3: operations[0]: "
+  std::string in_file;                   ///< the place in the file, as errors begin: "f.json:3:18: operations[0]: "
   std::string before_in_file;            ///< the same for its sides, and for the declared boundary
   std::string after_in_file;
   std::string boundary_in_file;

@@ -8,10 +8,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "common/json.hpp"
 #include "common/reading.hpp"
 #include "operations/emitted_words.hpp"
 #include "operations/families_text.hpp"
-#include "operations/json_value.hpp"
 #include "operations/operation_words.hpp"
 
 namespace restrip::generator {
@@ -35,9 +35,9 @@ std::string name_from(const JsonValue& value, Author author) {
 
 /// The library includes the tables of its operations under these names.
 void expect_no_other_operation(const JsonValue& value, const std::string& name) {
-  static const Json shipped = Json::parse(operations_text);
-  for (const Json& one : shipped)
-    if (one.at("name") == name && !(value == one))
+  static const std::vector<JsonValue> shipped = parse_json("tables/operations", operations_text).elements("operations");
+  for (const JsonValue& one : shipped)
+    if (one["name"].text() == name && one != value)
       value["name"].refuse(
           fmt::format("\"{0}\" is an operation of restrip, tables/operations/{0}.json, and this is another one; "
                       "choose another name, such as \"{0}-own\"",
@@ -73,8 +73,7 @@ Side graph_from(const JsonValue& value) {
     if (++degree[node] > 3) at.refuse(fmt::format("triangle {} has more than three edges and ports", node));
   };
   for (const JsonValue& edge : value["edges"].elements("pairs of triangles")) {
-    const std::vector<JsonValue> ends = edge.elements("two triangles");
-    if (ends.size() != 2) edge.refuse("expected two triangles");
+    const std::vector<JsonValue> ends = edge.elements("triangles", 2, 2);
     const unsigned u = ends[0].place(side.nodes, "triangle");
     const unsigned v = ends[1].place(side.nodes, "triangle");
     if (u == v) edge.refuse("expected two different triangles");
@@ -84,13 +83,10 @@ Side graph_from(const JsonValue& value) {
     count(v, edge);
     side.edges.push_back({u, v});
   }
-  const JsonValue ports = value["ports"];
-  for (const JsonValue& port : ports.elements("triangles, one for each port")) {
+  for (const JsonValue& port : value["ports"].elements("ports, the triangle of each", 1, most_ports)) {
     side.owner.push_back(port.place(side.nodes, "triangle"));
     count(side.owner.back(), port);
   }
-  if (side.owner.empty() || side.owner.size() > most_ports)
-    ports.refuse(fmt::format("expected 1 to {} ports", most_ports));
   if (side.edges.size() + side.owner.size() > most_edges_and_ports)
     value.refuse(fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
   return side;
@@ -125,11 +121,10 @@ std::vector<Stretch> stretches_from(const JsonValue& value, const std::vector<st
 /// Three vertices each; in a family also an index with its values, if the element stands for several triangles.
 TrianglePatterns triangles_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   TrianglePatterns patterns;
-  for (const JsonValue& triangle : value.elements("triangles")) {
-    const std::vector<JsonValue> words = triangle.elements("three vertices");
-    if (words.size() != 3 && (words.size() != 4 || numbers.empty()))
-      triangle.refuse(numbers.empty() ? "expected three vertices"
-                                      : "expected three vertices, optionally followed by an index with its values");
+  for (const JsonValue& triangle : value.elements("triangles", 1, most_nodes)) {
+    const std::vector<JsonValue> words =
+        numbers.empty() ? triangle.elements("vertices", 3, 3)
+                        : triangle.elements("words: three vertices, and an index with its values", 3, 4);
     TrianglePattern& pattern = patterns.emplace_back();
     if (words.size() == 4) {
       pattern.index = formula(words[3], numbers, parse_stretch);
@@ -147,8 +142,7 @@ TrianglePatterns triangles_from(const JsonValue& value, const std::vector<std::s
 std::vector<StretchPattern> stretches_of_rim_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   std::vector<StretchPattern> stretches;
   for (const JsonValue& stretch : value.elements("stretches of the rim")) {
-    const std::vector<JsonValue> ends = stretch.elements("two vertices");
-    if (ends.size() != 2) stretch.refuse("expected two vertices");
+    const std::vector<JsonValue> ends = stretch.elements("vertices", 2, 2);
     stretches.push_back({vertex_from(ends[0], numbers, ""), vertex_from(ends[1], numbers, "")});
   }
   return stretches;
@@ -158,9 +152,8 @@ SidePattern pattern_from(const JsonValue& value, const std::vector<std::string>&
   value.expect_members({"ring", "path", "rings", "paths", "chord", "chords", "ports"});
   SidePattern side;
   const auto chord = [&](const JsonValue& json) {
-    const std::vector<Stretch> ends = stretches_from(json, numbers);
-    if (ends.size() != 2) json.refuse("expected two triangles");
-    side.chords.push_back({ends[0], ends[1]});
+    const std::vector<JsonValue> ends = json.elements("triangles", 2, 2);
+    side.chords.push_back({formula(ends[0], numbers, parse_stretch), formula(ends[1], numbers, parse_stretch)});
   };
   for (const std::string& member : value.members()) {
     const JsonValue inside = value[member];
@@ -184,53 +177,41 @@ SideForm side_from(const JsonValue& value, const std::vector<std::string>& numbe
 }
 
 Constraint constraint_from(const JsonValue& value) {
-  const auto found = std::find(constraint_words.begin(), constraint_words.end(), value.text());
-  if (found == constraint_words.end()) value.refuse("expected \"strips\", \"matching\" or \"forest\"");
-  return {static_cast<unsigned>(found - constraint_words.begin()) + 1};
+  return {static_cast<unsigned>(value.one_of(constraint_words)) + 1};
 }
 
 Mask mask_from(const JsonValue& value, std::size_t count, const std::string& what) {
   Mask mask = 0;
-  for (const JsonValue& element : value.elements(what + "s")) {
-    const Mask bit = Mask{1} << element.place(count, what);
-    if ((mask & bit) != 0) element.refuse(fmt::format("this {} is listed already", what));
-    mask |= bit;
-  }
+  for (const unsigned place : value.places(count, what)) mask |= Mask{1} << place;
   return mask;
 }
 
 /// `after` is null for patterns.
 void take_give_up(const JsonValue& value, const Side* after, Description& description) {
   if (!value.is_text()) {
-    if (after == nullptr) value.refuse("expected \"none\" or \"all\"");
+    if (after == nullptr) value.expected("\"none\" or \"all\"");
     description.may_give_up = mask_from(value, after->owner.size(), "port");
     return;
   }
   const std::string word = value.text();
-  if (word != "none" && word != "all") value.refuse("expected \"none\", \"all\" or a list of ports");
+  if (word != "none" && word != "all") value.expected("\"none\", \"all\" or a list of ports");
   description.gives_all_up = word == "all";
 }
 
 /// `after` is null for patterns, whose terms count everything.
 Term term_from(const JsonValue& value, const Side* after) {
   value.expect_members({"count", "weight", "edges", "triangles", "ports"});
-  const JsonValue name = value["count"];
-  const auto* const word =
-      std::find_if(count_words.begin(), count_words.end(), [&](const CountWord& w) { return w.word == name.text(); });
-  if (word == count_words.end()) {
-    std::vector<std::string_view> names;
-    names.reserve(count_words.size());
-    for (const CountWord& w : count_words) names.push_back(w.word);
-    name.refuse(fmt::format("expected one of {}", fmt::join(names, ", ")));
-  }
-  Term term{word->count};
+  std::array<std::string_view, count_words.size()> names;
+  std::transform(count_words.begin(), count_words.end(), names.begin(), [](const CountWord& one) { return one.word; });
+  const CountWord& word = count_words.at(value["count"].one_of(names));
+  Term term{word.count};
   constexpr std::int64_t heaviest = 1'000'000;
   if (value.has("weight")) term.weight = value["weight"].number(-heaviest, heaviest, "a weight");
-  if (!word->among.empty() && after != nullptr) term.of = (Mask{1} << how_many(word->among, *after)) - 1;
+  if (!word.among.empty() && after != nullptr) term.of = (Mask{1} << how_many(word.among, *after)) - 1;
   for (const std::string among : {"edge", "triangle", "port"}) {
     const std::string member = among + "s";
     if (!value.has(member)) continue;
-    if (word->among != among) value[member].refuse(fmt::format("\"{}\" does not choose among {}", word->word, member));
+    if (word.among != among) value[member].refuse(fmt::format("\"{}\" does not choose among {}", word.word, member));
     if (after == nullptr) value[member].refuse("a pattern has different ones at each position; leave this out");
     term.of = mask_from(value[member], how_many(among, *after), among);
   }
@@ -239,20 +220,17 @@ Term term_from(const JsonValue& value, const Side* after) {
 
 Preference preference_from(const JsonValue& value, const Side* after) {
   Preference preference;
-  for (const JsonValue& criterion : value.elements("criteria")) {
+  for (const JsonValue& criterion : value.elements("criteria", 1, most_criteria)) {
     preference.emplace_back();
-    for (const JsonValue& term : criterion.elements("terms")) preference.back().push_back(term_from(term, after));
-    if (preference.back().empty() || preference.back().size() > most_terms)
-      criterion.refuse(fmt::format("expected 1 to {} terms", most_terms));
+    for (const JsonValue& term : criterion.elements("terms", 1, most_terms))
+      preference.back().push_back(term_from(term, after));
   }
-  if (preference.empty() || preference.size() > most_criteria)
-    value.refuse(fmt::format("expected 1 to {} criteria", most_criteria));
   return preference;
 }
 
 std::vector<std::string> numbers_from(const JsonValue& value) {
   std::vector<std::string> numbers;
-  for (const JsonValue& element : value.elements("numbers")) {
+  for (const JsonValue& element : value.elements("numbers", 0, PositionNumbers{}.size())) {
     numbers.push_back(element.text());
     const std::string& name = numbers.back();
     if (name.empty() || name.size() > longest_word ||
@@ -260,8 +238,6 @@ std::vector<std::string> numbers_from(const JsonValue& value) {
       element.refuse(fmt::format("expected 1 to {} lower-case letters", longest_word));
     if (std::count(numbers.begin(), numbers.end(), name) > 1) element.refuse("this number is listed already");
   }
-  if (numbers.size() > PositionNumbers{}.size())
-    value.refuse(fmt::format("expected {} numbers at most", PositionNumbers{}.size()));
   return numbers;
 }
 
@@ -283,7 +259,7 @@ void expect_bounds(const JsonValue& value, const std::vector<std::string>& numbe
     bound.expect_members({"where", "strips", "isolated", "indices"});
     if (bound.has("where")) formula(bound["where"], numbers, parse_conditions);
     for (const char* member : {"strips", "isolated", "indices"})
-      if (bound.has(member)) static_cast<void>(bound[member].number(-16, 16, "a number"));
+      if (bound.has(member)) bound[member].number(-16, 16, "a number");
   }
 }
 
@@ -300,7 +276,7 @@ void take_positions(const JsonValue& value, Description& family) {
   if (value.has("position")) family.place = words_from(value["position"]);
   for (const std::string& number : family.numbers)
     if (family.place.find(fmt::format("{{{}}}", number)) == std::string::npos)
-      value["position"].refuse(fmt::format("expected each number in braces, and {{{}}} is missing", number));
+      value["position"].expected(fmt::format("each number in braces, also \"{{{}}}\"", number));
   if (value.has("position")) expect_numbers_once(value["position"], family.numbers);
   family.section = value.has("section") ? words_from(value["section"]) : family.place;
   if (value.has("section")) expect_numbers_once(value["section"], family.numbers);
@@ -324,9 +300,11 @@ std::optional<Patch> patch_from(const JsonValue& value, const Description& descr
   } catch (const PatchFault& fault) {
     const JsonValue member = value[fault.member];
     if (fault.element < 0) member.refuse(fault.what());
-    member.elements("")[static_cast<std::size_t>(fault.element)].refuse(fault.what());
+    member.elements("triangles")[static_cast<std::size_t>(fault.element)].refuse(fault.what());
   }
 }
+
+void expect_version(const JsonValue& value) { value.number(1, 1, "the version of the format"); }
 
 Description description_from(const JsonValue& value, Author author) {
   if (value.has("take"))
@@ -338,8 +316,7 @@ Description description_from(const JsonValue& value, Author author) {
                         "position", "section", "before", "after", "boundary", "give_up", "cost", "linked", "at_most"});
   Description description;
   description.in_file = value.where();
-  if (value.has("restrip_operation"))
-    static_cast<void>(value["restrip_operation"].number(1, 1, "a version of the format"));
+  if (value.has("restrip_operation")) expect_version(value["restrip_operation"]);
   description.name = name_from(value["name"], author);
   if (author == Author::user) expect_no_other_operation(value, description.name);
   if (value.has("about")) description.about = sentence_from(value["about"]);
@@ -380,21 +357,15 @@ Description description_from(const JsonValue& value, Author author) {
 }  // namespace
 
 std::vector<Description> parse_descriptions(const std::string& file, const std::string& text, Author author) {
-  const JsonFile json = parse_json(file, text);
-  const JsonValue top(json);
-  static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
-  const std::string list = "operations";
+  const JsonValue whole = parse_json(file, text);
+  expect_version(whole["restrip_operation"]);
+  if (!whole.has("operations")) return {description_from(whole, author)};
+  whole.expect_members({"restrip_operation", "operations"});
   std::vector<Description> all;
-  if (top.has(list)) {
-    top.expect_members({"restrip_operation", list});
-    for (const JsonValue& one : top[list].elements("descriptions")) {
-      all.push_back(description_from(one, author));
-      for (std::size_t i = 0; i + 1 < all.size(); ++i)
-        if (all[i].name == all.back().name) one["name"].refuse("another description has this name");
-    }
-    if (all.empty()) top[list].refuse("expected a list of descriptions, found none");
-  } else {
-    all.push_back(description_from(top, author));
+  for (const JsonValue& one : whole["operations"].elements("operations", 1)) {
+    all.push_back(description_from(one, author));
+    for (std::size_t i = 0; i + 1 < all.size(); ++i)
+      if (all[i].name == all.back().name) one["name"].refuse("another description has this name");
   }
   return all;
 }

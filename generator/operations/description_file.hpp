@@ -19,7 +19,7 @@ inline constexpr std::size_t most_terms = 64;  ///< of a criterion
 /// Who wrote a file. Names of restrip's own tables are reserved for restrip's families.
 enum class Author { user, restrip };
 
-/// Reads the file of a user; throws std::runtime_error with file, line, and what was expected.
+/// Reads the file of a user; throws files::FileError.
 [[nodiscard]] std::vector<Description> read_descriptions(const std::string& file);
 
 /// The text of a user's file, of at most 1 MiB. Throws files::FileError.

@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "common/json.hpp"
 #include "operations/families_text.hpp"
 
 namespace restrip::generator {
@@ -58,21 +58,11 @@ std::string unprintable(std::string_view text) {
   return {};
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 400;
-  std::string words;
-  for (const char c : text.substr(0, longest))
-    words += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-  if (text.size() > longest) words += "...";
-  return words;
-}
-
 std::string name_is(std::string name) {
   static const auto taken = [] {
     std::map<std::string, std::string> by_name;
-    const auto file = nlohmann::json::parse(taken_names_text);
-    for (const auto& group : file.at("taken"))
-      for (const auto& word : group.at("names")) by_name[word.get<std::string>()] = group.at("by").get<std::string>();
+    for (const JsonValue& owner : parse_json("docs/taken-names.json", taken_names_text)["taken"].elements("owners"))
+      for (const JsonValue& word : owner["names"].elements("names", 1, 1000)) by_name[word.text()] = owner["by"].text();
     return by_name;
   }();
   std::replace(name.begin(), name.end(), '-', '_');

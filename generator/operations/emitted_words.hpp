@@ -10,9 +10,6 @@ namespace restrip::generator {
 /// The first part of a UTF-8 text that may not be in a comment, such as "U+000A"; empty if everything may.
 [[nodiscard]] std::string unprintable(std::string_view text);
 
-/// The text for a message: every byte that is not printable ASCII is written as \x1b; long texts are cut.
-[[nodiscard]] std::string printable(std::string_view text);
-
 /// The owner of a taken name, such as "a keyword of C++" (docs/taken-names.json); empty if it is free.
 [[nodiscard]] std::string name_is(std::string name);
 

@@ -11,7 +11,7 @@
 namespace restrip::generator {
 
 /// By the maximum of solid edges at a triangle, from one.
-inline constexpr std::array<const char*, 3> constraint_words{"matching", "strips", "forest"};
+inline constexpr std::array<std::string_view, 3> constraint_words{"matching", "strips", "forest"};
 
 struct CountWord {
   std::string_view word;

@@ -15,13 +15,13 @@ std::string sealed(std::string_view text);
 
 std::vector<std::string> lines_of(std::string_view text);
 
-/// False if the reader throws InputError.
+/// False if the reader throws files::FileError.
 template <class Read>
 std::function<bool(std::string_view)> refusing(Read&& read) {
   return [read](std::string_view bytes) {
     try {
       return read(bytes);
-    } catch (const verify::InputError&) {
+    } catch (const files::FileError&) {
       return false;
     }
   };

@@ -1,5 +1,5 @@
 // Operation files. The families of docs/reference/notation.md, written as such files and read again, get their shipped
-// rules; wrong files are refused with their line; and symmetries respect the content of a file.
+// rules; wrong files are refused with the place of the fault; and symmetries respect the content of a file.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -91,62 +91,72 @@ void expect_refused(const std::string& good, const std::vector<Fault>& faults, c
   }
 }
 
-TEST(OperationFiles, AreRefusedWithTheLine) {
+TEST(OperationFiles, AreRefusedWithTheirPlace) {
   std::vector<Fault> faults{
       {"{\n  \"restrip", "\xef\xbb\xbf{\n  \"restrip",
-       "b.json:1: the file begins with a byte order mark; save it as UTF-8"},
-      {"\"restrip_operation\": 1", "\"restrip_operation\": 2", "b.json:2: restrip_operation: expected a version"},
-      {"\"bisect-graph\"", "\"Bisect\"", "b.json:3: name: expected lower-case"},
-      {"\"bisect-graph\"", "\"bi--sect\"", "b.json:3: name: expected lower-case"},
-      {"\"bisect-graph\",", "\"bisect\"", "b.json:4: this is not JSON"},
-      {"\"strips\",", "\"strip\",", "b.json:4: constraint: expected \"strips\""},
-      {"\"constraint\"", "\"constraints\"", "b.json:4: constraints: unknown member"},
-      {"{\"triangles\": 2,", "{\"triangles\": 0,", "b.json:5: before.triangles: expected a number of triangles from 1"},
-      {"{\"triangles\": 2,", "{", "b.json:5: before: expected a member \"triangles\""},
-      {"[[0, 1]]", "[[0, 0]]", "b.json:5: before.edges[0]: expected two different"},
-      {"[[0, 1]]", "[[0, 1], [1, 0]]", "b.json:5: before.edges[1]: these triangles have an edge already"},
-      {"[[0, 1]]", "[[0, 2]]", "b.json:5: before.edges[0][1]: expected a triangle from 0 to 1"},
-      {"[[0, 1]]", "[[0, 1, 1]]", "b.json:5: before.edges[0]: expected two triangles"},
-      {"[0, 0, 1, 1]", "[0, 0, 0, 1]", "b.json:5: before.ports[2]: triangle 0 has more than three"},
-      {"[0, 0, 1, 1]", "[]", "b.json:5: before.ports: expected 1 to 8 ports"},
-      {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6: after.ports: expected the same number of ports as before"},
-      {"\"give_up\": \"none\"", "\"take\": \"all\"", "b.json:7: take: a dashed port stays dashed: whether it may"},
-      {"\"give_up\": \"none\"", "\"name\": \"b\"", "b.json:7: duplicate member \"name\""},
-      {"\"none\"", "\"some\"", "b.json:7: give_up: expected \"none\""},
-      {"\"none\"", "[0, 4]", "b.json:7: give_up[1]: expected a port from 0 to 3"},
-      {"\"none\"", "[1, 1]", "b.json:7: give_up[1]: this port is listed already"},
-      {"[{\"count\": \"strips\"}]", "[]", "b.json:9: cost[0]: expected 1 to 64 terms"},
+       "b.json:1:1: expected no byte order mark before the file; save it as UTF-8"},
+      {"\"restrip_operation\": 1", "\"restrip_operation\": 2",
+       "b.json:2:24: restrip_operation: expected 1, the version of the format, found 2"},
+      {"\"bisect-graph\"", "\"Bisect\"", "b.json:3:11: name: expected lower-case"},
+      {"\"bisect-graph\"", "\"bi--sect\"", "b.json:3:11: name: expected lower-case"},
+      {"\"bisect-graph\",", "\"bisect\"", "b.json:4:14: not JSON"},
+      {"\"strips\",", "\"strip\",",
+       "b.json:4:17: constraint: expected \"matching\", \"strips\" or \"forest\", found \"strip\""},
+      {"\"constraint\"", "\"constraints\"", "b.json:4:3: constraints: unknown member"},
+      {"{\"triangles\": 2,", "{\"triangles\": 0,",
+       "b.json:5:27: before.triangles: expected a number of triangles from 1"},
+      {"{\"triangles\": 2,", "{", "b.json:5:13: before: expected a member \"triangles\""},
+      {"[[0, 1]]", "[[0, 0]]", "b.json:5:40: before.edges[0]: expected two different"},
+      {"[[0, 1]]", "[[0, 1], [1, 0]]", "b.json:5:48: before.edges[1]: these triangles have an edge already"},
+      {"[[0, 1]]", "[[0, 2]]", "b.json:5:44: before.edges[0][1]: expected one of the triangles 0 to 1, found 2"},
+      {"[[0, 1]]", "[[0, 1, 1]]", "b.json:5:40: before.edges[0]: expected a list of 2 triangles, found a list of 3"},
+      {"[0, 0, 1, 1]", "[0, 0, 0, 1]", "b.json:5:65: before.ports[2]: triangle 0 has more than three"},
+      {"[0, 0, 1, 1]", "[]", "b.json:5:58: before.ports: expected a list of 1 to 8 ports"},
+      {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6:81: after.ports: expected the same number of ports as before"},
+      {"\"give_up\": \"none\"", "\"take\": \"all\"", "b.json:7:11: take: a dashed port stays dashed: whether it may"},
+      {"\"give_up\": \"none\"", "\"name\": \"b\"",
+       "b.json:7:3: expected each member once, \"name\" is in line 3 already"},
+      {"\"none\"", "\"some\"", "b.json:7:14: give_up: expected \"none\""},
+      {"\"none\"", "[0, 4]", "b.json:7:18: give_up[1]: expected one of the ports 0 to 3, found 4"},
+      {"\"none\"", "[1, 1]", "b.json:7:18: give_up[1]: expected each port once, 1 is listed above"},
+      {"[{\"count\": \"strips\"}]", "[]", "b.json:9:5: cost[0]: expected a list of 1 to 64 terms, found a list of 0"},
       {"\"strips\"}", "\"strips\", \"edges\": [0]}",
-       "b.json:9: cost[0][0].edges: \"strips\" does not choose among edges"},
-      {"\"isolated\"", "\"lonely\"", "b.json:10: cost[1][0].count: expected one of strips,"},
-      {"\"weight\": 2", "\"weight\": 2000001", "b.json:10: cost[1][0].weight: expected a weight from -1000000"},
-      {"\"weight\": 2", "\"weight\": 0.5", "b.json:10: cost[1][0].weight: expected a weight"},
+       "b.json:9:35: cost[0][0].edges: \"strips\" does not choose among edges"},
+      {"\"isolated\"", "\"lonely\"", "b.json:10:16: cost[1][0].count: expected \"strips\", \"isolated\", "},
+      {"\"weight\": 2", "\"weight\": 2000001", "b.json:10:38: cost[1][0].weight: expected a weight from -1000000"},
+      {"\"weight\": 2", "\"weight\": 0.5", "b.json:10:38: cost[1][0].weight: expected a weight"},
       {"\"none\"", std::string(50000, '[') + std::string(50000, ']'),
-       "b.json:7: expected lists and objects at most 8 deep"},
+       "b.json:7:21: expected lists and objects at most 8 deep"},
       {"\"give_up\"", "\"" + std::string(100000, 'g') + "\"",
-       "b.json:7: expected names of members of at most 60 bytes"},
-      {"\"none\"", "[0" + many(", 0", 64) + "]", "b.json:7: give_up: expected a list of at most 64 ports, found 65"},
-      {"\"bisect-graph\"", "\"linked-bisect\"", "b.json:3: name: expected a name that does not begin with \"linked-\""},
+       "b.json:7:3: expected names of members of at most 60 bytes"},
+      {"\"none\"", "[0" + many(", 0", 64) + "]",
+       "b.json:7:14: give_up: expected a list of at most 4 ports, found a list of 65"},
+      {"\"bisect-graph\"", "\"linked-bisect\"",
+       "b.json:3:11: name: expected a name that does not begin with \"linked-\""},
       {"\"bisect-graph\"", "\"bisect\"",
-       "b.json:3: name: \"bisect\" is an operation of restrip, tables/operations/bisect.json"},
+       "b.json:3:11: name: \"bisect\" is an operation of restrip, tables/operations/bisect.json"},
       {"\"bisect-graph\"", "\"math-errhandling\"",
-       "b.json:3: name: \"math-errhandling\" is a macro of C, C++ or POSIX"},
-      {"\"give_up\"", "\"at_most\": 1, \"give_up\"", "b.json:7: at_most: expected a list of bounds"},
-      {"\"give_up\"", "\"at_most\": [{\"swaps\": 1}], \"give_up\"", "b.json:7: at_most[0].swaps: unknown member"},
+       "b.json:3:11: name: \"math-errhandling\" is a macro of C, C++ or POSIX"},
+      {"\"give_up\"", "\"at_most\": 1, \"give_up\"",
+       "b.json:7:14: at_most: expected a list of at most 64 bounds, found 1"},
+      {"\"give_up\"", "\"at_most\": [{}" + many(", {}", 64) + "], \"give_up\"",
+       "b.json:7:14: at_most: expected a list of at most 64 bounds, found a list of 65"},
+      {"\"give_up\"", "\"at_most\": [{\"swaps\": 1}], \"give_up\"", "b.json:7:16: at_most[0].swaps: unknown member"},
       {"\"give_up\"", "\"at_most\": [{\"strips\": 17}], \"give_up\"",
-       "b.json:7: at_most[0].strips: expected a number from -16 to 16"}};
+       "b.json:7:26: at_most[0].strips: expected a number from -16 to 16"}};
   for (const std::string name : {"int", "co-await", "split", "rule-of", "fn"})
     faults.push_back(
-        {"\"bisect-graph\"", fmt::format("\"{}\"", name), fmt::format("b.json:3: name: \"{}\" is a ", name)});
+        {"\"bisect-graph\"", fmt::format("\"{}\"", name), fmt::format("b.json:3:11: name: \"{}\" is a ", name)});
   for (const unsigned code :
        {0x0aU, 0x0dU, 0U, 0x1bU, 0x7fU, 0x85U, 0xadU, 0x200bU, 0x2028U, 0x2029U, 0x202eU, 0x2066U, 0xfeffU, 0xfffeU})
     faults.push_back(
         {"\"constraint\"", fmt::format("\"about\": \"One.\\u{:04x}int two;\", \"constraint\"", code),
-         fmt::format("b.json:4: about: expected one line that can stand in a comment of any language, found U+{:04X};",
-                     code)});
+         fmt::format(
+             "b.json:4:12: about: expected one line that can stand in a comment of any language, found U+{:04X};",
+             code)});
   for (const std::string mark : {"\\\\", "*/", "/*", "?\?/"})
     faults.push_back({"\"constraint\"", fmt::format("\"about\": \"One. {}\", \"constraint\"", mark),
-                      "b.json:4: about: expected one line that can stand in a comment of any language, found '"});
+                      "b.json:4:12: about: expected one line that can stand in a comment of any language, found '"});
   expect_refused(bisect, faults, [](const std::string& text) { (void)parse_descriptions("b.json", text); });
 }
 
@@ -172,22 +182,23 @@ TEST(FamiliesFile, ListsItsPositions) {
 
 TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
   const std::vector<Fault> faults{
-      {"{\"restrip", "\xef\xbb\xbf{\"restrip", "w.json:1: the file begins with a byte order mark"},
+      {"{\"restrip", "\xef\xbb\xbf{\"restrip", "w.json:1:1: expected no byte order mark before the file"},
       {"\"name\": \"", "\"name\": \"vec2\", \"about\": \"",
-       "w.json:2: operations[0].name: \"vec2\" is a keyword of GLSL"},
+       "w.json:2:11: operations[0].name: \"vec2\" is a keyword of GLSL"},
       {"\"listed\"", "\"certificate\": \"collapse\", \"listed\"", "certificate: \"collapse\" is a name of restrip"},
       {"\"position\": \"", "\"position\": \"\\n", "position: expected words of printable ASCII"},
-      {"\"restrip_operation\": 1", "\"restrip_operation\": 2", "w.json:1: restrip_operation: expected a version"},
-      {"\"name\"", "\"nome\"", "w.json:2: operations[0].nome: unknown member"},
-      {"i < k", "j < k", "w.json:2: operations[0].where: \"1 <= k, j < k\": expected a number of the family"},
+      {"\"restrip_operation\": 1", "\"restrip_operation\": 2",
+       "w.json:1:23: restrip_operation: expected 1, the version of the format, found 2"},
+      {"\"name\"", "\"nome\"", "w.json:2:3: operations[0].nome: unknown member"},
+      {"i < k", "j < k", "w.json:2:52: operations[0].where: \"1 <= k, j < k\": expected a number of the family"},
       {"i < k", "i", "expected a comparison"},
       {"i < k", "i > k", "expected a comparison"},
       {"2 i <= k", "2 i <= k k", "expected the end"},
-      {"t[i,k)", "t[i k)", "w.json:4: operations[0].after.ring[3]: \"t[i k)\": expected \",\""},
+      {"t[i,k)", "t[i k)", "w.json:4:42: operations[0].after.ring[3]: \"t[i k)\": expected \",\""},
       {"t[i,k)", "t[i,k]", "expected \")\" and the end"},
       {"t[i,k)", "[i,k)", "expected a name"},
       {"\"ring\"", "\"circle\"", "operations[0].after.circle: unknown member"},
-      {"[\"D\", \"A\"]", "[\"D\"]", "operations[0].after.chord: expected two triangles"},
+      {"[\"D\", \"A\"]", "[\"D\"]", "operations[0].after.chord: expected a list of 2 triangles, found a list of 1"},
       {"[\"k\", \"i\"]", "[\"k\", \"k\"]", "numbers[1]: this number is listed already"},
       {"\"listed\"", "\"cost\": [[{\"count\": \"solid\", \"edges\": [0]}]], \"listed\"",
        "cost[0][0].edges: a pattern has different ones at each position"},
@@ -207,10 +218,10 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
 
 TEST(FamiliesFile, WithAPositionThatIsNotAPatchIsRefused) {
   const std::vector<Fault> faults{
-      {"t[i,k)", "t[0,k)", "w.json:4: operations[0].after: t_0 occurs twice (wheel k 4 i 1)"},
+      {"t[i,k)", "t[0,k)", "w.json:4:12: operations[0].after: t_0 occurs twice (wheel k 4 i 1)"},
       {"t[i,k)", "t[i,i-1)", "expected indices from 0 to 64, found t[1,0)"},
       {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]",
-       "w.json:4: operations[0].after: expected the same number of ports as before, 5, found 4 (wheel k 4 i 1)"},
+       "w.json:4:12: operations[0].after: expected the same number of ports as before, 5, found 4 (wheel k 4 i 1)"},
       {"t[i,k)", "t[i,9999 k)", "expected indices from 0 to 64, found t[1,39996)"},
       {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B does not occur"},
       {"[\"D\", \"A\"]", "[\"D\", \"t[2,3)\"]", "triangle 2 has more than three edges"}};
@@ -231,8 +242,8 @@ TEST(OperationFiles, WithoutASoundRecolouringAreRefused) {
     (void)solve(patches.at(0));
     ADD_FAILURE() << "rules were made";
   } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string(error.what()).substr(0, 68),
-              "join.json:1: operation join: the configuration 0 3 (inner edges and ");
+    EXPECT_EQ(std::string(error.what()).substr(0, 70),
+              "join.json:1:1: operation join: the configuration 0 3 (inner edges and ");
   }
 }
 

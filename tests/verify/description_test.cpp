@@ -17,7 +17,7 @@ namespace {
 std::string complaint(const std::string& text) {
   try {
     (void)parse_descriptions("f", text);
-  } catch (const InputError& error) {
+  } catch (const files::FileError& error) {
     return error.what();
   }
   return {};
@@ -181,13 +181,13 @@ TEST(Description, LimitsOfThePage) {
                 "position: expected braces only around numbers, around each once at most");
   const Description family = parse_descriptions("f", fan).front();
   EXPECT_NO_THROW((void)family.at({8, 1}));
-  EXPECT_THROW((void)family.at({9, 1}), InputError);
+  EXPECT_THROW((void)family.at({9, 1}), files::FileError);
 }
 
 TEST(Description, AMissingFileIsNamed) {
   const Verdict verdict = verdict_on("nowhere.json", "", {});
   EXPECT_EQ(verdict.exit_code, 2);
-  EXPECT_TRUE(verdict.says("nowhere.json: cannot be opened")) << verdict.text;
+  EXPECT_TRUE(verdict.says("nowhere.json: no such file")) << verdict.text;
 }
 
 }  // namespace

@@ -61,11 +61,11 @@ for arguments, says in (
         (split.replace("--at 2", "--at 5"), "split has no position (5, 5)"),
         (split.replace("--k 5", "--k 9"), "split k 9 a 2 has 9 ports, at most 8 are searched"),
         (split.replace("split", "spilt"), "--family spilt: expected one of split collapse"),
-        (bisect.replace(str(root), "nowhere"), "nowhere/tables/operations/bisect.json: cannot be opened"),
+        (bisect.replace(str(root), "nowhere"), "nowhere/tables/operations/bisect.json: no such file"),
         ("--max-k 4 " + split, "--max-k cannot be used with a subcommand"),
         (split + " --svg why.png", "why.png"),
         ("explain --operation own.json --before 1 --ports 0 --json own.json", "own.json"),
-        ("rules nowhere.csv", "nowhere.csv: cannot be opened")):
+        ("rules nowhere.csv", "nowhere.csv: no such file")):
     verify(arguments + (" --svg why.svg" if "--svg" not in arguments and "explain" in arguments else ""), 2, says)
     assert not list(scratch.glob("why.*")), arguments
 

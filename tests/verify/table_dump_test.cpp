@@ -236,14 +236,13 @@ TEST(Input, WithoutEndIsRefused) {
   const auto complaint = [](const auto& read) {
     try {
       read();
-    } catch (const InputError& error) {
+    } catch (const files::FileError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
-  EXPECT_NE(
-      complaint([] { (void)read_file("/dev/zero"); }).find("/dev/zero: is larger than 268435456 bytes, the limit"),
-      std::string::npos);
+  EXPECT_NE(complaint([] { (void)read_file("/dev/zero"); }).find("/dev/zero: is larger than 256 MiB, the limit"),
+            std::string::npos);
   LineReader lines("f", "a b\n" + std::string(1U << 17U, 'c') + "\n");
   lines.next("two words");
   EXPECT_NE(

@@ -89,7 +89,7 @@ void tell_dump(AutomatonDumpCheck dump, unsigned max_k, AutomatonTotals& totals,
                   dump.keys, dump.wrong_answers);
 }
 
-/// Checks the certificate; calls the listener for each claim. Throws InputError if a file cannot be read.
+/// Checks the certificate; calls the listener for each claim. Throws files::FileError if a file cannot be read.
 AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener) {
   AutomatonTotals totals;
   ClaimReporter reporter(totals, listener);

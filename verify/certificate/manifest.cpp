@@ -9,9 +9,9 @@
 
 #include "common/counted.hpp"
 #include "common/digest.hpp"
+#include "common/printable.hpp"
 #include "model/families_text.hpp"
 #include "model/input.hpp"
-#include "model/json.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -119,7 +119,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
     if (!needs_no_line(path) && !listed.contains(path)) unlisted.insert(path);
   }
   for (const std::string& path : unlisted)
-    faults.push_back(fmt::format("{}/{}: unlisted file", tables_dir, shown(path)));
+    faults.push_back(fmt::format("{}/{}: unlisted file", tables_dir, files::printable_ascii(path)));
   return faults;
 }
 

@@ -15,9 +15,9 @@ struct ManifestLine {
   unsigned line = 0;
 };
 
-/// The lines of a manifest; `file` is named in errors. Throws InputError if it is malformed.
+/// The lines of a manifest; `file` is named in errors. Throws files::FileError if it is malformed.
 std::vector<ManifestLine> parse_manifest(const std::string& file, const std::string& text);
-/// The lines of the folder's MANIFEST. Also throws InputError if it cannot be read.
+/// The lines of the folder's MANIFEST. Also throws files::FileError if it cannot be read.
 std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 
 /// Compares the files below the folder with the list; one sentence per fault, empty if they match. MANIFEST itself and

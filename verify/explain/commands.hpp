@@ -12,7 +12,7 @@ class ExplainCommand {
  public:
   explicit ExplainCommand(CLI::App& app);
   bool chosen() const { return command_->parsed(); }
-  /// The exit code. Throws InputError and std::invalid_argument.
+  /// The exit code. Throws files::FileError and std::invalid_argument.
   int run() const;
 
  private:

@@ -49,7 +49,7 @@ struct Judgement {
   std::optional<int> strips_lost;    ///< against the best; only if it is sound
 };
 
-/// The operation of a description at a position. InputError if the description has no such position, or if its
+/// The operation of a description at a position. files::FileError if the description has no such position, or if its
 /// recolourings are too many to be searched.
 Operation operation_at(const Description& description, const Numbers& numbers);
 

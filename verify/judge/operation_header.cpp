@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "common/printable.hpp"
 #include "model/input.hpp"
-#include "model/json.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -274,7 +274,8 @@ class HeaderReader {
 
   void fail(const std::string& expected, std::string_view found) {
     check_.wrong.add(fmt::format("{}:{}: expected {}, found \"{}\"; make the header again from the operation file",
-                                 file_, check_.lines, shown(expected), shown(found.substr(0, 200))));
+                                 file_, check_.lines, files::printable_ascii(expected),
+                                 files::printable_ascii(found.substr(0, 200))));
   }
 
   const std::string& file_;

@@ -11,23 +11,7 @@
 #include "model/words.hpp"
 
 namespace restrip::verify {
-
-struct DescriptionSource {
-  std::string file;
-  Json json;
-  Author author;
-  std::string list;  ///< the member with the descriptions; empty if the file is a single one
-
-  JsonValue description(std::size_t place) const {
-    const JsonValue whole(file, json, {});
-    return list.empty() ? whole : whole.required(list).item(place);
-  }
-};
-
 namespace {
-
-constexpr std::size_t most_descriptions = 64;
-constexpr std::size_t most_bounds = 64;
 
 bool is_name(std::string_view text) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
@@ -36,22 +20,22 @@ bool is_name(std::string_view text) {
 }
 
 std::string name_of(const JsonValue& value, Author author) {
-  std::string name = value.string("a name");
+  std::string name = value.text("a name");
   if (!is_name(name))
-    value.fail(fmt::format("at most {} lower-case letters, digits and single hyphens between them, a letter first",
-                           longest_name));
+    value.expected(fmt::format("at most {} lower-case letters, digits and single hyphens between them, a letter first",
+                               longest_name));
   if (const std::optional<std::string> owner = author == Author::restrip ? std::nullopt : owner_of_name(name))
-    value.fail_found(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
+    value.refuse(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
   if (author == Author::user && name.starts_with("linked-"))
-    value.fail("a name that does not begin with \"linked-\", which is reserved for certificates of linked rules");
+    value.expected("a name that does not begin with \"linked-\", which is reserved for certificates of linked rules");
   return name;
 }
 
 /// A sentence that becomes a comment of the table.
 std::string sentence_of(const JsonValue& value) {
-  std::string text = value.string("a sentence in quotes");
+  std::string text = value.text("a sentence in quotes");
   if (const std::optional<std::string> forbidden = no_comment(text))
-    value.fail_found(fmt::format("expected words that can stand in a comment, found {}; remove it", *forbidden));
+    value.refuse(fmt::format("expected words that can stand in a comment, found {}; remove it", *forbidden));
   return text;
 }
 
@@ -61,25 +45,26 @@ std::string words_of(const JsonValue& description, std::string_view name, const 
   const std::optional<JsonValue> value = description.member(name);
   if (!value) return otherwise;
   constexpr std::size_t longest = 60;
-  std::string text = value->string("a text");
+  std::string text = value->text();
   if (!is_words(text) || text.size() > longest)
-    value->fail(fmt::format("at most {} characters, words of printable ASCII with one space between them", longest));
+    value->expected(
+        fmt::format("at most {} characters, words of printable ASCII with one space between them", longest));
   std::string rest = text;
   for (const std::string& number : numbers)
     if (const std::size_t at = rest.find(fmt::format("{{{}}}", number)); at != std::string::npos)
       rest.erase(at, number.size() + 2);
   if (rest.find_first_of("{}") != std::string::npos)
-    value->fail("braces only around numbers, around each once at most");
+    value->expected("braces only around numbers, around each once at most");
   return text;
 }
 
 /// The name of a number, which must differ from the earlier ones.
 std::string number_name_of(const JsonValue& value, const std::vector<std::string>& others) {
-  std::string name = value.string("a text");
+  std::string name = value.text();
   if (name.empty() || name.size() > longest_word || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz") < name.size())
-    value.fail(fmt::format("1 to {} lower-case letters", longest_word));
+    value.expected(fmt::format("1 to {} lower-case letters", longest_word));
   if (std::find(others.begin(), others.end(), name) != others.end())
-    value.fail_found(fmt::format("expected each number once, \"{}\" is listed above", name));
+    value.refuse(fmt::format("expected each number once, \"{}\" is listed above", name));
   return name;
 }
 
@@ -94,17 +79,23 @@ Conditions conditions_of(const JsonValue& description, const std::vector<std::st
   const std::optional<JsonValue> value = description.member(name);
   if (!value) return {};
   try {
-    return Conditions(value->string("a text"), numbers);
+    return Conditions(value->text(), numbers);
   } catch (const std::invalid_argument& error) {
-    value->fail_found(error.what());
+    value->refuse(error.what());
   }
 }
 
+Mask mask_of(const std::vector<unsigned>& places) {
+  Mask mask = 0;
+  for (const unsigned place : places) mask |= single(place);
+  return mask;
+}
+
 Mask give_up_of(const JsonValue& value, unsigned ports) {
-  if (value.is_list()) return value.set_of(ports, "port");
+  if (value.is_list()) return mask_of(value.places(ports, "port"));
   const std::string expected = "\"none\", \"all\" or a list of ports";
-  const std::string word = value.string(expected);
-  if (word != "none" && word != "all") value.fail(expected);
+  const std::string word = value.text(expected);
+  if (word != "none" && word != "all") value.expected(expected);
   return word == "all" ? mask_count(ports) - 1 : 0;
 }
 
@@ -114,11 +105,11 @@ unsigned members(Among among, const Side& after) {
 }
 
 Term term_of(const JsonValue& value, const Side& after) {
-  value.expect_object({"count", "weight", "edges", "triangles", "ports"});
+  value.expect_members({"count", "weight", "edges", "triangles", "ports"});
   Term term;
-  term.count = static_cast<Count>(value.required("count").one_of(count_names));
+  term.count = static_cast<Count>(value["count"].one_of(count_names));
   if (const std::optional<JsonValue> weight = value.member("weight"))
-    term.weight = weight->integer(-largest_weight, largest_weight, "an integer");
+    term.weight = weight->number(-largest_weight, largest_weight, "an integer");
   const Among own = among_of(term.count);
   if (own != Among::nothing) term.among = mask_count(members(own, after)) - 1;
   for (const Among among : {Among::edges, Among::triangles, Among::ports}) {
@@ -126,31 +117,27 @@ Term term_of(const JsonValue& value, const Side& after) {
     const std::optional<JsonValue> chosen = value.member(name);
     if (!chosen) continue;
     if (among != own)
-      chosen->fail_found(fmt::format("unknown member, \"{}\" is not counted among {}",
-                                     count_names[static_cast<std::size_t>(term.count)], name));
-    term.among = chosen->set_of(members(among, after), name.substr(0, name.size() - 1));
+      chosen->refuse(fmt::format("unknown member, \"{}\" is not counted among {}",
+                                 count_names[static_cast<std::size_t>(term.count)], name));
+    term.among = mask_of(chosen->places(members(among, after), name.substr(0, name.size() - 1)));
   }
   return term;
 }
 
 std::vector<Criterion> cost_of(const JsonValue& value, const Side& after) {
   std::vector<Criterion> cost;
-  for (const JsonValue& criterion :
-       value.list(fmt::format("a list of 1 to {} criteria", most_criteria), most_criteria)) {
+  for (const JsonValue& criterion : value.elements("criteria", 1, most_criteria)) {
     cost.emplace_back();
-    for (const JsonValue& term : criterion.list(fmt::format("a list of 1 to {} terms", most_terms), most_terms))
+    for (const JsonValue& term : criterion.elements("terms", 1, most_terms))
       cost.back().push_back(term_of(term, after));
-    if (cost.back().empty())
-      criterion.fail_found(fmt::format("expected a list of 1 to {} terms, found none", most_terms));
   }
-  if (cost.empty()) value.fail_found(fmt::format("expected a list of 1 to {} criteria, found none", most_criteria));
   return cost;
 }
 
 /// Takes the smaller of two bounds; the value is checked even if the bound does not apply here.
 void lower(std::optional<int>& bound, const std::optional<JsonValue>& value, bool holds) {
   if (!value) return;
-  const auto found = static_cast<int>(value->integer(-16, 16, "a number"));
+  const auto found = static_cast<int>(value->number(-16, 16, "a number"));
   if (holds) bound = std::min(bound.value_or(found), found);
 }
 
@@ -158,15 +145,17 @@ void lower(std::optional<int>& bound, const std::optional<JsonValue>& value, boo
 void expect_limits(const JsonValue& description, const Operation& operation) {
   for (const auto& [member, side] : {std::pair("before", &operation.before), {"after", &operation.after}})
     if (side->ports() > most_ports_of_a_graph || side->colors() > most_colors_of_a_graph)
-      description.required(member).fail_found(fmt::format(
+      description[member].refuse(fmt::format(
           "expected 1 to {} ports, and at most {} edges and ports together, found {} and {} ({}); a smaller "
           "--max-k leaves large positions out",
           most_ports_of_a_graph, most_colors_of_a_graph, side->ports(), side->colors(), operation.name()));
 }
 
+void expect_version(const JsonValue& value) { value.number(1, 1, "the version of the format"); }
+
 void take_bounds(const JsonValue& value, const std::vector<std::string>& numbers, Operation& operation) {
-  for (const JsonValue& bound : value.list("a list of bounds", most_bounds)) {
-    bound.expect_object({"where", "strips", "isolated", "indices"});
+  for (const JsonValue& bound : value.elements("bounds")) {
+    bound.expect_members({"where", "strips", "isolated", "indices"});
     const bool holds = conditions_of(bound, numbers, "where").hold(operation.numbers);
     lower(operation.most_strips, bound.member("strips"), holds);
     lower(operation.most_isolated, bound.member("isolated"), holds);
@@ -176,19 +165,16 @@ void take_bounds(const JsonValue& value, const std::vector<std::string>& numbers
 
 }  // namespace
 
-Description::Description(std::shared_ptr<const DescriptionSource> source, std::size_t place, Author author)
-    : source_(std::move(source)), place_(place) {
-  const JsonValue value = source_->description(place_);
+Description::Description(const JsonValue& value, Author author) : value_(value), author_(author) {
   if (const std::optional<JsonValue> take = value.member("take"))
-    take->fail_found("expected no taken ports, since a rule does not see the triangle beyond a dashed port");
-  value.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
-                       "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
-                       "at_most"});
-  if (const std::optional<JsonValue> version = value.member("restrip_operation"); version && !version->is_integer(1))
-    version->fail("1, the version of the format");
-  name = name_of(value.required("name"), author);
+    take->refuse("expected no taken ports, since a rule does not see the triangle beyond a dashed port");
+  value.expect_members({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
+                        "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
+                        "at_most"});
+  if (const std::optional<JsonValue> version = value.member("restrip_operation")) expect_version(*version);
+  name = name_of(value["name"], author);
   if (author == Author::user && is_other_operation(name, value))
-    value.required("name").fail_found(fmt::format(
+    value["name"].refuse(fmt::format(
         "expected a name that is free, \"{0}\" is an operation of restrip, tables/operations/{0}.json, and this "
         "is another one; \"my-{0}\" would do",
         name));
@@ -196,18 +182,18 @@ Description::Description(std::shared_ptr<const DescriptionSource> source, std::s
   const std::optional<JsonValue> other_name = value.member("certificate");
   certificate = other_name ? name_of(*other_name, author) : name;
   if (const auto names = value.member("numbers"))
-    for (const JsonValue& number : names->list("a list of names", most_numbers))
+    for (const JsonValue& number : names->elements("names", 0, most_numbers))
       numbers.push_back(number_name_of(number, numbers));
   where = conditions_of(value, numbers, "where");
   listed = conditions_of(value, numbers, "listed");
   position = words_of(value, "position", numbers, every_number(numbers));
   for (const std::string& number : numbers)
     if (position.find(fmt::format("{{{}}}", number)) == std::string::npos)
-      value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
+      value["position"].expected(fmt::format("each number in braces, also \"{{{}}}\"", number));
   section = words_of(value, "section", numbers, position);
-  if (!numbers.empty() && value.required("before").is_list() && serves_every_position())
-    value.required("section").fail_found("expected all numbers: triangles may be numbered again at each position");
-  if (const auto flag = value.member("linked")) linked = flag->boolean("whether it has linked rules");
+  if (!numbers.empty() && value["before"].is_list() && serves_every_position())
+    value["section"].refuse("expected all numbers: triangles may be numbered again at each position");
+  if (const auto flag = value.member("linked")) linked = flag->truth();
   for (unsigned k = 0; k <= most_searched_ports; ++k)
     if (const std::vector<Numbers> some = positions(k); !some.empty()) {
       (void)at(some.front());
@@ -231,39 +217,36 @@ std::vector<Numbers> Description::positions(unsigned max_k) const {
 }
 
 Operation Description::at(const Numbers& values) const {
-  const JsonValue value = source_->description(place_);
   Operation operation;
   operation.family = name;
   operation.position = filled(position, values);
   operation.numbers = values;
-  if (const std::optional<JsonValue> constraint = value.member("constraint"))
+  if (const std::optional<JsonValue> constraint = value_.member("constraint"))
     operation.constraint = static_cast<Constraint>(constraint->one_of(constraint_names));
   const NamedNumbers named{numbers, values};
-  Sides sides = read_sides(value, named);
+  Sides sides = read_sides(value_, named);
   operation.before = std::move(sides.before);
   operation.after = std::move(sides.after);
   operation.vertices = sides.vertices;
   operation.placed_before = std::move(sides.placed_before);
   operation.placed_after = std::move(sides.placed_after);
-  const JsonValue after = value.required("after");
+  const JsonValue after = value_["after"];
   if (operation.after.ports() != operation.before.ports())
-    after.member("ports").value_or(after).fail_found(
+    after.member("ports").value_or(after).refuse(
         fmt::format("expected the same number of ports as before, {}, found {}", operation.before.ports(),
                     operation.after.ports()));
-  if (const std::optional<JsonValue> give_up = value.member("give_up"))
+  if (const std::optional<JsonValue> give_up = value_.member("give_up"))
     operation.may_give_up = give_up_of(*give_up, operation.ports());
-  if (source_->author == Author::user) expect_limits(value, operation);
-  const std::optional<JsonValue> cost = value.member("cost");
+  if (author_ == Author::user) expect_limits(value_, operation);
+  const std::optional<JsonValue> cost = value_.member("cost");
   operation.cost = cost ? cost_of(*cost, operation.after) : default_cost(operation.constraint);
   if (linked && (operation.constraint != Constraint::strips || operation.may_give_up != 0))
-    value.required("linked").fail_found("linked rules are for strips that keep all ports");
-  if (const std::optional<JsonValue> bounds = value.member("at_most")) take_bounds(*bounds, numbers, operation);
+    value_["linked"].refuse("linked rules are for strips that keep all ports");
+  if (const std::optional<JsonValue> bounds = value_.member("at_most")) take_bounds(*bounds, numbers, operation);
   return operation;
 }
 
-Side Description::side_after(const Numbers& values) const {
-  return read_side(source_->description(place_).required("after"), {numbers, values});
-}
+Side Description::side_after(const Numbers& values) const { return read_side(value_["after"], {numbers, values}); }
 
 std::string Description::filled(std::string text, const Numbers& values) const {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -280,25 +263,21 @@ bool Description::serves_every_position() const {
   });
 }
 
-const std::string& Description::file() const { return source_->file; }
+const std::string& Description::file() const { return value_.file(); }
 
 std::vector<Description> parse_descriptions(const std::string& file, std::string_view text, Author author) {
-  auto source = std::make_shared<DescriptionSource>(DescriptionSource{file, parse_json(file, text), author, {}});
-  const JsonValue whole(source->file, source->json, {});
-  const JsonValue version = whole.required("restrip_operation");
-  if (!version.is_integer(1)) version.fail("1, the version of the format");
+  const JsonValue whole = parse_json(file, text);
+  expect_version(whole["restrip_operation"]);
   const std::optional<JsonValue> list = whole.member("operations");
-  if (!list) return {Description(source, 0, author)};
-  whole.expect_object({"restrip_operation", "operations"});
-  source->list = "operations";
-  const std::size_t count = list->list("a list of operations", most_descriptions).size();
-  if (count == 0) list->fail_found("expected a list of operations, found none");
+  if (!list) return {Description(whole, author)};
+  whole.expect_members({"restrip_operation", "operations"});
   std::vector<Description> descriptions;
-  for (std::size_t place = 0; place < count; ++place) {
-    descriptions.emplace_back(source, place, author);
-    for (std::size_t other = 0; other < place; ++other)
-      if (descriptions[other].name == descriptions[place].name)
-        list->item(place).required("name").fail_found("expected another name, a description above has this one");
+  for (const JsonValue& value : list->elements("operations", 1)) {
+    const Description description(value, author);
+    for (const Description& other : descriptions)
+      if (other.name == description.name)
+        value["name"].refuse("expected another name, a description above has this one");
+    descriptions.push_back(description);
   }
   return descriptions;
 }

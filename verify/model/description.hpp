@@ -3,11 +3,11 @@
 // per position; and its reader.
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/json.hpp"
 #include "model/operation.hpp"
 
 namespace restrip::verify {
@@ -18,13 +18,10 @@ inline constexpr std::size_t most_numbers = 3;
 /// Who wrote a file. Names of restrip's own tables are reserved for restrip's families.
 enum class Author { user, restrip };
 
-struct DescriptionSource;  ///< the file as read: parts that depend on the position are evaluated again for each
-
 class Description {
  public:
-  /// The description at this index in the list of a file. Parts that depend on the numbers are read when they are
-  /// known; the constructor reads them once to find faults.
-  Description(std::shared_ptr<const DescriptionSource> source, std::size_t place, Author author);
+  /// Parts that depend on the numbers are read when they are known; the constructor reads them once to find faults.
+  Description(const JsonValue& value, Author author);
 
   std::string name;
   std::string about;        ///< a sentence; may be empty
@@ -39,7 +36,7 @@ class Description {
   /// All its positions, including unlisted ones, in ascending order, whose first number is at most `max_k`. Without
   /// numbers there is one position.
   std::vector<Numbers> positions(unsigned max_k) const;
-  /// Throws InputError if the description is impossible at this position.
+  /// Throws files::FileError if the description is impossible at this position.
   Operation at(const Numbers& values) const;
   /// Its patch after, which may depend on fewer numbers.
   Side side_after(const Numbers& values) const;
@@ -50,11 +47,12 @@ class Description {
   const std::string& file() const;
 
  private:
-  std::shared_ptr<const DescriptionSource> source_;
-  std::size_t place_ = 0;  ///< index in the list of the file
+  JsonValue value_;
+  Author author_;
 };
 
-/// Throws InputError "file:line:column: member: expected …" if anything differs from docs/reference/operation-file.md.
+/// Throws files::FileError "file:line:column: member: expected …" if anything differs from
+/// docs/reference/operation-file.md.
 std::vector<Description> parse_descriptions(const std::string& file, std::string_view text,
                                             Author author = Author::user);
 /// Reads a file with one operation at one position.

@@ -29,7 +29,7 @@ inline constexpr unsigned largest_fan = 8;
 inline constexpr unsigned largest_judged_fan = 10;
 
 /// One for each certificate named in the descriptions, at the index of the last of its descriptions; positions whose
-/// first number is at most `max_k`. Throws InputError if a description has no such position.
+/// first number is at most `max_k`. Throws files::FileError if a description has no such position.
 std::vector<Family> families_of(const std::vector<Description>& descriptions, unsigned max_k);
 /// The families of the shipped descriptions, 3 <= max_k <= 10.
 std::vector<Family> all_families(unsigned max_k = largest_fan);

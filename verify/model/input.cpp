@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
+
+#include "common/reading.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t longest_line = std::size_t{1} << 16U;
 }  // namespace
 
 InputError::InputError(const std::string& file, unsigned line, const std::string& what)
-    : std::runtime_error(line == 0 ? fmt::format("{}: {}", file, what) : fmt::format("{}:{}: {}", file, line, what)) {}
+    : files::FileError(line == 0 ? fmt::format("{}: {}", file, what) : fmt::format("{}:{}: {}", file, line, what)) {}
 
 LineReader::LineReader(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {}
 
@@ -79,18 +80,6 @@ std::uint64_t LineReader::wide_mask(std::size_t index, unsigned bits) const {
 
 Mask LineReader::mask(std::size_t index, unsigned bits) const { return static_cast<Mask>(wide_mask(index, bits)); }
 
-std::string read_file(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path, 0, "cannot be opened");
-  std::string text;
-  std::string block(std::size_t{1} << 20U, '\0');
-  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
-    text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > largest_file)
-      throw InputError(path, 0, fmt::format("is larger than {} bytes, the limit; unbounded input?", largest_file));
-  }
-  if (stream.bad()) throw InputError(path, 0, "cannot be read");
-  return text;
-}
+std::string read_file(const std::string& path) { return files::read_whole(path, {largest_file, largest_file}); }
 
 }  // namespace restrip::verify

@@ -3,16 +3,17 @@
 // an InputError that names file, line and expectation.
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/file_error.hpp"
 #include "model/masks.hpp"
 
 namespace restrip::verify {
 
-class InputError : public std::runtime_error {
+/// The error of a line; 0 if the whole file is at fault.
+class InputError : public files::FileError {
  public:
   InputError(const std::string& file, unsigned line, const std::string& what);
 };
@@ -54,7 +55,7 @@ class LineReader {
   std::vector<std::string_view> words_;
 };
 
-/// The bytes of a file; throws InputError if it cannot be read.
+/// The bytes of a file; throws files::FileError if it cannot be read.
 std::string read_file(const std::string& path);
 
 }  // namespace restrip::verify

@@ -10,23 +10,20 @@
 namespace restrip::verify {
 namespace {
 
-constexpr std::size_t most_listed = 64;  // of any list in a pattern
-
 /// Builds a side and checks the limits.
 class SideBuilder {
  public:
   explicit SideBuilder(unsigned triangles) : used_(triangles) { side_.triangles = triangles; }
 
   void add_edge(const JsonValue& where, unsigned one, unsigned other) {
-    if (one == other) where.fail_found(fmt::format("expected two different triangles, found {} twice", one));
+    if (one == other) where.refuse(fmt::format("expected two different triangles, found {} twice", one));
     if (!seen_.insert({std::min(one, other), std::max(one, other)}).second)
-      where.fail_found(fmt::format("expected each edge once, {} and {} are joined above", one, other));
+      where.refuse(fmt::format("expected each edge once, {} and {} are joined above", one, other));
     side_.edges.push_back({one, other});
   }
   void use(const JsonValue& where, unsigned triangle) {
     if (++used_[triangle] > 3)
-      where.fail_found(
-          fmt::format("expected at most three edges and ports of triangle {}, this is the fourth", triangle));
+      where.refuse(fmt::format("expected at most three edges and ports of triangle {}, this is the fourth", triangle));
   }
   void add_port(const JsonValue& where, unsigned owner) {
     side_.owner_of_port.push_back(owner);
@@ -34,8 +31,8 @@ class SideBuilder {
   }
   void expect_colors(const JsonValue& where, unsigned most) const {
     if (side_.colors() > most)
-      where.fail_found(fmt::format("expected at most {} edges and ports together, found {} and {}", most,
-                                   side_.inner_edges(), side_.ports()));
+      where.refuse(fmt::format("expected at most {} edges and ports together, found {} and {}", most,
+                               side_.inner_edges(), side_.ports()));
   }
   Side& side() { return side_; }
 
@@ -46,23 +43,19 @@ class SideBuilder {
 };
 
 Side read_graph(const JsonValue& value) {
-  value.expect_object({"triangles", "edges", "ports"});
-  SideBuilder builder(static_cast<unsigned>(value.required("triangles").integer(1, most_triangles, "a number")));
+  value.expect_members({"triangles", "edges", "ports"});
+  SideBuilder builder(static_cast<unsigned>(value["triangles"].number(1, most_triangles, "a number")));
   Side& side = builder.side();
-  const auto triangle_at = [&](const JsonValue& where) { return where.index(side.triangles, "a triangle"); };
-  const JsonValue edges = value.required("edges");
-  for (const JsonValue& edge :
-       edges.list("a list of at most 19 edges, pairs of triangles", most_colors_of_a_graph - 1)) {
-    const std::vector<JsonValue> ends = edge.list("a pair of triangles", 2);
-    if (ends.size() != 2) edge.fail_found("expected a pair of triangles");
+  const auto triangle_at = [&](const JsonValue& where) { return where.place(side.triangles, "triangle"); };
+  const JsonValue edges = value["edges"];
+  for (const JsonValue& edge : edges.elements("edges, pairs of triangles", 0, most_colors_of_a_graph - 1)) {
+    const std::vector<JsonValue> ends = edge.elements("triangles", 2, 2);
     const std::array<unsigned, 2> pair = {triangle_at(ends[0]), triangle_at(ends[1])};
     builder.add_edge(edge, pair[0], pair[1]);
     for (std::size_t end = 0; end < 2; ++end) builder.use(ends[end], pair[end]);
   }
-  const JsonValue ports = value.required("ports");
-  for (const JsonValue& port : ports.list("a list of 1 to 8 ports, the triangle of each", most_ports_of_a_graph))
+  for (const JsonValue& port : value["ports"].elements("ports, the triangle of each", 1, most_ports_of_a_graph))
     builder.add_port(port, triangle_at(port));
-  if (side.ports() == 0) ports.fail_found("expected a list of 1 to 8 ports, found none");
   builder.expect_colors(edges, most_colors_of_a_graph);
   for (unsigned triangle = 0; triangle < side.triangles; ++triangle) side.names.push_back(std::to_string(triangle));
   return side;
@@ -85,11 +78,11 @@ class ElementReader {
   explicit ElementReader(const NamedNumbers& numbers) : numbers_(numbers) {}
 
   TriangleNames read(const JsonValue& value) {
-    const std::string text = value.string("a text");
+    const std::string text = value.text();
     try {
       return element(text);
     } catch (const std::invalid_argument& error) {
-      value.fail_found(error.what());
+      value.refuse(error.what());
     }
   }
   /// The names of indexed triangles before their indices, in order of first appearance.
@@ -130,8 +123,8 @@ class PatternReader {
   PatternReader(const JsonValue& value, const NamedNumbers& numbers) : value_(value), elements_(numbers) {}
 
   Side read() {
-    value_.expect_object({"ring", "rings", "path", "paths", "chord", "chords", "ports"});
-    if (value_.member("ring") && value_.member("path")) value_.fail_found("expected \"ring\" or \"path\", not both");
+    value_.expect_members({"ring", "rings", "path", "paths", "chord", "chords", "ports"});
+    if (value_.has("ring") && value_.has("path")) value_.refuse("expected \"ring\" or \"path\", not both");
     read_chains();
     number_triangles();
     SideBuilder builder(static_cast<unsigned>(names_.size()));
@@ -147,8 +140,7 @@ class PatternReader {
       if (chain.ring) join(chain.where, number_of_.at(row.back()), number_of_.at(row.front()));
     }
     for (const JsonValue& chord : one_or_more("chord", "chords")) {
-      const std::vector<JsonValue> ends = chord.list("two triangles", 2);
-      if (ends.size() != 2) chord.fail("two triangles");
+      const std::vector<JsonValue> ends = chord.elements("triangles", 2, 2);
       join(chord, triangle_at(ends[0]), triangle_at(ends[1]));
     }
     add_ports(builder);
@@ -162,7 +154,7 @@ class PatternReader {
     std::vector<JsonValue> values;
     if (const std::optional<JsonValue> single_one = value_.member(one)) values.push_back(*single_one);
     if (const std::optional<JsonValue> list = value_.member(more))
-      for (const JsonValue& item : list->list("a list of lists", most_listed)) values.push_back(item);
+      for (const JsonValue& item : list->elements("lists")) values.push_back(item);
     return values;
   }
 
@@ -170,16 +162,16 @@ class PatternReader {
     for (const bool ring : {true, false})
       for (const JsonValue& chain : ring ? one_or_more("ring", "rings") : one_or_more("path", "paths")) {
         chains_.push_back({chain, ring, {}});
-        for (const JsonValue& part : chain.list("a list of triangles", most_listed)) {
+        for (const JsonValue& part : chain.elements("triangles")) {
           const TriangleNames element = elements_.read(part);
           std::vector<std::string>& triangles = chains_.back().triangles;
           triangles.insert(triangles.end(), element.begin(), element.end());
         }
         if (ring && chains_.back().triangles.size() < 3)
-          chain.fail_found(
+          chain.refuse(
               fmt::format("expected a ring of three triangles or more, found {}", chains_.back().triangles.size()));
       }
-    if (chains_.empty()) value_.required("path");
+    if (chains_.empty()) static_cast<void>(value_["path"]);
   }
 
   /// Indexed triangles first, by name and index, then the others in order of appearance.
@@ -192,33 +184,33 @@ class PatternReader {
       std::set<std::string> seen;
       for (const std::string& name : chain.triangles) {
         if (!seen.insert(name).second)
-          chain.where.fail_found(fmt::format("expected each triangle once, {} occurs twice", name));
+          chain.where.refuse(fmt::format("expected each triangle once, {} occurs twice", name));
         if (!indexed.contains(name) && std::find(names_.begin(), names_.end(), name) == names_.end())
           names_.push_back(name);
       }
     }
     if (names_.empty() || names_.size() > most_triangles)
-      value_.fail_found(fmt::format("expected 1 to {} triangles, found {}", most_triangles, names_.size()));
+      value_.refuse(fmt::format("expected 1 to {} triangles, found {}", most_triangles, names_.size()));
     for (unsigned i = 0; i < names_.size(); ++i) number_of_[names_[i]] = i;
   }
 
   unsigned number_of(const JsonValue& where, const std::string& name) const {
     const auto found = number_of_.find(name);
-    if (found == number_of_.end()) where.fail_found(fmt::format("no triangle is named {}", name));
+    if (found == number_of_.end()) where.refuse(fmt::format("no triangle is named {}", name));
     return found->second;
   }
-  unsigned triangle_at(const JsonValue& value) { return number_of(value, value.string("a text")); }
+  unsigned triangle_at(const JsonValue& value) { return number_of(value, value.text()); }
 
   void add_ports(SideBuilder& builder) {
     const std::optional<JsonValue> ports = value_.member("ports");
     if (ports) {
-      for (const JsonValue& port : ports->list("the triangle of each port", most_listed))
+      for (const JsonValue& port : ports->elements("triangles, one for each port"))
         for (const std::string& owner : elements_.read(port)) builder.add_port(port, number_of(port, owner));
     } else {
       for (unsigned i = 0; i < indexed_; ++i) builder.add_port(value_, i);
     }
     if (const unsigned count = builder.side().ports(); count == 0 || count > most_ports)
-      ports.value_or(value_).fail_found(fmt::format("expected 1 to {} ports, found {}", most_ports, count));
+      ports.value_or(value_).refuse(fmt::format("expected 1 to {} ports, found {}", most_ports, count));
   }
 
   const JsonValue& value_;
@@ -249,16 +241,14 @@ NamedRange range_of(const std::string& text, const NamedNumbers& numbers) {
 }
 
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers) {
-  if (description.required("before").is_list()) return read_surface(description, numbers);
+  if (description["before"].is_list()) return read_surface(description, numbers);
   if (const std::optional<JsonValue> boundary = description.member("boundary"))
-    boundary->fail_found("expected patches that are given by their triangles where there is this member");
-  return {
-      read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0, {}, {}};
+    boundary->refuse("expected patches that are given by their triangles where there is this member");
+  return {read_side(description["before"], numbers), read_side(description["after"], numbers), 0, {}, {}};
 }
 
 Side read_side(const JsonValue& value, const NamedNumbers& numbers) {
-  const bool is_pattern = value.is_object() && (value.member("ring") || value.member("rings") || value.member("path") ||
-                                                value.member("paths"));
+  const bool is_pattern = value.has("ring") || value.has("rings") || value.has("path") || value.has("paths");
   return is_pattern ? PatternReader(value, numbers).read() : read_graph(value);
 }
 

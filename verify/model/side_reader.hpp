@@ -1,7 +1,7 @@
 #pragma once
 // Reads a side of an operation in any of the forms in docs/reference/operation-file.md.
 
-#include "model/json_value.hpp"
+#include "common/json.hpp"
 #include "model/operation.hpp"
 
 namespace restrip::verify {
@@ -37,10 +37,10 @@ NamedRange range_of(const std::string& text, const NamedNumbers& numbers);
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers);
 
 /// Reads sides given by triangles (docs/reference/operation-file.md, "Triangles"), which have indices in a family
-/// ("Families"). Throws InputError if they are not an operation on a mesh.
+/// ("Families"). Throws files::FileError if they are not an operation on a mesh.
 Sides read_surface(const JsonValue& description, const NamedNumbers& numbers);
 
-/// A graph, or triangles around rings and along paths. Throws InputError, also if the limits are exceeded.
+/// A graph, or triangles around rings and along paths. Throws files::FileError, also if the limits are exceeded.
 Side read_side(const JsonValue& value, const NamedNumbers& numbers);
 
 }  // namespace restrip::verify

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "model/families_text.hpp"
-#include "model/json.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -38,13 +38,6 @@ bool is_plain(char32_t code) {
   return code < 0xe0000 && (code & 0xffffU) < 0xfffe;                      // tags, private use, noncharacters
 }
 
-/// The value of an existing member.
-const Json& member(const Json& object, std::string_view wanted) {
-  const auto found =
-      std::find_if(object.names.begin(), object.names.end(), [&](const Json::Name& one) { return one.text == wanted; });
-  return object.items.at(static_cast<std::size_t>(found - object.names.begin()));
-}
-
 /// Sequences that end or begin a comment, extend it to the next line, or may be interpreted so.
 constexpr std::string_view joints[] = {"\\", "*/", "/*", "??"};
 
@@ -69,19 +62,22 @@ bool is_words(std::string_view text) {
 }
 
 std::optional<std::string> owner_of_name(std::string_view name) {
-  static const Json taken = parse_json("docs/taken-names.json", taken_names_text);
+  static const std::map<std::string, std::string> owners = [] {
+    std::map<std::string, std::string> by_name;
+    for (const JsonValue& owner : parse_json("docs/taken-names.json", taken_names_text)["taken"].elements("owners"))
+      for (const JsonValue& word : owner["names"].elements("names", 1, 1000)) by_name[word.text()] = owner["by"].text();
+    return by_name;
+  }();
   std::string in_code(name);
   std::replace(in_code.begin(), in_code.end(), '-', '_');
-  for (const Json& owner : member(taken, "taken").items)
-    for (const Json& word : member(owner, "names").items)
-      if (word.text == in_code) return member(owner, "by").text;
-  return {};
+  const auto found = owners.find(in_code);
+  return found == owners.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool is_other_operation(std::string_view name, const JsonValue& description) {
-  static const Json shipped = parse_json("tables/operations", operations_text);
-  return std::any_of(shipped.items.begin(), shipped.items.end(),
-                     [&](const Json& one) { return member(one, "name").text == name && !description.same_as(one); });
+  static const std::vector<JsonValue> shipped = parse_json("tables/operations", operations_text).elements("operations");
+  return std::any_of(shipped.begin(), shipped.end(),
+                     [&](const JsonValue& one) { return one["name"].text() == name && one != description; });
 }
 
 }  // namespace restrip::verify

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/json_value.hpp"
+#include "common/json.hpp"
 
 namespace restrip::verify {
 
