@@ -46,7 +46,7 @@ def automaton_lines():
 RULES = [
     holds("every valid configuration has a row", ["Complete"], SEARCH, CERTIFICATES),
     holds("every row is sound", ["Sound"], SEARCH, CERTIFICATES),
-    holds("(as good, )?no sound recolouring has less [a-z_+ ]+[a-z]", ["Locally optimal"], SEARCH, CERTIFICATES),
+    holds("(as good, )?no sound recolouring has fewer [a-z_+ ]+[a-z]", ["Locally optimal"], SEARCH, CERTIFICATES),
     holds("every rule has a reason why nothing is preferred to it", ["Checkable"], "reasons", CERTIFICATES),
 ]
 ANSWERS = [

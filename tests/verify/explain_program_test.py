@@ -48,7 +48,8 @@ for arguments, code, verdict in (
     assert (verdict == "unsound") == bool((report.get("obstacle") or {}).get("world")), report
     panels = [text.text for text in xml.parse(scratch / "why.svg").iter("{http://www.w3.org/2000/svg}text")
               if text.get("class") == "title"]
-    assert panels[0] == "before" and len(panels) == (3 if verdict else 2 + len(report["sets"])), panels
+    sets = 0 if report.get("obstacle") else len(report["sets"])
+    assert panels[0] == "before" and len(panels) == (2 if verdict is None else 3) + sets, panels
 
 # Bad input.
 (scratch / "why.svg").unlink()
@@ -59,6 +60,8 @@ for arguments, says in (
         (split + " --after zz", "--after zz: expected a hexadecimal mask of at most 8 bits"),
         (split + " --ports-after 5", "--ports-after requires --after"),
         (split.replace("--at 2", "--at 5"), "split has no position (5, 5)"),
+        (split.replace("--at 2", ""), "split needs the numbers k, a: --k gives the first, --at the others"),
+        (bisect + " --k 3", "bisect has no numbers: leave out --k and --at"),
         (split.replace("--k 5", "--k 9"), "split k 9 a 2 has 9 ports, at most 8 are searched"),
         (split.replace("split", "spilt"), "--family spilt: expected one of split collapse"),
         (bisect.replace(str(root), "nowhere"), "nowhere/tables/operations/bisect.json: no such file"),
@@ -78,15 +81,19 @@ run("restrip-generate dump --family flip > rules.csv", 0)
 verify("rules rules.csv", 0, "flip: ")
 run("restrip-generate dump --family split --k 5 > rules.csv", 0)
 rows = (scratch / "rules.csv").read_text().splitlines()
-for column, verdict in ((4, "worse|unsound|not valid"), (5, "best|equally good")):
+for column, verdict in ((4, "worse|unsound|not valid"), (5, "best|equally good"), (2, "not a configuration")):
     words = rows[700].split(",")
-    words[column] = "0" if column == 4 else str(int(words[column]) + 1)
+    words[column] = {2: "31", 4: "0", 5: str(int(words[5]) + 1)}[column]
     (scratch / "bad.csv").write_text("\n".join(rows[:700] + [",".join(words)] + rows[701:]) + "\n")
     found = re.search(r"\nline 701: (.*?): .*\n  restrip-verify (.*)\n", verify("rules bad.csv", 1))
     assert re.fullmatch(verdict, found[1]), found
-    verify(found[2], 1 if column == 4 else 0, f"verdict   {found[1]}")
-report = json.loads(verify("rules bad.csv --json -", 1))
-assert report["rows"] == report["best"] == len(rows) - 1 and report["misstated"] == len(report["worst"]) == 1, report
+    verify(found[2], *((2, "not a valid configuration: ") if column == 2 else (int(column == 4), f"verdict   {found[1]}")))
+    report = json.loads(verify("rules bad.csv --json -", 1))
+    assert report["rows"] == len(rows) - 1 and len(report["worst"]) == 1, report
+    assert [report["best"] == report["rows"], report["misstated"], report["not_configurations"]] == [column == 5, int(column != 2), int(column == 2)], report
+    assert report["configurations_without_row"] == len(report["first_without_row"]) == int(column == 2), report
+run("for k in 3 4; do restrip-generate dump --family split --k $k; done > rules.csv", 0)
+verify("rules rules.csv", 0, "split: 364 rows at 3 positions")
 (scratch / "some.csv").write_text("\n".join(rows[:11]) + "\n")
 report = json.loads(verify("rules some.csv --json -", 0))
 assert report["configurations_without_row"] == 572 - 10 and report["positions_without_rows"] == ["k 5 a 2"], report

@@ -68,8 +68,8 @@ for (const { puzzle, mine } of shown) {
   const { k, a, loop, ports } = puzzle;
   const hex = (mask) => mask.toString(16);
   const said = verify('explain', '--family', 'split', '--k', String(k), '--at', String(a), '--before', hex(loop), '--ports', hex(ports), '--after', hex(mine), '--svg', picture);
-  // Here the rule is the one of the smallest mask; a table may have another.
-  const { verdict, because, fault } = puzzle.judged(mine, BigInt(`0x${said.rule.inner}`));
+  // The best of the smallest mask; a table may have another.
+  const { verdict, because, fault } = puzzle.judged(mine, BigInt(`0x${said.best.inner}`));
   assert.deepEqual([verdict, because], [said.verdict, said.because], puzzle.name);
   assert.deepEqual(fault && [hex(fault.inner), hex(fault.ports)], said.obstacle && [said.obstacle.inner, said.obstacle.ports]);
   assert.deepEqual(fault && (fault.world.length > 0 ? [fault.world] : []), said.obstacle && said.obstacle.world);

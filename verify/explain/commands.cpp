@@ -18,7 +18,8 @@ namespace {
 
 Mask mask_of(const std::string& option, const std::string& text, unsigned bits) {
   std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  const char* const begin = text.data() + (text.starts_with("0x") ? 2 : 0);
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value, 16);
   if (error != std::errc() || end != text.data() + text.size() || value >= wide_mask_count(bits))
     throw std::invalid_argument(
         fmt::format("{} {}: expected a hexadecimal mask of at most {} bits", option, text, bits));
@@ -40,8 +41,8 @@ Description named(const std::vector<Description>& all, const std::string& name) 
   throw std::invalid_argument(fmt::format("--family {}: expected one of{}", name, names));
 }
 
-/// The patch before, the recolouring if there is one, the rule; and without a recolouring what shows that nothing is
-/// better.
+/// The patch before, the recolouring if there is one, and the best. If the recolouring is invalid in some world, that
+/// world is drawn around it; otherwise the sets of edges follow which show that nothing is better.
 std::string picture_of(const Definition& definition, const Explanation& explanation,
                        const std::optional<JudgedColors>& judged) {
   const Side& after = definition.operation().after;
@@ -51,31 +52,42 @@ std::string picture_of(const Definition& definition, const Explanation& explanat
   const Obstacle* const shown = judged && judged->judgement.obstacle ? &*judged->judgement.obstacle : nullptr;
   const World world = shown != nullptr ? definition.world(shown->world) : World{};
   std::vector<Panel> panels{{"before", &definition.operation().before, explanation.configuration, world, {}}};
-  if (judged)
-    panels.push_back({fmt::format("yours: {}", name_of(judged->judgement.standing)), &after, judged->colors, world,
-                      shown != nullptr ? marked(*shown) : Colors{}});
-  if (explanation.best) panels.push_back({"rule", &after, explanation.best->colors, {}, {}});
-  if (judged) return picture_of(panels);
+  if (judged) {
+    const Judgement& judgement = judged->judgement;
+    Panel yours{fmt::format("yours: {}", name_of(judgement.standing)), &after, judged->colors, world, {}};
+    if (shown != nullptr) yours.marked = marked(*shown);
+    if (judgement.standing == Standing::worse) {  // what differs from the best
+      yours.title = "yours: " + judgement.because;
+      yours.marked = {judged->colors.inner ^ explanation.best->colors.inner,
+                      judged->colors.ports ^ explanation.best->colors.ports};
+    }
+    panels.push_back(yours);
+  }
+  if (explanation.best) panels.push_back({"best", &after, explanation.best->colors, {}, {}});
+  if (shown != nullptr) return picture_of(panels);
   for (const Obstacle& obstacle : explanation.obstacles)
     panels.push_back({obstacle.triangle ? "too many at " + name_of(after, *obstacle.triangle) : "a cycle", &after,
-                      marked(obstacle), definition.world(obstacle.world), marked(obstacle)});
+                      marked(obstacle), definition.world(obstacle.world), marked(obstacle), true});
   return picture_of(panels);
 }
 
 }  // namespace
 
 ExplainCommand::ExplainCommand(CLI::App& app)
-    : command_(app.add_subcommand("explain", "One rule: why nothing is better, or what is wrong with a recolouring")) {
+    : command_(app.add_subcommand(
+          "explain", "One configuration: the best recolouring, why nothing is better, or what is wrong with another")) {
   command_->footer(
       "Masks are hexadecimal and numbered as in docs/reference/notation.md; dumps print the same in decimal.\n"
       "Verdicts:\n"
       "  not valid     a triangle has too many solid edges, the patch has a cycle, or a port changed that may not\n"
       "  unsound       not valid in the world named, in which the configuration is valid; no such world has\n"
       "                fewer connections\n"
-      "  worse         sound, and costs more than the rule\n"
-      "  equally good  costs the same as the rule, which has the smaller mask; a table may have either\n"
-      "  best          the same as the rule\n\n"
-      "Exit code: 0 a rule is explained or the recolouring is as good as the rule, 1 it is not, 2 bad input.\n\n"
+      "  worse         sound, and costs more than the best\n"
+      "  equally good  costs the same as the best, of which the one with the smallest mask is shown; the rule of a\n"
+      "                table is any of them, and describe of restrip-generate prints how ties are broken\n"
+      "  best          the one shown\n"
+      "t0=A is a solid edge, t0-A a dashed one.\n\n"
+      "Exit code: 0 if there is no recolouring to judge or it is as good as the best, 1 if it is not, 2 bad input.\n\n"
       "Example:\n"
       "  restrip-verify explain --family split --k 5 --at 2 --before 1a --ports 5 --after ff --svg why.svg");
   command_->add_option("--family", family_, "A shipped family, such as split; or one of several in the operation file");
@@ -124,7 +136,8 @@ RulesCommand::RulesCommand(CLI::App& app)
   command_->footer(
       "The file has the columns of `restrip-generate dump`, with or without strips,isolated; other operations have\n"
       "their numbers, then inner,ports,inner_after, then perhaps ports_after.\n"
-      "Exit code: 0 every row is best, 1 some row is not, 2 bad input.\n\n"
+      "Several files may follow each other, with their headers. Configurations without a row are counted and allowed.\n"
+      "Exit code: 0 every row is best, 1 some row is not or is no valid configuration, 2 bad input.\n\n"
       "Example:\n"
       "  restrip-generate dump --family split --k 5 > rules.csv && restrip-verify rules rules.csv");
   command_->add_option("file", file_, "The rule set")->required();

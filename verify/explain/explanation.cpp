@@ -14,7 +14,8 @@
 namespace restrip::verify {
 namespace {
 
-constexpr std::array<std::string_view, 5> standing_names = {"not valid", "unsound", "worse", "equally good", "best"};
+constexpr std::array<std::string_view, 6> standing_names = {"not a configuration", "not valid", "unsound", "worse",
+                                                            "equally good",        "best"};
 
 /// Cycles have no cost if joined ports are counted.
 bool has_cost(const Operation& operation, Mask inner) {
@@ -57,7 +58,7 @@ std::string listed_edges(const Side& side, const Obstacle& obstacle) {
   std::string text;
   for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
     if (is_solid(obstacle.edges.inner, edge))
-      text += fmt::format("{}{}-{}", text.empty() ? "" : " ", name_of(side, side.edges[edge][0]),
+      text += fmt::format("{}{}={}", text.empty() ? "" : " ", name_of(side, side.edges[edge][0]),
                           name_of(side, side.edges[edge][1]));
   const Mask ports = obstacle.edges.ports | obstacle.ports;
   if (ports != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", solid_count(ports) == 1 ? "port" : "ports");
@@ -85,10 +86,13 @@ std::string port_fault(const Operation& operation, Mask before, Mask after) {
   throw std::logic_error("the ports are right");
 }
 
-std::string line_of(const Operation& operation, Colors configuration, Colors after) {
+/// Its edges and masks, and what it changes if it is valid.
+std::string line_of(const Operation& operation, Colors configuration, Colors after, bool valid) {
+  std::string text =
+      fmt::format("{}\n          inner {:x}, ports {:x}", drawn(operation.after, after), after.inner, after.ports);
+  if (!valid) return text + "\n";
   const Change change = change_of(operation, configuration, after);
-  return fmt::format("{}\n          inner {:x}, ports {:x}; strips {:+}, isolated {:+}\n",
-                     drawn(operation.after, after), after.inner, after.ports, change.strips, change.isolated);
+  return text + fmt::format("; strips {:+}, isolated {:+}\n", change.strips, change.isolated);
 }
 
 nlohmann::ordered_json json_of(Colors colors) {
@@ -124,6 +128,13 @@ std::string_view name_of(Standing standing) { return standing_names.at(static_ca
 
 Operation operation_at(const Description& description, const Numbers& numbers) {
   const std::vector<Numbers> all = description.positions(largest_judged_fan);
+  if (numbers.size() != description.numbers.size())
+    throw InputError(
+        description.file(), 0,
+        description.numbers.empty()
+            ? fmt::format("{} has no numbers: leave out --k and --at", description.name)
+            : fmt::format("{} needs the {} {}: --k gives the first, --at the others", description.name,
+                          plural(description.numbers.size(), "number"), fmt::join(description.numbers, ", ")));
   if (std::find(all.begin(), all.end(), numbers) == all.end())
     throw InputError(description.file(), 0,
                      fmt::format("{} has no position ({}) up to {}", description.name, fmt::join(numbers, ", "),
@@ -192,10 +203,10 @@ Judgement judgement_of(const Definition& definition, Colors configuration, Color
   if (judged.verdict == Verdict::not_best) {
     const unsigned i = judged.criterion;
     result.standing = Standing::worse;
-    result.because = fmt::format("{} is {}, and may be {}", text_of(operation.cost[i]), cost[i], best.cost[i]);
+    result.because = fmt::format("{} {} above the best", text_of(operation.cost[i]), cost[i] - best.cost[i]);
   } else if (recoloring != best.colors) {
     result.standing = Standing::equally_good;
-    result.because = "costs the same as the rule; only a tie-break decides between them";
+    result.because = "costs the same as the best; only a tie-break decides between them";
   }
   return result;
 }
@@ -221,14 +232,13 @@ std::string text_of(const Definition& definition, const Explanation& explanation
   std::string text =
       fmt::format("{}\nbefore    {}\n", operation.name(), drawn(operation.before, explanation.configuration));
   if (explanation.best) {
-    text += "rule      " + line_of(operation, explanation.configuration, explanation.best->colors) + "cost      ";
-    for (std::size_t i = 0; i < operation.cost.size(); ++i)
-      text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", text_of(operation.cost[i]), explanation.best->cost[i]);
-    text += fmt::format("; {}\n", explanation.equally_good == 1
-                                      ? "every other recolouring is unsound or costs more"
-                                      : counted(explanation.equally_good, "sound recolouring") + " cost the same");
+    text += "best      " + line_of(operation, explanation.configuration, explanation.best->colors, true) + "          ";
+    text += explanation.equally_good == 1
+                ? "every other recolouring is unsound or costs more\n"
+                : fmt::format("{} the same; a table may hold any of them\n",
+                              counted(explanation.equally_good - 1, "other costs", "others cost"));
   } else {
-    text += "rule      none: no recolouring is sound; the operation would have to give up more ports\n";
+    text += "best      none: no recolouring is sound; the operation would have to give up more ports\n";
   }
   text += explanation.cheaper == 0 ? "why       no recolouring costs less\n"
                                    : fmt::format("why       {} {}; each has all edges of {} solid:\n",
@@ -242,8 +252,9 @@ std::string text_of(const Definition& definition, const Explanation& explanation
     text += fmt::format("{:>9} {:<{}}  {}\n", obstacle.excluded, listed_edges(operation.after, obstacle), width,
                         effect_of(definition, obstacle));
   if (!judged) return text;
-  text += "yours     " + line_of(operation, explanation.configuration, judged->colors);
   const Judgement& judgement = judged->judgement;
+  text += "yours     " +
+          line_of(operation, explanation.configuration, judged->colors, judgement.standing > Standing::not_valid);
   return text + fmt::format("verdict   {}{}{}\n", name_of(judgement.standing), judgement.because.empty() ? "" : ": ",
                             judgement.because);
 }
@@ -254,14 +265,14 @@ nlohmann::ordered_json json_of(const Definition& definition, const Explanation& 
   nlohmann::ordered_json json = {{"operation", operation.family},
                                  {"position", operation.numbers},
                                  {"before", json_of(explanation.configuration)},
-                                 {"rule", nullptr},
+                                 {"best", nullptr},
                                  {"equally_good", explanation.equally_good},
                                  {"cheaper", explanation.cheaper},
                                  {"sets", nlohmann::ordered_json::array()}};
   if (explanation.best) {
-    json["rule"] = json_of(operation, explanation.configuration, explanation.best->colors);
+    json["best"] = json_of(operation, explanation.configuration, explanation.best->colors);
     for (std::size_t i = 0; i < operation.cost.size(); ++i)
-      json["rule"]["cost"].push_back({{"criterion", text_of(operation.cost[i])}, {"value", explanation.best->cost[i]}});
+      json["best"]["cost"].push_back({{"criterion", text_of(operation.cost[i])}, {"value", explanation.best->cost[i]}});
   }
   for (const Obstacle& obstacle : explanation.obstacles) {
     json["sets"].push_back(json_of(definition, obstacle));

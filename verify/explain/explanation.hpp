@@ -38,8 +38,8 @@ struct Change {
 };
 Change change_of(const Operation& operation, Colors configuration, Colors after);
 
-/// From worst to best.
-enum class Standing { not_valid, unsound, worse, equally_good, best };
+/// From worst to best. Only rows of a rule set can be `not_a_configuration`: invalid before the operation.
+enum class Standing { not_a_configuration, not_valid, unsound, worse, equally_good, best };
 std::string_view name_of(Standing standing);
 
 struct Judgement {
@@ -59,7 +59,7 @@ Explanation explanation_of(const Definition& definition, Colors configuration);
 /// Of a recolouring of a valid configuration.
 Judgement judgement_of(const Definition& definition, Colors configuration, Colors recoloring);
 
-/// "t0-A t0-t1, port 0: triangle t0 has 3 solid edges".
+/// "t0=A t0=t1, port 0: triangle t0 has 3 solid edges".
 std::string text_of(const Definition& definition, const Obstacle& obstacle);
 /// The arguments of `restrip-verify explain` after the operation: "--k 5 --at 2 --before 5 --ports 1 --after 3f".
 std::string arguments_of(const Operation& operation, Colors configuration, const std::optional<Colors>& recoloring);

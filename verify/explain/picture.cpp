@@ -22,9 +22,10 @@ constexpr double height = 270;
 constexpr double scale = 76;          // of the unit circle
 constexpr double port_radius = 1.15;  // the radius at which ports end
 
+/// Counter-clockwise from the top, as ports are numbered; in pictures y points down.
 Point on_circle(double radius, double turn) {
-  const double angle = (turn - 0.25) * 2 * std::numbers::pi;
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+  const double angle = (turn + 0.25) * 2 * std::numbers::pi;
+  return {radius * std::cos(angle), -radius * std::sin(angle)};
 }
 
 double turn_of(const Side& side, unsigned port) { return static_cast<double>(port) / side.ports(); }
@@ -73,7 +74,7 @@ class PanelPicture {
       const Point end = on_circle(port_radius, turn_of(side, port));
       line(places[side.owner_of_port[port]], end, is_solid(panel.colors.ports, port),
            is_solid(panel.marked.ports, port));
-      text(at(on_circle(port_radius + 0.1, turn_of(side, port) + 0.025)) + Point{0, 4}, std::to_string(port), "port");
+      text(at(on_circle(port_radius - 0.05, turn_of(side, port) - 0.035)) + Point{0, 4}, std::to_string(port), "port");
     }
     for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
       line(places[side.edges[edge][0]], places[side.edges[edge][1]], is_solid(panel.colors.inner, edge),
@@ -92,7 +93,10 @@ class PanelPicture {
   void line(Point from, Point to, bool solid, bool marked) {
     const Point a = at(from);
     const Point b = at(to);
-    text_ += fmt::format("<path class=\"{}{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", solid ? "solid" : "dashed",
+    text_ += fmt::format("<path class=\"{}{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n",
+                         solid         ? "solid"
+                         : panel_.only ? "either"
+                                       : "dashed",
                          marked ? " marked" : "", a.x, a.y, b.x, b.y);
   }
   void text(Point p, const std::string& words, const char* kind) {
@@ -111,7 +115,7 @@ class PanelPicture {
       text_ += fmt::format(
           "<path class=\"outside\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}A{:.1f} {:.1f} 0 0 {} {:.1f} {:.1f}L{:.1f} "
           "{:.1f}\"/>\n",
-          a.x, a.y, b.x, b.y, scale * radius, scale * radius, to - from <= 0.5 ? 1 : 0, c.x, c.y, d.x, d.y);
+          a.x, a.y, b.x, b.y, scale * radius, scale * radius, to - from <= 0.5 ? 0 : 1, c.x, c.y, d.x, d.y);
     }
   }
 
@@ -130,7 +134,7 @@ std::string picture_of(const std::vector<Panel>& panels) {
       "<style>rect {{ fill: #fff }} path {{ fill: none; stroke: #222; stroke-linecap: round }} .solid {{ stroke-width: "
       "4 }} "
       ".dashed {{ stroke: #6b7280; stroke-width: 1.5; stroke-dasharray: 5 5 }} .marked {{ stroke: #c11 }} "
-      ".outside {{ stroke: #27c; stroke-width: 3 }} circle {{ fill: #fff; stroke: #222 }} "
+      ".either {{ stroke: #ccc }} .outside {{ stroke: #27c; stroke-width: 3 }} circle {{ fill: #fff; stroke: #222 }} "
       "text {{ font: 11px sans-serif; text-anchor: middle }} .title {{ font-size: 13px }} .port {{ fill: #666 "
       "}}</style>\n"
       "<rect width=\"100%\" height=\"100%\"/>\n",

@@ -12,8 +12,9 @@ struct Panel {
   std::string title;
   const Side* side = nullptr;
   Colors colors;
-  World world;    ///< drawn around the patch
-  Colors marked;  ///< edges and ports in red
+  World world;        ///< drawn around the patch
+  Colors marked;      ///< edges and ports in red
+  bool only = false;  ///< other edges and ports may be solid or dashed: they are thin lines
 };
 
 /// Panels side by side, four in a row.

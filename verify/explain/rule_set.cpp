@@ -34,7 +34,8 @@ class RuleReader {
   RuleReader(const std::string& file, std::string text, const std::vector<Description>& descriptions)
       : file_(file), lines_(file, in_words(file, std::move(text))) {
     lines_.next("a header");
-    std::string header = lines_.rest(0);
+    header_ = lines_.rest(0);
+    std::string header = header_;
     std::replace(header.begin(), header.end(), ' ', ',');
     std::string expected;
     for (const Description& one : descriptions) {
@@ -59,6 +60,7 @@ class RuleReader {
     const std::size_t words = numbers + 3U + (has_kept_ ? 1U : 0U) + (has_change_ ? 2U : 0U);
     while (!lines_.at_end()) {
       lines_.next("a row");
+      if (lines_.rest(0) == header_) continue;
       lines_.expect_words(words, fmt::format("{} columns", words));
       Numbers position;
       for (std::size_t i = 0; i < numbers; ++i) position.push_back(mask(i, 8));
@@ -98,6 +100,7 @@ class RuleReader {
 
   std::string file_;
   LineReader lines_;
+  std::string header_;
   const Description* description_ = nullptr;
   bool has_kept_ = false;
   bool has_change_ = false;
@@ -120,15 +123,15 @@ RuleSetReport judge_position(const std::string& file, const Operation& operation
   const Definition definition(operation);
   RuleSetReport report;
   report.rows = rows.size();
-  for (Mask both = 0; both < mask_count(operation.before.colors()); ++both)
-    if (definition.valid({high_part(both, operation.ports()), low_part(both, operation.ports())}))
-      ++report.configurations;
   std::map<Colors, unsigned> line_of;
   for (const RuleRow& row : rows) {
     const auto [first, is_new] = line_of.try_emplace(row.configuration, row.line);
     if (!is_new) throw InputError(file, row.line, fmt::format("the configuration of line {} again", first->second));
     if (!definition.valid(row.configuration)) {
-      ++report.not_configurations;
+      ++report.standings[static_cast<std::size_t>(Standing::not_a_configuration)];
+      report.worst.push_back({row.line, Standing::not_a_configuration, 0,
+                              invalid_because(operation.before, row.configuration, most_solid(operation.constraint)),
+                              arguments_of(operation, row.configuration, {})});
       continue;
     }
     const Judgement judgement = judgement_of(definition, row.configuration, row.recoloring);
@@ -138,12 +141,21 @@ RuleSetReport judge_position(const std::string& file, const Operation& operation
     const bool misstated = row.stated && judgement.standing >= Standing::worse && *row.stated != change;
     report.misstated += misstated ? 1U : 0U;
     if (!misstated && judgement.standing > Standing::worse) continue;
-    report.worst.push_back({row.line, judgement.standing, judgement.strips_lost.value_or(0), judgement.because,
+    report.worst.push_back({row.line, judgement.standing, judgement.strips_lost.value_or(0),
+                            judgement.standing > Standing::worse ? "" : judgement.because,
                             arguments_of(operation, row.configuration, row.recoloring)});
-    if (judgement.standing > Standing::worse)
-      report.worst.back().because =
-          fmt::format("states strips {}, isolated {}, but changes them by {} and {}", row.stated->strips,
-                      row.stated->isolated, change.strips, change.isolated);
+    std::string& because = report.worst.back().because;
+    if (misstated)
+      because +=
+          fmt::format("{}states strips {}, isolated {}, but changes them by {} and {}", because.empty() ? "" : "; ",
+                      row.stated->strips, row.stated->isolated, change.strips, change.isolated);
+  }
+  for (Mask both = 0; both < mask_count(operation.before.colors()); ++both) {
+    const Colors configuration{high_part(both, operation.ports()), low_part(both, operation.ports())};
+    if (!definition.valid(configuration)) continue;
+    ++report.configurations;
+    if (!line_of.contains(configuration) && report.without_row.size() < worst)
+      report.without_row.push_back(arguments_of(operation, configuration, {}));
   }
   keep_worst(report, worst);
   return report;
@@ -178,12 +190,14 @@ RuleSetReport judge_rules(const std::string& file, const std::string& text,
   sum.positions = parts.size();
   for (const RuleSetReport& part : parts) {
     sum.rows += part.rows;
-    sum.not_configurations += part.not_configurations;
     for (std::size_t i = 0; i < sum.standings.size(); ++i) sum.standings[i] += part.standings[i];
     sum.misstated += part.misstated;
     sum.configurations += part.configurations;
     sum.strips_lost += part.strips_lost;
     sum.worst.insert(sum.worst.end(), part.worst.begin(), part.worst.end());
+    const std::size_t more = std::min(worst - sum.without_row.size(), part.without_row.size());
+    sum.without_row.insert(sum.without_row.end(), part.without_row.begin(),
+                           part.without_row.begin() + static_cast<std::ptrdiff_t>(more));
   }
   keep_worst(sum, worst);
   const Description& description = reader.description();
@@ -196,23 +210,25 @@ RuleSetReport judge_rules(const std::string& file, const std::string& text,
 }
 
 std::string text_of(const RuleSetReport& report, const std::string& source) {
-  const std::uint64_t judged = report.rows - report.not_configurations;
   std::string text = fmt::format("{}: {} at {}\n", report.operation, counted_grouped(report.rows, "row"),
                                  counted(report.positions, "position"));
   const auto line = [&](const char* name, std::uint64_t count) {
     text += fmt::format("{:<22}{:>9}\n", name, grouped(count));
   };
+  line("not a configuration", report.not_configurations());
   line("valid", report.at_least(Standing::unsound));
   line("sound", report.at_least(Standing::worse));
   line("best", report.at_least(Standing::equally_good));
-  line("strips change misstated", report.misstated);
-  line("without a row", report.configurations - judged);
-  line("not a configuration", report.not_configurations);
+  line("change misstated", report.misstated);
+  line("without a row", report.configurations - report.at_least(Standing::not_valid));
   text += fmt::format("{:<22}{:>9}\n", "strips lost", report.strips_lost);
   if (!report.absent.empty()) text += fmt::format("positions without any row: {}\n", fmt::join(report.absent, ", "));
   for (const BadRow& row : report.worst)
     text += fmt::format("line {}: {}: {}\n  restrip-verify explain {} {}\n", row.line, name_of(row.standing),
                         row.because, source, row.arguments);
+  if (!report.without_row.empty()) text += "configurations without a row, the first:\n";
+  for (const std::string& arguments : report.without_row)
+    text += fmt::format("  restrip-verify explain {} {}\n", source, arguments);
   return text;
 }
 
@@ -222,12 +238,13 @@ nlohmann::ordered_json json_of(const RuleSetReport& report) {
       {"positions", report.positions},
       {"positions_without_rows", report.absent},
       {"rows", report.rows},
-      {"not_configurations", report.not_configurations},
+      {"not_configurations", report.not_configurations()},
       {"valid", report.at_least(Standing::unsound)},
       {"sound", report.at_least(Standing::worse)},
       {"best", report.at_least(Standing::equally_good)},
       {"misstated", report.misstated},
-      {"configurations_without_row", report.configurations - (report.rows - report.not_configurations)},
+      {"configurations_without_row", report.configurations - report.at_least(Standing::not_valid)},
+      {"first_without_row", report.without_row},
       {"strips_lost", report.strips_lost},
       {"worst", nlohmann::ordered_json::array()}};
   for (const BadRow& row : report.worst)

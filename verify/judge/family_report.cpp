@@ -104,7 +104,7 @@ class FamilyReport {
       for (const PositionCheck& check : checks_) not_best.add(check.not_best[i]);
       std::string name = text_of(operation_.cost[i]);
       if (name.size() > 24) name = fmt::format("of criterion {}", i + 1);
-      report(fmt::format("{} sound recolouring has less {}", i == 0 ? "no" : "as good, no", name),
+      report(fmt::format("{} sound recolouring has fewer {}", i == 0 ? "no" : "as good, no", name),
              "definition" + limit_, sum(&PositionCheck::with_row), 0, not_best);
     }
   }

@@ -77,9 +77,9 @@ std::string drawn(const Side& side, Colors colors) {
   for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
     text += fmt::format(" {}{}{}", name_of(side, side.edges[edge][0]), is_solid(colors.inner, edge) ? '=' : '-',
                         name_of(side, side.edges[edge][1]));
-  text += ", ports";
+  text += colors.ports == 0 ? ", no port solid" : solid_count(colors.ports) == 1 ? ", solid port" : ", solid ports";
   for (unsigned port = 0; port < side.ports(); ++port)
-    text += fmt::format(" {}{}", port, is_solid(colors.ports, port) ? '"' : ':');
+    if (is_solid(colors.ports, port)) text += fmt::format(" {}", port);
   return text;
 }
 

@@ -82,7 +82,7 @@ std::string name_of(const Side& side, unsigned triangle);
 /// Why the colours are not valid: "triangle 2 has 3 solid edges"; empty if they are.
 std::string invalid_because(const Side& side, Colors colors, unsigned most_solid);
 
-/// "edges 0=1 1-2, ports 0" 1:", with = and " for solid, - and : for dashed.
+/// "edges 0=1 1-2, solid ports 0 3", with = for solid and - for dashed edges.
 std::string drawn(const Side& side, Colors colors);
 
 /// "0-1 2-3", or "none".

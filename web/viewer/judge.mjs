@@ -21,7 +21,7 @@ export class Puzzle {
   }
   get name() { return [this.k, this.a, this.loop.toString(16), this.ports.toString(16)].join('-'); }
   /// Inner edges by the names of their triangles.
-  edgeNames(mask) { return bitsOf(mask).map((edge) => this.edges[edge].map((node) => this.names[node]).join('-')).join(' '); }
+  edgeNames(mask) { return bitsOf(mask).map((edge) => this.edges[edge].map((node) => this.names[node]).join('=')).join(' '); }
   /// Strips, counted inside the patch: before the split, and after it with these inner edges if they close no cycle.
   get before() { return this.k - bitsIn(this.loop); }
   after(inner) { return this.k + 2 - bitsIn(inner); }
@@ -85,9 +85,9 @@ export class Puzzle {
     if (fault) return { verdict: 'unsound', because: `${this.faultText(fault)}, and none before`, fault };
     const [mine, its] = [inner, rule].map((colors) => ({ strips: this.after(colors) - bitsIn(this.ports), 'isolated + given_up': this.isolated(colors).length }));
     const higher = Object.keys(mine).find((criterion) => mine[criterion] !== its[criterion]);
-    if (higher) return { verdict: 'worse', because: `${higher} is ${mine[higher]}, and may be ${its[higher]}`, fault };
+    if (higher) return { verdict: 'worse', because: `${higher} ${mine[higher] - its[higher]} above the best`, fault };
     if (inner === rule) return { verdict: 'best', because: '', fault };
-    return { verdict: 'equally good', because: 'costs the same as the rule; only a tie-break decides between them', fault };
+    return { verdict: 'equally good', because: 'costs the same as the best; only a tie-break decides between them', fault };
   }
 }
 
