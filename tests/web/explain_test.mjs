@@ -80,9 +80,11 @@ for (const { puzzle, mine } of shown) {
   const svg = readFileSync(picture, 'utf8');
   const after = ringPicture(k, a, mine, ports, '', { named: true, fault });
   const marked = count(/class="solid marked" d="([^"]*)"/.exec(after)?.[1] ?? '', 'M');
-  assert.equal(marked - (fault ? bitsIn(fault.inner) : 0), count(svg, 'class="solid marked"'));
   const before = fanPicture(k, a, loop, ports, '', { world: fault?.world });
-  assert.equal(count(before, 'class="outside"') + count(after, 'class="outside"'), count(svg, 'class="outside"'));
+  if (fault) {  // otherwise explain draws the sets that show why nothing is better
+    assert.equal(marked - bitsIn(fault.inner), count(svg, 'class="solid marked"'));
+    assert.equal(count(before, 'class="outside"') + count(after, 'class="outside"'), count(svg, 'class="outside"'));
+  }
   for (const name of puzzle.names) assert.ok(svg.includes(`>${name}</text>`) && after.includes(`>${name}</text>`), name);
   styles = /<style>(.*)<\/style>/.exec(svg)[1];
 }

@@ -28,7 +28,7 @@ export async function checkTurn(browser, address, scratch) {
   await page.until(() => window.restripViewer?.turn.puzzle && window.restripViewer.settled);
   const first = await turn(page);
   assert.equal(first.number, 0);
-  assert.match(await verdict(page), /^worse: strips is -?\d, and may be -?\d\. Yours: strips \+\d, isolated \+\d\. The rule: strips [-+]\d, isolated [-+]\d\.$/);
+  assert.match(await verdict(page), /^worse: strips \d above the best\. Yours: strips \+\d, isolated \+\d\. The rule: strips [-+]\d, isolated [-+]\d\.$/);
   writeFileSync(join(scratch, 'turn-phone.png'), await page.screenshot());
 
   // Mouse and keys in turn, up to the rule. The line keeps the focus.
