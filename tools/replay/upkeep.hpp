@@ -15,19 +15,13 @@
 #include "lod/progressive_mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/absorb.hpp"
-#include "restrip/operations/checked.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/search/keeper.hpp"
 
 namespace restrip::tools {
 
 /// The record number of an operation that plays no record of a progressive mesh.
 inline constexpr std::size_t no_record = static_cast<std::size_t>(-1);
-
-/// A split whose spokes are known.
-struct NamedSplit {
-  VertexSplit<StripMesh::Halfedge> where;
-  Vertex v_t = none;  ///< the new vertex
-};
 
 class Upkeep {
  public:
@@ -56,11 +50,6 @@ class Upkeep {
   virtual void play_up(std::span<const Record> records, std::size_t first) = 0;
   /// Collapses them again, the last one first.
   virtual void play_down(std::span<const Record> records, std::size_t first) = 0;
-  /// `chords` receives the result of each split.
-  virtual void split_all(std::span<const NamedSplit> splits, std::span<Halfedge> chords) = 0;
-  virtual void collapse_all(std::span<const Halfedge> chords) = 0;
-  /// Replaces each edge by the flipped one.
-  virtual void flip_all(std::span<Halfedge> edges) = 0;
 
   /// The mesh or its colours have been changed from outside, to that level of the progressive mesh: reads it again.
   virtual void restart(std::size_t level) = 0;
@@ -69,7 +58,6 @@ class Upkeep {
   /// The outcomes of all rule lookups; zero if no rule is used.
   [[nodiscard]] virtual RuleCounts rule_counts() const = 0;
 };
-static_assert(KeepsStrips<Upkeep>);
 
 /// For operations that do not report what they did: counts strips and isolated triangles in and around the patch before
 /// and after. `elsewhere`: dual edges outside the patch whose colour changes, named as they are after a split and
@@ -163,24 +151,6 @@ class UpkeepBy final : public Upkeep {
       UpkeepBy::between();
     }
   }
-  void split_all(std::span<const NamedSplit> splits, std::span<Halfedge> chords) override {
-    for (std::size_t i = 0; i < splits.size(); ++i) {
-      chords[i] = halfedge_of(operations_.split(splits[i].where, splits[i].v_t, no_record));
-      UpkeepBy::between();
-    }
-  }
-  void collapse_all(std::span<const Halfedge> chords) override {
-    for (const Halfedge chord : chords) {
-      operations_.collapse(chord, no_record);
-      UpkeepBy::between();
-    }
-  }
-  void flip_all(std::span<Halfedge> edges) override {
-    for (Halfedge& h : edges) {
-      h = halfedge_of(operations_.flip(h));
-      UpkeepBy::between();
-    }
-  }
 
   void restart(std::size_t level) override {
     if constexpr (requires { operations_.restart(level); }) operations_.restart(level);
@@ -201,8 +171,6 @@ class UpkeepBy final : public Upkeep {
  private:
   static constexpr bool reports =
       std::same_as<decltype(std::declval<Operations&>().flip(Halfedge{})), Rewrite<Halfedge>>;
-  static Halfedge halfedge_of(const Rewrite<Halfedge>& done) { return done.halfedge; }
-  static Halfedge halfedge_of(Halfedge h) { return h; }
 
   StripMesh* mesh_;
   Operations operations_;

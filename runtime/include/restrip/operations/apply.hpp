@@ -96,11 +96,9 @@ Rewrite<typename Mesh::Halfedge> apply(Mesh& mesh, const Table& table, typename 
 /// keeps its properties (check_replace() in checks.hpp), and the colours have a rule.
 template <SurfaceTable Table>
 [[nodiscard]] Refusal check_apply(const StripMesh& mesh, const Table& table, StripMesh::Halfedge where);
-/// For operations from an untrusted source, see checked.hpp.
-template <SurfaceTable Table>
-Checked checked_apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where);
-template <KeepsStrips Keeper, SurfaceTable Table>
-Checked checked_apply(Keeper& keeper, const Table& table, StripMesh::Halfedge where);
+/// On a StripMesh or a Keeper of one, for operations from an untrusted source: see checked.hpp.
+template <CheckedTarget Target, SurfaceTable Table>
+Checked checked_apply(Target& target, const Table& table, StripMesh::Halfedge where);
 
 /// An operation whose mesh has not changed yet. Made by before_apply(), consumed by after_apply(). Refers to the table.
 template <class Halfedge, SurfaceTable Table>

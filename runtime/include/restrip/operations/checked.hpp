@@ -5,9 +5,11 @@
 //   else
 //     report(describe(done.refusal));
 //
-// Each calls its check (mesh/checks.hpp) and does the operation if it is granted; a refused operation changes nothing.
-// Pass a StripMesh for the rules (operations.hpp), or a Keeper for its policy. A custom mesh and its Keeper have the
-// same functions, checked as CustomTarget says.
+// Each calls its check and does the operation if it is granted; a refused operation changes nothing. Pass a mesh for
+// the rules (operations.hpp), or a Keeper for its policy. The checks of a StripMesh are in mesh/checks.hpp. On a custom
+// mesh handles are checked if it has alive(), and the check is its own check_split(), check_collapse() or check_flip(),
+// found by argument-dependent lookup. Without these it is what a walk around the patch can see, which excludes the link
+// condition and flips onto an existing edge: vertices have no names there.
 #pragma once
 
 #include <concepts>
@@ -21,80 +23,20 @@
 
 namespace restrip {
 
-/// The result of a checked operation, or the reason why it was refused.
-struct Checked {
-  Refusal refusal = Refusal::granted;
-  Rewrite<StripMesh::Halfedge> rewrite{};  ///< of the operation, if it was granted
-  Vertex new_vertex = none;                ///< of a split, split_face or bisect, if it was granted
-
-  [[nodiscard]] constexpr bool granted() const noexcept { return refusal == Refusal::granted; }
-  constexpr explicit operator bool() const noexcept { return granted(); }
-};
-
-namespace detail {
-
-/// Does the operation if its check grants it.
-template <class Operation>
-Checked done_if_granted(Refusal refusal, Operation&& operation) {
-  if (refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, operation()};
-}
-/// The same for an operation that adds a vertex, to which the halfedge of its Rewrite leads.
-template <class Operation>
-Checked vertex_if_granted(Refusal refusal, const StripMesh& mesh, Operation&& operation) {
-  Checked done = done_if_granted(refusal, operation);
-  if (done) done.new_vertex = mesh.to(done.rewrite.halfedge);
-  return done;
-}
-
-}  // namespace detail
-
-/// `new_vertex`: see check_split. Takes the time of the check and of the operation. May throw what the mesh throws when
-/// it grows (std::bad_alloc, std::length_error); nothing has changed then.
-inline Checked checked_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
-  return detail::vertex_if_granted(check_split(mesh, where, new_vertex), mesh,
-                                   [&] { return split(mesh, where, new_vertex); });
-}
-inline Checked checked_collapse(StripMesh& mesh, StripMesh::Halfedge chord) {
-  return detail::done_if_granted(check_collapse(mesh, chord), [&] { return collapse(mesh, chord); });
-}
-inline Checked checked_flip(StripMesh& mesh, StripMesh::Halfedge h) {
-  return detail::done_if_granted(check_flip(mesh, h), [&] { return flip(mesh, h); });
-}
-
-/// A class that maintains the strips of a StripMesh: Keeper (search/keeper.hpp), or a custom one.
-template <class Keeper>
-concept KeepsStrips = requires(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, StripMesh::Halfedge h) {
-  { std::as_const(keeper).mesh() } -> std::convertible_to<const StripMesh&>;
-  { keeper.split(where, none) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
-  { keeper.collapse(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
-  { keeper.flip(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
-};
-
-/// The operations of a keeper, checked in the same way.
-template <KeepsStrips Keeper>
-Checked checked_split(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
-  return detail::vertex_if_granted(check_split(keeper.mesh(), where, new_vertex), keeper.mesh(),
-                                   [&] { return keeper.split(where, new_vertex); });
-}
-template <KeepsStrips Keeper>
-Checked checked_collapse(Keeper& keeper, StripMesh::Halfedge chord) {
-  return detail::done_if_granted(check_collapse(keeper.mesh(), chord), [&] { return keeper.collapse(chord); });
-}
-template <KeepsStrips Keeper>
-Checked checked_flip(Keeper& keeper, StripMesh::Halfedge h) {
-  return detail::done_if_granted(check_flip(keeper.mesh(), h), [&] { return keeper.flip(h); });
-}
-
-/// What a checked operation did on a custom mesh, or why it did nothing. The halfedge of the rewrite leads to a new
+/// What a checked operation on a custom mesh did, or why it was refused. The halfedge of the rewrite leads to a new
 /// vertex.
 template <class Halfedge>
 struct CustomChecked {
   Refusal refusal = Refusal::granted;
-  Rewrite<Halfedge> rewrite{};
+  Rewrite<Halfedge> rewrite{};  ///< of the operation, if it was granted
 
   [[nodiscard]] constexpr bool granted() const noexcept { return refusal == Refusal::granted; }
   constexpr explicit operator bool() const noexcept { return granted(); }
+};
+
+/// The same on a StripMesh.
+struct Checked : CustomChecked<StripMesh::Halfedge> {
+  Vertex new_vertex = none;  ///< of a split, split_face or bisect, if it was granted
 };
 
 namespace detail {
@@ -109,50 +51,76 @@ const auto& mesh_of(const Target& target) {
 }
 template <class Target>
 using MeshOf = std::remove_cvref_t<decltype(mesh_of(std::declval<const Target&>()))>;
+template <class Target>
+using HalfedgeOf = typename MeshOf<Target>::Halfedge;
+template <class Target>
+inline constexpr bool on_strip_mesh = std::derived_from<MeshOf<Target>, StripMesh>;
+template <class Target>
+using CheckedOf = std::conditional_t<on_strip_mesh<Target>, Checked, CustomChecked<HalfedgeOf<Target>>>;
 
 }  // namespace detail
 
-/// A custom mesh, or a Keeper of one. Its handles are checked if it has alive(). The check is its own check_split(),
-/// check_collapse() or check_flip(), found by argument-dependent lookup. Without these it is what a walk around the
-/// patch can see, which excludes the link condition and flips onto an existing edge: vertices have no names there.
+/// A mesh, or a class that maintains the strips of one: Keeper (search/keeper.hpp), or a custom one with the same
+/// operations.
 template <class Target>
-concept CustomTarget = (ColoredMesh<Target> || requires(const Target& target) { target.mesh(); }) &&
-                       ColoredMesh<detail::MeshOf<Target>> && !std::derived_from<detail::MeshOf<Target>, StripMesh>;
+concept CheckedTarget = ColoredMesh<Target> ||
+    (requires(const Target& target) { target.mesh(); } && ColoredMesh<detail::MeshOf<Target>>);
 
 namespace detail {
 
-template <CustomTarget Target>
-using HalfedgeOf = typename MeshOf<Target>::Halfedge;
-/// Calls on_mesh(mesh) or on_keeper(keeper), whichever the target is.
-template <CustomTarget Target, class OnMesh, class OnKeeper>
-CustomChecked<HalfedgeOf<Target>> custom_if_granted(Target& target, Refusal refusal, OnMesh&& on_mesh,
-                                                    OnKeeper&& on_keeper) {
-  if (refusal != Refusal::granted) return {refusal};
+/// Does the operation if its check grants it: on_mesh(mesh) or on_keeper(keeper), whichever the target is.
+template <CheckedTarget Target, class OnMesh, class OnKeeper>
+CheckedOf<Target> done_if_granted(Target& target, Refusal refusal, const OnMesh& on_mesh, const OnKeeper& on_keeper) {
+  CheckedOf<Target> done;
+  done.refusal = refusal;
+  if (!done) return done;
   if constexpr (ColoredMesh<Target>)
-    return {Refusal::granted, on_mesh(target)};
+    done.rewrite = on_mesh(target);
   else
-    return {Refusal::granted, on_keeper(target)};
+    done.rewrite = on_keeper(target);
+  return done;
+}
+template <class Target, class... Name>
+auto split_if_granted(Target& target, const VertexSplit<HalfedgeOf<Target>>& where, const Name&... name) {
+  return done_if_granted(
+      target, refusal_of_split(mesh_of(target), where, name...),
+      [&](auto& mesh) { return split(mesh, where, name...); },
+      [&](auto& keeper) { return keeper.split(where, name...); });
+}
+/// The result of an operation that adds a vertex, to which the halfedge of its Rewrite leads.
+template <class Target, class Done>
+Done with_vertex(const Target& target, Done done) {
+  if constexpr (on_strip_mesh<Target>)
+    if (done) done.new_vertex = mesh_of(target).to(done.rewrite.halfedge);
+  return done;
 }
 
 }  // namespace detail
 
-/// `name`: the new vertex, if the mesh takes one.
-template <CustomTarget Target, class... Name>
-auto checked_split(Target& target, const VertexSplit<detail::HalfedgeOf<Target>>& where, const Name&... name) {
-  return detail::custom_if_granted(
-      target, detail::refusal_of_split(detail::mesh_of(target), where, name...),
-      [&](auto& mesh) { return split(mesh, where, name...); },
-      [&](auto& keeper) { return keeper.split(where, name...); });
+/// `new_vertex`: see check_split. Takes the time of the check and of the operation. May throw what the mesh throws when
+/// it grows (std::bad_alloc, std::length_error); nothing has changed then.
+template <CheckedTarget Target>
+requires detail::on_strip_mesh<Target> Checked checked_split(Target& target,
+                                                             const VertexSplit<StripMesh::Halfedge>& where,
+                                                             Vertex new_vertex = none) {
+  return detail::with_vertex(target, detail::split_if_granted(target, where, new_vertex));
 }
-template <CustomTarget Target>
+/// On a custom mesh. `name`: the new vertex, if the mesh takes one.
+template <CheckedTarget Target, class... Name>
+requires(!detail::on_strip_mesh<Target>) auto checked_split(Target& target,
+                                                            const VertexSplit<detail::HalfedgeOf<Target>>& where,
+                                                            const Name&... name) {
+  return detail::split_if_granted(target, where, name...);
+}
+template <CheckedTarget Target>
 auto checked_collapse(Target& target, detail::HalfedgeOf<Target> chord) {
-  return detail::custom_if_granted(
+  return detail::done_if_granted(
       target, detail::refusal_of_collapse(detail::mesh_of(target), chord),
       [&](auto& mesh) { return collapse(mesh, chord); }, [&](auto& keeper) { return keeper.collapse(chord); });
 }
-template <CustomTarget Target>
+template <CheckedTarget Target>
 auto checked_flip(Target& target, detail::HalfedgeOf<Target> h) {
-  return detail::custom_if_granted(
+  return detail::done_if_granted(
       target, detail::refusal_of_flip(detail::mesh_of(target), h), [&](auto& mesh) { return flip(mesh, h); },
       [&](auto& keeper) { return keeper.flip(h); });
 }

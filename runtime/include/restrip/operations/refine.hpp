@@ -15,8 +15,6 @@
 // mesh operation; exceptions of the mesh leave the colouring valid.
 #pragma once
 
-#include <concepts>
-
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
@@ -51,47 +49,15 @@ Rewrite<typename Mesh::Halfedge> merge(Mesh& mesh, typename Mesh::Halfedge chord
 [[nodiscard]] inline Refusal check_bisect(const StripMesh& mesh, StripMesh::Halfedge h);
 [[nodiscard]] inline Refusal check_merge(const StripMesh& mesh, StripMesh::Halfedge chord);
 
-// For operations from an untrusted source, see checked.hpp.
-inline Checked checked_split_face(StripMesh& mesh, StripMesh::Halfedge h);
-inline Checked checked_join_faces(StripMesh& mesh, StripMesh::Halfedge chord);
-inline Checked checked_bisect(StripMesh& mesh, StripMesh::Halfedge h);
-inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord);
-
-/// A keeper (checked.hpp) that has these operations as well, as Keeper does (search/keeper.hpp).
-template <class Keeper>
-concept KeepsRefinement = KeepsStrips<Keeper> && requires(Keeper& keeper, StripMesh::Halfedge h) {
-  { keeper.split_face(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
-  { keeper.join_faces(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
-  { keeper.bisect(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
-  { keeper.merge(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
-};
-template <KeepsRefinement Keeper>
-Checked checked_split_face(Keeper& keeper, StripMesh::Halfedge h) {
-  return detail::vertex_if_granted(check_split_face(keeper.mesh(), h), keeper.mesh(),
-                                   [&] { return keeper.split_face(h); });
-}
-template <KeepsRefinement Keeper>
-Checked checked_join_faces(Keeper& keeper, StripMesh::Halfedge chord) {
-  return detail::done_if_granted(check_join_faces(keeper.mesh(), chord), [&] { return keeper.join_faces(chord); });
-}
-template <KeepsRefinement Keeper>
-Checked checked_bisect(Keeper& keeper, StripMesh::Halfedge h) {
-  return detail::vertex_if_granted(check_bisect(keeper.mesh(), h), keeper.mesh(), [&] { return keeper.bisect(h); });
-}
-template <KeepsRefinement Keeper>
-Checked checked_merge(Keeper& keeper, StripMesh::Halfedge chord) {
-  return detail::done_if_granted(check_merge(keeper.mesh(), chord), [&] { return keeper.merge(chord); });
-}
-
-/// The same on a custom mesh or a Keeper of one.
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_split_face(Target& target, detail::HalfedgeOf<Target> h);
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_join_faces(Target& target, detail::HalfedgeOf<Target> chord);
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_bisect(Target& target, detail::HalfedgeOf<Target> h);
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_merge(Target& target, detail::HalfedgeOf<Target> chord);
+// On a mesh or a Keeper, for operations from an untrusted source: see checked.hpp.
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_split_face(Target& target, detail::HalfedgeOf<Target> h);
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_join_faces(Target& target, detail::HalfedgeOf<Target> chord);
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_bisect(Target& target, detail::HalfedgeOf<Target> h);
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_merge(Target& target, detail::HalfedgeOf<Target> chord);
 
 }  // namespace restrip
 

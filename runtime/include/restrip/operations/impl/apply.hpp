@@ -231,14 +231,11 @@ Refusal check_apply(const StripMesh& mesh, const Table& table, StripMesh::Halfed
   return detail::Replacement<Table>(mesh, table, detail::read_sides(mesh, table.triangles_before, where)).refusal(mesh);
 }
 
-template <SurfaceTable Table>
-Checked checked_apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
-  return detail::done_if_granted(check_apply(mesh, table, where), [&] { return apply(mesh, table, where); });
-}
-
-template <KeepsStrips Keeper, SurfaceTable Table>
-Checked checked_apply(Keeper& keeper, const Table& table, StripMesh::Halfedge where) {
-  return detail::done_if_granted(check_apply(keeper.mesh(), table, where), [&] { return keeper.apply(table, where); });
+template <CheckedTarget Target, SurfaceTable Table>
+Checked checked_apply(Target& target, const Table& table, StripMesh::Halfedge where) {
+  return detail::done_if_granted(
+      target, check_apply(detail::mesh_of(target), table, where), [&](auto& mesh) { return apply(mesh, table, where); },
+      [&](auto& keeper) { return keeper.apply(table, where); });
 }
 
 template <SurfaceTable Table>

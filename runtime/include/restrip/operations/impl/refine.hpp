@@ -192,46 +192,32 @@ inline Refusal check_merge(const StripMesh& mesh, StripMesh::Halfedge chord) {
   return detail::refusal_of_removal(mesh, chord, 4, 2);
 }
 
-inline Checked checked_split_face(StripMesh& mesh, StripMesh::Halfedge h) {
-  return detail::vertex_if_granted(check_split_face(mesh, h), mesh, [&] { return split_face(mesh, h); });
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_split_face(Target& target, detail::HalfedgeOf<Target> h) {
+  return detail::with_vertex(
+      target, detail::done_if_granted(
+                  target, detail::refusal_of_face_split(detail::mesh_of(target), h),
+                  [&](auto& mesh) { return split_face(mesh, h); }, [&](auto& keeper) { return keeper.split_face(h); }));
 }
 
-inline Checked checked_join_faces(StripMesh& mesh, StripMesh::Halfedge chord) {
-  return detail::done_if_granted(check_join_faces(mesh, chord), [&] { return join_faces(mesh, chord); });
-}
-
-inline Checked checked_bisect(StripMesh& mesh, StripMesh::Halfedge h) {
-  return detail::vertex_if_granted(check_bisect(mesh, h), mesh, [&] { return bisect(mesh, h); });
-}
-
-inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord) {
-  return detail::done_if_granted(check_merge(mesh, chord), [&] { return merge(mesh, chord); });
-}
-
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_split_face(Target& target, detail::HalfedgeOf<Target> h) {
-  return detail::custom_if_granted(
-      target, detail::refusal_of_face_split(detail::mesh_of(target), h),
-      [&](auto& mesh) { return split_face(mesh, h); }, [&](auto& keeper) { return keeper.split_face(h); });
-}
-
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_join_faces(Target& target, detail::HalfedgeOf<Target> chord) {
-  return detail::custom_if_granted(
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_join_faces(Target& target, detail::HalfedgeOf<Target> chord) {
+  return detail::done_if_granted(
       target, detail::refusal_of_removal(detail::mesh_of(target), chord, 3, 0),
       [&](auto& mesh) { return join_faces(mesh, chord); }, [&](auto& keeper) { return keeper.join_faces(chord); });
 }
 
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_bisect(Target& target, detail::HalfedgeOf<Target> h) {
-  return detail::custom_if_granted(
-      target, detail::refusal_of_bisection(detail::mesh_of(target), h), [&](auto& mesh) { return bisect(mesh, h); },
-      [&](auto& keeper) { return keeper.bisect(h); });
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_bisect(Target& target, detail::HalfedgeOf<Target> h) {
+  return detail::with_vertex(
+      target, detail::done_if_granted(
+                  target, detail::refusal_of_bisection(detail::mesh_of(target), h),
+                  [&](auto& mesh) { return bisect(mesh, h); }, [&](auto& keeper) { return keeper.bisect(h); }));
 }
 
-template <CustomTarget Target>
-CustomChecked<detail::HalfedgeOf<Target>> checked_merge(Target& target, detail::HalfedgeOf<Target> chord) {
-  return detail::custom_if_granted(
+template <CheckedTarget Target>
+detail::CheckedOf<Target> checked_merge(Target& target, detail::HalfedgeOf<Target> chord) {
+  return detail::done_if_granted(
       target, detail::refusal_of_removal(detail::mesh_of(target), chord, 4, 2),
       [&](auto& mesh) { return merge(mesh, chord); }, [&](auto& keeper) { return keeper.merge(chord); });
 }
