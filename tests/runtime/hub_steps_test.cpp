@@ -11,7 +11,6 @@
 #include "hub_meshes.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/anneal.hpp"
 #include "restrip/search/stripify.hpp"
 #include "step_counter.hpp"
 
@@ -78,12 +77,8 @@ TEST(HubSteps, SearchesFromScratchAreLinear) {
 
 // Walks along strips end at some length, and triangles without a flaw are not examined one by one.
 TEST(HubSteps, AnnealingIsLinear) {
-  for (const std::uint32_t heat : {0U, 100U})
-    expect_linear(
-        2'000, [](StripMesh& mesh) { stripify(mesh, Effort::fast, Cost::indices()); },
-        [heat](StripMesh& mesh) {
-          anneal(mesh, Cost::indices(), {.moves = 20 * mesh.triangle_count(), .heat = heat});
-        });
+  expect_linear(2'000, nothing,
+                [](StripMesh& mesh) { stripify(mesh, Effort::full, Cost::indices(), 20 * mesh.triangle_count()); });
 }
 
 TEST(HubSteps, OrderForTheCacheIsLinear) {

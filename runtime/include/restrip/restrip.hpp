@@ -57,7 +57,6 @@
 #include "restrip/rules/exact.hpp"
 #include "restrip/rules/key.hpp"
 #include "restrip/rules/rules.hpp"
-#include "restrip/search/anneal.hpp"
 #include "restrip/search/descent.hpp"
 #include "restrip/search/end_search.hpp"
 #include "restrip/search/greedy.hpp"

@@ -15,8 +15,8 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/search/anneal.hpp"
 #include "restrip/search/greedy.hpp"
+#include "restrip/search/impl/annealing.hpp"
 #include "restrip/search/rounds.hpp"
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
@@ -29,7 +29,7 @@ enum class Effort {
   fast,  ///< one pass, linear time. Strips: greedy.hpp, about 200 to 700 triangles per strip; otherwise strips of some
          ///< 50 triangles that keep turning left and right, and a few moves at their ends
   full,  ///< strips: then rounds of tunnelling (rounds.hpp), towards one strip for each connected component; otherwise
-         ///< annealing (anneal.hpp) and a round of small windows, some 10 microseconds a triangle
+         ///< annealing and a round of small windows, some 10 microseconds a triangle
   best   ///< strips: larger limits of tunnelling; otherwise annealing for four times as long again, and larger windows
          ///< (window_rounds.hpp) for about as long as that
 };
@@ -39,7 +39,9 @@ enum class Effort {
 inline constexpr Effort default_effort = Effort::fast;
 
 /// Colours the whole mesh from scratch and returns the number of strips. The result depends only on the mesh and the
-/// arguments, and is the same on every machine. `cost` is minimised, as anneal() counts it.
+/// arguments, and is the same on every machine. `cost` is as in cost.hpp, with one addition: if swaps have a weight, a
+/// strip that begins with the wrong turn from both ends counts as one more swap, as in a written index buffer. So with
+/// Cost::indices() the length of strip_indices() is minimised.
 ///
 /// `limit` bounds the work of Effort::full and Effort::best; 0 is the default. If only strips have a weight, it counts
 /// states of searches, a few hundred nanoseconds each: by default 40 for each triangle, 1,000 with Effort::best; the
