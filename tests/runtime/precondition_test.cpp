@@ -159,7 +159,6 @@ TEST(PreconditionDeathTest, CustomOperations) {
   EXPECT_REFUSED(keeper.apply(tables::bisect, inside), "Keeper::apply", other_patch);
   const auto stay = [](const auto& patch) { return patch.side[0][0]; };
   EXPECT_REFUSED(keeper.apply(tables::bisect, inside, stay), "Keeper::apply", other_patch);
-  EXPECT_REFUSED(apply_and_join(mesh, tables::bisect, inside, stay), "apply", other_patch);
   EXPECT_REFUSED((void)before_apply(mesh, tables::bisect, inside), "apply", other_patch);
   EXPECT_FAILED(apply(mesh, tables::split_face, inside, [&](const auto&) { return rim; }),
                 "apply: the mesh does not have the triangles that the operation makes");

@@ -26,6 +26,7 @@
 #include "restrip/search/stripify.hpp"
 #include "runtime/hub_meshes.hpp"
 #include "runtime/step_counter.hpp"
+#include "shapes.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -148,6 +149,25 @@ TEST(ToolsHubSteps, SimplifyingIsLinear) {
   expect_linear(3'000, [](const Soup& soup, const ProgressiveMesh&) {
     EXPECT_GT(simplify(soup, {0.1, BoundaryPolicy::move}).wanted_triangles, 0U);
   });
+}
+
+// Open fans, two fans with walls between them, and a flat fan, whose collapses all cost the same.
+TEST(ToolsHubSteps, SimplifyingAndReplayingFansOfEveryKindIsLinear) {
+  const auto flat = [](std::uint32_t n) { return disc(n, 3); };
+  for (Soup (*const make)(std::uint32_t) : {open_cone, cylinder, +flat}) {
+    std::array<Work, 2> simplifying;
+    std::array<Work, 2> replaying;
+    for (const unsigned size : {0U, 1U}) {
+      const Soup soup = make(2'000U << size);
+      Simplification result;
+      simplifying[size] = work_of([&] { result = simplify(soup, {0.02, BoundaryPolicy::move}); });
+      EXPECT_FALSE(result.stopped_short());
+      const Plan plan("local", result.mesh);
+      replaying[size] = work_of([&] { EXPECT_TRUE(replay(plan, soup.triangles, {2, 0, 1}).valid()); });
+    }
+    EXPECT_TRUE(grows_at_most(linear, simplifying[0], simplifying[1]));
+    EXPECT_TRUE(grows_at_most(linear, replaying[0], replaying[1]));
+  }
 }
 
 // Nothing may collapse at the faults, and every remaining edge is examined.

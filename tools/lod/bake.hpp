@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lod/progressive_mesh.hpp"
-#include "restrip/formats/baked_payload.hpp"
+#include "restrip/formats/baked_file.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/baked.hpp"

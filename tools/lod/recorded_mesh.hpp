@@ -84,7 +84,6 @@ class RecordedMesh : public KernelMesh {
   /// Judges the edges of h's tail one after another; what is known about the tail is cached until the next collapse.
   /// StripMesh performs all of OpenMesh's checks, so OpenMesh need not walk.
   bool is_collapse_ok(HalfedgeHandle h) {
-    ++steps_;
     const VertexHandle tail = from_vertex_handle(h);
     const VertexHandle head = to_vertex_handle(h);
     if (status(edge_handle(h)).deleted() || status(tail).deleted() || status(head).deleted()) return false;
@@ -191,7 +190,6 @@ class RecordedMesh : public KernelMesh {
   [[nodiscard]] const StripMesh& strips() const noexcept { return strips_; }
   [[nodiscard]] const BuildReport& report() const noexcept { return report_; }
   [[nodiscard]] const std::vector<Record>& collapses() const noexcept { return collapses_; }
-  [[nodiscard]] std::size_t steps() const noexcept { return steps_; }
   [[nodiscard]] std::size_t large_vertices() const {
     return static_cast<std::size_t>(
         std::count_if(vertices_sbegin(), vertices_end(), [this](VertexHandle v) { return large(v); }));
@@ -309,7 +307,6 @@ class RecordedMesh : public KernelMesh {
     double least = 0;
     if (strips_.spoke(v_t).id == none || strips_.non_manifold(v_t) || is_crowded(v_t)) return best;
     for_each_spoke(strips_, v_t, [&](StripMesh::Halfedge h) {
-      ++steps_;
       const StripMesh::Halfedge chord = strips_.opposite(h);
       if (strips_.non_manifold(strips_.to(h)) || is_crowded(strips_.to(h)) || is_kept(chord)) return;
       if (strips_.leaves_boundary(h) && !strips_.leaves_boundary(chord)) return;
@@ -329,7 +326,6 @@ class RecordedMesh : public KernelMesh {
     const VertexHandle head = to_vertex_handle(h);
     const Vertex v_t = vertex_[index(tail)];
     const Vertex v_s = vertex_[index(head)];
-    steps_ += std::min(valence(tail), valence(head));
     if (valence(head) <= valence(tail)) return strips_.spoke(v_s, v_t);
     const StripMesh::Halfedge back = strips_.spoke(v_t, v_s);
     return back.id == none ? back : strips_.opposite(back);
@@ -340,14 +336,10 @@ class RecordedMesh : public KernelMesh {
     if (tail != marked_tail_) {
       marked_tail_ = tail;
       ++mark_;
-      for_each_spoke(strips_, tail, [this](StripMesh::Halfedge h) {
-        ++steps_;
-        marked_[strips_.to(h)] = mark_;
-      });
+      for_each_spoke(strips_, tail, [this](StripMesh::Halfedge h) { marked_[strips_.to(h)] = mark_; });
     }
     bool shared = false;
     for_each_spoke(strips_, head, [&](StripMesh::Halfedge h) {
-      ++steps_;
       const Vertex w = strips_.to(h);
       shared = shared || (marked_[w] == mark_ && w != v_l && w != v_r);
     });
@@ -410,7 +402,6 @@ class RecordedMesh : public KernelMesh {
   std::uint64_t mark_ = 0;
   Vertex marked_tail_ = none;
   std::vector<std::size_t> around_;  // triangles at each vertex; empty while OpenMesh is up to date
-  std::size_t steps_ = 0;
   std::vector<Record> collapses_;
 };
 

@@ -51,7 +51,6 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
   if (mesh.strips().triangle_count() > result.wanted_triangles)
     mesh.collapse_what_is_left(soup.points, result.wanted_triangles);
   if (mesh.strips().triangle_count() > result.wanted_triangles) result.left_out.obstacles = mesh.obstacles();
-  result.steps = mesh.steps();
 
   result.mesh.points = soup.points;
   result.mesh.base.reserve(mesh.strips().triangle_count());

@@ -52,7 +52,6 @@ struct Simplification {
   std::size_t wanted_triangles = 0;  ///< mesh.base has more if no edge of it may collapse: why_no_coarser()
   LeftOut left_out;
   [[nodiscard]] bool stopped_short() const noexcept { return mesh.base.size() > wanted_triangles; }
-  std::size_t steps = 0;  ///< edges considered, and spokes walked over to judge them
 };
 
 /// The splits lead back to exactly the soup's triangles. About 10 microseconds a collapse and 300 bytes a triangle. O(n

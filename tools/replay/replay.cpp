@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
 
 #include "common/progress.hpp"
@@ -15,6 +14,7 @@
 #include "lod/coloring_check.hpp"
 #include "replay/traced.hpp"
 #include "restrip/mesh/checks.hpp"
+#include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/output/triangle_list_buffer.hpp"
@@ -133,13 +133,7 @@ class Replay {
     const auto look = [&](std::vector<Level>& levels, std::size_t at) {
       levels[at].buffer_indices = buffer.indices().size();
       levels[at].acmr = acmr(buffer.indices(), 16, mesh_.triangle_count());
-      std::vector<Corners> drawn;
-      if constexpr (std::is_same_v<Buffer, StripBuffer>)
-        drawn = decode_strips(buffer.indices());
-      else
-        for (std::size_t i = 0; i < buffer.indices().size(); i += 3)
-          drawn.push_back({buffer.indices()[i], buffer.indices()[i + 1], buffer.indices()[i + 2]});
-      if (sorted_triangles(drawn) != sorted_triangles(triangles_of(mesh_)))
+      if (!check_buffer(buffer, mesh_).right())
         report_.faults.push_back(fmt::format(
             "at {} triangles the index buffer that was kept in step does not draw the mesh", mesh_.triangle_count()));
     };

@@ -19,8 +19,6 @@
 namespace restrip {
 namespace {
 
-static_assert(policy_named("linked") == &row_of(Policy::linked) && policy_named("none such") == nullptr);
-
 /// The cost after the same operations under each policy, from the shortest look to the longest. On a mesh of a
 /// quarter of the size chance decides between the two that look furthest.
 void expect_less_with_each_policy(Cost cost, Policy first) {

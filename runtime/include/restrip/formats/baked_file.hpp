@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "restrip/formats/baked_payload.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/baked.hpp"
 
@@ -26,6 +25,16 @@ struct BakedSplit {
   Vertex v_t = none;
   Vertex v_l = none;
   Vertex v_r = none;
+};
+
+/// User data for each record, the same number of bytes for all: a texture coordinate, an error bound, a priority.
+struct BakedPayload {
+  std::size_t bytes = 0;  ///< for each record; 0: none
+  std::vector<std::byte> all;
+
+  [[nodiscard]] std::span<const std::byte> operator[](std::size_t record) const noexcept {
+    return std::span(all).subspan(record * bytes, bytes);
+  }
 };
 
 struct BakedFile {

@@ -87,20 +87,6 @@ BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests,
 BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Halfedge> chords,
                            const BatchOptions& options = {});
 
-/// Two requests of a list, by their places in it.
-struct Overlap {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  friend constexpr bool operator==(const Overlap&, const Overlap&) = default;
-};
-
-/// The first request that overlaps an earlier one, with the first such earlier request. Refused requests overlap
-/// nothing. O(triangles of the mesh + sum of valences).
-[[nodiscard]] std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
-                                                            std::span<const SplitRequest> requests);
-[[nodiscard]] std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
-                                                            std::span<const StripMesh::Halfedge> chords);
-
 /// Records which operation owns which part of a mesh, to choose operations for a batch or to report conflicts.
 ///
 /// Two operations overlap when they claim the same triangle or the same vertex:

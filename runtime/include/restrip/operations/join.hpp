@@ -69,11 +69,6 @@ Rewrite<typename Mesh::Halfedge> collapse_and_join(Mesh& mesh, typename Mesh::Ha
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfedge h);
 
-/// apply(), likewise.
-template <ColoredMesh Mesh, SurfaceTable Table, class Change>
-Rewrite<typename Mesh::Halfedge> apply_and_join(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
-                                                Change&& change, Exchange exchange = Exchange::no);
-
 }  // namespace restrip
 
 #include "restrip/operations/impl/join.hpp"

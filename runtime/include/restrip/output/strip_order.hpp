@@ -16,20 +16,13 @@
 
 namespace restrip {
 
-/// The work that order_for_vertex_cache() did.
-struct StripOrderCounts {
-  std::size_t tried = 0;         ///< beginnings of strips that were compared
-  std::size_t indices_read = 0;  ///< of these
-};
-
 /// Orders strips for a first-in-first-out vertex cache of `cache_size` vertices, and reverses some, so that it misses
 /// less often (vertex_cache.hpp counts misses). strip_indices(mesh, …) draws the same triangles with the same number of
 /// indices: a strip is reversed only if that takes no additional index. `strips` must be the strips of the mesh as it
 /// is now. Linear time: at most 64 beginnings of at most 2 * cache_size indices are compared for each strip.
 /// Deterministic. Needs about 60 bytes a triangle during the call. A `cache_size` of 0 means no cache: nothing changes.
 template <NumberedMesh Mesh>
-[[nodiscard]] Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_t cache_size = 16,
-                                            StripOrderCounts* counts = nullptr);
+[[nodiscard]] Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_t cache_size = 16);
 
 }  // namespace restrip
 

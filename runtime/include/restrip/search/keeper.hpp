@@ -174,8 +174,6 @@ class Keeper {
     const Cost& weights = descent_.cost();
     return weights.restart * strips_ + weights.swap * swaps_ + weights.isolated * isolated_;
   }
-  /// The changes by the last operation, under a cost that weighs swaps or isolated triangles.
-  [[nodiscard]] const ColoringChange& last_change() const noexcept { return change_; }
   /// Counts of rules used and not used in all operations so far.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return choice_.counts(); }
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
@@ -236,7 +234,6 @@ class Keeper {
   Triangle next_ = 0;          // of the descent
   std::size_t unsettled_ = 0;  // triangles that it still has to pass
   WindowRounds windows_;
-  ColoringChange change_;
   Window window_;  // after an operation and its search
   // For operations that do not count.
   detail::Surroundings<Mesh> around_;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "restrip/search/end_search.hpp"
 
@@ -102,12 +101,6 @@ inline constexpr std::array policies{
 
 [[nodiscard]] constexpr const PolicyRow& row_of(Policy policy) noexcept {
   return policies[static_cast<std::size_t>(policy)];
-}
-/// Null if the name is unknown.
-[[nodiscard]] constexpr const PolicyRow* policy_named(std::string_view name) noexcept {
-  for (const PolicyRow& row : policies)
-    if (name == row.name) return &row;
-  return nullptr;
 }
 static_assert([] {
   for (std::size_t i = 0; i < policies.size(); ++i)

@@ -172,16 +172,6 @@ BatchFault fault_in(const StripMesh& mesh, std::span<const Request> requests) {
   return report.fault;
 }
 
-template <class Request>
-std::optional<Overlap> first_overlap(const StripMesh& mesh, std::span<const Request> requests) {
-  PatchClaims claims(mesh);
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (check_request(mesh, requests[i]) != Refusal::granted) continue;
-    if (const auto earlier = claims.claim(requests[i], i)) return Overlap{*earlier, i};
-  }
-  return std::nullopt;
-}
-
 /// Runs perform(i), which returns a Rewrite, for every request and adds up.
 template <class Perform>
 void run_batch(std::size_t requests, unsigned threads, BatchReport& report, const Perform& perform) {
@@ -221,14 +211,6 @@ inline std::optional<std::size_t> PatchClaims::claim(StripMesh::Halfedge chord, 
   RESTRIP_ASSERT(detail::check_request(mesh_, chord) == Refusal::granted, "PatchClaims::claim",
                  describe(detail::check_request(mesh_, chord)));
   return claim_patch(chord, number);
-}
-
-inline std::optional<Overlap> overlapping_operations(const StripMesh& mesh, std::span<const SplitRequest> requests) {
-  return detail::first_overlap(mesh, requests);
-}
-inline std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
-                                                     std::span<const StripMesh::Halfedge> chords) {
-  return detail::first_overlap(mesh, chords);
 }
 
 inline BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options) {

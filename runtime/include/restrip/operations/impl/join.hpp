@@ -460,11 +460,4 @@ Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first,
 
 }  // namespace detail
 
-template <ColoredMesh Mesh, SurfaceTable Table, class Change>
-Rewrite<typename Mesh::Halfedge> apply_and_join(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
-                                                Change&& change, Exchange exchange) {
-  const auto done = apply(mesh, table, where, change);
-  return detail::with(done, detail::join_patch(mesh, table, done.halfedge, exchange));
-}
-
 }  // namespace restrip

@@ -63,8 +63,6 @@ class StripOrder {
     return order;
   }
 
-  [[nodiscard]] const StripOrderCounts& counts() const noexcept { return counts_; }
-
  private:
   static constexpr std::size_t most_tried = 64;
 
@@ -108,12 +106,10 @@ class StripOrder {
   };
 
   Gain gain_of(Choice choice) {
-    ++counts_.tried;
     ++trial_;
     std::size_t misses = misses_;
     std::size_t misses_alone = 0;
     for (const std::uint32_t v : beginning(choice)) {
-      ++counts_.indices_read;
       const bool met = trial_of_[v] == trial_;
       const std::size_t last = met ? trial_came_in_[v].shared : came_in_[v];
       if (!met) trial_came_in_[v] = {last, 0};
@@ -186,7 +182,6 @@ class StripOrder {
   std::vector<std::size_t> first_of_;
   std::vector<std::size_t> end_of_;
   std::vector<Choice> choices_;
-  StripOrderCounts counts_;
 };
 
 }  // namespace restrip::detail
@@ -194,10 +189,8 @@ class StripOrder {
 namespace restrip {
 
 template <NumberedMesh Mesh>
-Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_t cache_size,
-                              StripOrderCounts* counts) {
+Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_t cache_size) {
   RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "order_for_vertex_cache", detail::not_strips);
-  if (counts != nullptr) *counts = {};
   if (cache_size == 0 || strips.size() < 2) return strips;
   // strip_indices() writes a strip as listed if the other end would not take fewer indices.
   Strips turned = strips;
@@ -215,7 +208,6 @@ Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_
     ordered.order.insert(ordered.order.end(), triangles.begin(), triangles.end());
     ordered.start.push_back(ordered.order.size());
   }
-  if (counts != nullptr) *counts = order.counts();
   return ordered;
 }
 

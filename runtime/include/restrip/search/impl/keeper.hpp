@@ -129,7 +129,6 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(const Rewrite<Halfedge>& 
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, const ColoringChange& change,
                                                        bool improved) {
-  change_ = change;
   swaps_ += static_cast<std::size_t>(change.swaps);
   done.strips = change.strips;
   done.isolated = change.isolated;
