@@ -1,5 +1,5 @@
 // The neighbours in a triangle list are the ones of a table of all edges, for any list; the report says
-// what is wrong with it, and a trusted list has the same neighbours.
+// what is wrong with it.
 #include "restrip/mesh/triangle_list.hpp"
 
 #include <gtest/gtest.h>
@@ -104,12 +104,6 @@ void expect_table(const std::vector<Corners>& list, std::size_t vertices) {
           StripMesh::on_boundary(there) ? none : 4 * origin[StripMesh::triangle(there)] + StripMesh::side(there);
       ASSERT_EQ(named, across[origin[t]][s]);
     }
-  const std::size_t faults = report.degenerate_triangles + report.out_of_range_triangles + report.non_manifold_edges +
-                             report.inconsistent_edges;
-  if (faults != 0) return;
-  Across of_trusted(list.size());
-  find_neighbors(trusted, TriangleList(list), vertices, of_trusted);
-  ASSERT_EQ(of_trusted, across);
 }
 
 TEST(TriangleList, NeighborsAreRightInEverySoup) {

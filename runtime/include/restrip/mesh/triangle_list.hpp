@@ -3,7 +3,7 @@
 //   const TriangleList list(indices);                        // or triples of corners
 //   std::vector<std::array<std::uint32_t, 3>> across(list.size());
 //   BuildReport report;
-//   find_neighbors(list, vertex_count, across, report);      // or find_neighbors(trusted, list, vertex_count, across)
+//   find_neighbors(list, vertex_count, across, report);
 #pragma once
 
 #include <array>
@@ -42,12 +42,6 @@ struct BuildReport {
   std::size_t non_manifold_vertices =
       0;  ///< vertices of several fans, or on one of the edges above: operations refuse them
 };
-
-/// States that a list is known to be an oriented manifold: each corner is a vertex, no triangle has a corner twice, and
-/// each directed edge is in one triangle at most. This is then not checked, which saves up to a tenth of the time of
-/// strips_of() with Effort::fast. Debug builds check it; other builds crash or draw wrong strips if it does not hold.
-struct Trusted {};
-inline constexpr Trusted trusted;
 
 /// A view of a triangle list, counter-clockwise, three corners for each triangle: `Element` is an unsigned integer of
 /// 16 or 32 bits, or std::array<Vertex, 3>. The viewed memory must outlive it.
@@ -107,10 +101,6 @@ TriangleList(const Elements&)
 template <class Element>
 void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
                     std::span<std::array<std::uint32_t, 3>> across, BuildReport& report);
-/// The same for a list that is known to be an oriented manifold.
-template <class Element>
-void find_neighbors(Trusted trust, const TriangleList<Element>& list, std::size_t vertex_count,
-                    std::span<std::array<std::uint32_t, 3>> across);
 
 }  // namespace restrip
 

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -28,11 +27,6 @@ template <class Triangles>
 [[nodiscard]] IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count,
                                     const StripFormat& format = {}, Effort effort = default_effort,
                                     Cost cost = default_cost, BuildReport* report = nullptr);
-/// The same for a list that is known to be an oriented manifold, as strips_of(trusted, list, vertex_count).
-template <class Triangles>
-[[nodiscard]] IndexBuffer strips_of(Trusted trust, const Triangles& triangles, std::size_t vertex_count,
-                                    const StripFormat& format = {}, Effort effort = default_effort,
-                                    Cost cost = default_cost);
 
 namespace detail {
 
@@ -58,9 +52,9 @@ class ListedStrips {
 };
 
 template <class Element>
-std::vector<std::uint32_t> strips_of_list(const TriangleList<Element>& list, ColoringCopy colors, Effort effort,
+std::vector<std::uint32_t> strips_of_list(const TriangleList<Element>& list, std::size_t vertex_count, Effort effort,
                                           Cost cost) {
-  Annealing annealing(std::move(colors), cost, 1);
+  Annealing annealing(ColoringCopy(list, vertex_count), cost, 1);
   color_from_scratch(annealing, effort, cost, 0, 1);
   const ListedStrips<Element> strips(list, annealing.colors());
   return SidedWriter(strips).run();
@@ -72,23 +66,11 @@ template <class Triangles>
 IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count, const StripFormat& format, Effort effort,
                       Cost cost, BuildReport* report) {
   if (report == nullptr && cost.swap != 0) {
-    const TriangleList list(triangles);
-    return format_strips(detail::strips_of_list(list, detail::ColoringCopy(list, vertex_count), effort, cost), format);
+    return format_strips(detail::strips_of_list(TriangleList(triangles), vertex_count, effort, cost), format);
   }
   StripMesh mesh = StripMesh::build(triangles, vertex_count, report);
   stripify(mesh, effort, cost);
   return format_strips(strip_indices(mesh), format);
-}
-
-template <class Triangles>
-IndexBuffer strips_of(Trusted /*trust*/, const Triangles& triangles, std::size_t vertex_count,
-                      const StripFormat& format, Effort effort, Cost cost) {
-  const TriangleList list(triangles);
-  RESTRIP_ASSERT(detail::is_oriented_manifold(list, vertex_count), "strips_of",
-                 "the trusted list is not an oriented manifold");
-  if (cost.swap == 0) return strips_of(triangles, vertex_count, format, effort, cost);
-  return format_strips(detail::strips_of_list(list, detail::ColoringCopy(trusted, list, vertex_count), effort, cost),
-                       format);
 }
 
 }  // namespace restrip

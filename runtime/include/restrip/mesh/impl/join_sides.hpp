@@ -29,9 +29,8 @@ namespace detail {
 ///
 /// `Sides`: triangle_bound(); takes(t), whether t has sides; corner(h), the vertex that h leaves; link(h), a place for
 /// a number of 32 bits, written before it is read; joined(h), its content if h is across, or not_joined; odd_edge(v,
-/// w), called for each odd edge. Unless `checked`, each directed edge must exist at most once, in a triangle that is
-/// taken.
-template <bool checked, class Sides>
+/// w), called for each odd edge.
+template <class Sides>
 class JoinSides {
  public:
   JoinSides(const Sides& sides, std::size_t vertex_count, BuildReport& report)
@@ -40,10 +39,8 @@ class JoinSides {
   void run() {
     make_lists();
     for (std::uint32_t v = 0; v < lists_.size(); ++v) read_list(v);
-    if constexpr (checked) {
-      report_.boundary_edges += alone_;
-      join_odd_edges();
-    }
+    report_.boundary_edges += alone_;
+    join_odd_edges();
   }
 
  private:
@@ -62,7 +59,7 @@ class JoinSides {
 
   void make_lists() {
     for (std::uint32_t t = 0; t < sides_.triangle_bound(); ++t) {
-      if (checked && !sides_.takes(t)) continue;
+      if (!sides_.takes(t)) continue;
       for (std::uint32_t h = t << 2; h < (t << 2 | 3U); ++h) {
         std::uint32_t& first = lists_[std::min(sides_.corner(h), sides_.corner(next(h)))];
         sides_.link(h) = first;
@@ -78,15 +75,15 @@ class JoinSides {
       const std::uint32_t high = from + sides_.corner(next(h)) - low;
       Edge& edge = edges_[high];
       const bool met = edge.low == low;
-      if (checked && met && ((edge.side & second) != 0 || sides_.corner(edge.side) == from)) {
+      if (met && ((edge.side & second) != 0 || sides_.corner(edge.side) == from)) {
         put_odd(h, edge, low, high);
         continue;
       }
       const std::uint32_t g = met ? edge.side : h;
       sides_.link(g) = met ? sides_.joined(h) : Sides::not_joined;
       sides_.link(h) = met ? sides_.joined(g) : Sides::not_joined;
-      if (checked) alone_ += met ? std::size_t{0} - 1 : 1;
-      edge = {low, checked && met ? h | second : h};
+      alone_ += met ? std::size_t{0} - 1 : 1;
+      edge = {low, met ? h | second : h};
     }
   }
 
@@ -214,7 +211,7 @@ class JoinSides {
 };
 
 /// The sides of a list, for JoinSides.
-template <bool checked, class Element>
+template <class Element>
 class ListedSides {
  public:
   static constexpr std::uint32_t not_joined = none;
@@ -247,16 +244,6 @@ inline void expect_vertices(std::size_t vertex_count) {
   if (vertex_count > none) RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
 }
 
-template <class Element>
-bool is_oriented_manifold(const TriangleList<Element>& list, std::size_t vertex_count) {
-  std::vector<std::array<std::uint32_t, 3>> across(list.size());
-  BuildReport report;
-  find_neighbors(list, vertex_count, across, report);
-  return report.degenerate_triangles + report.out_of_range_triangles + report.non_manifold_edges +
-             report.inconsistent_edges ==
-         0;
-}
-
 }  // namespace detail
 
 template <class Element>
@@ -265,20 +252,8 @@ void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
   RESTRIP_ASSERT(across.size() == list.size(), "find_neighbors", "`across` must have one element for each triangle");
   detail::expect_vertices(vertex_count);
   report = {};
-  const detail::ListedSides<true, Element> sides(list, vertex_count, across, report);
-  detail::JoinSides<true, detail::ListedSides<true, Element>>(sides, vertex_count, report).run();
-}
-
-template <class Element>
-void find_neighbors(Trusted /*trust*/, const TriangleList<Element>& list, std::size_t vertex_count,
-                    std::span<std::array<std::uint32_t, 3>> across) {
-  RESTRIP_ASSERT(across.size() == list.size(), "find_neighbors", "`across` must have one element for each triangle");
-  detail::expect_vertices(vertex_count);
-  RESTRIP_ASSERT(detail::is_oriented_manifold(list, vertex_count), "find_neighbors",
-                 "the trusted list is not an oriented manifold");
-  BuildReport report;
-  const detail::ListedSides<false, Element> sides(list, vertex_count, across, report);
-  detail::JoinSides<false, detail::ListedSides<false, Element>>(sides, vertex_count, report).run();
+  const detail::ListedSides<Element> sides(list, vertex_count, across, report);
+  detail::JoinSides<detail::ListedSides<Element>>(sides, vertex_count, report).run();
 }
 
 }  // namespace restrip

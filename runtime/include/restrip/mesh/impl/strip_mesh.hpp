@@ -440,7 +440,7 @@ StripMesh StripMesh::build(const Triangles& triangles, std::size_t vertex_count,
     }
   }
 
-  detail::JoinSides<true, Sides>(Sides(mesh), vertex_count, report).run();
+  detail::JoinSides<Sides>(Sides(mesh), vertex_count, report).run();
   mesh.find_non_manifold_vertices(report);
   if (report_out != nullptr) *report_out = report;
   return mesh;

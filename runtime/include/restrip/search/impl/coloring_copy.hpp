@@ -48,11 +48,6 @@ class ColoringCopy {
       --triangles_;
     }
   }
-  template <class Element>
-  ColoringCopy(Trusted /*trust*/, const TriangleList<Element>& list, std::size_t vertex_count)
-      : across_(list.size()), alive_(list.size(), true), triangles_(list.size()), solid_(list.size(), 0) {
-    find_neighbors(trusted, list, vertex_count, across_);
-  }
   /// Colours the mesh.
   template <SidedMesh Mesh>
   void give(Mesh& mesh) const {
