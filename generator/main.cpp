@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>

@@ -4,7 +4,6 @@
 // copy of the live buffer that receives only the reported ranges draws the triangles of the mesh.
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <random>
 #include <set>
 #include <span>

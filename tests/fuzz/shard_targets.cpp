@@ -1,5 +1,4 @@
 // The generator's shards.
-#include <set>
 
 #include "common/digest.hpp"
 #include "tables/certificate_text.hpp"

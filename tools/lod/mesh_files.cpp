@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <system_error>
-#include <utility>
 
 #include "common/bad_input.hpp"
 #include "common/reading.hpp"
