@@ -159,7 +159,7 @@ TEST(TriangleList, PairsThePagesOfABookInLinearTime) {
     for (Vertex p = 2; p < pages + 2; ++p) list.insert(list.end(), {{0, 1, p}, {1, 0, p}});
     BuildReport report;
     const CountingSides sides(list);
-    detail::JoinSides<true, CountingSides>(sides, pages + 2, report).run();
+    detail::JoinSides<CountingSides>(sides, pages + 2, report).run();
     asked[pages / 4'000] = sides.asked;
     EXPECT_EQ(report.non_manifold_edges, 1U);
     std::size_t backs = 0;

@@ -1,8 +1,6 @@
 // Strips from scratch under a cost: valid, the same every time, not more expensive with more effort, and the cheapest
 // possible on meshes small enough to try every colouring. Costs are counted here from the strips and the index buffer,
 // not from the sums of the search.
-#include "restrip/search/impl/annealing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

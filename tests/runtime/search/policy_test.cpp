@@ -54,7 +54,9 @@ TEST(Policies, ReadmeHasTheirTable) {
     EXPECT_NE(readme.find(line), std::string::npos) << line;
   }
   static_assert(default_policy == Policy::quick && default_cost == Cost::indices() && default_effort == Effort::fast);
-  EXPECT_NE(readme.find("Strips are made with `fast`\nand kept with `quick`, for few indices"), std::string::npos);
+  EXPECT_NE(
+      readme.find("the effort `fast` for strips from scratch and the\npolicy `quick`, both with the cost of indices"),
+      std::string::npos);
 }
 
 // The other interfaces have the same policies in the same order, and the same defaults.
