@@ -4,7 +4,6 @@
 // That one first.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -20,10 +19,19 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace sms = CGAL::Surface_mesh_simplification;
 
+/// CGAL has one of its own, and renamed it in version 6.
+struct StopBelow {
+  std::size_t edges;
+  template <class Cost, class Profile>
+  bool operator()(const Cost& /*cost*/, const Profile& /*profile*/, std::size_t /*first*/, std::size_t now) const {
+    return now < edges;
+  }
+};
+
 /// To a quarter of its edges.
 template <class Visitor>
 void simplify_by(Mesh& mesh, const Visitor& visitor) {
-  sms::edge_collapse(mesh, sms::Count_stop_predicate<Mesh>(mesh.number_of_edges() / 4),
+  sms::edge_collapse(mesh, StopBelow{mesh.number_of_edges() / 4},
                      CGAL::parameters::get_cost(sms::Edge_length_cost<Mesh>())
                          .get_placement(sms::Midpoint_placement<Mesh>())
                          .visitor(visitor));

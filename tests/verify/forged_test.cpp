@@ -37,7 +37,7 @@ struct Forgery {
   const NaiveOperation& naive() const { return section->operations.front(); }
 };
 
-const Forgery& forgery_of(const std::string& name) {
+const Forgery& forgery_of(const char* name) {
   static std::map<std::string, Forgery> known;
   return known.try_emplace(name, name).first->second;
 }
@@ -58,7 +58,7 @@ std::string sealed(const std::string& certificate) {
 
 TEST(ForgedCertificate, IsRefusedForItsCrime) {
   for (const Alteration& alteration : alterations("certificates.txt")) {
-    const Forgery& good = forgery_of(alteration.of);
+    const Forgery& good = forgery_of(alteration.of.c_str());
     expect_refused(verdict_on(good.path, sealed(alteration.in(good.certificate)), {}), alteration.says);
   }
   EXPECT_EQ(verdict_on(forgery_of("merge").path, forgery_of("merge").certificate, {}).exit_code, 0);
@@ -93,7 +93,7 @@ TEST(ForgedCertificate, RowsThatAreWorseByOneCriterion) {
 
 TEST(ForgedCertificate, EveryClaimThatIsWrong) {
   std::size_t tried = 0;
-  for (const std::string name : {"bisect-costs", "merge-face-matching"}) {
+  for (const char* const name : {"bisect-costs", "merge-face-matching"}) {
     const Forgery& good = forgery_of(name);
     for (std::size_t i = 0; i < good.table.claims.size(); ++i)
       for (const long by : {-1, 1}) {
@@ -127,7 +127,7 @@ TEST(ForgedCertificate, WithoutItsEnd) {
 
 TEST(ForgedDump, IsRefusedForItsCrime) {
   for (const Alteration& alteration : alterations("dumps.txt")) {
-    const Forgery& good = forgery_of(alteration.of);
+    const Forgery& good = forgery_of(alteration.of.c_str());
     expect_refused(verdict_on(good.path, {}, alteration.in(good.dump)), alteration.says);
   }
   const Forgery& bisect = forgery_of("bisect-costs");
