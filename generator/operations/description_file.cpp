@@ -141,7 +141,7 @@ TrianglePatterns triangles_from(const JsonValue& value, const std::vector<std::s
 
 std::vector<StretchPattern> stretches_of_rim_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   std::vector<StretchPattern> stretches;
-  for (const JsonValue& stretch : value.elements("stretches of the rim")) {
+  for (const JsonValue& stretch : value.elements("stretches of the outline")) {
     const std::vector<JsonValue> ends = stretch.elements("vertices", 2, 2);
     stretches.push_back({vertex_from(ends[0], numbers, ""), vertex_from(ends[1], numbers, "")});
   }

@@ -114,7 +114,7 @@ class Disc {
     for (const Corners& c : corners_)
       for (const unsigned v : c) ++meeting[v];
     for (const auto& [v, all] : meeting) {
-      // Starts at the rim if the vertex is on it, so that one turn reaches the whole fan.
+      // Starts at the outline if the vertex is on it, so that one turn reaches the whole fan.
       const auto rim = rim_.find(v);
       if (rim != rim_.end() && rim->second.size() > 1)
         fail(-1, fmt::format("the triangles around {} are {} fans, expected one", names_[v], rim->second.size()));
@@ -148,9 +148,9 @@ class Disc {
     }
     if (const auto apart = std::find(met.begin(), met.end(), false); apart != met.end())
       fail(static_cast<int>(apart - met.begin()), "this triangle is not connected to triangle 0 over edges");
-    if (rim_.empty()) fail(-1, "expected a disc, these triangles close up and have no rim");
+    if (rim_.empty()) fail(-1, "expected a disc, these triangles close up and have no outline");
     if (rim_from(rim_.begin()->first).size() != rim_.size())
-      fail(-1, "expected a disc, the rim of these triangles has several parts");
+      fail(-1, "expected a disc, the outline of these triangles has several parts");
     std::set<unsigned> vertices;
     for (const Corners& c : corners_) vertices.insert(c.begin(), c.end());
     const std::size_t edges = (sides_.size() + rim_.size()) / 2;
@@ -161,10 +161,10 @@ class Disc {
   Names& names_;
   std::vector<Corners> corners_;
   std::map<Ends, SideOf> sides_;
-  std::map<unsigned, std::vector<unsigned>> rim_;  ///< the next vertices of the rim
+  std::map<unsigned, std::vector<unsigned>> rim_;  ///< the next vertices of the outline
 };
 
-/// The edges of the rim that lie on the boundary of the mesh.
+/// The edges of the outline that lie on the boundary of the mesh.
 std::set<Ends> boundary_of(const Disc& disc, const NamedPatch& named, const Names& names) {
   std::set<Ends> edges;
   for (std::size_t i = 0; i < named.boundary.size(); ++i) {
@@ -173,7 +173,7 @@ std::set<Ends> boundary_of(const Disc& disc, const NamedPatch& named, const Name
     if (from == to) refuse("expected two different vertices");
     for (const std::string& name : named.boundary[i])
       if (const auto v = names.find(name); !v || !disc.on_rim(*v))
-        refuse(fmt::format("expected vertices of the rim on both sides; {} is not one {} the operation", name,
+        refuse(fmt::format("expected vertices of the outline on both sides; {} is not one {} the operation", name,
                            disc.member()));
     const unsigned last = *names.find(to);
     for (const Ends& edge : disc.rim_from(*names.find(from))) {
@@ -184,7 +184,7 @@ std::set<Ends> boundary_of(const Disc& disc, const NamedPatch& named, const Name
   return edges;
 }
 
-/// The ports in order, by the directed edges of the rim before the operation.
+/// The ports in order, by the directed edges of the outline before the operation.
 std::vector<Ends> ports_of(const Disc& before, const std::set<Ends>& boundary) {
   for (unsigned t = 0; t < before.corners().size(); ++t)
     for (unsigned s = 0; s < 3; ++s) {
@@ -204,8 +204,10 @@ void expect_rim_of(const Disc& other, const std::set<Ends>& open_there, const Di
     for (unsigned s = 0; s < 3; ++s) {
       const Ends edge = disc.side(t, s);
       if (!disc.on_rim(edge) || open.contains(edge) || (other.on_rim(edge) && !open_there.contains(edge))) continue;
-      disc.fail(static_cast<int>(t), fmt::format("{} is an edge of the rim {} the operation, but not {} it",
-                                                 names.edge(edge), disc.member(), other.member()));
+      disc.fail(
+          static_cast<int>(t),
+          fmt::format("{} is an edge of the outline {} the operation, but not {} it; both sides need the same outline",
+                      names.edge(edge), disc.member(), other.member()));
     }
 }
 
@@ -229,7 +231,8 @@ Side numbered(const Disc& disc, const std::vector<Ends>& ports, std::vector<std:
     of[at.triangle][at.side] = static_cast<std::uint8_t>(SurfaceTriangle::port_side + p);
   }
   if (side.owner.empty() || side.owner.size() > most_ports)
-    disc.fail(-1, fmt::format("expected 1 to {} ports, the edges of the rim that are not on the boundary", most_ports));
+    disc.fail(-1,
+              fmt::format("expected 1 to {} ports, the edges of the outline that are not on the boundary", most_ports));
   if (side.edges.size() + side.owner.size() > most_edges_and_ports)
     disc.fail(-1, fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
   return side;

@@ -31,7 +31,7 @@ struct TrianglePattern {
 /// A side for all positions.
 using TrianglePatterns = std::vector<TrianglePattern>;
 
-/// A stretch of the rim, from a vertex to a vertex.
+/// A stretch of the outline, from a vertex to a vertex.
 using StretchPattern = std::array<IndexedName, 2>;
 
 /// The triangles at one position, named as in the file of a single operation: u[3] is u_3. If a side has too many
@@ -70,7 +70,7 @@ struct PatchFault : std::runtime_error {
   int element;  ///< -1: the whole member
 };
 
-/// Throws PatchFault if the triangles are not discs with the same rim.
+/// Throws PatchFault if the triangles are not discs with the same outline.
 [[nodiscard]] SurfacePatch surface_patch(const NamedPatch& named);
 
 }  // namespace restrip::generator

@@ -142,8 +142,8 @@ std::map<Name, Along> ports_at(const Complex& complex, const NamedSurface& surfa
     const auto fail = [i](const std::string& what) { throw SurfaceFault{"boundary", i, what}; };
     for (const Name& end : {from, to})
       if (!complex.rim().contains(end))
-        fail(fmt::format("expected vertices that the rim has on both sides, \"{}\" is not on it {} the operation", end,
-                         complex.member()));
+        fail(fmt::format("expected vertices that the outline has on both sides, \"{}\" is not on it {} the operation",
+                         end, complex.member()));
     if (from == to) fail("expected two different vertices");
     for (Name at = from; at != to; at = complex.rim().at(at).to)
       if (ports.erase(at) == 0) fail(fmt::format("expected stretches that are apart, the edge at {} is in two", at));
@@ -155,7 +155,7 @@ void expect_among(const std::map<Name, Along>& ports, const Complex& complex, co
                   const Complex& other) {
   for (const auto& [from, port] : ports)
     if (const auto same = others.find(from); same == others.end() || same->second.to != port.to)
-      complex.fail(port.triangle, fmt::format("expected the same rim on both sides, the edge {} {} is on it {} the "
+      complex.fail(port.triangle, fmt::format("expected the same outline on both sides, the edge {} {} is on it {} the "
                                               "operation but not {} it",
                                               from, port.to, complex.member(), other.member()));
 }
@@ -200,7 +200,7 @@ SurfaceGraphs graphs_of(const NamedSurface& surface) {
   expect_among(ports_before, before, ports_after, after);
   expect_among(ports_after, after, ports_before, before);
 
-  // Once around the rim before the operation, from the first port in the file.
+  // Once around the outline before the operation, from the first port in the file.
   const auto earlier = [](const auto& a, const auto& b) {
     return std::tie(a.second.triangle, a.second.side) < std::tie(b.second.triangle, b.second.side);
   };

@@ -39,7 +39,7 @@ struct SurfaceFault {
   std::string what;  ///< "expected …, found …"
 };
 
-/// Throws SurfaceFault unless both sides are discs of triangles with the same rim, apart from edges on the boundary of
+/// Throws SurfaceFault unless both sides are discs of triangles with the same outline, apart from edges on the boundary of
 /// the mesh. The caller checks the limits on triangles, edges and ports.
 SurfaceGraphs graphs_of(const NamedSurface& surface);
 
