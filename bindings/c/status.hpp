@@ -59,7 +59,7 @@ constexpr const char* text_of(restrip_status status) noexcept {
     case RESTRIP_NULL_ARGUMENT:
       return "a pointer that must not be null is null";
     case RESTRIP_BAD_ARGUMENT:
-      return "a number is outside its range";
+      return "an argument is outside its range or not supported here: see the function's comment";
     case RESTRIP_BAD_COLORING:
       return "the colours are not a valid colouring";
     case RESTRIP_TOO_LARGE:

@@ -79,7 +79,7 @@ enum {
 
   /* Everything else. */
   RESTRIP_NULL_ARGUMENT = 100, /* a pointer that must not be null is null */
-  RESTRIP_BAD_ARGUMENT = 101,  /* a number is outside its range */
+  RESTRIP_BAD_ARGUMENT = 101,  /* outside its range, or not supported here: see the function */
   RESTRIP_BAD_COLORING = 102,  /* the colours given are not a valid colouring */
   RESTRIP_TOO_LARGE = 103,     /* more than a mesh can hold, or a vertex that 16-bit indices cannot name */
   RESTRIP_TOO_SMALL = 104,     /* the array given is too short; the size needed has been written */
@@ -385,13 +385,15 @@ RESTRIP_API void restrip_buffer_free(restrip_buffer* buffer);
 /* An index buffer kept in step with the mesh; an update writes only the changes. A mesh has one at a time. */
 
 /* Forms of the buffer. Draw strips as a triangle strip with primitive restart. They usually take at most 1.10 times the
- * indices that the strips need, and up to 1.2 times if strips repeat no index, as in a grid. Draw a list as a triangle
- * list: an update writes less, and the buffer is about twice as long. */
+ * indices that the strips need, and after many scattered operations, or in a grid, up to 1.2 times (stitched: 1.25).
+ * Draw a list as a triangle list: an update writes less, and the buffer is about twice as long. */
 enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RESTRIP_LIST_U16 = 3 };
 /* Starts a live buffer, and ends a previous one; the first update writes it. O(1). */
 RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
 /* The same for any format, without limits of a batch (else RESTRIP_BAD_ARGUMENT). A live buffer stays strips. With 0
- * for index_bits it has 16 bits until a vertex needs 32. */
+ * for index_bits it has 16 bits until a vertex needs 32. If a draw call is limited to N indices, N even, draw a
+ * stitched buffer in windows [(N - 2) i, (N - 2) i + N), cut off at its end: they overlap by two indices and begin at
+ * even places, so they draw each triangle once, with its winding. */
 RESTRIP_API restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format);
 /* Brings the buffer in step with the mesh. *ranges receives the ranges that may have changed, ascending and disjoint,
  * to be copied to the device, and *range_count their number; the buffer may have become longer or shorter

@@ -52,7 +52,8 @@ class BasicLiveMesh {
  public:
   using Halfedge = typename Mesh::Halfedge;
 
-  /// `triangles`: as for StripMesh::build. `report` receives the counts of triangles left out.
+  /// `triangles`: as for StripMesh::build, which leaves out triangles with a corner twice or out of range. Only
+  /// `report` counts them; check it unless the triangles are known to be good.
   template <class Triangles>
   BasicLiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
                 BuildReport* report = nullptr)
@@ -115,7 +116,9 @@ class BasicLiveMesh {
   }
   /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
   /// restored exactly, and so are the indices of strips, unless their width has changed since. False when there is
-  /// nothing to undo or redo. Call update() next, which returns the ranges to upload. Linear time in the mesh.
+  /// nothing to undo or redo. Call update() next, which returns the ranges to upload. Your data of vertices is not
+  /// restored, and the numbers of removed vertices are used again: save the data of a vertex before an operation that
+  /// changes it. Linear time in the mesh.
   bool undo() {
     return stepped([this] { return history_->undo(mesh_); },
                    [](auto& buffers, auto& strips) { return buffers.undo(strips); });

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <random>
 #include <stdexcept>
@@ -156,6 +157,31 @@ TEST(LiveBuffer, ReservesRoomOnTheDevice) {
 TEST(LiveBuffer, HasNoBatches) {
   EXPECT_THROW(LiveBuffer({.most_vertices = 64}), std::invalid_argument);
   EXPECT_THROW(LiveBuffer({.most_indices = 64}), std::invalid_argument);
+}
+
+/// A stitched buffer drawn in windows of any even number of indices: each triangle once, with its winding.
+TEST(LiveBuffer, DrawsAStitchedBufferInWindows) {
+  std::mt19937 random(24);
+  for (const IndexWidth width : widths)
+    for (StripMesh& mesh : sample::meshes()) {
+      stripify(mesh);
+      Keeper keeper(mesh, Policy::quick, Cost::indices());
+      std::vector<Triangle> changed;
+      mesh.watch(&changed);
+      LiveBuffer buffer({.form = StripForm::stitched, .width = width});
+      for (int round = 0; round < 30; ++round) {
+        buffer.update(mesh, changed);
+        changed.clear();
+        for (const std::size_t n : {std::size_t{4}, std::size_t{6}, 2 * (4 + random() % 60)}) {
+          form_reader::Reader reader(buffer.bytes(), buffer.index_bytes());
+          for (std::size_t first = 0; first + 2 < buffer.size(); first += n - 2)
+            reader.strip(first, std::min(n, buffer.size() - first), false);
+          ASSERT_EQ(std::move(reader).triangles(), triangles_of(mesh));
+        }
+        for (auto n = random() % 8; n > 0; --n) random_operation(keeper, random, mesh.triangle_count() < 60);
+      }
+      mesh.watch(nullptr);
+    }
 }
 
 /// Through frames, undo and redo of a LiveMesh, the device is written by update() alone.

@@ -9,6 +9,10 @@
 //
 // It is a StripBuffer or a TriangleListBuffer with indices of 16 or 32 bits, chosen at run time; their headers say what
 // updates cost. IndexWidth::automatic uses 16 bits until a vertex number is 65,535 or above, then 32.
+//
+// Hardware that limits the indices of a draw call: draw a stitched buffer in windows of N indices, N even. Window i is
+// [(N - 2) i, (N - 2) i + N), cut off at the end of the buffer. Windows overlap by two indices, so each triangle is in
+// one, and begin at even places, so windings stay. An update does not change which window a place is in.
 #pragma once
 
 #include <algorithm>
@@ -37,10 +41,11 @@ struct Upload : std::span<const IndexRange> {
 class LiveBuffer {
  public:
   /// Empty; the first update writes the whole buffer. Live buffers do not support batches (limits of a batch throw
-  /// std::invalid_argument), and stay strips even if a list is shorter.
+  /// std::invalid_argument; see above for a remedy), and stay strips even if a list is shorter.
   explicit LiveBuffer(const StripFormat& format = {}) : format_(format) {
     if (format.most_vertices + format.most_indices != 0)
-      RESTRIP_THROW(std::invalid_argument, "restrip: a live buffer has no batches");
+      RESTRIP_THROW(std::invalid_argument,
+                    "restrip: a live buffer has no batches; draw a stitched one in windows (live_buffer.hpp)");
     make(format.width == IndexWidth::bits32);
   }
 
