@@ -115,6 +115,8 @@ Output::Output(const fs::path& file, const OutputRules& rules) : file_(file) {
   claim_ = std::make_shared<Claim>(shown, end.file, end.descriptor);
   if (end.descriptor >= 0) {
     const int flags = ::fcntl(end.descriptor, F_GETFL);
+    if (flags < 0 && end.descriptor == STDOUT_FILENO)
+      throw FileError(fmt::format("{}: cannot be written: standard output is closed; name a file", shown));
     if (flags < 0) fail_to_write(shown, errno);
     if ((flags & O_ACCMODE) == O_RDONLY) fail_to_write(shown, EBADF);
     descriptor_ = end.descriptor;

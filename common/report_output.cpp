@@ -1,17 +1,21 @@
 #include "common/report_output.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <utility>
 
+#include "common/file_error.hpp"
 #include "common/printable.hpp"
 
 namespace restrip::files {
 
 ReportOutput::ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs)
     : to_stdout_(json == "-") {
+  if (to_stdout_ && ::fcntl(STDOUT_FILENO, F_GETFD) < 0)
+    throw FileError("standard output: cannot be written: it is closed; name a file for --json");
   if (to_stdout_)
     claim_ = std::make_shared<Claim>("standard output", "-", STDOUT_FILENO);
   else if (!json.empty())

@@ -93,7 +93,7 @@ TEST(Obj, ValuesThatFacesNameAndTheFileLacksAreMissing) {
 TEST(Obj, Refusals) {
   expect_refused(bare_obj, "", "no vertices");
   expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\n", "no triangles");
-  expect_refused(bare_obj, "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers");
+  expect_refused(bare_obj, "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers, but the line ends");
   expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nv 0 0 nan\nf 1 2 3\n",
                  "vertex 2 has a coordinate that is infinite or not");
   expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nv 0 0 1e300\nf 1 2 3\n", "infinite or not a number");

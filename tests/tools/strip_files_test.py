@@ -9,6 +9,7 @@ with no code of restrip's.
 import json
 import pathlib
 import struct
+import subprocess
 import sys
 
 from program import Program
@@ -74,7 +75,7 @@ def check_forms(name, source, expected, width):
         assert drawn([strip for _, strip, _ in primitives]) == expected
     else:
         refused = run("stripify", source, "-o", scratch / "wide.bin", "--index", "16", code=2).stderr
-        assert "16 bits" in refused and "--index auto" in refused and not (scratch / "wide.bin").exists(), refused
+        assert "wide.bin: the mesh" in refused and "16 bits" in refused and "--index auto" in refused and "split the mesh" in refused and not (scratch / "wide.bin").exists(), refused
 
 
 def check(name, triangles, width):
@@ -185,6 +186,17 @@ for out, *form in (("islands.glb",), ("islands.glb", "--gltf", "stitched"), ("is
         run("convert", scratch / out, "-o", scratch / "islands-back.obj")
         assert obj(scratch / "islands-back.obj")[1] == islands
 assert "a triangle list has fewer indices" in run("stripify", scratch / "islands.obj").stdout
+# --keep-strips writes them as strips all the same.
+for form in ("restart", "stitched", "lengths"):
+    printed = json.loads(run("stripify", scratch / "islands.obj", "-o", scratch / "islands.bin", "--form", form, "--keep-strips",
+                             "--json", "-").stdout)["file"]
+    assert printed["form"] == form and printed["indices"] >= 90 and "list_in_place_of" not in printed, printed
+    assert triangles_of_calls(read_bin(scratch / "islands.bin", form, 2, False), form, 2) == islands
+run("stripify", scratch / "islands.obj", "-o", scratch / "islands.ply", "--keep-strips")
+assert drawn(ply(scratch / "islands.ply")[1]) == islands
+run("stripify", scratch / "islands.obj", "-o", scratch / "islands.glb", "--keep-strips")
+_, ((mode, strip, _),) = glb(scratch / "islands.glb")
+assert mode == 5 and drawn([strip]) == islands
 
 # Levels of detail: of the requested size, still a torus; the finest one is the mesh itself.
 mesh = scratch / "small.obj"
@@ -242,13 +254,22 @@ for arguments, words in (
         (("-o", scratch / "x.ply", "--gltf", "list"), "--gltf"),
         (("--gltf", "list"), "--gltf"),
         (("-o", scratch / "x.ply", "--index", "16"), "--index"),
-        (("-o", scratch / "x.glb", "--form", "list"), "--form"),
+        (("-o", scratch / "x.glb", "--form", "list"), "for .glb use --gltf list"),
+        (("-o", scratch / "x.glb", "--form", "lengths"), "for .glb use --gltf strips"),
+        (("-o", scratch / "x.obj", "--keep-strips"), "--keep-strips"),
         (("-o", scratch / "x.bin", "--gltf", "list"), "--gltf"),
-        (("-o", scratch / "x.bin", "--batch-vertices", "2"), "--batch-vertices"),
+        (("-o", scratch / "x.bin", "--batch-vertices", "2"), "2 is not a whole number from 3 to 1000000000"),
+        (("-o", scratch / "x.bin", "--batch-indices", "1e3"), "1e3 is not a whole number"),
         (("--effort", "file"), "has no strips"),
         (("-o", mesh), "small.obj")):
     before = mesh.read_bytes()
     refused = run("stripify", mesh, *arguments, code=2).stderr
     assert words in refused, refused
     assert mesh.read_bytes() == before and not (scratch / "x.ply").exists() and not (scratch / "x.off").exists()
+refused = run("convert", scratch / "islands.bin", "-o", scratch / "x.obj", code=2).stderr
+assert "islands.bin: a .bin file is only written" in refused, refused
+for report in ((), ("-o", "-", "--to", "ply"), ("--json", "-")):  # with standard output closed
+    done = subprocess.run(["sh", "-c", 'exec "$@" >&-', "sh", sys.argv[1], "stripify", mesh, *report], capture_output=True, text=True,
+                          check=False)
+    assert done.returncode == 2 and "closed" in done.stderr, done
 print("strip files: all hold")

@@ -97,14 +97,14 @@ Subcommand add_bake(CLI::App& app) {
   sub->add_option("--effort", command.bake.effort,
                   "search budget per record, in edges; with --cost indices, 3,900 edges stand for one look at a strip "
                   "end and one triangle of an exact window")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
+      ->check(whole_number_from(1, 1'000'000'000'000))
       ->capture_default_str();
   add_cost_option(*sub, command.cost, command.bake.cost);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   add_strip_options(*sub, command.strips);
   sub->callback([sub, &command] {
-    refuse_strip_options_elsewhere(*sub, command.out);
+    check_strip_options(*sub, command.out, command.strips);
     command.simplify_given = simplify_options_given(*sub);
     command.bake.cost = command.cost.value_or(command.bake.cost);
   });

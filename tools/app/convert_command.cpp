@@ -146,7 +146,7 @@ Subcommand add_convert(CLI::App& app) {
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([sub, &command] { refuse_strip_options_elsewhere(*sub, command.out); });
+  sub->callback([sub, &command] { check_strip_options(*sub, command.out, command.strips); });
   sub->footer("Example: restrip convert scan.ply --weld -o scan.glb");
   return {sub, [kept] { return run(*kept); }};
 }

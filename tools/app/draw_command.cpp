@@ -244,7 +244,7 @@ Subcommand add_draw(CLI::App& app) {
       ->required();
   sub->add_option("--triangles", command.triangles,
                   "the least number of triangles of the level (default: the finest level)")
-      ->check(CLI::Range(std::size_t{1}, max_triangles));
+      ->check(whole_number_from(1, max_triangles));
   add_simplify_options(*sub, command.simplify);
   add_policy_option(*sub, command.way);
   add_cost_option(*sub, command.cost);

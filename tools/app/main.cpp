@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -64,8 +66,12 @@ int main(int argc, char** argv) {
   restrip::files::ignore_file_size_signal();
   try {
     const int code = run_command_line(argc, argv);
+    errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-    fmt::print(stderr, "restrip: the output could not be written\n");
+    fmt::print(stderr, "restrip: standard output could not be written: {}\n",
+               errno == EBADF ? "it is closed"
+               : errno != 0   ? std::strerror(errno)
+                              : "its device refused it");
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "restrip: not enough memory for a mesh of this size\n");
   } catch (const std::exception& error) {

@@ -48,7 +48,7 @@ Subcommand add_make_mesh(CLI::App& app) {
                     "a file that ends in " + list_in_words(extensions_of(writes_mesh), "or"))
       ->required();
   sub->add_option("--triangles", command.triangles, "approximate number")
-      ->check(CLI::Range(least_made_triangles, most_made_triangles))
+      ->check(whole_number_from(least_made_triangles, most_made_triangles))
       ->capture_default_str();
   sub->add_option("--seed", command.seed, "of its irregularities")->check(whole_number())->capture_default_str();
   add_json_option(*sub, command.json);

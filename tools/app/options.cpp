@@ -79,6 +79,16 @@ const CLI::Validator& whole_number() {
   return validator;
 }
 
+CLI::Validator whole_number_from(std::uint64_t least, std::uint64_t most) {
+  return {[least, most](std::string& word) {
+            const auto number = parse<std::uint64_t>(word);
+            return number && *number >= least && *number <= most
+                       ? std::string()
+                       : fmt::format("{} is not a whole number from {} to {}", word, least, most);
+          },
+          fmt::format("UINT in [{} - {}]", least, most), "whole number in a range"};
+}
+
 std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -186,7 +196,11 @@ void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& w
 }
 
 namespace {
-constexpr std::array strip_options{"--gltf", "--form", "--index", "--batch-vertices", "--batch-indices"};
+constexpr std::array strip_options{"--gltf",           "--form",          "--index",
+                                   "--batch-vertices", "--batch-indices", "--keep-strips"};
+
+/// The value of --gltf for a value of --form.
+std::string gltf_form(const std::string& form) { return form == "lengths" ? "strips" : form; }
 }  // namespace
 
 void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output, bool* progressive) {
@@ -205,7 +219,7 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
          std::string("contents of a .glb: stitched: one strip, in which repeated indices join the strips; strips: a "
                      "primitive for each; list: a triangle list; restart: one primitive, for the few viewers that "
                      "know KHR_mesh_primitive_restart; auto: stitched. A list is written instead if it has fewer "
-                     "indices") +
+                     "indices, without --keep-strips") +
              (progressive == nullptr ? "" : "; progressive: the base, and all splits in MANYFOLD_mesh_progressive"))
       ->check(CLI::IsMember(words))
       ->default_str("auto");
@@ -213,7 +227,7 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
          "--form", set_form,
          "contents of a .bin: restart: strips with the index with all bits set between them; stitched: one strip, in "
          "which repeated indices join the strips; lengths: a table of lengths, then the strips; list: triangles. A "
-         "list is written instead if it has fewer indices")
+         "list is written instead if it has fewer indices, without --keep-strips")
       ->check(CLI::IsMember({"restart", "stitched", "lengths", "list"}))
       ->default_str("restart")
       ->excludes(app.get_option("--gltf"));
@@ -227,22 +241,33 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
          "bits of an index in .glb and .bin; auto: 16 if all are below 65535")
       ->check(CLI::IsMember({"16", "32", "auto"}))
       ->default_str("auto");
-  app.add_option("--batch-vertices", options.most_vertices, "most vertices of a batch; each batch is drawn separately")
-      ->check(CLI::Range(std::size_t{3}, std::size_t{1'000'000'000}));
+  app.add_option(
+         "--batch-vertices", options.most_vertices,
+         "most vertices of a batch; each batch is drawn separately, and its indices stay those of the whole mesh")
+      ->check(whole_number_from(3, 1'000'000'000));
   app.add_option("--batch-indices", options.most_indices, "most indices of a batch")
-      ->check(CLI::Range(std::size_t{4}, std::size_t{1'000'000'000}));
+      ->check(whole_number_from(4, 1'000'000'000));
+  app.add_flag("--keep-strips", options.keep_strips, "write strips even if a list has fewer indices");
   for (const char* name : strip_options)
     if (output != nullptr) app.get_option(name)->needs(output);
 }
 
-void refuse_strip_options_elsewhere(const CLI::App& app, const NamedFile& out) {
+void check_strip_options(const CLI::App& app, const NamedFile& out, StripOptions& options) {
+  options.file = out.string();
   const MeshFormat* format = format_named(out.extension());
   const bool forms = format != nullptr && format->forms;
+  const bool may_be_list = format != nullptr && format->holds_strips;
   for (const std::string name : strip_options) {
-    const bool fits =
-        forms && (name != "--gltf" || writes_baked(*format)) && (name != "--form" || !writes_baked(*format));
+    const bool fits = name == "--keep-strips" ? may_be_list
+                                              : forms && (name != "--gltf" || writes_baked(*format)) &&
+                                                    (name != "--form" || !writes_baked(*format));
     if (app.count(name) == 0 || fits) continue;
     if (name == "--gltf") throw CLI::ValidationError(name, "only an output that ends in .glb has primitives");
+    if (name == "--keep-strips")
+      throw CLI::ValidationError(name, "only an output that ends in .bin, .glb or .ply has strips");
+    if (name == "--form" && forms)
+      throw CLI::ValidationError(name, fmt::format("only an output that ends in .bin has it; for .glb use --gltf {}",
+                                                   gltf_form(app.get_option(name)->as<std::string>())));
     throw CLI::ValidationError(
         name, fmt::format("only an output that ends in .bin{} has it", name == "--form" ? "" : " or .glb"));
   }

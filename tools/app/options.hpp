@@ -18,6 +18,7 @@ namespace restrip::tools {
 
 /// CLI11 alone parses -1 and numbers that are too large as the largest value.
 [[nodiscard]] const CLI::Validator& whole_number();
+[[nodiscard]] CLI::Validator whole_number_from(std::uint64_t least, std::uint64_t most);
 
 /// ".obj, .off and .ply"; `last_word` is "and" or "or".
 [[nodiscard]] std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word);
@@ -47,12 +48,13 @@ void add_policy_option(CLI::App& app, std::string& way);
 [[nodiscard]] std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept);
 /// Throws CLI::ValidationError if the way is named and does not support the cost.
 void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& way);
-/// Adds --gltf for .glb, --form for .bin, and for both --index, --batch-vertices and --batch-indices. They require the
-/// option `output`, if any. If `progressive` is not null, --gltf progressive sets it: all levels, as
-/// MANYFOLD_mesh_progressive. refuse_strip_options_elsewhere() throws CLI::ValidationError for any other output.
+/// Adds --gltf for .glb, --form for .bin, for both --index, --batch-vertices and --batch-indices, and --keep-strips,
+/// which also works for .ply. They require the option `output`, if any. If `progressive` is not null, --gltf
+/// progressive sets it: all levels, as MANYFOLD_mesh_progressive.
 void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output = nullptr,
                        bool* progressive = nullptr);
-void refuse_strip_options_elsewhere(const CLI::App& app, const NamedFile& out);
+/// Throws CLI::ValidationError for an option that the output does not have; notes the output's name.
+void check_strip_options(const CLI::App& app, const NamedFile& out, StripOptions& options);
 
 /// Shows the values of options in words: "a|b", "from 2 to 1000".
 class PlainFormatter : public CLI::Formatter {

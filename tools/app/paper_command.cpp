@@ -65,7 +65,7 @@ Subcommand add_paper(CLI::App& app) {
   sub->add_option("meshes", command.meshes, help_of_mesh(levels_kept))->required();
   add_simplify_options(*sub, command.options.simplify);
   sub->add_option("--levels", command.options.levels, "levels of detail to count strips at")
-      ->check(CLI::Range(2, 1000))
+      ->check(whole_number_from(2, 1000))
       ->capture_default_str();
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);

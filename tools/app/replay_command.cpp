@@ -133,7 +133,7 @@ Subcommand add_replay(CLI::App& app) {
       sub->add_option("--triangles", command.out_triangles,
                       "with --built-in the size of that mesh (default: 100000); with -o the least number of triangles "
                       "of the level that is written (default: the finest level)")
-          ->check(CLI::Range(std::size_t{1}, max_triangles));
+          ->check(whole_number_from(1, max_triangles));
   CLI::Option* output =
       add_output_option(*sub, command.out, extensions_of(writes_strips),
                         "writes a level with its strips, maintained under the policy: " + strip_formats())
@@ -141,7 +141,7 @@ Subcommand add_replay(CLI::App& app) {
   add_strip_options(*sub, command.strips, output);
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--levels", command.replay.levels, "levels of detail to report")
-      ->check(CLI::Range(2, 1000))
+      ->check(whole_number_from(2, 1000))
       ->capture_default_str();
   sub->add_option_function<std::size_t>(
          "--repeats",
@@ -151,7 +151,7 @@ Subcommand add_replay(CLI::App& app) {
          },
          fmt::format("timed runs; their median is reported; 0: no timing [{}, and more on small meshes]",
                      ReplayOptions().repeats))
-      ->check(CLI::Range(0, 1000));
+      ->check(whole_number_from(0, 1000));
   sub->add_option_function<std::string>(
          "--buffer",
          [&command](const std::string& word) {
@@ -169,7 +169,7 @@ Subcommand add_replay(CLI::App& app) {
          "fixed number of states per search for quick, full and best; more leave fewer strips and take longer "
          "(default: the policy's, reduced if strips are long enough); with --cost indices: strip ends looked at after "
          "each operation")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(whole_number_from(1, 1'000'000));
   add_cost_option(*sub, command.cost);
   CLI::Option* walk =
       sub->add_option("--walk", command.walk_steps,
@@ -185,7 +185,7 @@ Subcommand add_replay(CLI::App& app) {
   sub->callback([=, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
-    refuse_strip_options_elsewhere(*sub, command.out);
+    check_strip_options(*sub, command.out, command.strips);
     if (!triangles->empty() && built_in->empty() && output->empty())
       throw CLI::ValidationError("--triangles", "needs --built-in or -o");
     if (!triangles->empty() && !built_in->empty()) {

@@ -88,7 +88,7 @@ Subcommand add_simplify(CLI::App& app) {
       ->required();
   CLI::Option* triangles =
       sub->add_option("--triangles", command.simplify.triangles, "of the coarsest level, in place of --base")
-          ->check(CLI::Range(std::size_t{1}, max_triangles));
+          ->check(whole_number_from(1, max_triangles));
   add_simplify_options(*sub, command.simplify);
   add_strip_options(*sub, command.strips, nullptr, &command.progressive);
   sub->add_flag_callback(
@@ -101,7 +101,7 @@ Subcommand add_simplify(CLI::App& app) {
     // The two sides of a seam would move independently.
     if (command.attributes == ReadAttributes::yes && sub->count("--boundary") == 0)
       command.simplify.boundary = BoundaryPolicy::lock;
-    refuse_strip_options_elsewhere(*sub, command.out);
+    check_strip_options(*sub, command.out, command.strips);
     command.size_given = triangles->count() + sub->count("--base") != 0;
     if (!triangles->empty() && sub->count("--base") != 0)
       throw CLI::ValidationError("--triangles", "and --base both set the size; leave one out");

@@ -124,7 +124,7 @@ int run(const StripifyCommand& command) {
   std::string text = as_text(mended);
   text += fmt::format(
       "{}: {} ({} left out) in {}, {}\n"
-      "{:.3f} indices per triangle{}, {}, {:.3f} vertex cache misses per triangle "
+      "{:.3f} indices per triangle with restart{}, {}, {:.3f} vertex cache misses per triangle "
       "(FIFO 16)\n"
       "{:.3f} seconds: {:.3f} for the mesh, {:.3f} for its strips, {:.3f} for the indices\n",
       command.mesh.string(), counted(triangles, "triangle"), counted(left_out, "degenerate one"),
@@ -171,7 +171,7 @@ Subcommand add_stripify(CLI::App& app) {
       sub->add_option("--limit", command.limit,
                       "for --effort full and best, per triangle: search states with --cost strips (default: 40, 1000), "
                       "annealing moves and colourings of windows with --cost indices (default: 100, 1000)")
-          ->check(CLI::Range(1, 1'000'000));
+          ->check(whole_number_from(1, 1'000'000));
   const auto* seed =
       sub->add_option("--seed", command.seed, "of annealing and windows")->check(whole_number())->capture_default_str();
   sub->add_option_function<std::string>(
@@ -187,7 +187,7 @@ Subcommand add_stripify(CLI::App& app) {
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, effort, limit, seed, &command] {
-    refuse_strip_options_elsewhere(*sub, command.out);
+    check_strip_options(*sub, command.out, command.strips);
     if (command.as_in_file && sub->count("--cost") != 0)
       throw CLI::ValidationError("--cost", "--effort file leaves the strips as they are");
     const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());

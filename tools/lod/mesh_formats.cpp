@@ -179,7 +179,10 @@ std::vector<std::string> extensions_of(FormatCan can) {
 ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const std::string& name,
                     const ReadSibling& sibling, ReadAttributes attributes) {
   const MeshFormat* format = format_named(extension.empty() ? extension_of_bytes(bytes) : extension);
-  if (!extension.empty() && (format == nullptr || !reads(*format)))
+  if (!extension.empty() && format != nullptr && !reads(*format))
+    throw BadInput(fmt::format("{}: a {} file is only written, not read: it has no vertex positions; give the mesh",
+                               name, extension));
+  if (!extension.empty() && format == nullptr)
     throw BadInput(fmt::format("{}: unknown extension '{}'; name the format by --from: {}", name, extension,
                                fmt::join(extensions_of(reads), ", ")));
   if (bytes.empty()) throw BadInput(fmt::format("{}: the file is empty", name));
@@ -224,8 +227,9 @@ WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> po
                              std::span<const std::uint32_t> indices, const StripOptions& options,
                              std::span<const Attribute> attributes, bool is_64_bits) {
   WrittenStrips written;
-  const IndexBuffer buffer = format_as(format.forms ? options : StripOptions{StripForm::restart, IndexWidth::bits32},
-                                       format.usual_form, indices, written);
+  StripOptions fixed{StripForm::restart, IndexWidth::bits32};
+  fixed.keep_strips = options.keep_strips;
+  const IndexBuffer buffer = format_as(format.forms ? options : fixed, format.usual_form, indices, written);
   const std::vector<Corners> drawn = decode_strips(indices);
   written.bytes = format.write_strips({points, buffer, drawn, attributes,
                                        format.forms && options.most_vertices + options.most_indices != 0, is_64_bits});

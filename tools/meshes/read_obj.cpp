@@ -62,6 +62,7 @@ class ObjReader {
   double number(const char* what) {
     const std::string_view word = cursor_.word();
     const auto found = parse<double>(word);
+    if (word.empty()) refuse(fmt::format("a {}, but the line ends", what));
     if (!found) refuse(fmt::format("a {}, found '{}'", what, word.substr(0, 40)));
     return *found;
   }

@@ -90,8 +90,8 @@ Soup read_text(std::string_view bytes, const std::string& name) {
       const std::string_view word = cursor.word();
       const auto number = parse<double>(word);
       if (!number)
-        throw BadInput(
-            fmt::format("{}:{}: a vertex needs three numbers, found '{}'", name, cursor.line(), word.substr(0, 40)));
+        throw BadInput(fmt::format("{}:{}: a vertex needs three numbers, {}", name, cursor.line(),
+                                   word.empty() ? "but the line ends" : fmt::format("found '{}'", word.substr(0, 40))));
       coordinate = *number;
     }
     welder.add_corner(xyz[0], xyz[1], xyz[2]);

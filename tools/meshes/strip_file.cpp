@@ -17,6 +17,7 @@ IndexBuffer format_as(const StripOptions& options, StripForm usual, std::span<co
   const StripForm form = options.form.value_or(usual);
   IndexBuffer buffer = format_strips(indices, {.form = form,
                                                .width = options.width,
+                                               .list_if_shorter = !options.keep_strips,
                                                .most_vertices = options.most_vertices,
                                                .most_indices = options.most_indices});
   written.form = buffer.form;
@@ -27,7 +28,10 @@ IndexBuffer format_as(const StripOptions& options, StripForm usual, std::span<co
   if (buffer.form != StripForm::list) written.strips = buffer.strips;
   return buffer;
 } catch (const std::length_error&) {
-  throw BadInput("the mesh has vertices above 65,534, which 16 bits cannot name; write --index auto or 32");
+  throw BadInput(
+      fmt::format("{}the mesh has vertices above 65,534, which 16 bits cannot name; write --index auto or 32, or split "
+                  "the mesh",
+                  options.file.empty() ? "" : options.file + ": "));
 }
 
 std::string_view name_of(StripForm form) noexcept {
@@ -63,7 +67,8 @@ std::string as_text(const WrittenStrips& written, const std::string& name) {
   std::string text = fmt::format("{}: {} of {} bits, {}", name, counted(written.indices, "index", "indices"),
                                  written.index_bits, name_of(written.form));
   if (written.batches > 1) text += fmt::format(", in {}", counted(written.batches, "batch", "batches"));
-  if (written.wanted) text += fmt::format("; a list, because the form {} has more", name_of(*written.wanted));
+  if (written.wanted)
+    text += fmt::format("; a list, because the form {} has more (--keep-strips writes it)", name_of(*written.wanted));
   text += '\n';
   if (!written.required_extensions.empty())
     text += fmt::format("{}: requires {}, a proposal that few viewers know; the others refuse the file\n", name,

@@ -26,6 +26,8 @@ struct StripOptions {
   IndexWidth width = IndexWidth::automatic;
   std::size_t most_vertices = 0;  ///< of a batch, as in StripFormat
   std::size_t most_indices = 0;
+  bool keep_strips = false;  ///< strips even if a list has fewer indices
+  std::string file = {};     ///< its name, for messages
 };
 
 /// An index buffer of strips and what it draws.
@@ -51,8 +53,8 @@ struct WrittenStrips {
   std::vector<std::string> required_extensions = {};  ///< extensions that a viewer must support
 };
 
-/// Converts the indices, with strip_end between strips, to that form and fills in `written`. Throws BadInput if 16-bit
-/// indices are requested and do not suffice.
+/// Converts the indices, with strip_end between strips, to that form and fills in `written`. Throws BadInput, which
+/// names options.file, if 16-bit indices are requested and do not suffice.
 [[nodiscard]] IndexBuffer format_as(const StripOptions& options, StripForm usual,
                                     std::span<const std::uint32_t> indices, WrittenStrips& written);
 [[nodiscard]] std::string_view name_of(StripForm form) noexcept;

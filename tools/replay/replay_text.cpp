@@ -37,6 +37,8 @@ Json json_of(const std::vector<Level>& levels) {
 }
 
 double ratio(std::size_t a, std::size_t b) { return b == 0 ? 0.0 : static_cast<double>(a) / static_cast<double>(b); }
+/// What was not measured is 0.
+std::string measured(double value, int digits) { return value == 0 ? "–" : fmt::format("{:.{}f}", value, digits); }
 double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part, whole); }
 
 }  // namespace
@@ -61,13 +63,13 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
                  "on the way back: strips, per strip, live buffer");
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     const Level& level = report.levels[i];
-    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f} {:>12.3f} {:>6.2f}", level.triangles, level.strips,
+    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f} {:>12} {:>6}", level.triangles, level.strips,
                    ratio(level.triangles, level.strips), level.isolated, ratio(level.indices, level.triangles),
-                   ratio(level.buffer_indices, level.triangles), level.acmr);
+                   measured(ratio(level.buffer_indices, level.triangles), 3), measured(level.acmr, 2));
     if (i < report.levels_down.size())
-      fmt::format_to(out, " {:>25} {:>10.2f} {:>12.3f}", report.levels_down[i].strips,
+      fmt::format_to(out, " {:>25} {:>10.2f} {:>12}", report.levels_down[i].strips,
                      ratio(report.levels_down[i].triangles, report.levels_down[i].strips),
-                     ratio(report.levels_down[i].buffer_indices, report.levels_down[i].triangles));
+                     measured(ratio(report.levels_down[i].buffer_indices, report.levels_down[i].triangles), 3));
     text += '\n';
   }
 
