@@ -6,7 +6,7 @@ int main() {
   for (std::uint32_t v = 0; v < 40 * 41; ++v)
     if (v % 41 != 40) triangles.insert(triangles.end(), {v, v + 1, v + 42, v, v + 42, v + 41});
   restrip::LiveMesh live(triangles, 41 * 41, {.history = 10'000});  // strips from scratch; upload live.indices() once
-  const auto make_buffer = [](std::size_t) {};                      // with room for that many indices
+  const auto make_buffer = [](std::size_t /*indices*/) {};
   make_buffer(live.room());
   const auto end_of_frame = [&] {
     std::size_t written = 0;
@@ -19,7 +19,8 @@ int main() {
   end_of_frame();
   for (std::uint32_t v = 100; v < 110; ++v) live.collapse(live.edge(v + 41, v));  // or refused, with a reason
   end_of_frame();
-  live.split({live.edge(600, 641), live.edge(600, 559)});  // vertex 600, along its edges to 641 and 559
+  // {left, right} at vertex 600: the new vertex gets the triangles counter-clockwise from right to left.
+  live.split({live.edge(600, 641), live.edge(600, 559)});
   end_of_frame();
   live.undo();  // the split: triangles, strips and indices are exactly as before
   end_of_frame();
