@@ -41,8 +41,13 @@ ONE = """{"restrip_operation": 1, "name": "one", "constraint": "matching",
 
 
 def on_terminal(command):
-    """What a terminal as standard error shows."""
-    ours, theirs = pty.openpty()
+    """What a terminal as standard error shows; nothing if there are no terminals, as in a chroot without /dev/pts."""
+    try:
+        ours, theirs = pty.openpty()
+    except OSError as error:
+        print(f"left out: progress on a terminal: {error}")
+        subprocess.run(command, capture_output=True, check=True)
+        return None
     subprocess.run(command, stderr=theirs, stdout=subprocess.DEVNULL, check=True)
     os.close(theirs)
     shown = b""
@@ -83,7 +88,7 @@ def main():
         rules = [generate, "rules", "--operation", operation, "--out", places["out"]]
         shown = on_terminal(rules)
         for words in ("finding reasons … 99 %", "finding rules … 99 %", "\r\x1b[K"):
-            if words not in shown:
+            if shown is not None and words not in shown:
                 raise SystemExit(f"a terminal shows {shown!r}")
         done = subprocess.run([*rules, "--force"], capture_output=True, text=True, check=True)
         if done.stderr or not re.fullmatch(r"seven-to-five +16384 configurations +821 rules +32768 bytes\n  graph only: [^\n]+\n", done.stdout):

@@ -1,6 +1,7 @@
 #include "explain/rule_set.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
