@@ -39,8 +39,8 @@ struct SurfaceFault {
   std::string what;  ///< "expected …, found …"
 };
 
-/// Throws SurfaceFault unless both sides are discs of triangles with the same outline, apart from edges on the boundary of
-/// the mesh. The caller checks the limits on triangles, edges and ports.
+/// Throws SurfaceFault unless both sides are discs of triangles with the same outline, apart from edges on the boundary
+/// of the mesh. The caller checks the limits on triangles, edges and ports.
 SurfaceGraphs graphs_of(const NamedSurface& surface);
 
 }  // namespace restrip::verify
