@@ -35,6 +35,9 @@ class Device {
     }
     bytes_ = live.bytes().size();
   }
+  [[nodiscard]] bool equals(const LiveBuffer& live) const {
+    return std::equal(live.bytes().begin(), live.bytes().end(), memory_.begin());
+  }
   template <class Live>
   [[nodiscard]] form_reader::Triangles drawn(const Live& live, StripForm form) const {
     form_reader::Reader reader({memory_.data(), bytes_}, live.index_bytes());
@@ -80,7 +83,14 @@ TEST(LiveBuffer, DrawsTheMeshInEveryForm) {
           outgrown += upload.outgrown ? 1U : 0U;
           changed.clear();
           device.upload(buffer, upload);
+          ASSERT_TRUE(device.equals(buffer));
           ASSERT_EQ(device.drawn(buffer, form), triangles_of(mesh));
+          std::vector<IndexRange> draws;
+          buffer.draws(draws);
+          if (form == StripForm::list) {
+            ASSERT_EQ(draws.size(), 1U);
+            ASSERT_EQ(draws[0].count, 3 * mesh.triangle_count());
+          }
           ASSERT_EQ(buffer.bytes().size() % 4, 0U);
           std::size_t end = 0;
           for (const IndexRange& range : upload) {

@@ -33,7 +33,10 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
           random_operation(keeper, random, mesh.triangle_count() < 60 || (round / 25) % 2 == 0);
         const auto ranges = buffer.update(mesh, changed);
         expect_only_reported_changes(before, buffer.indices(), ranges);
-        narrow.update(mesh, changed);
+        const std::vector<std::uint32_t> narrow_before(narrow.indices().begin(), narrow.indices().end());
+        const auto narrow_ranges = narrow.update(mesh, changed, {.merge_gap = 0, .align = 2});
+        const std::vector<std::uint32_t> narrow_after(narrow.indices().begin(), narrow.indices().end());
+        expect_only_reported_changes(narrow_before, narrow_after, narrow_ranges);
         changed.clear();
         ASSERT_EQ(buffer.indices().size(), 3 * mesh.triangle_count());
         std::vector<sample::Corners> listed;
@@ -72,6 +75,20 @@ TEST(TriangleListBuffer, WritesTheCornersThatChanged) {
   EXPECT_EQ(written(), 0U);
   const StripMesh beyond = StripMesh::build(std::vector<sample::Corners>{{0, 1, 65'535}}, 65'536);
   EXPECT_THROW(TriangleListBuffer16{beyond}, std::length_error);
+}
+
+TEST(TriangleListBuffer, PaddingIsWrittenOnlyWhenItChanges) {
+  StripMesh mesh = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}}, 7);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  TriangleListBuffer16 buffer(mesh);
+  ASSERT_EQ(buffer.indices().size(), 10U);
+  EXPECT_TRUE(buffer.update(mesh, changed, {.merge_gap = 0, .align = 2}).empty());
+  Keeper keeper(mesh, Policy::bare, Cost::indices());
+  keeper.flip(mesh.spoke(1, 2));
+  const auto ranges = buffer.update(mesh, changed, {.merge_gap = 0, .align = 2});
+  ASSERT_FALSE(ranges.empty());
+  EXPECT_LE(ranges.back().first + ranges.back().count, 6U);
 }
 
 TEST(TriangleListBuffer, AMeshWithoutTrianglesWritesNothing) {

@@ -122,13 +122,13 @@ class LiveBuffer {
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return indices_of<std::uint32_t>(); }
   [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return indices_of<std::uint16_t>(); }
   /// The ranges to draw, one draw call or one entry of a multi-draw each: the runs of StripForm::lengths, else the
-  /// whole buffer. `draws` is overwritten.
+  /// whole buffer without the padding of a list. `draws` is overwritten.
   void draws(std::vector<IndexRange>& draws) const {
     std::visit(
         [&](const auto& buffer) {
           if constexpr (requires { buffer.draws(draws); })
             if (format_.form == StripForm::lengths) return buffer.draws(draws);
-          draws.assign(size() == 0 ? 0 : 1, {0, size()});
+          draws.assign(size() == 0 ? 0 : 1, {0, format_.form == StripForm::list ? size() / 3 * 3 : size()});
         },
         buffer_);
   }

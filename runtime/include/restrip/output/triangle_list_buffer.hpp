@@ -80,6 +80,8 @@ class BasicTriangleListBuffer {
       return written_;
     }
     stale_ = true;
+    const std::size_t old_size = cells_.size();
+    const Index old_padding = old_size == 3 * owner_.size() ? Index{0} : cells_.back();
     cells_.resize(3 * owner_.size());
     written_.clear();
     if (slot_.size() < mesh.triangle_bound()) slot_.resize(mesh.triangle_bound(), no_slot);
@@ -123,6 +125,8 @@ class BasicTriangleListBuffer {
     }
     free_.clear();
     pad();
+    if (cells_.size() != 3 * owner_.size() && (cells_.size() != old_size || cells_.back() != old_padding))
+      written_.push_back({cells_.size() - 1, 1});
     detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / sizeof(Index));
     stale_ = false;
     return written_;
