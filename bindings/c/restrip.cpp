@@ -127,6 +127,14 @@ VertexSplit<StripMesh::Halfedge> where_of(restrip_halfedge left, restrip_halfedg
   return {{left}, {right}, spokes};
 }
 
+/// The status of an operation that adds the vertex v_t, by default the next one: too large if indices of the live
+/// buffer always have 16 bits and cannot name it.
+restrip_status indexable(const restrip_mesh& mesh, Refusal refusal, Vertex v_t = none) noexcept {
+  if (refusal != Refusal::granted) return status_of(refusal);
+  if (!mesh.live || mesh.live->buffer.format().width != IndexWidth::bits16) return RESTRIP_OK;
+  return (v_t == none ? mesh.mesh.next_vertex() : v_t) > highest_index16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
+}
+
 /// Does a granted operation and reports the change.
 template <class Operation>
 restrip_status done(restrip_mesh* mesh, Refusal refusal, restrip_change* change, Operation&& operation) noexcept {
@@ -353,9 +361,9 @@ std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
 restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right, std::uint32_t v_t,
                                   restrip_change* change) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  const auto where = where_of(left, right);
-  return done(mesh, check_split(mesh->mesh, where, v_t), change,
-              [&](auto& keeper) { return keeper.split(where, v_t); });
+  const restrip_status status = restrip_mesh_check_split(mesh, left, right, v_t);
+  if (status != RESTRIP_OK) return status;
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.split(where_of(left, right), v_t); });
 }
 restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   const restrip_status status = restrip_mesh_check_collapse(mesh, h);
@@ -368,7 +376,9 @@ restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip
 }
 restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return done(mesh, check_split_face(mesh->mesh, {h}), change, [&](auto& keeper) { return keeper.split_face({h}); });
+  const restrip_status status = restrip_mesh_check_split_face(mesh, h);
+  if (status != RESTRIP_OK) return status;
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.split_face({h}); });
 }
 restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   const restrip_status status = restrip_mesh_check_join_faces(mesh, h);
@@ -377,7 +387,9 @@ restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, r
 }
 restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return done(mesh, check_bisect(mesh->mesh, {h}), change, [&](auto& keeper) { return keeper.bisect({h}); });
+  const restrip_status status = restrip_mesh_check_bisect(mesh, h);
+  if (status != RESTRIP_OK) return status;
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.bisect({h}); });
 }
 restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   const restrip_status status = restrip_mesh_check_merge(mesh, h);
@@ -386,7 +398,8 @@ restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restri
 }
 restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                         std::uint32_t v_t) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_split(mesh->mesh, where_of(left, right), v_t));
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return indexable(*mesh, check_split(mesh->mesh, where_of(left, right), v_t), v_t);
 }
 restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
@@ -397,14 +410,14 @@ restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedg
 }
 
 restrip_status restrip_mesh_check_split_face(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_split_face(mesh->mesh, {h}));
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_split_face(mesh->mesh, {h}));
 }
 restrip_status restrip_mesh_check_join_faces(const restrip_mesh* mesh, restrip_halfedge h) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&] { return status_of(check_join_faces(mesh->mesh, {h})); });  // as check_collapse
 }
 restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_bisect(mesh->mesh, {h}));
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_bisect(mesh->mesh, {h}));
 }
 restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;

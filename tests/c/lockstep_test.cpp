@@ -553,6 +553,39 @@ TEST(CInterface, FormatsAreChecked) {
   restrip_buffer_free(nullptr);
 }
 
+// A live buffer of 16 bits names vertices up to 65,534: an operation that would add the next one is refused, whether it
+// is named or not, and is done for other widths.
+TEST(CInterface, OperationsKeepToSixteenBits) {
+  std::vector<std::uint32_t> triangles = list_of(sample::torus(8, 8));
+  triangles.insert(triangles.end(), {65'532, 65'533, 65'534});
+  restrip_mesh* made = nullptr;
+  ASSERT_EQ(restrip_mesh_build_u32(triangles.data(), triangles.size(), 65'535, nullptr, nullptr, &made), RESTRIP_OK);
+  const Handle mesh(made);
+  const restrip_halfedge right = restrip_mesh_spoke(mesh.get(), 5);
+  const restrip_halfedge left = restrip_mesh_opposite(
+      mesh.get(), restrip_mesh_next(mesh.get(), restrip_mesh_next(mesh.get(), right)));  // turned counter-clockwise
+  const restrip_range* ranges = nullptr;
+  std::size_t count = 0;
+  for (const std::int32_t bits : {16, 0}) {
+    const restrip_status expected = bits == 16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
+    const restrip_format format{RESTRIP_FORM_RESTART, bits, 0, 0, 0};
+    ASSERT_EQ(restrip_live_begin_format(mesh.get(), &format), RESTRIP_OK);
+    ASSERT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+    const auto before = corners_of(mesh.get());
+    EXPECT_EQ(restrip_mesh_check_split(mesh.get(), left, right, 65'536), expected);
+    EXPECT_EQ(restrip_mesh_check_split(mesh.get(), left, right, 20'000), RESTRIP_OK);
+    EXPECT_EQ(restrip_mesh_check_bisect(mesh.get(), right), expected);
+    EXPECT_EQ(restrip_mesh_check_split_face(mesh.get(), right), expected);
+    if (bits == 16) {
+      EXPECT_EQ(restrip_mesh_split(mesh.get(), left, right, RESTRIP_NONE, nullptr), expected);
+      EXPECT_EQ(restrip_mesh_split_face(mesh.get(), right, nullptr), expected);
+      EXPECT_EQ(corners_of(mesh.get()), before);
+    }
+    EXPECT_EQ(restrip_mesh_bisect(mesh.get(), right, nullptr), expected);
+    ASSERT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+  }
+}
+
 TEST(CInterface, BuffersOutDrawTheMesh) {
   const Handle mesh = handle_of(sample::sphere(2));
   ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_indices, 0, nullptr), RESTRIP_OK);

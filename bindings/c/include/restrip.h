@@ -391,9 +391,10 @@ enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RES
 /* Starts a live buffer, and ends a previous one; the first update writes it. O(1). */
 RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
 /* The same for any format, without limits of a batch (else RESTRIP_BAD_ARGUMENT). A live buffer stays strips. With 0
- * for index_bits it has 16 bits until a vertex needs 32. If a draw call is limited to N indices, N even, draw a
- * stitched buffer in windows [(N - 2) i, (N - 2) i + N), cut off at its end: they overlap by two indices and begin at
- * even places, so they draw each triangle once, with its winding. */
+ * for index_bits it has 16 bits until a vertex needs 32. With 16, single operations that would add a vertex above
+ * 65,534 are refused: RESTRIP_TOO_LARGE. If a draw call is limited to N indices, N even, draw a stitched buffer in
+ * windows [(N - 2) i, (N - 2) i + N), cut off at its end: they overlap by two indices and begin at even places, so they
+ * draw each triangle once, with its winding. */
 RESTRIP_API restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format);
 /* Brings the buffer in step with the mesh. *ranges receives the ranges that may have changed, ascending and disjoint,
  * to be copied to the device, and *range_count their number; the buffer may have become longer or shorter
@@ -423,7 +424,8 @@ RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const 
  * next update is O(T). */
 RESTRIP_API restrip_status restrip_live_history(restrip_mesh* mesh, size_t budget);
 /* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when
- * no frame is left. The next update writes the whole buffer. A baked mesh leaves its levels. O(T). */
+ * no frame is left. The history has no index buffers, so the next update writes the whole buffer. A baked mesh leaves
+ * its levels. O(T). */
 RESTRIP_API restrip_status restrip_live_undo(restrip_mesh* mesh, int32_t* done);
 RESTRIP_API restrip_status restrip_live_redo(restrip_mesh* mesh, int32_t* done);
 /* The number of frames that can be undone, and redone. O(1). */

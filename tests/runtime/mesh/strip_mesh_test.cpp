@@ -55,6 +55,37 @@ TEST(StripMesh, IsBuiltFromIndexBuffers) {
   EXPECT_THROW((void)StripMesh::build(std::span(indices).first(8), 4), std::invalid_argument);
 }
 
+// An insertion takes the vertex that was announced, also when free vertices have been named by callers since.
+TEST(StripMesh, AnnouncesTheNextVertex) {
+  std::mt19937 random(31);
+  StripMesh mesh = sample::torus(8, 8);
+  std::vector<Vertex> removed;
+  std::size_t reused = 0;
+  std::size_t named = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const StripMesh::Halfedge h = random_halfedge(mesh, random);
+    if (round % 40 < 20) {
+      if (check_collapse(mesh, h) != Refusal::granted) continue;
+      removed.push_back(mesh.to(h));
+      mesh.remove_vertex(h);
+      continue;
+    }
+    const auto where = random_split(mesh, h, random);
+    const Vertex wanted = !removed.empty() && random() % 4 == 0 ? removed[random() % removed.size()] : none;
+    if (check_split(mesh, where, wanted) != Refusal::granted) continue;
+    const Vertex next = mesh.next_vertex();
+    const std::size_t bound = mesh.vertex_bound();
+    const Vertex made = mesh.to(mesh.insert_vertex(where, wanted));
+    named += wanted != none ? 1U : 0U;
+    if (wanted != none) continue;
+    ASSERT_EQ(made, next);
+    reused += next < bound ? 1U : 0U;
+  }
+  EXPECT_GT(reused, 50U);
+  EXPECT_GT(named, 20U);
+  EXPECT_GT(mesh.vertex_bound(), 64U);
+}
+
 // A range of addresses that may not be read: a look at a triangle before its count would end the program there.
 TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
   const std::size_t count = StripMesh::max_triangles + 1;

@@ -215,6 +215,8 @@ class StripMesh {
   [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   /// Vertices are below this bound.
   [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
+  /// The vertex that the next insertion takes if it names none. Skips free vertices that callers have named since.
+  [[nodiscard]] Vertex next_vertex() const noexcept;
   [[nodiscard]] bool alive(Halfedge h) const noexcept {
     return side(h) < 3 && alive(triangle(h)) && (!on_boundary(h) || link_of({h.id & ~outside}) == edge_of_mesh);
   }

@@ -50,6 +50,12 @@ inline void StripMesh::expect_touches_around(Vertex v) {
   expect_touches(triangles + most_other_touches);
 }
 
+inline Vertex StripMesh::next_vertex() const noexcept {
+  const auto free = std::find_if(free_vertices_.rbegin(), free_vertices_.rend(),
+                                 [this](Vertex v) { return v < spoke_.size() && spoke_[v] == none; });
+  return free != free_vertices_.rend() ? *free : static_cast<Vertex>(spoke_.size());
+}
+
 inline Vertex StripMesh::new_vertex(Vertex wanted) {
   if (wanted == none) {
     // Vertices that were named by a caller in the meantime are in use again: skip them.
