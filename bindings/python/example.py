@@ -15,17 +15,20 @@ print(f"{len(faces)} triangles, {len(indices)} indices in {len(restrip.strips_of
 
 mesh = restrip.LiveMesh(faces, policy="quick", effort="full")
 mesh.begin_buffer("restart", index=16)
-device = np.zeros(20000, np.uint16)
+device = None
 written = 0
 
 
 def draw():
     """Copies what changed, and counts the triangles that the device draws."""
-    global written
-    for first, part in mesh.update():
+    global device, written
+    parts = mesh.update()
+    if mesh.outgrown:  # also the first time
+        device = np.zeros(mesh.room, np.uint16)
+    for first, part in parts:
         device[first:first + len(part)] = part
         written += part.nbytes
-    return len(restrip.faces_of(device[:len(mesh.buffer())]))
+    return len(restrip.faces_of(device[:mesh.index_count]))
 
 
 print(f"at first: {draw()} triangles in {mesh.strip_count} strips, {written} bytes written")

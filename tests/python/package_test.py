@@ -1,6 +1,9 @@
 """The Python package: strips and buffers draw the faces given, windings included, whatever the operation, policy and form;
 what it refuses says why and changes nothing. Run in an environment that has the package."""
+import copy
 import pathlib
+import pickle
+import pydoc
 import random
 import unittest
 import warnings
@@ -59,7 +62,7 @@ class StripsOf(unittest.TestCase):
         self.assertEqual(restrip.strips_of(faces, index=32).dtype, np.uint32)
         self.assertEqual(restrip.strips_of(faces + 65535 - 9).dtype, np.uint16)
         self.assertEqual(restrip.strips_of(faces + 65536 - 9).dtype, np.uint32)
-        with self.assertRaisesRegex(restrip.RestripError, "indices can hold"):
+        with self.assertRaisesRegex(restrip.RestripError, "vertex 65,535 needs 32-bit indices; use index='auto'"):
             restrip.strips_of(faces + 65536 - 9, index=16)
 
     def test_progress_is_reported_and_can_stop(self):
@@ -86,7 +89,9 @@ class StripsOf(unittest.TestCase):
                             ([[0, 1, 2 ** 32]], "4294967296")):
             with self.assertRaisesRegex(ValueError, said):
                 restrip.strips_of(faces)
-        for options, said in (({"cost": "turns"}, "strips, indices"), ({"cost": (0, 1, 1)}, "1 to 1000"), ({"format": "fans"}, "restart, stitched, strips, vtk"),
+        for options, said in (({"cost": "turns"}, "strips, indices"), ({"cost": (0, 1, 1)}, "1 to 1000"), ({"cost": (3, 1)}, r"cost \(3, 1\): expected \(restart, swap, isolated\)"),
+                              ({"cost": 3}, "cost 3: expected"), ({"cost": (1, 0.5, 0)}, "1 to 1000"), ({"vertex_count": 9.5}, "vertex_count 9.5: expected an integer"),
+                              ({"vertex_count": -1}, "vertex_count -1"), ({"format": "fans"}, "restart, stitched, strips, vtk"),
                               ({"effort": "most"}, "fast, full, best"), ({"index": 8}, "16 or 32")):
             with self.assertRaisesRegex(ValueError, said):
                 restrip.strips_of(grid(3), **options)
@@ -122,11 +127,12 @@ class Live(unittest.TestCase):
                     change = getattr(mesh, operation)(h)
                     done[operation] = done.get(operation, 0) + 1
                     self.assertEqual(mesh.strip_count, before[0] + change.strips)
-                    for first, part in mesh.update(merge_gap=generator.choice([0, 8]), align=generator.choice([4, 16])):
+                    for first, part in mesh.update(merge_gap=generator.choice([0, 8]), align=generator.choice([2, 4, 16])):
                         device[first:first + len(part)] = part
                     buffer = mesh.buffer()
-                    drawn_of_it = len(buffer) // 3 * 3 if form == "list" else len(buffer)
-                    self.assertEqual(device[:drawn_of_it].tolist(), buffer[:drawn_of_it].tolist())
+                    drawn_of_it = mesh.index_count
+                    self.assertEqual(drawn_of_it, 3 * mesh.triangle_count if form == "list" else len(buffer))
+                    self.assertEqual(device[:len(buffer)].tolist(), buffer.tolist())
                     self.assertGreaterEqual(mesh.room, len(buffer))
                     outgrown += mesh.outgrown
                     faces = drawn(buffer) if form != "list" else [f for f in buffer[:drawn_of_it].reshape(-1, 3) if len(set(f.tolist())) == 3]
@@ -201,6 +207,69 @@ class Live(unittest.TestCase):
     def test_a_buffer_must_be_begun(self):
         with self.assertRaisesRegex(restrip.RestripError, "live"):
             restrip.LiveMesh(grid(3)).update()
+
+        with self.assertRaisesRegex(restrip.RestripError, r"^update: the mesh has no live buffer: call begin_buffer\(\) first$"):
+            restrip.LiveMesh(grid(3)).update()
+
+    def test_sixteen_bits_are_kept(self):
+        mesh = restrip.LiveMesh(np.concatenate([grid(20), grid(20) + 65534 - 399]))
+        mesh.begin_buffer(index=16)
+        mesh.update()
+        before, h = rotated(mesh.faces()), mesh.find(30, 31)
+        said = "vertex 65,535 needs 32-bit indices; use index='auto'"
+        for operation, arguments in (("bisect", [h]), ("split_face", [h]), ("split", [h, mesh.find(30, 10)]), ("split", [h, mesh.find(30, 10), 65535])):
+            self.assertEqual(mesh.why_not(operation, *arguments), said)
+            with self.assertRaisesRegex(restrip.RestripError, f"^{operation}: {said}$"):
+                getattr(mesh, operation)(*arguments)
+        self.assertEqual(rotated(mesh.faces()), before)
+        self.assertEqual(mesh.update(), [])
+        mesh.collapse(mesh.find(50, 51))
+        self.assertEqual(mesh.ends(mesh.bisect(h).halfedge)[1], 51)
+        mesh.update()
+        mesh.begin_buffer()
+        mesh.update()
+        self.assertEqual(mesh.buffer().dtype, np.uint16)
+        self.assertEqual(mesh.ends(mesh.bisect(mesh.find(30, 10)).halfedge)[1], 65535)
+        mesh.update()
+        self.assertEqual((mesh.outgrown, mesh.buffer().dtype), (True, np.uint32))
+
+    def test_a_mesh_is_not_copied(self):
+        mesh = restrip.LiveMesh(grid(5))
+        for made in (copy.copy, copy.deepcopy, pickle.dumps):
+            with self.assertRaisesRegex(TypeError, r"cannot be copied or pickled; build another from mesh.faces\(\)"):
+                made(mesh)
+        self.assertEqual(rotated(mesh.faces()), rotated(grid(5)))
+
+    def test_arguments_are_checked(self):
+        mesh = restrip.LiveMesh(grid(5))
+        mesh.begin_buffer()
+        mesh.update()
+        h = np.int64(mesh.find(6, 7))
+        self.assertEqual(mesh.ends(h), (6, 7))
+        for wrong in (5.5, -1, 2 ** 32, "6", None):
+            for call in (lambda: mesh.bisect(wrong), lambda: mesh.find(6, wrong), lambda: mesh.spoke(wrong), lambda: mesh.next(wrong), lambda: mesh.opposite(wrong),
+                         lambda: mesh.ends(wrong), lambda: mesh.triangle(wrong), lambda: mesh.solid(wrong), lambda: mesh.corners(wrong), lambda: mesh.split(h, wrong),
+                         lambda: mesh.why_not("flip", wrong), lambda: mesh.collapse_batch([wrong]), lambda: mesh.split_batch([(h, wrong, 3)]),
+                         lambda: mesh.collapse_batch([], wrong), lambda: mesh.indices(cache_size=wrong)):
+                with self.assertRaisesRegex(ValueError, f"{wrong!r}: expected an integer from 0 to 4294967295"):
+                    call()
+        for call in (lambda: mesh.improve(-5), lambda: mesh.improve(2.5), lambda: mesh.begin_buffer(history=-1), lambda: mesh.update(merge_gap=-1)):
+            with self.assertRaisesRegex(ValueError, "expected an integer from 0"):
+                call()
+        for align in (0, 3, 6):
+            with self.assertRaisesRegex(ValueError, f"align {align}: expected 2 or a multiple of 4"):
+                mesh.update(align=align)
+        for arguments in ((), (h, h)):
+            with self.assertRaisesRegex(TypeError, "why_not: flip needs a halfedge"):
+                mesh.why_not("flip", *arguments)
+        with self.assertRaisesRegex(TypeError, "why_not: split needs left, right and perhaps vertex"):
+            mesh.why_not("split", h)
+        self.assertEqual((mesh.update(), rotated(mesh.faces())), ([], rotated(grid(5))))
+
+    def test_help_names_what_users_need(self):
+        manual = pydoc.render_doc(restrip, renderer=pydoc.plaintext)
+        for words in ("Side s of triangle t, 4 t + s", "`outgrown` says", "degenerate_triangles    left out", "NONE if the mesh has no such edge", "np.unique"):
+            self.assertIn(words, manual)
 
     def test_types_and_licence_are_shipped(self):
         folder = pathlib.Path(restrip.__file__).parent

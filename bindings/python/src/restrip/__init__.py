@@ -11,6 +11,8 @@ returns the parts of its index buffer that changed. Faces go in as arrays of any
 from __future__ import annotations
 
 import ctypes
+import operator
+import sys
 import warnings
 from typing import Callable, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
 
@@ -33,15 +35,22 @@ _FORMATS = ("restart", "stitched", "strips", "vtk")
 _FORMS = {"restart": 0, "stitched": 1, "list": 3}
 _LENGTHS = 2
 _SLICES = 50
+_TOO_LARGE = 103  # RESTRIP_TOO_LARGE
+_MOST = 2 * sys.maxsize + 1  # of size_t
+_NEEDS_32 = "vertex 65,535 needs 32-bit indices; use index='auto'"
 
 
 class Change(NamedTuple):
-    """The result of an operation."""
+    """The result of an operation:
+      halfedge  to the new vertex; after collapse one that leaves the vertex that stays, after flip the turned edge
+      valence   triangles of the patch; 0 under the policy "bare"
+      strips    change in the number of strips of the mesh
+      isolated  change in the number of triangles that are a strip by themselves"""
 
-    halfedge: int  #: as restrip.h says for each operation
-    valence: int  #: triangles of the patch; 0 under the policy "bare"
-    strips: int  #: change in the number of strips of the mesh
-    isolated: int  #: change in the number of triangles that are a strip by themselves
+    halfedge: int
+    valence: int
+    strips: int
+    isolated: int
 
 
 class Coloring(NamedTuple):
@@ -54,20 +63,37 @@ class Coloring(NamedTuple):
 
 
 class Report(NamedTuple):
-    """A report on the faces given."""
+    """A report on the faces given:
+      degenerate_triangles    left out: a corner twice
+      out_of_range_triangles  left out: a corner that is not below vertex_count
+      boundary_edges          edges of one triangle
+      non_manifold_edges      edges of three triangles or more: strips cross them in pairs of triangles wound alike
+      inconsistent_edges      edges of two triangles that disagree in orientation: no strip crosses them
+      non_manifold_vertices   of several fans, or on one of these edges: operations at them are refused"""
 
-    degenerate_triangles: int  #: left out: a corner twice
-    out_of_range_triangles: int  #: left out: a corner that is not below vertex_count
+    degenerate_triangles: int
+    out_of_range_triangles: int
     boundary_edges: int
-    non_manifold_edges: int  #: edges of three triangles or more: no strip crosses them
-    inconsistent_edges: int  #: edges of two triangles that disagree in orientation: no strip crosses them
-    non_manifold_vertices: int  #: operations refuse them
+    non_manifold_edges: int
+    inconsistent_edges: int
+    non_manifold_vertices: int
 
 
 def _one_of(what: str, value: str, known: Sequence[str]) -> int:
     if value not in known:
         raise ValueError(f"{what} {value!r}: expected one of {', '.join(known)}")
     return known.index(value)
+
+
+def _number(what: str, value, most: int = NONE) -> int:
+    """An integer of Python or numpy from 0 to `most`."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = -1
+    if not 0 <= number <= most:
+        raise ValueError(f"{what} {value!r}: expected an integer from 0 to {most}")
+    return number
 
 
 def _form(form: str) -> int:
@@ -79,8 +105,12 @@ def _cost(cost: Cost) -> lib.Cost:
     if isinstance(cost, str):
         _one_of("cost", cost, tuple(_COSTS))
         cost = _COSTS[cost]
-    restart, swap, isolated = cost
-    if not (1 <= restart <= 1000 and 0 <= swap <= 1000 and 0 <= isolated <= 1000):
+    try:
+        restart, swap, isolated = map(operator.index, cost)
+        known = 1 <= restart <= 1000 and 0 <= swap <= 1000 and 0 <= isolated <= 1000
+    except (TypeError, ValueError):
+        known = False
+    if not known:
         raise ValueError(f"cost {cost}: expected (restart, swap, isolated), restart from 1 to 1000, the others from 0 to 1000")
     return lib.Cost(restart, swap, isolated)
 
@@ -110,6 +140,16 @@ def _array(view: lib.BufferView) -> np.ndarray:
     return np.frombuffer((ctypes.c_uint8 * (view.index_count * dtype.itemsize)).from_address(view.indices), dtype)
 
 
+def _fitted(index: Optional[Index], name: str, *arguments) -> None:
+    """lib.call, for indices of this width: too few bits are an error that names the remedy."""
+    try:
+        lib.call(name, *arguments)
+    except RestripError as error:
+        if error.code != _TOO_LARGE or index != 16:
+            raise
+        raise RestripError(error.code, f"{lib.shown(name)}: {_NEEDS_32}") from None
+
+
 def _address(array: np.ndarray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
 
@@ -120,24 +160,30 @@ class LiveMesh:
     `faces` has three columns, counter-clockwise; vertices are numbers below `vertex_count` (by default the largest plus
     one). Strips are made from scratch by `effort` ("fast", "full", "best"; None: every triangle is a strip) and maintained by
     `policy` ("bare", "rules", "local", "linked", "quick", "full", "best": docs/reference/policies.md has figures) for `cost`: "strips",
-    "indices", or a triple (restart, swap, isolated) of weights. `report` counts defects of the faces; faces that are
-    left out give a warning.
+    "indices", or a triple (restart, swap, isolated) of weights. Memory is linear in the faces and in the largest vertex
+    number, about 17 bytes for each; `strips_of` shows how to renumber sparse vertices.
 
-    A halfedge is a number: a directed mesh edge whose triangle lies to its left. One mesh may be read by several threads,
-    or be changed by one.
+    Attributes: `report`, a Report, counts defects of the faces; faces that are left out give a warning. `outgrown` says
+    whether the last update() needs a new buffer on the device, and `room` how many indices that buffer should hold.
+
+    A halfedge is a number: a directed mesh edge whose triangle lies to its left. Side s of triangle t, 4 t + s, leads from
+    corner s to corner s + 1 (after 2 comes 0). Other numbers name halfedges on the boundary, which have no triangle. Triangles
+    are numbered in the order of their faces, without faces that are left out. One mesh may be read by several threads, or be
+    changed by one.
     """
 
     report: Report
-    outgrown: bool  #: see update
+    outgrown: bool
     room: int
 
     def __init__(self, faces, vertex_count: Optional[int] = None, *, policy: str = "quick", cost: Cost = "indices",
                  effort: Optional[str] = "fast"):
         self._mesh: Optional[int] = None
-        self.outgrown, self.room = False, 0
+        self.outgrown, self.room, self._index = False, 0, None
         corners = _corners(faces, NONE)
         if vertex_count is None:
             vertex_count = int(corners.max()) + 1 if corners.size else 0
+        vertex_count = _number("vertex_count", vertex_count)
         kept = _one_of("policy", policy, _POLICIES)
         report, mesh, weights = lib.BuildReport(), ctypes.c_void_p(), _cost(cost)
         lib.call("mesh_build_u32", _address(corners), corners.size, vertex_count, report, None, mesh)
@@ -154,6 +200,9 @@ class LiveMesh:
         if getattr(self, "_mesh", None):
             lib.plain("mesh_free", self._mesh)
 
+    def __reduce__(self):
+        raise TypeError("a LiveMesh cannot be copied or pickled; build another from mesh.faces()")
+
     # ---- size and counts
 
     @property
@@ -162,7 +211,8 @@ class LiveMesh:
 
     @property
     def triangle_bound(self) -> int:
-        """An upper bound: triangle numbers are below it. A triangle keeps its number until it is removed."""
+        """An upper bound: triangle numbers are below it. A triangle keeps its number until it is removed; then the next new
+        triangle takes it. The numbers in use are those of strips()."""
         return lib.plain("mesh_triangle_bound", self._mesh)
 
     @property
@@ -184,8 +234,9 @@ class LiveMesh:
         return Coloring(coloring.triangles, coloring.strips, coloring.isolated, bool(coloring.valid))
 
     def corners(self, triangle: int) -> Tuple[int, int, int]:
+        """The vertices of a triangle, counter-clockwise. RestripError if no triangle has this number."""
         found = np.empty(3, np.uint32)
-        lib.call("mesh_corners", self._mesh, triangle, _address(found))
+        lib.call("mesh_corners", self._mesh, _number("triangle", triangle), _address(found))
         a, b, c = found.tolist()
         return a, b, c
 
@@ -196,32 +247,34 @@ class LiveMesh:
     # ---- halfedges: NONE if it does not exist
 
     def find(self, v: int, w: int) -> int:
-        """The halfedge from vertex v to vertex w."""
-        return lib.plain("mesh_find", self._mesh, v, w)
+        """The halfedge from vertex v to vertex w; NONE if the mesh has no such edge."""
+        return lib.plain("mesh_find", self._mesh, _number("vertex", v), _number("vertex", w))
 
     def spoke(self, v: int) -> int:
-        """A halfedge that leaves v. On the boundary turning counter-clockwise from it meets all triangles of v."""
-        return lib.plain("mesh_spoke", self._mesh, v)
+        """A halfedge that leaves v; NONE if v has no triangles. On the boundary turning counter-clockwise from it meets all
+        triangles of v."""
+        return lib.plain("mesh_spoke", self._mesh, _number("vertex", v))
 
     def next(self, halfedge: int) -> int:
-        """The next one around the triangle."""
-        return lib.plain("mesh_next", self._mesh, halfedge)
+        """The next one around the triangle; NONE on the boundary."""
+        return lib.plain("mesh_next", self._mesh, _number("halfedge", halfedge))
 
     def opposite(self, halfedge: int) -> int:
-        """The same mesh edge in the other direction."""
-        return lib.plain("mesh_opposite", self._mesh, halfedge)
+        """The same mesh edge in the other direction. At the boundary it has no triangle."""
+        return lib.plain("mesh_opposite", self._mesh, _number("halfedge", halfedge))
 
     def ends(self, halfedge: int) -> Tuple[int, int]:
         """The vertices that it leaves and leads to."""
+        halfedge = _number("halfedge", halfedge)
         return lib.plain("mesh_from", self._mesh, halfedge), lib.plain("mesh_to", self._mesh, halfedge)
 
     def triangle(self, halfedge: int) -> int:
-        """The triangle to its left."""
-        return lib.plain("mesh_triangle", self._mesh, halfedge)
+        """The triangle to its left; NONE on the boundary."""
+        return lib.plain("mesh_triangle", self._mesh, _number("halfedge", halfedge))
 
     def solid(self, halfedge: int) -> bool:
         """Whether a strip crosses the mesh edge."""
-        return bool(lib.plain("mesh_solid", self._mesh, halfedge))
+        return bool(lib.plain("mesh_solid", self._mesh, _number("halfedge", halfedge)))
 
     # ---- operations: each is done, or refused with a RestripError that says why, and then nothing changed
 
@@ -260,18 +313,21 @@ class LiveMesh:
         _one_of("operation", operation, ("split", "collapse", "flip", "split_face", "join_faces", "bisect", "merge"))
         if operation == "split" and len(arguments) == 2:
             arguments = (*arguments, NONE)
-        code = lib.plain("mesh_check_" + operation, self._mesh, *arguments)
-        return None if code == 0 else lib.describe(code)
+        if len(arguments) != (3 if operation == "split" else 1):
+            needed = "left, right and perhaps vertex" if operation == "split" else "a halfedge"
+            raise TypeError(f"why_not: {operation} needs {needed}, found {arguments}")
+        code = lib.plain("mesh_check_" + operation, self._mesh, *(_number(operation, each) for each in arguments))
+        return None if code == 0 else self._refusal(code)
 
     def split_batch(self, requests: Iterable[Tuple[int, int, int]], threads: int = 1) -> List[Change]:
         """Many splits (left, right, vertex) at once, all or none; no two may overlap. `threads` 0: one for each
         processor."""
-        asked = [lib.SplitRequest(*request) for request in requests]
+        asked = [lib.SplitRequest(*(_number("request", each) for each in request)) for request in requests]
         return self._batch("mesh_split_batch", (lib.SplitRequest * len(asked))(*asked), len(asked), threads)
 
     def collapse_batch(self, halfedges, threads: int = 1) -> List[Change]:
         """Many collapses at once, all or none; no two may overlap."""
-        asked = np.ascontiguousarray(halfedges, dtype=np.uint32).ravel()
+        asked = np.array([_number("halfedge", each) for each in np.asarray(halfedges).ravel()], np.uint32)
         return self._batch("mesh_collapse_batch", _address(asked), asked.size, threads)
 
     # ---- strips
@@ -290,6 +346,7 @@ class LiveMesh:
         """Examines about `budget` states of searches for better strips, a few hundred nanoseconds each; returns how much
         the cost is lower. `progress(done, budget, saved)` is called some fifty times; it may stop the search by returning
         True."""
+        budget = _number("budget", budget, _MOST)
         saved, done, part = 0, 0, ctypes.c_size_t()
         while done < budget:
             size = budget if progress is None else min(budget - done, max(1, budget // _SLICES))
@@ -334,14 +391,18 @@ class LiveMesh:
 
     def begin_buffer(self, form: str = "restart", index: Index = "auto", history: int = 0) -> None:
         """Starts the index buffer of the mesh, instead of a previous one, in a form of `indices`. An update of "list"
-        writes less. With "auto" it has 16 bits until a vertex needs 32. With a `history` each update, from the next one on,
+        writes less than an update of strips. With "auto" it has 16 bits until a vertex needs 32; with 16, operations that would
+        add such a vertex are refused. With a `history` each update, from the next one on,
         ends a frame that can be undone; all frames together keep about that many changed triangles, 100 bytes each."""
+        history = _number("history", history, _MOST)
         lib.call("live_begin_format", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1))
+        self._index = index
         lib.call("live_history", self._mesh, history)
 
     def undo(self) -> bool:
         """Undoes the last frame; changes since the last update are a frame. Restores faces, numbers and strips exactly.
-        False if no frame is left. The next update returns the whole buffer. Linear in the mesh."""
+        False if no frame is left. The history has no index buffers, so the next update returns the whole buffer. Linear in the
+        mesh."""
         return self._stepped("live_undo")
 
     def redo(self) -> bool:
@@ -359,18 +420,29 @@ class LiveMesh:
         """Brings the buffer in step with the mesh. Returns the parts that may have changed, each with its first place, to be
         copied to the device. Parts at most `merge_gap` indices apart are joined, and begin and end at multiples of `align`
         bytes: 2, or a multiple of 4. Then `outgrown` says whether the buffer has outgrown the `room` that it had, or its
-        width: the device needs a new one, of `room` indices. Linear in the changes."""
+        width: the device needs a new one, of `room` indices, and the only part is the whole buffer. Linear in the changes."""
+        merge_gap, align = _number("merge_gap", merge_gap, _MOST), _number("align", align, _MOST)
+        if align != 2 and (align == 0 or align % 4 != 0):
+            raise ValueError(f"align {align}: expected 2 or a multiple of 4")
         ranges, count, outgrown = ctypes.POINTER(lib.Range)(), ctypes.c_size_t(), ctypes.c_int32()
-        lib.call("live_update_with", self._mesh, merge_gap, align, ranges, count, outgrown)
+        _fitted(self._index, "live_update_with", self._mesh, merge_gap, align, ranges, count, outgrown)
         view, room = lib.BufferView(), ctypes.c_size_t()
         lib.call("live_buffer", self._mesh, view, room)
         self.outgrown, self.room = bool(outgrown.value), room.value
         indices = _array(view)
         return [(ranges[i].first, indices[ranges[i].first:ranges[i].first + ranges[i].count].copy()) for i in range(count.value)]
 
+    @property
+    def index_count(self) -> int:
+        """The number of indices to draw after the last update: the length of the buffer, or of a list three for each triangle.
+        O(1)."""
+        view = lib.BufferView()
+        lib.call("live_buffer", self._mesh, view, None)
+        return sum(view.draws[i].count for i in range(view.draw_count))
+
     def buffer(self) -> np.ndarray:
         """A copy of the whole buffer after the last update, a multiple of four bytes: a 16-bit list may end with an index
-        that does not belong to a triangle."""
+        that does not belong to a triangle and is not counted by `index_count`."""
         view = lib.BufferView()
         lib.call("live_buffer", self._mesh, view, None)
         return _array(view).copy()
@@ -385,7 +457,8 @@ class LiveMesh:
     def _made(self, form: int, index: Index, cache_size: int) -> Tuple[np.ndarray, List[Tuple[int, int]]]:
         """A buffer of the strips, and the ranges to draw separately."""
         buffer, view = ctypes.c_void_p(), lib.BufferView()
-        lib.call("mesh_buffer", self._mesh, lib.Format(form, _bits(index), 0, 0, 1), cache_size, buffer)
+        wanted = lib.Format(form, _bits(index), 0, 0, 1)
+        _fitted(index, "mesh_buffer", self._mesh, wanted, _number("cache_size", cache_size), buffer)
         try:
             lib.call("buffer_read", buffer, view)
             return _array(view).copy(), [(view.draws[i].first, view.draws[i].count) for i in range(view.draw_count)]
@@ -394,13 +467,16 @@ class LiveMesh:
 
     def _done(self, name: str, *arguments: int) -> Change:
         change = lib.Change()
-        lib.call(name, self._mesh, *arguments, change)
+        _fitted(self._index, name, self._mesh, *(_number("halfedge", each) for each in arguments), change)
         return Change(change.halfedge, change.valence, change.strips, change.isolated)
+
+    def _refusal(self, code: int) -> str:
+        return _NEEDS_32 if code == _TOO_LARGE and self._index == 16 else lib.describe(code)
 
     def _batch(self, name: str, asked, count: int, threads: int) -> List[Change]:
         changes, fault = (lib.Change * max(1, count))(), (ctypes.c_size_t * 2)()
         try:
-            lib.call(name, self._mesh, asked, count, threads, changes, fault)
+            lib.call(name, self._mesh, asked, count, _number("threads", threads), changes, fault)
         except RestripError as error:
             raise RestripError(error.code, f"{error} (request {fault[0]}, with {fault[1]})") from None
         return [Change(one.halfedge, one.valence, one.strips, one.isolated) for one in changes[:count]]
@@ -424,7 +500,9 @@ def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort:
       "strips"    a list of arrays, one for each strip,
       "vtk"       one array, in which each strip follows the number of its indices, as in vtkPolyData and pyvista.
     Windings are kept; an index is repeated if a strip turns twice the same way. `index` is 16, 32 or "auto".
-    If a triangle list has fewer indices than the array that is returned, a warning says so. With `progress` the strips of the
+    Memory is linear in the faces and in the largest vertex number, about 17 bytes for each. Sparse vertices are renumbered by
+    `used, corners = np.unique(faces, return_inverse=True)`: with `corners.reshape(-1, 3)` in place of `faces`, `used[i]` is
+    vertex i. If a triangle list has fewer indices than the array that is returned, a warning says so. With `progress` the strips of the
     effort "fast" are improved step by step, and progress(done, budget, saved) is called in between; it may stop that by
     returning True.
     """

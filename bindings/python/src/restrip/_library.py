@@ -6,6 +6,7 @@ import os
 import pathlib
 
 NONE = 0xFFFFFFFF
+NOT_LIVE = 108  # RESTRIP_NOT_LIVE
 ABI = 2  # RESTRIP_ABI_VERSION
 
 _u32, _size, _mesh, _int = c.c_uint32, c.c_size_t, c.c_void_p, c.c_int32
@@ -120,7 +121,14 @@ def plain(name: str, *arguments):
 
 
 def describe(code: int) -> str:
+    if code == NOT_LIVE:
+        return "the mesh has no live buffer: call begin_buffer() first"
     return plain("describe", code).decode()
+
+
+def shown(name: str) -> str:
+    """A function by its name in this package."""
+    return {"live_update_with": "update", "live_begin_format": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh"}.get(name, name.split("_", 1)[1])
 
 
 def call(name: str, *arguments) -> None:
@@ -129,4 +137,4 @@ def call(name: str, *arguments) -> None:
     if code == 109:
         raise MemoryError(describe(code))
     if code != 0:
-        raise RestripError(code, f"{name.split('_', 1)[1]}: {describe(code)}")
+        raise RestripError(code, f"{shown(name)}: {describe(code)}")
