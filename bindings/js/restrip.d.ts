@@ -70,6 +70,7 @@ export interface Figures {
   /** Records that are split now; when `inOrder`, the first ones. */
   played: number;
   inOrder: boolean;
+  /** To be drawn, gaps included. */
   bufferIndices: number;
   operations: number;
   /** Operations that added strips; that added an isolated triangle (not counted while `baked`); that the mesh refused. */
@@ -100,10 +101,12 @@ export interface LastOperation {
   trianglesAfter: Uint32Array;
 }
 
-/** Call begin() first; everything else is an error before it. A view of memory (`indices`) is valid until the next
- * call of any method of any mesh. */
+/** Call begin() first. Before it only `points`, `levels`, `splits`, `hasBakedStrips`, `leftOut`, addPoint(), setPoint()
+ * and close() do not throw. A view of memory (`indices`, `listIndices`) is valid until the next call of any method of any
+ * mesh. */
 export class StripMesh implements Disposable {
-  /** Replaced by addPoint(), bisect() and splitFace(), which add one. */
+  /** Replaced when addPoint(), bisect() or splitFace() makes it longer, in constant time on average: read it again.
+   * bisect() and splitFace() may reuse the number of a removed vertex; then it keeps its length. */
   readonly points: Float32Array;
   /** Number of records. */
   readonly levels: number;
@@ -113,9 +116,11 @@ export class StripMesh implements Disposable {
   readonly hasBakedStrips: boolean;
   readonly leftOut: { triangles: number; nonManifoldVertices: number; boundaryEdges: number };
 
-  /** Goes to the base, makes its strips from scratch, and maintains them with these options. Policy 'baked' begins with the
+  /** Goes to the base, makes its strips from scratch, and maintains them with these options. A mesh with records loses
+   *  single operations; a mesh without records keeps them: its base is the present mesh. Policy 'baked' begins with the
    *  baked strips instead and ignores the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex number is 65,535
-   *  or above. Defaults: 'quick', 'indices', 'restart', 32. */
+   *  or above. With 16, addPoint() throws for such a vertex, and bisect() and splitFace() refuse it. Defaults:
+   *  'quick', 'indices', 'restart', 32. */
   begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto' }): this;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
    * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin(), because
@@ -126,7 +131,7 @@ export class StripMesh implements Disposable {
   approach(wanted: Uint8Array, most?: number): number;
   /** The records that can be split now, because all records that they need are split. Linear time. */
   readonly ready: Uint32Array;
-  /** A new vertex for split(). Returns its number. */
+  /** A new vertex for split(). Returns its number. bisect() and splitFace() may take it if they come first. */
   addPoint(x: number, y: number, z: number): number;
   /** Moves a vertex; strips do not depend on positions. */
   setPoint(v: number, x: number, y: number, z: number): void;
@@ -134,8 +139,8 @@ export class StripMesh implements Disposable {
   split(vS: number, vT: number, vL: number, vR: number): string | null;
   collapse(vS: number, vT: number): string | null;
   flip(u: number, v: number): string | null;
-  /** A new vertex at the middle of an edge, or of the triangle with these corners in this order. Returns its number, or a
-   * sentence that says why the mesh refuses. */
+  /** A new vertex at the middle of an edge, or of the triangle with these corners, counter-clockwise from any of them.
+   * Returns its number, or a sentence that says why the mesh refuses. */
   bisect(u: number, v: number): number | string;
   splitFace(a: number, b: number, c: number): number | string;
 
@@ -147,17 +152,19 @@ export class StripMesh implements Disposable {
   /** The number of indices that the buffer on the device should have room for; for a mesh with records 2 a triangle of the
    * finest level, or more. */
   readonly room: number;
-  /** The ranges to draw: the runs of the form 'lengths', else the whole buffer. */
+  /** The ranges to draw: the runs of the form 'lengths', else the whole buffer; of a list 3 indices a triangle. */
   readonly draws: Range[];
   /** Instead of update(), for a policy such as 'bare' that does not maintain strips: a triangle list, in which an operation
-   *  writes only the slots of the triangles that it changed; with `whole` the whole list. */
+   *  writes only the slots of the triangles that it changed; with `whole` the whole list. It has 32 bits and does not
+   *  report `outgrown`; the form 'list' with update() does, and is otherwise the same. */
   updateList(options?: { whole?: boolean }): Range[];
   /** That list, 3 indices a triangle. A view, not a copy. */
   readonly listIndices: Uint32Array;
   /** A copy of the index buffer of strips made from scratch, by the fastest way, for the present mesh. The maintained
    *  strips do not change. Linear time. */
   fromScratch(options?: { cost?: Cost }): Uint32Array;
-  /** The index buffer in the form that begin() was given. A view, not a copy. */
+  /** The index buffer in the form that begin() was given. A 16-bit list of an odd number of triangles ends with one more
+   * index, which is not drawn. A view, not a copy. */
   readonly indices: Uint32Array | Uint16Array;
   /** A copy of the triangles, 3 numbers each. */
   readonly triangles: Uint32Array;

@@ -9,6 +9,7 @@ const costs = { strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart
 const forms = ['restart', 'stitched', 'lengths', 'list'];
 export const restartIndex = 0xffffffff;
 export const none = 0xffffffff;
+const noSuchEdge = 1;  // of Refusal, restrip/mesh/refusal.hpp
 
 const figureNames = ['triangles', 'strips', 'played', 'inOrder', 'bufferIndices', 'operations', 'addingStrip',
   'isolating', 'refused', 'indicesWritten', 'updates', 'baked'];
@@ -26,15 +27,25 @@ export async function load(source = new URL('./restrip.wasm', import.meta.url)) 
 
 // ---- arguments: checked against the manual; an error has one sentence
 
+/// As it is written in a program: strings in quotes, 5n.
+function shown(value) {
+  return typeof value === 'string' ? `'${value}'` : typeof value === 'bigint' ? `${value}n` : String(value);
+}
+/// The options given, without others than `names`.
+function known(what, options, names) {
+  const other = Object.keys(options).find((name) => !names.includes(name));
+  if (other === undefined) return options;
+  throw new RangeError(`${what} has no option ${shown(other)}: expected ${names.join(', ')}`);
+}
 /// A whole number from 0 to `most`.
 function whole(what, n, most = 0xffffffff) {
   if (Number.isInteger(n) && n >= 0 && n <= most) return n;
-  throw new RangeError(`${what} is ${String(n)}; it must be a whole number from 0 to ${most}`);
+  throw new RangeError(`${what} is ${shown(n)}; it must be a whole number from 0 to ${most}`);
 }
 /// The largest number of operations; without a limit more than any mesh has.
 function limit(most) {
   if (typeof most === 'number' && most >= 0) return Math.min(Math.floor(most), 0xffffffff);
-  throw new RangeError(`the number of operations is ${String(most)}; it must be 0 or more`);
+  throw new RangeError(`the number of operations is ${shown(most)}; it must be 0 or more`);
 }
 /// `width` numbers for each item.
 function groups(what, list, width) {
@@ -46,7 +57,7 @@ function coordinates(list) {
   groups('points', list, 3);
   const out = Float32Array.from(list);
   const wrong = out.findIndex((coordinate) => !Number.isFinite(coordinate));
-  if (wrong >= 0) throw new RangeError(`points: vertex ${Math.floor(wrong / 3)} has the coordinate ${String(list[wrong])}, which no float can hold`);
+  if (wrong >= 0) throw new RangeError(`points: vertex ${Math.floor(wrong / 3)} has the coordinate ${shown(list[wrong])}, which no float can hold`);
   return out;
 }
 /// Vertices, `width` for each `what`; `or`: a number that may stand for none of them.
@@ -54,13 +65,13 @@ function vertices(what, list, width, count, or = NaN) {
   groups(what, list, width);
   for (let i = 0; i < list.length; ++i)
     if (!(Number.isInteger(list[i]) && list[i] >= 0 && list[i] < count) && list[i] !== or)
-      throw new RangeError(`${what} ${Math.floor(i / width)} names vertex ${String(list[i])}; there are ${count}`);
+      throw new RangeError(`${what} ${Math.floor(i / width)} names vertex ${shown(list[i])}; there are ${count}`);
   return Uint32Array.from(list);
 }
 function weights(cost) {
   const own = typeof cost === 'string' && Object.hasOwn(costs, cost) ? costs[cost] : cost;
   if (typeof own !== 'object' || own === null)
-    throw new RangeError(`unknown cost ${String(cost)}: expected ${Object.keys(costs).join(', ')} or custom weights`);
+    throw new RangeError(`unknown cost ${shown(cost)}: expected ${Object.keys(costs).join(', ')} or custom weights`);
   const { restart, swap, isolated = 0 } = own;
   return Object.entries({ restart, swap, isolated }).map(([name, weight]) => whole(`the weight ${name}`, weight, 1000));
 }
@@ -98,7 +109,7 @@ export class Restrip {
   }
   /// The same in steps of some thousand attempts.
   *simplifying({ points, triangles }, share = 0.02) {
-    if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${String(share)}; it must be from 0 to 1`);
+    if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${shown(share)}; it must be from 0 to 1`);
     const places = coordinates(points);
     const count = places.length / 3;
     const corners = vertices('triangle', triangles, 3, count);
@@ -130,7 +141,7 @@ export class Restrip {
   /// The rule of a configuration.
   rule({ family, k = 0, a = 0, i = 0, j = 0, edges, ports }) {
     const number = families.indexOf(family);
-    if (number < 0) throw new RangeError(`unknown family ${family}: expected one of ${families.join(', ')}`);
+    if (number < 0) throw new RangeError(`unknown family ${shown(family)}: expected one of ${families.join(', ')}`);
     const x = number < 2 ? whole('a', a) : whole('i', i);
     const solid = mask('ports', ports);
     const [valid, strips, low, high, kept] =
@@ -192,14 +203,16 @@ export class StripMesh {
   #page;
   #levels;
   #begun = false;
+  #bits = 32;
   #wanted = 0;
+  #store;  // points, and room for more
   /// Three coordinates a vertex.
   points;
 
   constructor(wasm, page, points) {
     this.#wasm = wasm;
     this.#page = page;
-    this.points = points;
+    this.points = this.#store = points;
     this.#levels = wasm.restrip_levels(page);
   }
   close() {
@@ -229,21 +242,22 @@ export class StripMesh {
 
   get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#open) === 1; }
 
-  begin({ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = {}) {
-    if (!forms.includes(form)) throw new RangeError(`unknown form ${form}: expected one of ${forms.join(', ')}`);
-    if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${String(bits)}; it must be 16, 32 or 'auto'`);
+  begin(options = {}) {
+    const { policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin', options, ['policy', 'cost', 'form', 'bits']);
+    if (!forms.includes(form)) throw new RangeError(`unknown form ${shown(form)}: expected one of ${forms.join(', ')}`);
+    if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${shown(bits)}; it must be 16, 32 or 'auto'`);
     if (bits === 16 && this.points.length > 3 * 0xffff) throw new RangeError('16 bits do not name all vertices; leave it to bits: \'auto\'');
-    this.#wasm.restrip_set_format(this.#open, forms.indexOf(form), bits === 'auto' ? 0 : bits);
-    if (policy === 'baked') {
-      if (!this.hasBakedStrips) throw new RangeError('this mesh has no baked strips; open the file of a baked mesh');
-      this.#wasm.restrip_begin_baked(this.#open);
-      this.#begun = true;
-      return this;
-    }
+    const page = this.#open;
     const policies = policiesOf(this.#wasm);
     const number = policies.indexOf(policy);
-    if (number < 0) throw new RangeError(`unknown policy ${policy}: expected one of ${policies.join(', ')}, or baked for baked meshes`);
-    this.#wasm.restrip_begin(this.#open, number, ...weights(cost));
+    if (policy === 'baked' && !this.hasBakedStrips) throw new RangeError('this mesh has no baked strips; open the file of a baked mesh');
+    if (policy !== 'baked' && number < 0)
+      throw new RangeError(`unknown policy ${shown(policy)}: expected one of ${policies.join(', ')}, or baked for baked meshes`);
+    const wanted = policy === 'baked' ? null : weights(cost);
+    this.#wasm.restrip_set_format(page, forms.indexOf(form), bits === 'auto' ? 0 : bits);
+    if (wanted === null) this.#wasm.restrip_begin_baked(page);
+    else this.#wasm.restrip_begin(page, number, ...wanted);
+    this.#bits = bits;
     this.#begun = true;
     return this;
   }
@@ -271,14 +285,36 @@ export class StripMesh {
   }
   collapse(vS, vT) { return this.#done(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT))); }
   flip(u, v) { return this.#done(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v))); }
-  bisect(u, v) { return this.#added(this.#wasm.restrip_bisect(this.#kept, whole('u', u), whole('v', v))); }
-  splitFace(a, b, c) {
-    return this.#added(this.#wasm.restrip_split_face(this.#kept, whole('a', a), whole('b', b), whole('c', c)));
+  bisect(u, v) {
+    const page = this.#kept;
+    return this.#cannotName(this.#wasm.restrip_next_vertex(page))
+      ?? this.#added(this.#wasm.restrip_bisect(page, whole('u', u), whole('v', v)), `no triangle has a side from ${u} to ${v}`);
   }
-  #added(refusal) {
-    if (refusal !== 0) return this.#done(refusal);
-    this.points = listAt(this.#wasm, this.#wasm.restrip_points(this.#page), Float32Array, 1).slice();
-    return this.#wasm.restrip_new_vertex(this.#page);
+  splitFace(a, b, c) {
+    const page = this.#kept;
+    return this.#cannotName(this.#wasm.restrip_next_vertex(page))
+      ?? this.#added(this.#wasm.restrip_split_face(page, whole('a', a), whole('b', b), whole('c', c)), `no triangle has the corners ${a}, ${b}, ${c} in this order`);
+  }
+  /// Why an index cannot be this vertex; null if it can.
+  #cannotName(v) {
+    return this.#begun && this.#bits === 16 && v >= 0xffff ? `16 bits cannot name vertex ${v.toLocaleString('en')}; begin with bits 'auto'` : null;
+  }
+  #added(refusal, absent) {
+    if (refusal !== 0) return refusal === noSuchEdge ? absent : this.#done(refusal);
+    const v = this.#wasm.restrip_new_vertex(this.#page);
+    this.#readPoint(v);
+    return v;
+  }
+  /// Copies the point of a vertex from the module; `points` is as long as the vertices then.
+  #readPoint(v) {
+    const all = listAt(this.#wasm, this.#wasm.restrip_points(this.#page), Float32Array, 1);
+    if (all.length > this.#store.length) {
+      const store = new Float32Array(2 * all.length);
+      store.set(this.points);
+      this.#store = store;
+    }
+    if (all.length !== this.points.length) this.points = this.#store.subarray(0, all.length);
+    this.points.set(all.subarray(3 * v, 3 * v + 3), 3 * v);
   }
   #done(refusal) {
     if (refusal === 0) return null;
@@ -289,8 +325,11 @@ export class StripMesh {
 
   addPoint(x, y, z) {
     const place = coordinates([x, y, z]);
-    const v = this.#wasm.restrip_add_point(this.#open, ...place);
-    this.points = listAt(this.#wasm, this.#wasm.restrip_points(this.#open), Float32Array, 1).slice();
+    const page = this.#open;
+    const refused = this.#cannotName(this.points.length / 3);
+    if (refused !== null) throw new RangeError(refused);
+    const v = this.#wasm.restrip_add_point(page, ...place);
+    this.#readPoint(v);
     return v;
   }
   setPoint(v, x, y, z) {
@@ -299,16 +338,21 @@ export class StripMesh {
     this.points.set(place, 3 * v);
   }
 
-  update({ join = 2, align = 4 } = {}) {
+  update(options = {}) {
+    const { join = 2, align = 4 } = known('update', options, ['join', 'align']);
     if (align !== 2 && (whole('align', align) === 0 || align % 4 !== 0)) throw new RangeError(`align is ${align}; it must be 2 or a multiple of 4`);
     const ranges = this.#ranges(this.#wasm.restrip_update(this.#kept, whole('join', join), align));
     return Object.assign(ranges, { outgrown: this.#wasm.restrip_outgrown(this.#page) === 1 });
   }
   get room() { return this.#wasm.restrip_room(this.#kept); }
   get draws() { return this.#ranges(this.#wasm.restrip_draws(this.#kept)); }
-  updateList({ whole: all = false } = {}) { return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0)); }
+  updateList(options = {}) {
+    const { whole: all = false } = known('updateList', options, ['whole']);
+    return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0));
+  }
   get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
-  fromScratch({ cost = 'indices' } = {}) {
+  fromScratch(options = {}) {
+    const { cost = 'indices' } = known('fromScratch', options, ['cost']);
     return listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
   }
   #ranges(address) {

@@ -9,6 +9,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { standIn } from './use_checks.mjs';
 
 const [folder, program, dumpProgram, scratch, tsc] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
@@ -266,6 +267,7 @@ function sculpts() {
         assert.equal(live.BYTES_PER_ELEMENT, bits === 32 ? 4 : 2);
         if (ranges.outgrown) storage = new live.constructor(mesh.room).fill(7);
         for (const { first, count } of ranges) storage.set(live.subarray(first, first + count), first);
+        assert.deepEqual(Array.from(storage.subarray(0, live.length)), Array.from(live));
         const { join = 2, align = 4 } = options ?? {};
         ranges.forEach(({ first, count }, n) => {
           assert.equal(first * live.BYTES_PER_ELEMENT % align, 0);
@@ -273,9 +275,11 @@ function sculpts() {
           if (n > 0) assert.ok(first - ranges[n - 1].first - ranges[n - 1].count > join);
         });
         const restart = form === 'restart' ? 2 ** (8 * live.BYTES_PER_ELEMENT) - 1 : -1;
+        const { triangles, bufferIndices } = mesh.figures;
+        if (form === 'list') assert.deepEqual([mesh.draws, bufferIndices], [[{ first: 0, count: 3 * triangles }], 3 * triangles]);
         const shown = mesh.draws.flatMap(({ first, count }) => {
           const part = Array.from(storage.subarray(first, first + count));
-          return form === 'list' ? part.slice(0, count - count % 3) : drawn(part.map((index) => index === restart ? restartIndex : index));
+          return form === 'list' ? part : drawn(part.map((index) => index === restart ? restartIndex : index));
         });
         assert.deepEqual(sorted(shown), sorted(mesh.triangles));
       };
@@ -296,8 +300,9 @@ function sculpts() {
           assert.equal(mesh.points.length % 3, 0);
           if (corners) assert.equal(mesh.points[3 * added], Math.fround((mesh.points[3 * d] + mesh.points[3 * e]) / 2));
         }
-        assert.match(String(mesh.bisect(d, d)), /not one of this mesh/);
-        follow(i % 2 ? { join: 40, align: 16 } : undefined);
+        assert.equal(mesh.bisect(d, d), `no triangle has a side from ${d} to ${d}`);
+        assert.equal(mesh.splitFace(d, e, d), `no triangle has the corners ${d}, ${e}, ${d} in this order`);
+        follow([undefined, { join: 40, align: 16 }, { join: 0, align: 2 }][i % 4 % 3]);
       }
       assert.ok(done > 20 && mesh.valid);
       mesh.close();
@@ -307,11 +312,154 @@ function sculpts() {
   assert.ok(mesh.collapse(a, b) === null || mesh.flip(a, b) === null || mesh.flip(b, c) === null);
   assert.throws(() => mesh.moveTo(10), /call begin\(\) again/);
   assert.throws(() => mesh.approach(new Uint8Array(mesh.levels)), /call begin\(\) again/);
-  assert.throws(() => mesh.begin({ form: 'fans' }), /unknown form fans/);
+  assert.throws(() => mesh.begin({ form: 'fans' }), /unknown form 'fans'/);
   assert.throws(() => mesh.begin({ bits: 8 }), /must be 16, 32/);
   assert.throws(() => mesh.update({ align: 6 }), /multiple of 4/);
   assert.throws(() => mesh.addPoint(1, NaN, 2));
   assert.equal(mesh.begin().moveTo(10), 10);
+  mesh.close();
+}
+
+/// A flat grid of n by m vertices.
+function grid(n, m) {
+  const points = new Float32Array(3 * n * m);
+  const triangles = [];
+  for (let y = 0; y < m; ++y)
+    for (let x = 0; x < n; ++x) {
+      const v = y * n + x;
+      points.set([x, y, 0], 3 * v);
+      if (x > 0 && y > 0) triangles.push(v - n - 1, v - n, v, v - n - 1, v, v - 1);
+    }
+  return { points, triangles };
+}
+
+/// 16 bits name vertices up to 65,534. An operation that would add the next one is refused, and the mesh stays in use.
+function sixteenBitsAreKept() {
+  const source = grid(256, 255);
+  const mesh = restrip.mesh(source).begin({ policy: 'local', bits: 16 });
+  mesh.update();
+  for (let v = 65280; v < 65535; ++v) assert.equal(mesh.bisect(...mesh.triangles.subarray(300 * (v - 65280), 300 * (v - 65280) + 2)), v);
+  mesh.update();
+  const before = [...mesh.triangles];
+  const why = "16 bits cannot name vertex 65,535; begin with bits 'auto'";
+  const [a, b, c] = mesh.triangles.subarray(3000);
+  assert.equal(mesh.bisect(a, b), why);
+  assert.equal(mesh.splitFace(a, b, c), why);
+  assert.throws(() => mesh.addPoint(0, 0, 0), { message: why });
+  assert.deepEqual([...mesh.triangles], before);
+  assert.equal(mesh.points.length, 3 * 65535);
+  assert.equal(mesh.update().length, 0);
+  // A vertex that has been removed gives its number back.
+  const removed = mesh.triangles.find((v, i) => v > 65000 && v < 65280 && mesh.collapse(mesh.triangles[i - i % 3 + (i + 1) % 3], v) === null);
+  const [d, e] = mesh.triangles.subarray(6000);
+  assert.equal(mesh.bisect(d, e), removed);
+  mesh.update();
+  assert.ok(mesh.valid);
+  // Widened, the same mesh gets its vertex.
+  const shown = sorted(mesh.triangles);
+  mesh.begin({ policy: 'local', bits: 'auto' });
+  assert.deepEqual(sorted(mesh.triangles), shown);
+  mesh.update();
+  assert.equal(mesh.indices.BYTES_PER_ELEMENT, 2);
+  assert.equal(mesh.bisect(...mesh.triangles.subarray(0, 2)), 65535);
+  assert.ok(mesh.update().outgrown);
+  assert.equal(mesh.indices.BYTES_PER_ELEMENT, 4);
+  assert.deepEqual(sorted(drawn([...mesh.indices])), sorted(mesh.triangles));
+  mesh.close();
+}
+
+/// begin() again keeps the operations on a mesh without records, with vertices and points.
+function beginKeepsEdits() {
+  const mesh = restrip.mesh(grid(9, 9)).begin({ policy: 'local' });
+  for (let v = 10; v < 60; v += 11) assert.equal(typeof mesh.bisect(v, v + 1), 'number');
+  assert.equal(mesh.collapse(70, 71), null);
+  const [shown, points] = [sorted(mesh.triangles), [...mesh.points]];
+  for (const form of ['list', 'restart']) {
+    mesh.begin({ policy: 'quick', form });
+    assert.deepEqual([sorted(mesh.triangles), [...mesh.points]], [shown, points]);
+    assert.ok(mesh.update().outgrown);
+    assert.ok(mesh.valid);
+  }
+  assert.deepEqual(sorted(drawn([...mesh.indices])), shown);
+  const v = mesh.bisect(30, 31);
+  assert.deepEqual([...mesh.points.subarray(3 * v, 3 * v + 3)], [3.5, 3, 0]);
+  mesh.close();
+}
+
+/// A vertex more copies its point, not the mesh: all copies together have a few numbers for each vertex, at two sizes.
+function pointsGrowInConstantTime() {
+  const { set, slice } = Float32Array.prototype;
+  const { from } = Float32Array;
+  for (const size of [20, 80]) {
+    const mesh = restrip.mesh(grid(size, size)).begin({ policy: 'bare' });
+    const view = mesh.points;
+    let copied = 0;
+    Float32Array.prototype.set = function (list, at) { copied += list.length; return set.call(this, list, at); };
+    Float32Array.prototype.slice = function (...at) { copied += this.length; return slice.apply(this, at); };
+    Float32Array.from = function (list) { copied += list.length; return from.call(Float32Array, list); };
+    try {
+      for (let n = 0; n < 1000; ++n) {
+        const v = n % 3 === 0 ? mesh.addPoint(n, 0, 0) : n % 3 === 1 ? mesh.bisect(...mesh.triangles.subarray(3 * n, 3 * n + 2)) : mesh.splitFace(...mesh.triangles.subarray(3 * n, 3 * n + 3));
+        assert.equal(typeof v, 'number');
+      }
+    } finally {
+      Object.assign(Float32Array.prototype, { set, slice });
+      Float32Array.from = from;
+    }
+    assert.ok(copied < 6 * 1000 + 2 * mesh.points.length, `${copied} numbers copied for 1000 vertices, the mesh has ${mesh.points.length}`);
+    assert.deepEqual([...mesh.points.subarray(0, view.length)], [...view]);
+    mesh.close();
+  }
+}
+
+/// README's function for three.js: a device that copies what the attributes mark draws the mesh with its points.
+async function threeFollows() {
+  const project = join(scratch, 'three');
+  const stand = join(project, 'node_modules/three');
+  mkdirSync(stand, { recursive: true });
+  writeFileSync(join(stand, 'package.json'), '{ "name": "three", "type": "module", "exports": "./three.js" }');
+  writeFileSync(join(stand, 'three.js'), standIn);
+  const [, text] = readFileSync(join(folder, 'package/README.md'), 'utf8').match(/```js\n(import [^`]*function sync[^`]*)```/);
+  writeFileSync(join(project, 'sync.mjs'), text);
+  const { sync } = await import(pathToFileURL(join(project, 'sync.mjs')));
+  const { BufferGeometry } = await import(pathToFileURL(join(stand, 'three.js')));
+  const card = new Map();  // by attribute, as the renderer of three.js
+  let whole = 0;
+  const upload = (attribute) => {
+    const old = card.get(attribute);
+    if (!old || (old.version !== attribute.version && attribute.updateRanges.length === 0)) {
+      card.set(attribute, { version: attribute.version, array: attribute.array.slice() });
+      ++whole;
+    } else if (old.version !== attribute.version) {
+      for (const { start, count } of attribute.updateRanges) old.array.set(attribute.array.subarray(start, start + count), start);
+      attribute.clearUpdateRanges();
+      old.version = attribute.version;
+    }
+    return card.get(attribute).array;
+  };
+  const geometry = new BufferGeometry();
+  const mesh = restrip.mesh(grid(8, 8)).begin({ policy: 'bare', form: 'list', bits: 'auto' });
+  let moved = [];
+  let seed = 5;
+  const random = (n) => (seed = (seed * 48271) % 2147483647) % n;
+  const frames = 300;
+  for (let frame = 0; frame < frames; ++frame) {
+    sync(geometry, mesh, moved);
+    moved = [];
+    const [indices, points] = [upload(geometry.index), upload(geometry.getAttribute('position'))];
+    const { start, count } = geometry.drawRange;
+    assert.equal(start, 0);
+    assert.deepEqual(sorted(indices.subarray(0, count)), sorted(mesh.triangles));
+    assert.deepEqual([...points.subarray(0, mesh.points.length)], [...mesh.points]);
+    const { triangles } = mesh;
+    const t = 3 * random(triangles.length / 3);
+    const [a, b, c] = triangles.subarray(t, t + 3);
+    const added = [() => mesh.bisect(a, b), () => mesh.splitFace(a, b, c), () => mesh.flip(a, b), () => mesh.collapse(a, b)][random(4)]();
+    if (typeof added === 'number') moved.push(added);
+    mesh.setPoint(c, frame, 1, 2);
+    moved.push(c);
+  }
+  assert.ok(mesh.points.length > 300 && whole > 3 && whole < 20, `${whole} uploads of whole attributes`);
   mesh.close();
 }
 
@@ -520,7 +668,7 @@ function misuseThrows() {
   throws(() => restrip.progressive({ ...source, splits: [1] }), /record: 1 numbers/);
   throws(() => restrip.simplified({ points }), /triangle: no list/);
   for (const share of [-1, NaN, 2, 'half']) throws(() => restrip.simplified({ points, triangles: base }, share), /share is/);
-  for (const [wrong, why] of [[{ k: NaN }, /k is NaN/], [{ k: 2 ** 32 + 4 }, /k is 4294967300/], [{ a: -2 }, /a is -2/], [{ edges: -1n }, /edges is -1/], [{ ports: 1n << 64n }, /bits 0 to 63/], [{ family: 'fold' }, /unknown family fold/]])
+  for (const [wrong, why] of [[{ k: NaN }, /k is NaN/], [{ k: 2 ** 32 + 4 }, /k is 4294967300/], [{ a: -2 }, /a is -2/], [{ edges: -1n }, /edges is -1/], [{ ports: 1n << 64n }, /bits 0 to 63/], [{ family: 'fold' }, /unknown family 'fold'/]])
     throws(() => restrip.rule({ family: 'split', k: 4, a: 2, edges: 0, ports: 0, ...wrong }), why);
 
   const mesh = restrip.progressive(source);
@@ -533,13 +681,19 @@ function misuseThrows() {
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesh)).filter((name) => !['constructor', 'close', 'levels'].includes(name));
   assert.deepEqual(own.sort(), Object.keys({ ...needStrips, ...others }).sort());
   for (const call of Object.values(needStrips)) throws(call, /call begin\(\) first/);
-  throws(() => mesh.begin({ cost: 'bytes' }), /unknown cost bytes/);
+  throws(() => mesh.begin({ cost: 'bytes' }), /unknown cost 'bytes'/);
   throws(() => mesh.begin({ cost: { restart: 1, swap: -1 } }), /weight swap is -1/);
-  throws(() => mesh.begin({ policy: 'none' }), /unknown policy none/);
+  throws(() => mesh.begin({ policy: 'none' }), /unknown policy 'none'/);
+  throws(() => mesh.begin({ policies: 'quick' }), /begin has no option 'policies': expected policy, cost, form, bits/);
   throws(needStrips.update, /call begin\(\) first/);
 
   mesh.begin({ policy: 'local' });
   for (const level of [-1, NaN, 0.5, 2, Infinity, '1', undefined]) throws(() => mesh.moveTo(level), /the level is/);
+  throws(() => mesh.moveTo('1'), /the level is '1'; /);
+  throws(() => mesh.moveTo(1n), /the level is 1n; /);
+  throws(() => mesh.update({ gap: 3 }), /update has no option 'gap': expected join, align/);
+  throws(() => mesh.updateList({ all: true }), /has no option 'all'/);
+  throws(() => mesh.fromScratch({ form: 'list' }), /has no option 'form'/);
   for (const most of [-1, NaN, '5']) throws(() => mesh.moveTo(1, most), /the number of operations is/);
   throws(() => mesh.approach([1, 1]), /there are 2 marks/);
   throws(() => mesh.split(4, 7, 0, 1), /vT is 7/);
@@ -582,7 +736,7 @@ async function worksAboveTwoGigabytes() {
   mesh.close();
 }
 
-for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, singleOperations, sameRules, smallIsAsGood, copiesByRanges, sculpts, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
+for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, singleOperations, sameRules, smallIsAsGood, copiesByRanges, sculpts, sixteenBitsAreKept, beginKeepsEdits, pointsGrowInConstantTime, threeFollows, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
   await test();
   console.log(`${test.name}: as claimed`);
 }

@@ -13,7 +13,7 @@ import { fileURLToPath } from 'node:url';
 export const gpuFlags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan'];
 const three = process.env.RESTRIP_THREE;
 /// The classes of three.js that the lines use, as its manual describes them.
-const standIn = `export class BufferAttribute {
+export const standIn = `export class BufferAttribute {
     updateRanges = []; version = 0;
     constructor(array, itemSize) { Object.assign(this, { array, itemSize }); }
     addUpdateRange(start, count) { this.updateRanges.push({ start, count }); }
@@ -23,6 +23,7 @@ const standIn = `export class BufferAttribute {
   export class BufferGeometry {
     attributes = {}; drawRange = { start: 0, count: Infinity };
     setAttribute(name, attribute) { this.attributes[name] = attribute; return this; }
+    getAttribute(name) { return this.attributes[name]; }
     setIndex(index) { this.index = index; return this; }
     setDrawRange(start, count) { this.drawRange = { start, count }; }
   }`;

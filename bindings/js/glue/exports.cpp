@@ -189,6 +189,8 @@ std::uint32_t restrip_split_face(Page* page, std::uint32_t a, std::uint32_t b, s
 }
 RESTRIP_EXPORT(restrip_new_vertex)
 std::uint32_t restrip_new_vertex(const Page* page) { return page->session->new_vertex(); }
+RESTRIP_EXPORT(restrip_next_vertex)
+std::uint32_t restrip_next_vertex(const Page* page) { return page->session->next_vertex(); }
 RESTRIP_EXPORT(restrip_describe)
 const char* restrip_describe(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
 

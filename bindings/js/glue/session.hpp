@@ -53,8 +53,15 @@ class Session {
 
   /// The format of the buffer, from the next begin() on. Limits of batches are not supported.
   void set_format(const StripFormat& format) { format_ = format; }
-  /// Goes to the base and gives it strips from scratch, as `restrip replay` does.
+  /// Goes to the base and gives it strips from scratch, as `restrip replay` does. Without records, single operations
+  /// stay.
   void begin(Policy policy, Cost cost) {
+    if (checked_ && source_.splits.empty() && !file_) {
+      source_.base.clear();
+      for (Triangle t = 0; t < mesh_.triangle_bound(); ++t)
+        if (mesh_.alive(t)) source_.base.push_back(mesh_.corners(t));
+      source_.points = points_.size() / 3;
+    }
     begin_with(StripMesh::build(source_.base, source_.points));
     stripify(mesh_, default_effort, cost);
     keeper_.emplace(mesh_, policy, cost);
@@ -155,6 +162,8 @@ class Session {
                   [&] { return keeper_->split_face(h); });
   }
   [[nodiscard]] Vertex new_vertex() const noexcept { return new_vertex_; }
+  /// The new vertex that the next bisection or split of a face would have.
+  [[nodiscard]] Vertex next_vertex() const noexcept { return mesh_.next_vertex(); }
 
   /// Brings the buffer in step and returns the ranges to upload.
   std::span<const IndexRange> update(const RangeOptions& options) {
@@ -217,7 +226,8 @@ class Session {
     figures_.played = static_cast<std::uint32_t>(played);
     figures_.in_order = played == beyond ? 1 : 0;
     figures_.baked = keeper_->baked() != nullptr && keeper_->baked()->in_step() ? 1 : 0;
-    figures_.buffer_indices = static_cast<std::uint32_t>(buffer_.size());
+    const bool list = buffer_.format().form == StripForm::list;  // whose padding is not drawn
+    figures_.buffer_indices = static_cast<std::uint32_t>(list ? buffer_.size() / 3 * 3 : buffer_.size());
     return figures_;
   }
   /// Indices of a buffer written from scratch. Linear time.

@@ -1,5 +1,6 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 
+// For a mesh with levels; README.md of the package has a function for meshes to which vertices are added.
 // For a list the mesh has begun with the policy 'bare', which does not maintain strips.
 export function geometryOf(mesh) {
   const most = mesh.figures.triangles + 2 * mesh.levels;  // of the finest level
