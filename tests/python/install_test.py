@@ -1,5 +1,5 @@
 """The Python package installs into a fresh virtual environment, from a folder of wheels or from its sources, without a package
-index and without a trace in the sources; its tests pass there, and its example prints what is expected.
+index and without a trace in the sources; its tests pass there, and its example and README's lines print what is expected.
 
     install_test.py PACKAGE SCRATCH [WHEELS]
 """
@@ -41,3 +41,6 @@ assert str(scratch / "venv") in where, where
 run(python, "-B", here / "package_test.py")
 found = run(python, "-B", package / "example.py")
 assert re.fullmatch(EXAMPLE, found), found
+readme = re.search(r"```python\n(.*?)```", (package / "README.md").read_text(), re.S)[1]
+found = run(python, "-B", "-c", readme)
+assert re.fullmatch(r"\[[\d\s]+\]\n", found), found

@@ -327,7 +327,10 @@ class LiveMesh:
 
     def collapse_batch(self, halfedges, threads: int = 1) -> List[Change]:
         """Many collapses at once, all or none; no two may overlap."""
-        asked = np.array([_number("halfedge", each) for each in np.asarray(halfedges).ravel()], np.uint32)
+        asked = np.asarray(halfedges).ravel()
+        if asked.dtype.kind not in "iu" or (asked.size and not 0 <= asked.min() <= asked.max() <= NONE):
+            asked = np.array([_number("halfedge", each) for each in asked.tolist()])
+        asked = np.ascontiguousarray(asked, dtype=np.uint32)
         return self._batch("mesh_collapse_batch", _address(asked), asked.size, threads)
 
     # ---- strips
