@@ -129,6 +129,9 @@ export class StripMesh implements Disposable {
   /** The same towards the records marked 1 in `wanted`, a byte each, and the records that they need: a view-dependent
    *  mesh. */
   approach(wanted: Uint8Array, most?: number): number;
+  /** The neighbours of a vertex, counter-clockwise; at a non-manifold vertex only some of them. Empty when the
+   *  mesh does not have the vertex. A copy. */
+  around(v: number): Uint32Array;
   /** The records that can be split now, because all records that they need are split. Linear time. */
   readonly ready: Uint32Array;
   /** A new vertex for split(). Returns its number. bisect() and splitFace() may take it if they come first. */

@@ -321,6 +321,7 @@ export class StripMesh {
     return textAt(this.#wasm, this.#wasm.restrip_describe(refusal));
   }
 
+  around(v) { return listAt(this.#wasm, this.#wasm.restrip_around(this.#kept, whole('v', v)), Uint32Array, 1).slice(); }
   get ready() { return listAt(this.#wasm, this.#wasm.restrip_ready(this.#kept), Uint32Array, 1).slice(); }
 
   addPoint(x, y, z) {

@@ -381,6 +381,18 @@ function beginKeepsEdits() {
     assert.ok(mesh.valid);
   }
   assert.deepEqual(sorted(drawn([...mesh.indices])), shown);
+  // Neighbours: by the triangles of the mesh, on the boundary and inside; each triangle goes from one to the next.
+  const { triangles } = mesh;
+  for (let v = 0; v < mesh.points.length / 3; ++v) {
+    const next = new Map();
+    for (let i = 0; i < triangles.length; ++i)
+      if (triangles[i] === v) next.set(triangles[i - i % 3 + (i + 1) % 3], triangles[i - i % 3 + (i + 2) % 3]);
+    const around = [...mesh.around(v)];
+    assert.deepEqual([...around].sort(), [...new Set([...next.keys(), ...next.values()])].sort(), `${v}`);
+    around.slice(1).forEach((w, n) => assert.equal(next.get(around[n]), w));
+  }
+  assert.equal(mesh.around(71).length, 0);
+  assert.equal(mesh.around(70000).length, 0);
   const v = mesh.bisect(30, 31);
   assert.deepEqual([...mesh.points.subarray(3 * v, 3 * v + 3)], [3.5, 3, 0]);
   mesh.close();
@@ -674,7 +686,7 @@ function misuseThrows() {
   const mesh = restrip.progressive(source);
   const needStrips = {
     moveTo: () => mesh.moveTo(1), approach: () => mesh.approach([1]), split: () => mesh.split(4, 6, 0, 1), collapse: () => mesh.collapse(4, 5),
-    bisect: () => mesh.bisect(0, 2), splitFace: () => mesh.splitFace(0, 2, 4), flip: () => mesh.flip(0, 1), update: () => mesh.update(), updateList: () => mesh.updateList(), fromScratch: () => mesh.fromScratch(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
+    around: () => mesh.around(0), bisect: () => mesh.bisect(0, 2), splitFace: () => mesh.splitFace(0, 2, 4), flip: () => mesh.flip(0, 1), update: () => mesh.update(), updateList: () => mesh.updateList(), fromScratch: () => mesh.fromScratch(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
     ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'ribbon', 'scratchRibbon', 'last', 'ready', 'listIndices', 'draws', 'room'].map((name) => [name, () => mesh[name]])) };
   const others = { begin: () => mesh.begin(), addPoint: () => mesh.addPoint(0, 0, 0), setPoint: () => mesh.setPoint(0, 1, 0, 0), splits: () => mesh.splits, leftOut: () => mesh.leftOut, hasBakedStrips: () => mesh.hasBakedStrips };
   // No method is forgotten here.

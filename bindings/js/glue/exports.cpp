@@ -194,6 +194,17 @@ std::uint32_t restrip_next_vertex(const Page* page) { return page->session->next
 RESTRIP_EXPORT(restrip_describe)
 const char* restrip_describe(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
 
+/// The neighbours of a vertex; of a non-manifold one only some. Empty if the mesh does not have it.
+RESTRIP_EXPORT(restrip_around)
+const List* restrip_around(const Page* page, std::uint32_t v) {
+  static std::vector<Vertex> around;
+  around.clear();
+  const StripMesh& mesh = page->session->mesh();
+  if (v < mesh.vertex_bound() && mesh.spoke(v).id != none)
+    for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) { around.push_back(mesh.to(h)); });
+  return give(std::span<const Vertex>(around));
+}
+
 // ---- the index buffer
 RESTRIP_EXPORT(restrip_update)
 const List* restrip_update(Page* page, std::uint32_t join, std::uint32_t align) {
