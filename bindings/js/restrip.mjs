@@ -28,24 +28,24 @@ export async function load(source = new URL('./restrip.wasm', import.meta.url)) 
 // ---- arguments: checked against the manual; an error has one sentence
 
 /// As it is written in a program: strings in quotes, 5n.
-function shown(value) {
+function quoted(value) {
   return typeof value === 'string' ? `'${value}'` : typeof value === 'bigint' ? `${value}n` : String(value);
 }
 /// The options given, without others than `names`.
 function known(what, options, names) {
   const other = Object.keys(options).find((name) => !names.includes(name));
   if (other === undefined) return options;
-  throw new RangeError(`${what} has no option ${shown(other)}: expected ${names.join(', ')}`);
+  throw new RangeError(`${what} has no option ${quoted(other)}: expected ${names.join(', ')}`);
 }
 /// A whole number from 0 to `most`.
 function whole(what, n, most = 0xffffffff) {
   if (Number.isInteger(n) && n >= 0 && n <= most) return n;
-  throw new RangeError(`${what} is ${shown(n)}; it must be a whole number from 0 to ${most}`);
+  throw new RangeError(`${what} is ${quoted(n)}; it must be a whole number from 0 to ${most}`);
 }
 /// The largest number of operations; without a limit more than any mesh has.
 function limit(most) {
   if (typeof most === 'number' && most >= 0) return Math.min(Math.floor(most), 0xffffffff);
-  throw new RangeError(`the number of operations is ${shown(most)}; it must be 0 or more`);
+  throw new RangeError(`the number of operations is ${quoted(most)}; it must be 0 or more`);
 }
 /// `width` numbers for each item.
 function groups(what, list, width) {
@@ -57,7 +57,7 @@ function coordinates(list) {
   groups('points', list, 3);
   const out = Float32Array.from(list);
   const wrong = out.findIndex((coordinate) => !Number.isFinite(coordinate));
-  if (wrong >= 0) throw new RangeError(`points: vertex ${Math.floor(wrong / 3)} has the coordinate ${shown(list[wrong])}, which no float can hold`);
+  if (wrong >= 0) throw new RangeError(`points: vertex ${Math.floor(wrong / 3)} has the coordinate ${quoted(list[wrong])}, which no float can hold`);
   return out;
 }
 /// Vertices, `width` for each `what`; `or`: a number that may stand for none of them.
@@ -65,13 +65,13 @@ function vertices(what, list, width, count, or = NaN) {
   groups(what, list, width);
   for (let i = 0; i < list.length; ++i)
     if (!(Number.isInteger(list[i]) && list[i] >= 0 && list[i] < count) && list[i] !== or)
-      throw new RangeError(`${what} ${Math.floor(i / width)} names vertex ${shown(list[i])}; there are ${count}`);
+      throw new RangeError(`${what} ${Math.floor(i / width)} names vertex ${quoted(list[i])}; there are ${count}`);
   return Uint32Array.from(list);
 }
 function weights(cost) {
   const own = typeof cost === 'string' && Object.hasOwn(costs, cost) ? costs[cost] : cost;
   if (typeof own !== 'object' || own === null)
-    throw new RangeError(`unknown cost ${shown(cost)}: expected ${Object.keys(costs).join(', ')} or custom weights`);
+    throw new RangeError(`unknown cost ${quoted(cost)}: expected ${Object.keys(costs).join(', ')} or custom weights`);
   const { restart, swap, isolated = 0 } = own;
   return Object.entries({ restart, swap, isolated }).map(([name, weight]) => whole(`the weight ${name}`, weight, 1000));
 }
@@ -109,7 +109,7 @@ export class Restrip {
   }
   /// The same in steps of some thousand attempts.
   *simplifying({ points, triangles }, share = 0.02) {
-    if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${shown(share)}; it must be from 0 to 1`);
+    if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${quoted(share)}; it must be from 0 to 1`);
     const places = coordinates(points);
     const count = places.length / 3;
     const corners = vertices('triangle', triangles, 3, count);
@@ -141,7 +141,7 @@ export class Restrip {
   /// The rule of a configuration.
   rule({ family, k = 0, a = 0, i = 0, j = 0, edges, ports }) {
     const number = families.indexOf(family);
-    if (number < 0) throw new RangeError(`unknown family ${shown(family)}: expected one of ${families.join(', ')}`);
+    if (number < 0) throw new RangeError(`unknown family ${quoted(family)}: expected one of ${families.join(', ')}`);
     const x = number < 2 ? whole('a', a) : whole('i', i);
     const solid = mask('ports', ports);
     const [valid, strips, low, high, kept] =
@@ -244,15 +244,15 @@ export class StripMesh {
 
   begin(options = {}) {
     const { policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin', options, ['policy', 'cost', 'form', 'bits']);
-    if (!forms.includes(form)) throw new RangeError(`unknown form ${shown(form)}: expected one of ${forms.join(', ')}`);
-    if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${shown(bits)}; it must be 16, 32 or 'auto'`);
+    if (!forms.includes(form)) throw new RangeError(`unknown form ${quoted(form)}: expected one of ${forms.join(', ')}`);
+    if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${quoted(bits)}; it must be 16, 32 or 'auto'`);
     if (bits === 16 && this.points.length > 3 * 0xffff) throw new RangeError('16 bits do not name all vertices; leave it to bits: \'auto\'');
     const page = this.#open;
     const policies = policiesOf(this.#wasm);
     const number = policies.indexOf(policy);
     if (policy === 'baked' && !this.hasBakedStrips) throw new RangeError('this mesh has no baked strips; open the file of a baked mesh');
     if (policy !== 'baked' && number < 0)
-      throw new RangeError(`unknown policy ${shown(policy)}: expected one of ${policies.join(', ')}, or baked for baked meshes`);
+      throw new RangeError(`unknown policy ${quoted(policy)}: expected one of ${policies.join(', ')}, or baked for baked meshes`);
     const wanted = policy === 'baked' ? null : weights(cost);
     this.#wasm.restrip_set_format(page, forms.indexOf(form), bits === 'auto' ? 0 : bits);
     if (wanted === null) this.#wasm.restrip_begin_baked(page);
