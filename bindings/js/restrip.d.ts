@@ -119,8 +119,8 @@ export class StripMesh implements Disposable {
   /** Goes to the base, makes its strips from scratch, and maintains them with these options. A mesh with records loses
    *  single operations; a mesh without records keeps them: its base is the present mesh. Policy 'baked' begins with the
    *  baked strips instead and ignores the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex number is 65,535
-   *  or above. With 16, addPoint() throws for such a vertex, and bisect() and splitFace() refuse it. Defaults:
-   *  'quick', 'indices', 'restart', 32. */
+   *  or above. With 16, addPoint() throws for such a vertex, and bisect() and splitFace() refuse it.
+   *  Defaults: 'quick', 'indices', 'restart', 32. */
   begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto' }): this;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
    * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin(), because

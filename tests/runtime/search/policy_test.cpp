@@ -85,7 +85,7 @@ TEST(Policies, EveryInterfaceHasThem) {
 
   EXPECT_NE(header.find("policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES"), std::string::npos);
   EXPECT_NE(types.find("Defaults: 'quick', 'indices', 'restart', 32."), std::string::npos);
-  EXPECT_NE(script.find("begin({ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 }"),
+  EXPECT_NE(script.find("{ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin'"),
             std::string::npos);
   EXPECT_NE(
       script.find("{ strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } }"),
