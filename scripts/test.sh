@@ -2,9 +2,9 @@
 # Sets this machine up, builds restrip and tests it. Safe to repeat; the logs are in build/logs.
 #
 #   scripts/test.sh         shows that the project works on this machine: unit tests, tables generated again and proved, adapters,
-#                           C, WebAssembly, the commands of README. With one compiler; about 12 minutes on two processors
+#                           C, WebAssembly, the commands of README. With one compiler; about 20 minutes on two processors
 #   scripts/test.sh --all   also the other compiler with its sanitizers, clang-tidy, the format of the sources, deliberate
-#                           faults, the pages in a browser, all languages of the generator, benchmarks, packages: 35 minutes
+#                           faults, the pages in a browser, all languages of the generator, benchmarks, packages: 50 minutes
 #
 # Both leave out what this machine lacks and list it at the end.
 set -Eeuo pipefail
