@@ -70,7 +70,7 @@ VALUES = [None, True, -1, 0, 1, 2, 3, 8, 9, 16, 17, 1.5, 1000001, "", "none", "a
           "squares", "two-2", "Two", "a", "v_1", ["a", "b", "c"], ["b", "c"], ["a", "b", "a"], "a--b", "a" * 60, "a" * 61, "One.\nTwo.", "One. \\ two", "One. */", "One. ??/ two", "\u2028", "\ufeffOne.", [], [0], [0, 0], [[0, 1]], {}, [[{"count": "joined"}]],
           [[{"count": "strips"}]] * 9, [[{"count": "strips"}] * 65]]
 # The reader's messages about faults that the schema's description leaves to it.
-BEYOND = re.compile(r"from 0 to \d+, found \d|edges and ports of triangle|each edge once|same number of ports as before|"
+BEYOND = re.compile(r"from 0 to \d+, found \d|one of the \w+s 0 to \d+, found \d|edges and ports of triangle|each edge once|same number of ports as before|"
                     r"expected each|edges and ports together|the same outline|opposite directions|fan|connected over|Euler characteristic|"
                     r"1 to 8 ports|stretches that are apart|on both sides|expected a list of (edges|ports|triangles)s?, found a list|"
                     r"expected a sum of|each number in braces|expected all numbers|has no position|cannot serve both|linked rules are for|"
