@@ -102,9 +102,9 @@ export async function checkTurn(browser, address, scratch) {
     await page.until((name, inner) => restripViewer.turn.puzzle.name === name && Number(restripViewer.turn.inner) === inner, puzzle, mine);
     return verdict(page);
   };
-  assert.match(await say('3-1-0-0', 0b100011), /^not valid: A-t0 t0-D A-D: a cycle\.$/);
-  assert.match(await say('3-1-0-0', 0b110001), /^not valid: A-t0 t2-A A-D: triangle A has 3 solid edges\.$/);
-  assert.match(await say('4-2-0-3', 0b10), /^unsound: t0-t1, ports 0 1: a cycle with ports 0-1 connected outside, and none before\.$/);
+  assert.match(await say('3-1-0-0', 0b100011), /^not valid: A=t0 t0=D A=D: a cycle\.$/);
+  assert.match(await say('3-1-0-0', 0b110001), /^not valid: A=t0 t2=A A=D: triangle A has 3 solid edges\.$/);
+  assert.match(await say('4-2-0-3', 0b10), /^unsound: t0=t1, ports 0 1: a cycle with ports 0-1 connected outside, and none before\.$/);
   assert.deepEqual(await page.run(() => ['after .marked', 'after .outside', 'before .outside'].map((what) => document.querySelectorAll(`#turn-${what}`).length)), [1, 1, 1]);
   await page.until(() => location.hash.includes('puzzle=4-2-0-3&mine=2'));
 

@@ -21,7 +21,7 @@ export class Puzzle {
   }
   get name() { return [this.k, this.a, this.loop.toString(16), this.ports.toString(16)].join('-'); }
   /// Inner edges by the names of their triangles.
-  edgeNames(mask) { return bitsOf(mask).map((edge) => this.edges[edge].map((node) => this.names[node]).join('=')).join(' '); }
+  edgeNames(mask, between = '=') { return bitsOf(mask).map((edge) => this.edges[edge].map((node) => this.names[node]).join(between)).join(' '); }
   /// Strips, counted inside the patch: before the split, and after it with these inner edges if they close no cycle.
   get before() { return this.k - bitsIn(this.loop); }
   after(inner) { return this.k + 2 - bitsIn(inner); }

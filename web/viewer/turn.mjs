@@ -198,7 +198,7 @@ export class Turn {
 
 /// One list of a reason on the page: its case, its sets as buttons, and what they show.
 function listText(puzzle, best, { solid, dashed, why, least, left }, list) {
-  const given = [[solid, 'solid'], [dashed, 'dashed']].flatMap(([mask, color]) => bitsOf(mask).map((edge) => `${puzzle.edgeNames(1n << BigInt(edge))} is ${color}`));
+  const given = [[solid, 'solid'], [dashed, 'dashed']].flatMap(([mask, color]) => bitsOf(mask).map((edge) => `${puzzle.edgeNames(1n << BigInt(edge), '-')} is ${color}`));
   const parts = given.length > 0 ? [`<h3>If ${together(given)}</h3>`] : [];
   const quantity = { 1: '', 2: 'both ' };
   const sets = why.map(({ set, fault }, n) => `<li>
