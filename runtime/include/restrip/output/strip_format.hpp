@@ -36,8 +36,8 @@ struct StripFormat {
   /// Return a list instead if it has fewer indices, as with many isolated triangles; IndexBuffer::form says so.
   bool list_if_shorter = true;
   /// At most this many different vertices and this many indices in a batch, at least 3 and 4; 0: no limit. Strips are
-  /// cut where a batch ends; indices stay those of the whole mesh. Live buffers do not support batches; a stitched one
-  /// can be drawn in windows (live_buffer.hpp).
+  /// cut where a batch ends; indices still count the vertices of the whole mesh. A live buffer has no batches; draw a
+  /// stitched live buffer in windows (live_buffer.hpp).
   std::size_t most_vertices = 0;
   std::size_t most_indices = 0;
   friend constexpr bool operator==(const StripFormat&, const StripFormat&) = default;
