@@ -135,10 +135,11 @@ restrip_status indexable(const restrip_mesh& mesh, Refusal refusal, Vertex v_t =
   return (v_t == none ? mesh.mesh.next_vertex() : v_t) > highest_index16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
 }
 
-/// Does a granted operation and reports the change.
+/// Does an operation if its check `allowed` it, and reports the change.
 template <class Operation>
-restrip_status done(restrip_mesh* mesh, Refusal refusal, restrip_change* change, Operation&& operation) noexcept {
-  if (refusal != Refusal::granted) return status_of(refusal);
+restrip_status done(restrip_mesh* mesh, restrip_status allowed, restrip_change* change,
+                    Operation&& operation) noexcept {
+  if (allowed != RESTRIP_OK) return allowed;
   return guarded([&] {
     const auto rewrite = operation(mesh->keeper);
     if (change != nullptr) *change = {rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
@@ -360,41 +361,28 @@ std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
 
 restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right, std::uint32_t v_t,
                                   restrip_change* change) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  const restrip_status status = restrip_mesh_check_split(mesh, left, right, v_t);
-  if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.split(where_of(left, right), v_t); });
+  return done(mesh, restrip_mesh_check_split(mesh, left, right, v_t), change,
+              [&](auto& keeper) { return keeper.split(where_of(left, right), v_t); });
 }
 restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  const restrip_status status = restrip_mesh_check_collapse(mesh, h);
-  if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.collapse({h}); });
+  return done(mesh, restrip_mesh_check_collapse(mesh, h), change, [&](auto& keeper) { return keeper.collapse({h}); });
 }
 restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return done(mesh, check_flip(mesh->mesh, {h}), change, [&](auto& keeper) { return keeper.flip({h}); });
+  return done(mesh, restrip_mesh_check_flip(mesh, h), change, [&](auto& keeper) { return keeper.flip({h}); });
 }
 restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  const restrip_status status = restrip_mesh_check_split_face(mesh, h);
-  if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.split_face({h}); });
+  return done(mesh, restrip_mesh_check_split_face(mesh, h), change,
+              [&](auto& keeper) { return keeper.split_face({h}); });
 }
 restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  const restrip_status status = restrip_mesh_check_join_faces(mesh, h);
-  if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.join_faces({h}); });
+  return done(mesh, restrip_mesh_check_join_faces(mesh, h), change,
+              [&](auto& keeper) { return keeper.join_faces({h}); });
 }
 restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  const restrip_status status = restrip_mesh_check_bisect(mesh, h);
-  if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.bisect({h}); });
+  return done(mesh, restrip_mesh_check_bisect(mesh, h), change, [&](auto& keeper) { return keeper.bisect({h}); });
 }
 restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  const restrip_status status = restrip_mesh_check_merge(mesh, h);
-  if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.merge({h}); });
+  return done(mesh, restrip_mesh_check_merge(mesh, h), change, [&](auto& keeper) { return keeper.merge({h}); });
 }
 restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                         std::uint32_t v_t) {

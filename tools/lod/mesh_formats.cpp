@@ -15,8 +15,6 @@
 #include "lod/progressive_gltf.hpp"
 #include "meshes/text_cursor.hpp"
 #include "meshes/write_glb.hpp"
-#include "meshes/write_obj.hpp"
-#include "meshes/write_ply.hpp"
 #include "restrip/formats/baked_format.hpp"
 #include "restrip/output/strips.hpp"
 

@@ -1,5 +1,5 @@
-// Readers for OBJ, OFF, PLY, STL and glTF, and writers for the two simplest formats. lod/mesh_formats.hpp has the table
-// of formats.
+// Readers for OBJ, OFF, PLY, STL and glTF, and writers for all of them but glTF (write_glb.hpp). lod/mesh_formats.hpp
+// has the table of formats.
 //
 // OpenMesh's readers (version 9) are not used because they lose faces silently: its OBJ reader drops repeated corners
 // and vertices that it cannot parse, so that all later indices shift; its mesh refuses faces at non-manifold places;
@@ -7,7 +7,9 @@
 // The readers here read a file unchanged or refuse it.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -36,6 +38,19 @@ enum class ReadAttributes { no, yes };
 [[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling,
                              ReadAttributes attributes = ReadAttributes::no);
 
+/// Wavefront OBJ: `v`, followed by colours in the usual extension, `vt`, `vn` and `f`. Numbers read back exactly;
+/// colours range from 0 to 1. Vertices at one position that differ only in normals or texture coordinates share a `v`,
+/// so that other programs see a connected surface. Identical vertices do not share one. OBJ counts the second texture
+/// coordinate from below, glTF and Soup from above, so it is inverted.
+[[nodiscard]] std::string obj_bytes(const Soup& soup);
+/// PLY, binary little-endian: vertices with nx ny nz, s t, red green blue alpha if present, and faces. Colours keep
+/// their encoding. PLY counts t from below, glTF and Soup from above, so it is inverted, which may change it by 2^-25.
+/// Coordinates have 64 bits if the input file had them or if rounding to 32 matters (rounding.hpp), otherwise 32.
+[[nodiscard]] std::string ply_bytes(const Soup& soup);
+/// The same with strips as in Stanford's scans (Cyberware's `tristrips`, -1 between strips). Throws BadInput if there
+/// are more indices than a PLY list holds.
+[[nodiscard]] std::string ply_bytes(std::span<const Point> points, bool is_64_bits,
+                                    std::span<const Attribute> attributes, std::span<const std::uint32_t> strips);
 /// OFF, as text.
 [[nodiscard]] std::string off_bytes(const Soup& soup);
 /// STL, binary.

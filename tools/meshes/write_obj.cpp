@@ -1,5 +1,3 @@
-#include "meshes/write_obj.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "meshes/alike.hpp"
+#include "meshes/mesh_file.hpp"
 #include "meshes/rounding.hpp"
 
 namespace restrip::tools {

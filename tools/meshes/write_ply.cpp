@@ -1,5 +1,3 @@
-#include "meshes/write_ply.hpp"
-
 #include <fmt/format.h>
 
 #include <bit>
@@ -8,6 +6,7 @@
 
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
+#include "meshes/mesh_file.hpp"
 #include "meshes/rounding.hpp"
 
 namespace restrip::tools {
