@@ -4,7 +4,8 @@
 #   scripts/test.sh         shows that the project works on this machine: unit tests, tables generated again and proved, adapters,
 #                           C, WebAssembly, the commands of README. With one compiler; about 20 minutes on two processors
 #   scripts/test.sh --all   also the other compiler with its sanitizers, clang-tidy, the format of the sources, deliberate
-#                           faults, the pages in a browser, all languages of the generator, benchmarks, packages: 50 minutes
+#                           faults, the tutorials, users' builds, the pages in a browser, all languages of the generator,
+#                           benchmarks, packages: 60 minutes
 #
 # Both leave out what this machine lacks and list it at the end.
 set -Eeuo pipefail
