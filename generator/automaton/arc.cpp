@@ -5,15 +5,15 @@
 namespace restrip::generator {
 namespace {
 
-/// A triangle alone: the possible colours of its two links.
+/// A letter alone: the possible colours of its two links.
 Costs costs_of(Letter letter) {
   Costs costs;
+  costs[both_dashed] = letter == Letter::dashed ? isolated_cost : 0;
   if (has_port(letter)) {
-    costs[both_dashed] = 0;
     costs[case_of(Reach::port, Reach::dashed)] = -strip_cost;
     costs[case_of(Reach::dashed, Reach::port)] = 0;
-  } else {
-    costs[both_dashed] = isolated_cost;
+  }
+  if (letter == Letter::dashed) {
     costs[case_of(Reach::ends, Reach::dashed)] = -strip_cost;
     costs[case_of(Reach::dashed, Reach::ends)] = 0;
     costs[through_case] = -strip_cost;
@@ -21,7 +21,7 @@ Costs costs_of(Letter letter) {
   return costs;
 }
 
-/// The case of an arc followed by a triangle; empty if their links have different colours, or if two ports would be
+/// The case of an arc followed by a letter; empty if their links have different colours, or if two ports would be
 /// joined that must not be.
 std::optional<Case> followed(Case arc, Case triangle, Letter letter) {
   const Reach link = right_of(arc);
@@ -45,16 +45,6 @@ unsigned rank(Case arc, Case triangle, Letter letter) {
          static_cast<unsigned>(left_of(triangle));
 }
 
-Appended over_boundary(const Costs& arc) {
-  Appended result;
-  for (Case c = 0; c < case_codes; ++c) {
-    if (right_is_solid(c)) continue;
-    result.costs[c] = arc[c];
-    result.before[c] = c;
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string text_of(Case c) {
@@ -71,15 +61,7 @@ Costs costs_of_empty_arc() {
   return costs;
 }
 
-Appended append_to_empty(Letter letter) {
-  if (letter == Letter::boundary) return over_boundary(costs_of_empty_arc());
-  Appended result{costs_of(letter), {}};
-  for (Case c = 0; c < case_codes; ++c) result.before[c] = left_of(c) == Reach::dashed ? both_dashed : through_case;
-  return result;
-}
-
 Appended append(const Costs& arc, Letter letter) {
-  if (letter == Letter::boundary) return over_boundary(arc);
   Appended result;
   std::array<unsigned, case_codes> best_rank{};
   const Costs triangle = costs_of(letter);

@@ -9,17 +9,12 @@
 namespace restrip::generator {
 namespace {
 
-int least_of(const Costs& costs) {
+Costs relative(Costs costs) {
   std::optional<int> least;
   for (const auto& cost : costs)
     if (cost && (!least || *cost < *least)) least = cost;
-  return least.value_or(0);
-}
-
-Costs relative(Costs costs) {
-  const int least = least_of(costs);
   for (auto& cost : costs)
-    if (cost) *cost -= least;
+    if (cost) *cost -= *least;
   return costs;
 }
 
@@ -52,7 +47,7 @@ struct Closure {
       for (const Letter letter : all_letters) {
         auto& step = steps[i].emplace_back();
         if (letter == Letter::boundary && arcs[i].boundary) continue;
-        const Appended longer = appended(i, letter);
+        const Appended longer = append(arcs[i].costs, letter);
         const FullArc next{relative(longer.costs), with_letter(arcs[i].ports, letter),
                            arcs[i].boundary || letter == Letter::boundary};
         const auto [place, is_new] = number.emplace(next, arcs.size());
@@ -65,9 +60,6 @@ struct Closure {
     }
   }
 
-  [[nodiscard]] Appended appended(std::size_t i, Letter letter) const {
-    return i == 0 ? append_to_empty(letter) : append(arcs[i].costs, letter);
-  }
   [[nodiscard]] bool can_be_first(std::size_t i) const { return i != 0 && !arcs[i].boundary; }
 };
 
@@ -167,19 +159,6 @@ std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& con
   return now;
 }
 
-AutomatonCounts counts_of(const Closure& all) {
-  std::set<Costs> values;
-  AutomatonCounts counts;
-  for (std::size_t x = 1; x < all.arcs.size(); ++x) {
-    ++counts.with_boundary;
-    if (all.arcs[x].boundary) continue;
-    ++counts.with_ports;
-    values.insert(all.arcs[x].costs);
-  }
-  counts.values = values.size();
-  return counts;
-}
-
 /// Numbers the distinct rows and columns of meetings.
 void number_meetings(Automaton& automaton, const Contexts& contexts, const std::vector<std::size_t>& smallest) {
   using Line = std::vector<std::pair<std::size_t, unsigned>>;  // meetings, and the own case
@@ -213,14 +192,19 @@ Automaton make_automaton() {
   const Closure all;
   const Contexts contexts(all);
   const std::vector<CaseSet> needed = needed_cases(all, contexts);
+  Automaton automaton;
+  automaton.counts.with_boundary = all.arcs.size() - 1;
+  std::set<Costs> values;
   std::vector<Costs> costs(all.arcs.size());
   for (std::size_t x = 0; x < all.arcs.size(); ++x) {
+    automaton.counts.with_ports += all.can_be_first(x) ? 1U : 0U;
+    if (all.can_be_first(x)) values.insert(all.arcs[x].costs);
     for (const Case c : needed[x]) costs[x][c] = all.arcs[x].costs[c];
     costs[x] = relative(costs[x]);
   }
+  automaton.counts.values = values.size();
   const std::vector<std::size_t> class_of = minimal_classes(all, contexts, needed, costs);
 
-  Automaton automaton{{}, counts_of(all), {}};
   // Arcs were found in order of witness, so classes are numbered in that order as well.
   std::vector<std::size_t> smallest;
   for (std::size_t x = 0; x < all.arcs.size(); ++x) {
@@ -239,7 +223,7 @@ Automaton make_automaton() {
       for (const Case c : needed[step->to]) kept->before[c] = step->before[c];
       const Case any = *needed[step->to].begin();
       // The cost of one case, relative to the best cases of the two classes.
-      const Appended longer = all.appended(x, all_letters.at(letter));
+      const Appended longer = append(all.arcs[x].costs, all_letters.at(letter));
       const Case from = step->before[any];
       kept->cost = *longer.costs[any] - *all.arcs[x].costs[from] + *costs[x][from] - *costs[step->to][any];
     }

@@ -19,6 +19,9 @@ namespace {
 
 constexpr unsigned automaton_format_version = 2;
 
+/// In the header, for a letter that is not allowed.
+constexpr std::size_t no_class = UINT8_MAX;
+
 /// The contents of the header.
 struct HeaderNumbers {
   std::vector<std::size_t> next;
@@ -40,19 +43,13 @@ struct HeaderNumbers {
       }
     for (const ArcClass& c : automaton.classes) {
       for (const auto& step : c.steps) {
-        next.push_back(step ? step->to : UINT8_MAX);
+        next.push_back(step ? step->to : no_class);
         before.push_back(step ? origins(automaton.classes[step->to], *step) : 0);
       }
       closed.push_back(c.closing.value_or(both_dashed));
       first.push_back(c.as_first);
       second.push_back(c.as_second);
     }
-  }
-
-  static std::size_t columns(const Automaton& automaton) { return automaton.meets[0].size(); }
-  [[nodiscard]] std::size_t bytes() const {
-    return next.size() + first.size() + second.size() + meet.size() + 8 * before.size() + closed.size() +
-           2 * meetings.size();
   }
 
  private:
@@ -63,12 +60,6 @@ struct HeaderNumbers {
     return cases;
   }
 };
-
-std::size_t longest_witness(const Automaton& automaton) {
-  std::size_t longest = 0;
-  for (const ArcClass& c : automaton.classes) longest = std::max(longest, c.witness.size());
-  return longest;
-}
 
 /// A sequence of rows, counted.
 class Rows {
@@ -142,9 +133,9 @@ RulesHeader automaton_header(const Automaton& automaton) {
       "// Format {}, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
       "#include \"restrip/tables/automaton_format.hpp\"\n\nnamespace restrip::tables {{\n\n",
       automaton.classes.size(), all.meet.size(), strip_cost, isolated_cost, automaton_format_version);
-  text += fmt::format("inline constexpr ArcAutomaton<std::uint8_t, {}, {}, {}, {}, {}> automaton{{\n",
-                      all_letters.size(), automaton.classes.size(), automaton.meets.size(),
-                      HeaderNumbers::columns(automaton), all.meetings.size());
+  text +=
+      fmt::format("inline constexpr ArcAutomaton<std::uint8_t, {}, {}, {}, {}, {}> automaton{{\n", all_letters.size(),
+                  automaton.classes.size(), automaton.meets.size(), automaton.meets[0].size(), all.meetings.size());
   const auto block = [&](const std::string& lines) { text += "    {\n" + lines + "    },\n"; };
   block(numbers(all.next));
   block(numbers(all.before, " {:#x},"));
@@ -153,14 +144,12 @@ RulesHeader automaton_header(const Automaton& automaton) {
   block(numbers(all.second));
   block(numbers(all.meet));
   block(numbers(all.meetings));
-  return {text + "};\n\n}  // namespace restrip::tables\n", all.bytes()};
+  return {text + "};\n\n}  // namespace restrip::tables\n", automaton_arrays(automaton).table.bytes()};
 }
 
 AutomatonArrays automaton_arrays(const Automaton& automaton) {
-  const HeaderNumbers all(automaton);
-  std::vector<std::size_t> next;
-  for (const ArcClass& c : automaton.classes)
-    for (const auto& step : c.steps) next.push_back(step ? step->to : 0);
+  HeaderNumbers all(automaton);
+  std::replace(all.next.begin(), all.next.end(), no_class, std::size_t{0});
   TableArray before{"before", 32, {}};
   for (const std::uint64_t cases : all.before) {
     before.values.push_back(static_cast<std::uint32_t>(cases));
@@ -168,7 +157,7 @@ AutomatonArrays automaton_arrays(const Automaton& automaton) {
   }
   return {automaton.meets.at(0).size(),
           {0,
-           {array_of("next", next), before, array_of("closed", all.closed), array_of("first", all.first),
+           {array_of("next", all.next), before, array_of("closed", all.closed), array_of("first", all.first),
             array_of("second", all.second), array_of("meet", all.meet), array_of("meetings", all.meetings)}}};
 }
 
@@ -192,7 +181,6 @@ AutomatonCertificate automaton_certificate(const Automaton& automaton) {
 }
 
 std::string automaton_json(const Automaton& automaton) {
-  const HeaderNumbers all(automaton);
   nlohmann::ordered_json json;
   json["arcs"]["by value"] = automaton.counts.values;
   json["arcs"]["by value and ports"] = automaton.counts.with_ports;
@@ -201,13 +189,14 @@ std::string automaton_json(const Automaton& automaton) {
   json["classes"]["empty"] = 1;
   json["classes"]["without boundary"] = std::count_if(automaton.classes.begin(), automaton.classes.end(),
                                                       [](const ArcClass& c) { return c.can_be_first(); });
-  json["longest witness"] = longest_witness(automaton);
+  // Shorter ones come first.
+  json["longest witness"] = automaton.classes.back().witness.size();
   json["letters"] = all_letters.size();
   json["cases"] = all_cases.size();
   json["meetings"]["rows"] = automaton.meets.size();
-  json["meetings"]["columns"] = HeaderNumbers::columns(automaton);
-  json["meetings"]["different"] = all.meetings.size();
-  json["bytes"] = all.bytes();
+  json["meetings"]["columns"] = automaton.meets[0].size();
+  json["meetings"]["different"] = HeaderNumbers(automaton).meetings.size();
+  json["bytes"] = automaton_arrays(automaton).table.bytes();
   return json.dump(2) + "\n";
 }
 

@@ -10,9 +10,7 @@ namespace restrip::generator {
 namespace {
 
 /// The four ends of two arcs in ring order; A lies between second_last and first_first, D between the other two.
-enum End : unsigned { first_first, first_last, second_first, second_last, ends };
-constexpr unsigned at_a = ends;
-constexpr unsigned at_d = ends + 1;
+enum End : unsigned { first_first, first_last, second_first, second_last, ends, at_a = ends, at_d };
 
 /// A pair of ends as one of six bits.
 constexpr unsigned end_pair(unsigned x, unsigned y) {
@@ -20,24 +18,6 @@ constexpr unsigned end_pair(unsigned x, unsigned y) {
   constexpr std::array<unsigned, 3> pairs_before{0, 3, 5};
   return 1U << (pairs_before.at(x) + y - x - 1);
 }
-
-/// Connected components of ends and new triangles under solid edges.
-class Strands {
- public:
-  Strands() { std::iota(label_.begin(), label_.end(), 0U); }
-  /// False if the edge closes a cycle.
-  bool join(unsigned x, unsigned y) {
-    const unsigned from = label_.at(x);
-    const unsigned to = label_.at(y);
-    if (from == to) return false;
-    std::replace(label_.begin(), label_.end(), from, to);
-    return true;
-  }
-  [[nodiscard]] bool same(unsigned x, unsigned y) const { return label_.at(x) == label_.at(y); }
-
- private:
-  std::array<unsigned, ends + 2> label_{};
-};
 
 constexpr bool is_solid(Reach reach) { return reach != Reach::dashed; }
 
@@ -89,8 +69,15 @@ std::optional<Meetings::Combination> Meetings::combination_of(const Meeting& mee
   const int degree_a = solid(first_first) + solid(second_last) + chord;
   const int degree_d = solid(first_last) + solid(second_first) + chord;
   if (degree_a > 2 || degree_d > 2) return {};
-  Strands strands;
-  const auto joins = [&](bool wanted, unsigned x, unsigned y) { return !wanted || strands.join(x, y); };
+  // Labels of the connected components of ends, A and D under solid edges.
+  std::array<unsigned, ends + 2> strand{};
+  std::iota(strand.begin(), strand.end(), 0U);
+  const auto joins = [&](bool solid_edge, unsigned x, unsigned y) {
+    const unsigned from = strand.at(x);
+    const unsigned to = strand.at(y);
+    if (solid_edge) std::replace(strand.begin(), strand.end(), from, to);
+    return !solid_edge || from != to;
+  };
   const bool no_cycle = joins(meeting.first == through_case, first_first, first_last) &&
                         joins(meeting.second == through_case, second_first, second_last) &&
                         joins(solid(first_first) != 0, at_a, first_first) &&
@@ -103,7 +90,7 @@ std::optional<Meetings::Combination> Meetings::combination_of(const Meeting& mee
   int joined = 0;
   for (unsigned x = first_first; x < second_last; ++x)
     for (unsigned y = x + 1; y < ends; ++y)
-      if (reach.at(x) == Reach::port && reach.at(y) == Reach::port && strands.same(x, y)) {
+      if (reach.at(x) == Reach::port && reach.at(y) == Reach::port && strand.at(x) == strand.at(y)) {
         combination.joins |= end_pair(x, y);
         ++joined;
       }
