@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <numeric>
 
 namespace restrip::generator {
 namespace {
 
-Mask bit(unsigned i) { return Mask{1} << i; }
+Mask bit(std::size_t i) { return Mask{1} << i; }
 
-struct Partial {
-  std::vector<unsigned> degree;
-  std::vector<unsigned> strip;  // label: the smallest node of the strip
-};
-
-Coloring describe(const Side& side, Constraint constraint, Mask inner, const Partial& state) {
+/// `degree` has the solid inner edges of each node, `strip` a label: the smallest node of its strip.
+Coloring describe(const Side& side, Constraint constraint, Mask inner, const std::vector<unsigned>& degree,
+                  const std::vector<unsigned>& strip) {
   Coloring coloring;
   coloring.inner = inner;
   std::vector<Mask> ports_of_node(side.nodes, 0);
@@ -22,44 +20,36 @@ Coloring describe(const Side& side, Constraint constraint, Mask inner, const Par
   for (unsigned p = 0; p < side.owner.size(); ++p) {
     const unsigned node = side.owner[p];
     ports_of_node[node] |= bit(p);
-    ports_of_strip[state.strip[node]] |= bit(p);
-    if (state.degree[node] == constraint.most_edges) coloring.full |= bit(p);
+    ports_of_strip[strip[node]] |= bit(p);
+    if (degree[node] == constraint.most_edges) coloring.full |= bit(p);
   }
   for (unsigned node = 0; node < side.nodes; ++node) {
-    if (state.degree[node] == 0) coloring.lonely.push_back(ports_of_node[node]);
+    if (degree[node] == 0) coloring.lonely.push_back(ports_of_node[node]);
     if (ports_of_strip[node] != 0) coloring.strips.push_back(ports_of_strip[node]);
-    const int room = static_cast<int>(constraint.most_edges) - static_cast<int>(state.degree[node]);
+    const int room = static_cast<int>(constraint.most_edges) - static_cast<int>(degree[node]);
     if (0 < room && room < std::popcount(ports_of_node[node])) coloring.crowds.push_back({ports_of_node[node], room});
   }
   return coloring;
 }
 
-void extend(const Side& side, Constraint constraint, unsigned edge, Mask inner, const Partial& state,
-            std::vector<Coloring>& found) {
-  if (edge == side.edges.size()) {
-    found.push_back(describe(side, constraint, inner, state));
-    return;
-  }
-  extend(side, constraint, edge + 1, inner, state, found);
-  const auto [u, v] = side.edges[edge];
-  const bool full = std::max(state.degree[u], state.degree[v]) == constraint.most_edges;
-  if (full || state.strip[u] == state.strip[v]) return;
-  Partial next = state;
-  ++next.degree[u];
-  ++next.degree[v];
-  const auto [keep, drop] = std::minmax(state.strip[u], state.strip[v]);
-  std::replace(next.strip.begin(), next.strip.end(), unsigned{drop}, unsigned{keep});
-  extend(side, constraint, edge + 1, inner | bit(edge), next, found);
-}
-
 }  // namespace
 
 std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint) {
-  Partial empty{std::vector<unsigned>(side.nodes, 0), std::vector<unsigned>(side.nodes)};
-  std::iota(empty.strip.begin(), empty.strip.end(), 0U);
   std::vector<Coloring> found;
-  extend(side, constraint, 0, 0, empty, found);
-  std::sort(found.begin(), found.end(), [](const Coloring& x, const Coloring& y) { return x.inner < y.inner; });
+  for (Mask inner = 0; inner < bit(side.edges.size()); ++inner) {
+    std::vector<unsigned> degree(side.nodes, 0);
+    std::vector<unsigned> strip(side.nodes);
+    std::iota(strip.begin(), strip.end(), 0U);
+    bool legal = true;
+    for (Mask rest = inner; legal && rest != 0; rest &= rest - 1) {
+      const auto [u, v] = side.edges[static_cast<std::size_t>(std::countr_zero(rest))];
+      const unsigned keep = std::min(strip[u], strip[v]);
+      const unsigned drop = std::max(strip[u], strip[v]);
+      legal = ++degree[u] <= constraint.most_edges && ++degree[v] <= constraint.most_edges && keep != drop;
+      std::replace(strip.begin(), strip.end(), drop, keep);
+    }
+    if (legal) found.push_back(describe(side, constraint, inner, degree, strip));
+  }
   return found;
 }
 

@@ -25,7 +25,6 @@ class PortPairs {
   [[nodiscard]] bool within(const PortPairs& others) const {
     return ((words_[0] & ~others.words_[0]) | (words_[1] & ~others.words_[1])) == 0;
   }
-  [[nodiscard]] bool empty() const { return (words_[0] | words_[1]) == 0; }
   [[nodiscard]] unsigned size() const {
     return static_cast<unsigned>(std::popcount(words_[0]) + std::popcount(words_[1]));
   }

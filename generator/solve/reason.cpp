@@ -10,6 +10,7 @@
 #include <utility>
 
 namespace restrip::generator {
+namespace {
 
 /// The claim to show: a minimum of dashed edges; for that number, a minimum of isolated triangles; and so on.
 struct ReasonGoal {
@@ -21,8 +22,6 @@ struct ReasonGoal {
   int isolated = 0;
   int given_up = 0;
 };
-
-namespace {
 
 /// Every simple path of inner edges from `at` to `goal` that avoids the nodes `used` and the edges `avoided`.
 void collect_paths(const Side& side, unsigned at, unsigned goal, EdgeSet avoided, Mask used, EdgeSet path,
@@ -61,7 +60,26 @@ class ReasonSearch {
   }
 
   /// A tree that need not be smallest: it splits on the edge that is in most small sets.
-  Reason greedy() { return greedy(0, 0); }
+  Reason greedy(EdgeSet solid = 0, EdgeSet dashed = 0) {
+    const std::vector<EdgeSet> sets = open_sets(solid, dashed);
+    last_step_ = steps_ + most_steps_of_leaf;
+    if (std::optional<Reason> found = leaf(sets, dashed)) return *std::move(found);
+    // An edge in a set of one is dashed in any case. Without other edges, all sets have one edge, and the leaf
+    // was found above.
+    unsigned best = 0;
+    std::uint64_t most = 0;
+    for (unsigned edge = 0; edge < 32; ++edge) {
+      std::uint64_t weight = 0;
+      for (const EdgeSet set : sets)
+        if (!std::has_single_bit(set) && (set & single(edge)) != 0)
+          weight += std::uint64_t{1} << (32 - std::popcount(set));
+      if (weight > most) {
+        most = weight;
+        best = edge;
+      }
+    }
+    return {best, {greedy(solid | single(best), dashed), greedy(solid, dashed | single(best))}, {}};
+  }
 
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
@@ -146,27 +164,6 @@ class ReasonSearch {
     return nullptr;
   }
 
-  Reason greedy(EdgeSet solid, EdgeSet dashed) {
-    const std::vector<EdgeSet> sets = open_sets(solid, dashed);
-    last_step_ = steps_ + most_steps_of_leaf;
-    if (std::optional<Reason> found = leaf(sets, dashed)) return *std::move(found);
-    // An edge in a set of one is dashed in any case. Without other edges, all sets have one edge, and the leaf
-    // was found above.
-    unsigned best = 0;
-    std::uint64_t most = 0;
-    for (unsigned edge = 0; edge < 32; ++edge) {
-      std::uint64_t weight = 0;
-      for (const EdgeSet set : sets)
-        if (!std::has_single_bit(set) && (set & single(edge)) != 0)
-          weight += std::uint64_t{1} << (32 - std::popcount(set));
-      if (weight > most) {
-        most = weight;
-        best = edge;
-      }
-    }
-    return {best, {greedy(solid | single(best), dashed), greedy(solid, dashed | single(best))}, {}};
-  }
-
   const ReasonGoal& goal_;
   std::unordered_map<std::uint64_t, Known> known_;
   std::uint64_t steps_ = 0;
@@ -202,21 +199,19 @@ Reasoner::Reasoner(const Operation& operation) : may_give_up_(operation.may_give
     edges_of_triangle_.push_back(edges);
     if (std::popcount(edges) > static_cast<int>(operation.constraint.most_edges)) forbidden_.push_back({edges, 0});
   }
-  std::vector<EdgeSet> paths;
-  for (std::size_t e = 0; e < inner; ++e) {
-    paths.clear();
-    collect_paths(after_, after_.edges[e].u, after_.edges[e].v, single(e), 0, single(e), paths);
-    for (const EdgeSet cycle : paths) forbidden_.push_back({cycle, 0});
-  }
+  const auto forbid_paths = [&](unsigned from, unsigned to, EdgeSet avoided, EdgeSet ends, Mask pair) {
+    std::vector<EdgeSet> paths;
+    collect_paths(after_, from, to, avoided, 0, ends, paths);
+    for (const EdgeSet path : paths) forbidden_.push_back({path, pair});
+  };
+  for (std::size_t e = 0; e < inner; ++e) forbid_paths(after_.edges[e].u, after_.edges[e].v, single(e), single(e), 0);
   for (std::size_t p = 0; p < after_.owner.size(); ++p)
-    for (std::size_t q = p + 1; q < after_.owner.size(); ++q) {
-      paths.clear();
-      collect_paths(after_, after_.owner[p], after_.owner[q], 0, 0, port(p) | port(q), paths);
-      for (const EdgeSet path : paths) forbidden_.push_back({path, Mask{1} << p | Mask{1} << q});
-    }
+    for (std::size_t q = p + 1; q < after_.owner.size(); ++q)
+      forbid_paths(after_.owner[p], after_.owner[q], 0, port(p) | port(q), Mask{1} << p | Mask{1} << q);
 }
 
-ReasonGoal Reasoner::goal_of(Mask solid_ports, const std::vector<Mask>& joined, const Choice& best) const {
+FoundReason Reasoner::find(Mask solid_ports, const std::vector<Mask>& joined, const Choice& best,
+                           std::uint64_t most_steps) const {
   const std::size_t inner = after_.edges.size();
   const EdgeSet everything = (single(inner) - 1) | solid_ports << inner;
   ReasonGoal goal;
@@ -233,12 +228,6 @@ ReasonGoal Reasoner::goal_of(Mask solid_ports, const std::vector<Mask>& joined, 
   goal.dashed = std::popcount(goal.edges & ~recoloring);
   goal.isolated = static_cast<int>(best.isolated);
   goal.given_up = std::popcount(solid_ports & ~best.kept);
-  return goal;
-}
-
-FoundReason Reasoner::find(Mask ports, const std::vector<Mask>& joined, const Choice& best,
-                           std::uint64_t most_steps) const {
-  const ReasonGoal goal = goal_of(ports, joined, best);
   ReasonSearch search(goal);
   std::optional<Reason> smallest = search.smallest(most_steps);
   const bool is_smallest = smallest.has_value();

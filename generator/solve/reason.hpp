@@ -10,8 +10,6 @@
 
 namespace restrip::generator {
 
-struct ReasonGoal;
-
 /// Edges of the side after an operation: inner edges first, then ports, of which only those that may be given up count.
 using EdgeSet = Mask;
 [[nodiscard]] constexpr EdgeSet single(std::size_t edge) { return EdgeSet{1} << edge; }
@@ -47,7 +45,7 @@ class Reasoner {
   explicit Reasoner(const Operation& operation);
 
   /// `best` must be the best choice for these solid ports and previously joined pairs (two bits each).
-  [[nodiscard]] FoundReason find(Mask ports, const std::vector<Mask>& joined, const Choice& best,
+  [[nodiscard]] FoundReason find(Mask solid_ports, const std::vector<Mask>& joined, const Choice& best,
                                  std::uint64_t most_steps = most_steps_of_smallest_reason) const;
 
  private:
@@ -56,7 +54,6 @@ class Reasoner {
     EdgeSet edges = 0;
     Mask pair = 0;
   };
-  [[nodiscard]] ReasonGoal goal_of(Mask ports, const std::vector<Mask>& joined, const Choice& best) const;
 
   Mask may_give_up_;
   Side after_;

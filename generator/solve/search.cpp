@@ -11,31 +11,20 @@ namespace restrip::generator {
 
 namespace {
 
-/// Solid edges at each node.
-struct Degrees {
-  std::vector<int> inner;
-  std::vector<int> all;
-};
-
-Degrees degrees(const Side& side, const Coloring& coloring, Mask ports) {
-  Degrees d{std::vector<int>(side.nodes, 0), {}};
-  for (std::size_t e = 0; e < side.edges.size(); ++e) {
-    if ((coloring.inner >> e & 1U) == 0) continue;
-    ++d.inner[side.edges[e].u];
-    ++d.inner[side.edges[e].v];
-  }
-  d.all = d.inner;
-  for (std::size_t p = 0; p < side.owner.size(); ++p) d.all[side.owner[p]] += (ports >> p & 1U) != 0 ? 1 : 0;
-  return d;
-}
-
 /// The values of the criteria for a colouring after the operation whose ports `kept`, out of `ports`, are solid.
 /// Depends on the patch alone, never on the machine.
 CriterionValues values_of(const Operation& operation, const Coloring& coloring, const Outcome& outcome, Mask ports,
                           Mask kept) {
   const Side& after = operation.patch.after;
-  const Degrees degree = degrees(after, coloring, kept);
-  const auto end = [&](unsigned node) { return degree.all[node] == 1; };
+  std::vector<int> inner_degree(after.nodes, 0);
+  for (std::size_t e = 0; e < after.edges.size(); ++e) {
+    if ((coloring.inner >> e & 1U) == 0) continue;
+    ++inner_degree[after.edges[e].u];
+    ++inner_degree[after.edges[e].v];
+  }
+  std::vector<int> degree = inner_degree;
+  for (std::size_t p = 0; p < after.owner.size(); ++p) degree[after.owner[p]] += (kept >> p & 1U) != 0 ? 1 : 0;
+  const auto end = [&](unsigned node) { return degree[node] == 1; };
   const auto nodes_where = [&](Mask of, const auto& holds) {
     int count = 0;
     for (unsigned node = 0; node < after.nodes; ++node) count += (of >> node & 1U) != 0 && holds(node) ? 1 : 0;
@@ -58,7 +47,7 @@ CriterionValues values_of(const Operation& operation, const Coloring& coloring, 
       case Count::ends:
         return nodes_where(term.of, end);
       case Count::ends_at_port:
-        return nodes_where(term.of, [&](unsigned node) { return end(node) && degree.inner[node] == 0; });
+        return nodes_where(term.of, [&](unsigned node) { return end(node) && inner_degree[node] == 0; });
       case Count::neighbouring_ends: {
         int count = 0;
         for (const auto& [u, v] : after.edges) count += end(u) && end(v) ? 1 : 0;

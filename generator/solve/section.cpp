@@ -37,68 +37,12 @@ void find_keys(Section& section, const Operation& rows_of) {
   }
 }
 
-std::vector<Row>::iterator find_row(std::vector<Row>& rows, const Key& key) {
+/// The index of the row with this key; the number of rows if it does not exist.
+std::size_t row_with(const Key& key, const std::vector<Row>& rows) {
   const auto at = std::lower_bound(rows.begin(), rows.end(), key,
                                    [](const Row& row, const Key& wanted) { return row.key < wanted; });
-  return at == rows.end() || at->key != key ? rows.end() : at;
+  return at == rows.end() || at->key != key ? rows.size() : static_cast<std::size_t>(at - rows.begin());
 }
-
-/// Traverses orbits of rows and passes their representatives' choices to their copies.
-class Copier {
- public:
-  explicit Copier(Section& section, const std::vector<PatchMap>& maps) : section_(section), maps_(maps) {
-    for (const PatchMap& map : maps) port_backwards_.push_back(inverse(map.port));
-    done_.resize(section.rows.size(), false);
-  }
-
-  [[nodiscard]] bool done(std::size_t row) const { return done_[row]; }
-
-  /// Images that are not rows are traversed too: a section that serves several positions need not have all keys of an
-  /// orbit.
-  void copy(std::size_t representative) {
-    std::vector<Row>& rows = section_.rows;
-    struct Reached {
-      Key key;
-      PatchMap map;  ///< from the image to the representative
-    };
-    done_[representative] = true;
-    std::vector<Reached> orbit{{rows[representative].key, identity(maps_.empty() ? PatchMap{} : maps_[0])}};
-    std::set<Key> no_rows;
-    for (std::size_t i = 0; i < orbit.size(); ++i)
-      for (std::size_t s = 0; s < maps_.size(); ++s) {
-        const std::vector<unsigned>& back = port_backwards_[s];
-        const Key key{permute(orbit[i].key.ports, back), orbit[i].key.joined.moved(back)};
-        const auto row = find_row(rows, key);
-        const auto place = static_cast<std::size_t>(row - rows.begin());
-        if (row == rows.end() ? !no_rows.insert(key).second : done_[place]) continue;
-        orbit.push_back({key, then(maps_[s], orbit[i].map)});
-        if (row == rows.end()) continue;
-        done_[place] = true;
-        const PatchMap& map = orbit.back().map;
-        static_cast<Choice&>(*row) = rows[representative];
-        row->recoloring = permute(row->recoloring, inverse(map.after));
-        row->kept = permute(row->kept, inverse(map.port));
-        row->witness = number_of(map);
-      }
-  }
-
- private:
-  static PatchMap identity(PatchMap map) {
-    for (auto* images : {&map.port, &map.before, &map.after}) std::iota(images->begin(), images->end(), 0U);
-    return map;
-  }
-  int number_of(const PatchMap& map) {
-    const auto [place, fresh] = number_.try_emplace({map.port, map.after}, static_cast<int>(section_.symmetry.size()));
-    if (fresh) section_.symmetry.push_back(map);
-    return place->second;
-  }
-
-  Section& section_;
-  const std::vector<PatchMap>& maps_;
-  std::vector<std::vector<unsigned>> port_backwards_;
-  std::vector<bool> done_;
-  std::map<std::pair<std::vector<unsigned>, std::vector<unsigned>>, int> number_;
-};
 
 /// Names the first configuration that has the key.
 [[noreturn]] void refuse_without_rule(const Section& section, const Key& key) {
@@ -123,34 +67,62 @@ class Copier {
   throw std::logic_error("no configuration has this key");
 }
 
+/// Finds the rules of representatives, each the smallest key of its orbit, and passes their choices to their copies.
 void find_rules(Section& section, const Operation& rows_of, Watched watched) {
   const std::vector<Coloring> after = legal_colorings(rows_of.patch.after, rows_of.constraint);
   find_keys(section, rows_of);
   const Symmetries symmetry = symmetries(rows_of);
+  const std::vector<PatchMap>& maps = symmetry.maps;
   section.symmetries = symmetry.order;
-  Copier copier(section, symmetry.maps);
+  std::vector<std::vector<unsigned>> port_backwards;
+  for (const PatchMap& map : maps) port_backwards.push_back(inverse(map.port));
+  PatchMap identity = maps.at(0);
+  for (auto* images : {&identity.port, &identity.before, &identity.after})
+    std::iota(images->begin(), images->end(), 0U);
+  std::map<std::pair<std::vector<unsigned>, std::vector<unsigned>>, int> number_of;  // of maps, by port and after
+  struct Reached {
+    Key key;
+    PatchMap map;  ///< from this image of a representative's key to it
+  };
+  std::vector<Row>& rows = section.rows;
+  std::vector<bool> done(rows.size(), false);
   std::optional<Candidates> candidates;
   std::optional<Mask> candidates_of;
-  Progress progress("finding rules", section.rows.size(), watched);
-  for (std::size_t i = 0; i < section.rows.size(); ++i) {
+  Progress progress("finding rules", rows.size(), watched);
+  for (std::size_t representative = 0; representative < rows.size(); ++representative) {
     progress.step();
-    if (copier.done(i)) continue;
-    // The representative is the orbit's smallest key.
-    Row& row = section.rows[i];
-    if (candidates_of != row.key.ports) candidates.emplace(rows_of, after, row.key.ports);
-    candidates_of = row.key.ports;
-    const Choice* const best = candidates->best(row.key.joined);
-    if (best == nullptr) refuse_without_rule(section, row.key);
-    static_cast<Choice&>(row) = *best;
-    copier.copy(i);
-  }
-}
+    if (done[representative]) continue;
+    const Key& smallest = rows[representative].key;
+    if (candidates_of != smallest.ports) candidates.emplace(rows_of, after, smallest.ports);
+    candidates_of = smallest.ports;
+    const Choice* const best = candidates->best(smallest.joined);
+    if (best == nullptr) refuse_without_rule(section, smallest);
+    static_cast<Choice&>(rows[representative]) = *best;
+    done[representative] = true;
 
-void find_alternatives(Section& section, const Operation& rows_of) {
-  const std::vector<Coloring> after = legal_colorings(rows_of.patch.after, rows_of.constraint);
-  for (Mask ports = 0; ports <= rows_of.patch.after.all_ports(); ++ports)
-    for (const auto& [choice, joins] : Candidates(rows_of, after, ports).uncovered())
-      section.rows.push_back({choice, {ports, joins}, -1});
+    // Images that are not rows are traversed too: a section that serves several positions need not have all keys of an
+    // orbit.
+    std::vector<Reached> orbit{{smallest, identity}};
+    std::set<Key> no_rows;
+    for (std::size_t i = 0; i < orbit.size(); ++i)
+      for (std::size_t s = 0; s < maps.size(); ++s) {
+        const std::vector<unsigned>& back = port_backwards[s];
+        const Key key{permute(orbit[i].key.ports, back), orbit[i].key.joined.moved(back)};
+        const std::size_t row = row_with(key, rows);
+        if (row == rows.size() ? !no_rows.insert(key).second : done[row]) continue;
+        orbit.push_back({key, then(maps[s], orbit[i].map)});
+        if (row == rows.size()) continue;
+        done[row] = true;
+        const PatchMap& map = orbit.back().map;
+        const auto [number, is_new] =
+            number_of.try_emplace({map.port, map.after}, static_cast<int>(section.symmetry.size()));
+        if (is_new) section.symmetry.push_back(map);
+        static_cast<Choice&>(rows[row]) = *best;
+        rows[row].recoloring = permute(best->recoloring, inverse(map.after));
+        rows[row].kept = permute(best->kept, inverse(map.port));
+        rows[row].witness = number->second;
+      }
+  }
 }
 
 void make_claims(Section& section) {
@@ -164,8 +136,11 @@ void make_claims(Section& section) {
     claims.orbits = orbits.count();
     for_each_valid(operation, [&](const Configuration& c) {
       const Change change = change_of(patch, c, row_of(section, c.ports, c.outcome.joined));
-      claims.count(change.strips, change.isolated, (matching ? change.isolated : change.strips) >= 1,
-                   orbits.is_smallest(c.before, c.ports));
+      ++claims.valid;
+      claims.valid_orbits += orbits.is_smallest(c.before, c.ports) ? 1U : 0U;
+      claims.costing += (matching ? change.isolated : change.strips) >= 1 ? 1U : 0U;
+      claims.worst_strips = std::max(claims.worst_strips, change.strips);
+      claims.worst_isolated = std::max(claims.worst_isolated, change.isolated);
     });
     section.claims.push_back(claims);
   }
@@ -187,9 +162,8 @@ void expect_served(const Position& position, const Position& rows) {
 }  // namespace
 
 Claims sum(const std::vector<Claims>& parts) {
-  Claims total = parts.at(0);
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    const Claims& part = parts[i];
+  Claims total;
+  for (const Claims& part : parts) {
     total.configurations += part.configurations;
     total.valid += part.valid;
     total.orbits += part.orbits;
@@ -243,7 +217,10 @@ Section solve(Patches patches, Watched watched) {
   Section section{{std::move(patches)}, {}, {}, 1, {}, {}};
   const Operation rows_of = operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch);
   if (section.linked) {
-    find_alternatives(section, rows_of);
+    const std::vector<Coloring> after = legal_colorings(rows_of.patch.after, rows_of.constraint);
+    for (Mask ports = 0; ports <= rows_of.patch.after.all_ports(); ++ports)
+      for (const auto& [choice, joins] : Candidates(rows_of, after, ports).uncovered())
+        section.rows.push_back({choice, {ports, joins}, -1});
   } else {
     find_rules(section, rows_of, watched);
     make_claims(section);
@@ -267,10 +244,9 @@ std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsi
 const Row& row_of(const Section& section, Mask ports, const PortPairs& joined) {
   Key key{ports, joined};
   key.joined &= section.relevant.at(ports);
-  const auto at = std::lower_bound(section.rows.begin(), section.rows.end(), key,
-                                   [](const Row& row, const Key& wanted) { return row.key < wanted; });
-  if (at == section.rows.end() || at->key != key) throw std::logic_error("no row for this key");
-  return *at;
+  const std::size_t row = row_with(key, section.rows);
+  if (row == section.rows.size()) throw std::logic_error("no row for this key");
+  return section.rows[row];
 }
 
 Change change_of(const Patch& patch, const Configuration& configuration, const Row& row) {

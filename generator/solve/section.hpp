@@ -33,16 +33,6 @@ struct Claims {
   std::size_t costing = 0;
   int worst_strips = std::numeric_limits<int>::min();
   int worst_isolated = std::numeric_limits<int>::min();
-
-  /// Counts one valid configuration: the changes by its rule, whether it counts as costing, and whether it is the
-  /// smallest of its orbit.
-  void count(int strips, int isolated, bool costs, bool smallest) {
-    ++valid;
-    valid_orbits += smallest ? 1U : 0U;
-    costing += costs ? 1U : 0U;
-    worst_strips = std::max(worst_strips, strips);
-    worst_isolated = std::max(worst_isolated, isolated);
-  }
 };
 
 /// Combines several positions: counts are added, worst cases are maximised.
