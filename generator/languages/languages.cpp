@@ -1,64 +1,68 @@
+// Languages other than JSON: the fixed text of templates/, filled in.
 #include "languages/languages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
 
+#include "languages/templates.hpp"
 #include "tables/number_lines.hpp"
 
 namespace restrip::generator {
 namespace {
 
-/// The operations, one per line; each line begins with `comment`.
-std::string operation_lines(const std::string& comment) {
-  const auto bits = [](int more) {
-    return more == 0 ? std::string("k bits") : fmt::format("k {} {} bits", more < 0 ? '-' : '+', std::abs(more));
-  };
-  std::string text = fmt::format("{0}   {1:<19}{2:<26}{3:<19}{4:<9}{5}\n", comment, "operation", "position",
-                                 "colours before", "ports", "colours after");
-  for (const LookUp& look_up : look_ups()) {
-    const bool flip = look_up.position.empty();
-    text += fmt::format("{}   {:<19}{:<26}{:<19}{:<9}{}\n", comment, look_up.name, look_up.where,
-                        (look_up.from_fan ? "loop, " : "inner, ") + (flip ? "1 bit" : bits(look_up.before_bits)),
-                        flip ? "4 bits" : "k bits", flip ? "inner, 1 bit; ports, 4 bits" : bits(look_up.after_bits));
+/// The value of each `@name@` in a template. A placeholder on a separate line stands for whole lines: its value ends
+/// with a line break, or is empty.
+using Filling = std::map<std::string, std::string>;
+
+/// The template with its placeholders replaced. Replacements are not searched again. Throws std::out_of_range for a
+/// placeholder without a value.
+std::string filled(std::string_view text, const Filling& filling) {
+  constexpr std::string_view name_characters = "abcdefghijklmnopqrstuvwxyz_";
+  std::string made;
+  for (std::size_t at = text.find('@'); at != std::string_view::npos; at = text.find('@')) {
+    const std::size_t end = text.find_first_not_of(name_characters, at + 1);
+    if (end == std::string_view::npos || text[end] != '@' || end == at + 1) {  // an attribute of WGSL
+      made += text.substr(0, at + 1);
+      text.remove_prefix(at + 1);
+      continue;
+    }
+    const bool whole_line = (at == 0 ? made.empty() || made.back() == '\n' : text[at - 1] == '\n') &&
+                            end + 1 < text.size() && text[end + 1] == '\n';
+    made += text.substr(0, at);
+    made += filling.at(std::string(text.substr(at + 1, end - at - 1)));
+    text.remove_prefix(end + (whole_line ? 2 : 1));
   }
-  return text;
+  return made += text;
 }
 
-/// The values for every template of the tables; `arrays` is in the language.
-Filling tables_filling(const std::string& comment, const TableLayout& layout, const std::string& arrays = {}) {
-  return {{"max_k", std::to_string(layout.max_k)},
-          {"bytes", std::to_string(layout.bytes())},
-          {"operations", operation_lines(comment)},
-          {"arrays", arrays}};
+/// In capitals, for constants.
+std::string capitals(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name;
 }
 
-std::string c_header(const TableLayout& layout) {
-  return filled(tables_h, tables_filling("//", layout, c_arrays(layout)));
+/// A template of C, filled in with these values and the arrays as constants; `of` ends the name of each.
+std::string c_text(std::string_view text, Filling filling, const TableLayout& layout, std::string_view of = {}) {
+  for (const TableArray& array : layout.arrays)
+    filling["arrays"] += fmt::format("static const uint{}_t restrip_{}{}[{}] = {{\n{}}};\n", array.bits, array.name, of,
+                                     array.values.size(), numbers(array.values));
+  return filled(text, filling);
 }
 
-std::string rust_module(const TableLayout& layout) {
-  return filled(tables_rs, tables_filling("//!", layout, rust_arrays(layout)));
+std::string rust_text(std::string_view text, Filling filling, const TableLayout& layout) {
+  for (const TableArray& array : layout.arrays)
+    filling["arrays"] += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits,
+                                     array.values.size(), numbers(array.values));
+  return filled(text, filling);
 }
 
-/// Returns a text that does not depend on the tables.
-template <const std::string_view& text, class Layout>
-std::string as_it_is(const Layout& /*layout*/) {
-  return std::string(text);
-}
-
-std::string glsl_source(const TableLayout& layout) {
-  return shader_text(tables_glsl, glsl_array, tables_filling("//", layout), layout);
-}
-
-std::string wgsl_source(const TableLayout& layout) {
-  return shader_text(tables_wgsl, wgsl_array, tables_filling("//", layout), layout);
-}
-
-/// The content of the file of words.
+/// All arrays as one sequence of 32-bit words, for buffers of shaders. Elements of 8 and 16 bits fill a word from its
+/// lowest bit, and each array begins with a new word. The first word is the checksum of the others.
 struct TableWords {
   struct Array {
     std::string name;   ///< of the array, in capitals
@@ -84,6 +88,228 @@ TableWords table_words(const TableLayout& layout) {
   data.words[0] = checksum;
   return data;
 }
+
+/// Each word as four bytes, little-endian.
+std::string words_file(const TableLayout& layout) {
+  std::string bytes;
+  for (const std::uint32_t word : table_words(layout).words)
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
+  return bytes;
+}
+
+/// The place of an array in the shading languages: its name, the end of its name, its first word, bits of an element.
+constexpr const char* glsl_array = "const uvec2 RESTRIP_{}{} = uvec2({}u, {}u);\n";
+constexpr const char* wgsl_array = "const RESTRIP_{}{} = vec2<u32>({}u, {}u);\n";
+
+std::string shader_text(std::string_view text, const char* array, Filling filling, const TableLayout& layout,
+                        std::string_view of = {}) {
+  const TableWords data = table_words(layout);
+  for (const TableWords::Array& one : data.arrays)
+    filling["arrays"] += fmt::format(fmt::runtime(array), one.name, of, one.word, one.bits);
+  filling["words"] = std::to_string(data.words.size());
+  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
+  return filled(text, filling);
+}
+
+/// Returns a text that does not depend on the tables.
+template <const std::string_view& text, class Layout>
+std::string as_it_is(const Layout& /*layout*/) {
+  return std::string(text);
+}
+
+// ---- The tables.
+
+/// The operations, one per line; each line begins with `comment`.
+std::string operation_lines(const std::string& comment) {
+  const auto bits = [](int more) {
+    return more == 0 ? std::string("k bits") : fmt::format("k {} {} bits", more < 0 ? '-' : '+', std::abs(more));
+  };
+  std::string text = fmt::format("{0}   {1:<19}{2:<26}{3:<19}{4:<9}{5}\n", comment, "operation", "position",
+                                 "colours before", "ports", "colours after");
+  for (const LookUp& look_up : look_ups()) {
+    const bool flip = look_up.position.empty();
+    text += fmt::format("{}   {:<19}{:<26}{:<19}{:<9}{}\n", comment, look_up.name, look_up.where,
+                        (look_up.from_fan ? "loop, " : "inner, ") + (flip ? "1 bit" : bits(look_up.before_bits)),
+                        flip ? "4 bits" : "k bits", flip ? "inner, 1 bit; ports, 4 bits" : bits(look_up.after_bits));
+  }
+  return text;
+}
+
+/// The values for every template of the tables, except the arrays.
+Filling tables_filling(const std::string& comment, const TableLayout& layout) {
+  return {{"max_k", std::to_string(layout.max_k)},
+          {"bytes", std::to_string(layout.bytes())},
+          {"operations", operation_lines(comment)}};
+}
+
+std::string c_header(const TableLayout& layout) { return c_text(tables_h, tables_filling("//", layout), layout); }
+
+std::string rust_module(const TableLayout& layout) {
+  return rust_text(tables_rs, tables_filling("//!", layout), layout);
+}
+
+std::string glsl_source(const TableLayout& layout) {
+  return shader_text(tables_glsl, glsl_array, tables_filling("//", layout), layout);
+}
+
+std::string wgsl_source(const TableLayout& layout) {
+  return shader_text(tables_wgsl, wgsl_array, tables_filling("//", layout), layout);
+}
+
+// ---- The table of a custom operation or family. All languages have the same arrays, with one element per place. The
+// place of a position has its numbers as the digits of one number. Numbers are called at_k if the operation file says
+// k, because k may be a word of the language.
+
+/// How a language writes the parts that differ between operations.
+struct Dialect {
+  const char* comment;    ///< begins a line
+  const char* parameter;  ///< of one number, by its name
+  const char* outside;    ///< for numbers without a place, by the condition
+  const char* place;      ///< by a formula
+  const char* no_place;   ///< if there is only one
+  const char* suffix;     ///< ends a number
+};
+
+/// The largest number of any position.
+unsigned largest_number(const OperationLayout& layout) {
+  unsigned largest = 0;
+  for (const OperationLayout::At& at : layout.positions)
+    for (const unsigned number : at.position.numbers()) largest = std::max(largest, number);
+  return largest;
+}
+
+/// The arrays "edges", "ports", "before", "after", "first" by place, and "entries".
+TableLayout arrays_of(const OperationLayout& layout) {
+  const std::size_t digits = layout.named().numbers.size();
+  const unsigned base = largest_number(layout) + 1;
+  std::size_t places = 1;
+  for (std::size_t i = 0; i < digits; ++i) places *= base;
+  std::vector<std::vector<std::uint32_t>> by_place(5, std::vector<std::uint32_t>(places));
+  for (const OperationLayout::At& at : layout.positions) {
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < digits; ++i) place = place * base + at.position.numbers().at(i);
+    const Side& before = at.patch.before;
+    by_place[0][place] = static_cast<std::uint32_t>(before.edges.size());
+    by_place[1][place] = before.ports();
+    by_place[2][place] = before.nodes;
+    by_place[3][place] = at.patch.after.nodes;
+    by_place[4][place] = static_cast<std::uint32_t>(at.first);
+  }
+  return {0,
+          {array_of("edges", by_place[0]),
+           array_of("ports", by_place[1]),
+           array_of("before", by_place[2]),
+           array_of("after", by_place[3]),
+           array_of("first", by_place[4]),
+           {"entries", layout.width, layout.entries}}};
+}
+
+/// The values of all templates except the arrays.
+Filling operation_filling(const OperationLayout& layout, const Dialect& dialect) {
+  const Description& named = layout.named();
+  const unsigned largest = largest_number(layout);
+  std::string parameters;
+  std::string outside;
+  std::string place;
+  for (const std::string& number : named.numbers) {
+    const std::string at = "at_" + number;
+    parameters += fmt::format(fmt::runtime(dialect.parameter), at);
+    outside += fmt::format("{}{} > {}{}", outside.empty() ? "" : " || ", at, largest, dialect.suffix);
+    place = place.empty() ? at : fmt::format("({} * {}{} + {})", place, largest + 1, dialect.suffix, at);
+  }
+  std::string note;
+  if (!named.numbers.empty())
+    note += fmt::format("{} Its positions are given by {}, up to {} = {}.\n", dialect.comment,
+                        fmt::join(named.numbers, ", "), named.numbers[0], largest);
+  if (layout.matching())
+    note += fmt::format(
+        "{0} A matching's rule depends on the ports alone: the table answers as if `inner` were always valid. Pairs\n"
+        "{0} and single triangles count as its strips.\n",
+        dialect.comment);
+  return {{"about", named.about.empty() ? named.name : named.about},
+          {"title", named.name},
+          {"name", identifier(named.name)},
+          {"capitals", capitals(identifier(named.name))},
+          {"note", note},
+          {"parameters", parameters},
+          {"position", named.numbers.empty() ? dialect.no_place
+                                             : fmt::format(fmt::runtime(dialect.outside), outside) +
+                                                   fmt::format(fmt::runtime(dialect.place), place)},
+          {"configuration", layout.matching() ? "ports" : "(inner << port_count | ports)"},
+          {"none", std::to_string(layout.none())}};
+}
+
+std::string shader_operation(std::string_view text, const char* array, const OperationLayout& layout,
+                             const Dialect& dialect) {
+  Filling filling = operation_filling(layout, dialect);
+  if (!layout.matching()) filling["configuration"] = "((inner << port_count) | ports)";
+  return shader_text(text, array, filling, arrays_of(layout), "_OF_" + filling["capitals"]);
+}
+
+std::string c_operation(const OperationLayout& layout) {
+  Filling filling =
+      operation_filling(layout, {"//", "uint32_t {}, ", "  if ({}) return rule;\n", "  place = {};\n", "", ""});
+  return c_text(operation_h, filling, arrays_of(layout), "_of_" + filling["name"]);
+}
+
+std::string rust_operation(const OperationLayout& layout) {
+  const Filling filling = operation_filling(layout, {"//!", "{}: u32, ", "    if {} {{\n        return None;\n    }}\n",
+                                                     "    let place = {} as usize;\n", "    let place = 0;\n", ""});
+  return rust_text(operation_rs, filling, arrays_of(layout));
+}
+
+std::string glsl_operation(const OperationLayout& layout) {
+  return shader_operation(operation_glsl, glsl_array, layout,
+                          {"//", "uint {}, ", "  if ({}) return none;\n", "  place = {};\n", "", "u"});
+}
+
+std::string wgsl_operation(const OperationLayout& layout) {
+  return shader_operation(operation_wgsl, wgsl_array, layout,
+                          {"//", "{}: u32, ", "  if ({}) {{\n    return none;\n  }}\n", "  place = {};\n", "", "u"});
+}
+
+std::string operation_words_file(const OperationLayout& layout) { return words_file(arrays_of(layout)); }
+
+// ---- The automaton of all valences: its arrays, and a look-up by keys.
+
+/// The values for every template of the automaton, except the arrays. A split has three edges more than k.
+Filling automaton_filling(const std::string& comment, const AutomatonArrays& automaton, unsigned word_bits) {
+  std::string operations = fmt::format("{0}   {1:<16}{2:<28}{3}\n", comment, "operation", "position", "colours after");
+  const auto add = [&](const char* name, const char* position, const char* after) {
+    operations += fmt::format("{0}   {1:<16}{2:<28}{3}\n", comment, name, position, after);
+  };
+  add("split", "k >= 3, 1 <= a < k", "inner, k + 3 bits");
+  add("collapse", "k >= 3, whatever a", "loop, k bits");
+  add("open_split", "k >= 1, 0 <= i < j <= k", "inner, k + 2 bits");
+  add("boundary_split", "k >= 1, 0 <= i <= k", "inner, k bits");
+  add("fan_collapse", "k >= 1, whatever the gaps", "loop, k - 1 bits: open or boundary collapse");
+  return {{"max_k", std::to_string(word_bits - 3)},
+          {"bytes", std::to_string(automaton.table.bytes())},
+          {"seconds", std::to_string(automaton.seconds)},
+          {"operations", operations}};
+}
+
+std::string shader_automaton(std::string_view text, const char* array, const AutomatonArrays& automaton) {
+  return shader_text(text, array, automaton_filling("//", automaton, 32), automaton.table, "_OF_AUTOMATON");
+}
+
+std::string c_automaton(const AutomatonArrays& automaton) {
+  return c_text(automaton_h, automaton_filling("//", automaton, 64), automaton.table);
+}
+
+std::string rust_automaton(const AutomatonArrays& automaton) {
+  return rust_text(automaton_rs, automaton_filling("//!", automaton, 64), automaton.table);
+}
+
+std::string glsl_automaton(const AutomatonArrays& automaton) {
+  return shader_automaton(automaton_glsl, glsl_array, automaton);
+}
+
+std::string wgsl_automaton(const AutomatonArrays& automaton) {
+  return shader_automaton(automaton_wgsl, wgsl_array, automaton);
+}
+
+std::string automaton_words_file(const AutomatonArrays& automaton) { return words_file(automaton.table); }
 
 }  // namespace
 
@@ -120,43 +346,5 @@ std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>&
 }
 
 std::string LanguageFile::name(const std::string& what) const { return "restrip_" + identifier(what) + extension; }
-
-std::string words_file(const TableLayout& layout) {
-  std::string bytes;
-  for (const std::uint32_t word : table_words(layout).words)
-    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
-  return bytes;
-}
-
-std::string capitals(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  return name;
-}
-
-std::string c_arrays(const TableLayout& layout, std::string_view of) {
-  std::string text;
-  for (const TableArray& array : layout.arrays)
-    text += fmt::format("static const uint{}_t restrip_{}{}[{}] = {{\n{}}};\n", array.bits, array.name, of,
-                        array.values.size(), numbers(array.values));
-  return text;
-}
-
-std::string rust_arrays(const TableLayout& layout) {
-  std::string text;
-  for (const TableArray& array : layout.arrays)
-    text += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits, array.values.size(),
-                        numbers(array.values));
-  return text;
-}
-
-std::string shader_text(std::string_view text, const char* array, Filling filling, const TableLayout& layout,
-                        std::string_view of) {
-  const TableWords data = table_words(layout);
-  for (const TableWords::Array& one : data.arrays)
-    filling["arrays"] += fmt::format(fmt::runtime(array), one.name, of, one.word, one.bits);
-  filling["words"] = std::to_string(data.words.size());
-  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
-  return filled(text, filling);
-}
 
 }  // namespace restrip::generator

@@ -7,11 +7,9 @@
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "automaton/emit_automaton.hpp"
-#include "languages/templates.hpp"
 #include "operations/operation_layout.hpp"
 #include "tables/layout.hpp"
 
@@ -37,45 +35,9 @@ struct LanguageFile {
 [[nodiscard]] std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages,
                                                                   const std::string& what);
 
-// ---- Shared by the emitters ----
-
-/// In capitals, for constants.
-[[nodiscard]] std::string capitals(std::string name);
-
-/// The arrays as constants of the language; `of` ends the name of each.
-[[nodiscard]] std::string c_arrays(const TableLayout& layout, std::string_view of = {});
-[[nodiscard]] std::string rust_arrays(const TableLayout& layout);
-
-/// The place of an array in the shading languages: its name, the end of its name, its first word, bits of an element.
-inline constexpr const char* glsl_array = "const uvec2 RESTRIP_{}{} = uvec2({}u, {}u);\n";
-inline constexpr const char* wgsl_array = "const RESTRIP_{}{} = vec2<u32>({}u, {}u);\n";
-/// A template of a shading language, filled in with these values and the layout's words.
-[[nodiscard]] std::string shader_text(std::string_view text, const char* array, Filling filling,
-                                      const TableLayout& layout, std::string_view of = {});
-
-/// All arrays as one sequence of 32-bit words, for buffers of shaders: each word as four bytes, little-endian. Elements
-/// of 8 and 16 bits fill a word from its lowest bit, and each array begins with a new word. The first word is the
-/// checksum of the others.
-[[nodiscard]] std::string words_file(const TableLayout& layout);
-
+// The files of JSON (json.cpp).
 [[nodiscard]] std::string json_tables(const TableLayout& layout);
 [[nodiscard]] std::string json_operation(const OperationLayout& layout);
-
-// The table of a custom operation, or a family (operation_files.cpp).
-
-[[nodiscard]] std::string c_operation(const OperationLayout& layout);
-[[nodiscard]] std::string rust_operation(const OperationLayout& layout);
-[[nodiscard]] std::string glsl_operation(const OperationLayout& layout);
-[[nodiscard]] std::string wgsl_operation(const OperationLayout& layout);
-[[nodiscard]] std::string operation_words_file(const OperationLayout& layout);
-
-// The automaton of all valences (automaton_files.cpp).
-
-[[nodiscard]] std::string c_automaton(const AutomatonArrays& automaton);
-[[nodiscard]] std::string rust_automaton(const AutomatonArrays& automaton);
-[[nodiscard]] std::string glsl_automaton(const AutomatonArrays& automaton);
-[[nodiscard]] std::string wgsl_automaton(const AutomatonArrays& automaton);
 [[nodiscard]] std::string json_automaton(const AutomatonArrays& automaton);
-[[nodiscard]] std::string automaton_words_file(const AutomatonArrays& automaton);
 
 }  // namespace restrip::generator

@@ -1,8 +1,6 @@
 // The fixed text of the files in other languages: the files of templates/, embedded at build time (cmake/Embed.cmake).
 #pragma once
 
-#include <map>
-#include <string>
 #include <string_view>
 
 namespace restrip::generator {
@@ -31,13 +29,5 @@ extern const std::string_view tables_mjs;
 extern const std::string_view tables_rs;
 extern const std::string_view tables_glsl;
 extern const std::string_view tables_wgsl;
-
-/// The value of each `@name@` in a template. A placeholder on a separate line stands for whole lines: its value ends
-/// with a line break, or is empty.
-using Filling = std::map<std::string, std::string>;
-
-/// The template with its placeholders replaced. Replacements are not searched again. Throws std::out_of_range for a
-/// placeholder without a value.
-[[nodiscard]] std::string filled(std::string_view text, const Filling& filling);
 
 }  // namespace restrip::generator
