@@ -12,30 +12,6 @@
 namespace restrip::generator {
 namespace {
 
-/// Bits of an entry's type: at least one more than a rule has, so that all ones means none.
-unsigned width_of(const std::vector<OperationLayout::At>& positions) {
-  std::size_t bits = 0;
-  for (const OperationLayout::At& at : positions)
-    bits = std::max(bits, at.patch.after.edges.size() + at.patch.after.owner.size());
-  return bits < 8 ? 8 : bits < 16 ? 16 : 32;
-}
-
-/// Appends the entries of one position.
-void append_entries(const AnsweredPosition& answered, OperationLayout& layout) {
-  const Operation operation = operation_at(answered.position);
-  const Side& before = operation.patch.before;
-  const unsigned ports = before.ports();
-  const std::size_t first = layout.entries.size();
-  // For matchings, whose keys are the ports, entry P serves every colouring.
-  const bool matching = layout.matching();
-  layout.entries.resize(first + (std::size_t{1} << (matching ? ports : before.edges.size() + ports)), layout.none());
-  for_each_valid(operation, [&](const Configuration& c) {
-    const Row& row = row_of(*answered.section, c.ports, c.outcome.joined);
-    layout.entries[first + (matching ? c.ports : std::size_t{c.before} << ports | c.ports)] =
-        row.recoloring << ports | row.kept;
-  });
-}
-
 /// Triangles and inner edges before and after.
 std::array<std::string, 2> sizes(const Patch& patch) {
   const auto size = [](const Side& side) { return fmt::format("{{{}, {}}}", side.nodes, side.edges.size()); };
@@ -54,8 +30,8 @@ std::string quoted_place(const Description& family) {
   return '"' + quoted + '"';
 }
 
-/// The form of the list in the header.
-std::string triangles(const std::vector<SurfaceTriangle>& met) {
+/// The list of triangles in the header.
+std::string triangle_list(const std::vector<SurfaceTriangle>& met) {
   std::vector<std::string> words;
   words.reserve(met.size());
   for (const SurfaceTriangle& t : met)
@@ -63,26 +39,6 @@ std::string triangles(const std::vector<SurfaceTriangle>& met) {
                                 fmt::join(t.side, ", ")));
   return "    {{\n" + numbers(words) + "    }},\n";
 }
-
-/// The triangles of all positions, one after another.
-struct Triangles {
-  std::vector<SurfaceTriangle> before;
-  std::vector<SurfaceTriangle> after;
-  std::string positions;  ///< for each position, the number of vertices and the start of its triangles
-  unsigned vertices = 0;  ///< of the last one
-
-  explicit Triangles(const OperationLayout& layout) {
-    for (const OperationLayout::At& at : layout.positions) {
-      const Surface surface = surface_at(at.position);
-      vertices = surface.vertices;
-      positions += fmt::format("    {{{}, {}, {}}},\n", vertices, before.size(), after.size());
-      before.insert(before.end(), surface.before.begin(), surface.before.end());
-      after.insert(after.end(), surface.after.begin(), surface.after.end());
-    }
-  }
-  [[nodiscard]] std::string counts() const { return fmt::format(", {}, {}", before.size(), after.size()); }
-  [[nodiscard]] std::string text() const { return triangles(before) + triangles(after) + "};\n"; }
-};
 
 /// The table of an operation or a family, starting with its type.
 std::string table(const OperationLayout& layout, const std::string& name) {
@@ -107,23 +63,48 @@ std::string table(const OperationLayout& layout, const std::string& name) {
   }
   if (layout.named().is_graph_only())
     return fmt::format("Operation{}<{}> {}{{\n    {};\n", is_family ? "Family" : "Table", arguments, name, rules);
-  const Triangles surface(layout);
-  return fmt::format("Surface{}<{}{}> {}{{\n    {{{},\n    {},\n{}", is_family ? "Family" : "Operation", arguments,
-                     surface.counts(), name, rules,
-                     is_family ? fmt::format("{{{{\n{}    }}}}", surface.positions) : std::to_string(surface.vertices),
-                     surface.text());
+  // The triangles of all positions, one after another; and for each position, the number of vertices and the start of
+  // its triangles.
+  Surface all;
+  std::string positions;
+  for (const OperationLayout::At& at : layout.positions) {
+    const auto [before, after, vertices] = surface_at(at.position);
+    positions += fmt::format("    {{{}, {}, {}}},\n", vertices, all.before.size(), all.after.size());
+    all.before.insert(all.before.end(), before.begin(), before.end());
+    all.after.insert(all.after.end(), after.begin(), after.end());
+    all.vertices = vertices;
+  }
+  return fmt::format("Surface{}<{}, {}, {}> {}{{\n    {{{},\n    {},\n{}{}}};\n", is_family ? "Family" : "Operation",
+                     arguments, all.before.size(), all.after.size(), name, rules,
+                     is_family ? fmt::format("{{{{\n{}    }}}}", positions) : std::to_string(all.vertices),
+                     triangle_list(all.before), triangle_list(all.after));
 }
 
 }  // namespace
 
 OperationLayout operation_layout(const std::vector<AnsweredPosition>& positions) {
   OperationLayout layout;
-  for (const AnsweredPosition& answered : positions)
-    layout.positions.push_back({answered.position, make_patch(answered.position), 0});
-  layout.width = width_of(layout.positions);
+  // An entry has at least one bit more than a rule, so that all ones means none.
+  std::size_t bits = 0;
+  for (const auto& [position, section] : positions) {
+    const Patch& patch = layout.positions.emplace_back(OperationLayout::At{position, make_patch(position), 0}).patch;
+    bits = std::max(bits, patch.after.edges.size() + patch.after.owner.size());
+  }
+  layout.width = bits < 8 ? 8 : bits < 16 ? 16 : 32;
+  // For matchings, whose keys are the ports, entry P serves every colouring.
+  const bool matching = layout.matching();
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    layout.positions[i].first = layout.entries.size();
-    append_entries(positions[i], layout);
+    const Operation operation = operation_at(positions[i].position);
+    const Side& before = operation.patch.before;
+    const unsigned ports = before.ports();
+    const std::size_t first = layout.entries.size();
+    layout.positions[i].first = first;
+    layout.entries.resize(first + (std::size_t{1} << (matching ? ports : before.edges.size() + ports)), layout.none());
+    for_each_valid(operation, [&](const Configuration& c) {
+      const Row& row = row_of(*positions[i].section, c.ports, c.outcome.joined);
+      layout.entries[first + (matching ? c.ports : std::size_t{c.before} << ports | c.ports)] =
+          row.recoloring << ports | row.kept;
+    });
   }
   return layout;
 }

@@ -122,11 +122,6 @@ std::vector<Certificate> by_certificate(std::vector<Section> sections, std::vect
   return all;
 }
 
-std::vector<Certificate> certify(std::vector<Section> sections, unsigned threads) {
-  std::vector<std::string> texts = section_texts(sections, threads);
-  return by_certificate(std::move(sections), std::move(texts));
-}
-
 std::vector<std::string> section_texts(const std::vector<Section>& sections, unsigned threads) {
   std::vector<std::string> texts(sections.size());
   share_sections(sections, threads, Watched::yes, "certifying",

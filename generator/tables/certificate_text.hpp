@@ -26,9 +26,7 @@ struct Certificate {
 [[nodiscard]] std::vector<Certificate> by_certificate(std::vector<Section> sections,
                                                       std::vector<std::string> texts = {});
 
-/// The sections by certificate with their texts; `threads` share the work.
-[[nodiscard]] std::vector<Certificate> certify(std::vector<Section> sections, unsigned threads);
-/// The texts in the order of the sections.
+/// The texts in the order of the sections; `threads` share the work.
 [[nodiscard]] std::vector<std::string> section_texts(const std::vector<Section>& sections, unsigned threads);
 
 /// The file, from the texts of its sections.

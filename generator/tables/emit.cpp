@@ -96,25 +96,24 @@ RulesHeader linked_header(const std::vector<Certificate>& families, unsigned max
   for (const Certificate& family : families) {
     std::vector<std::size_t> first(max_k + 1, 0);
     std::vector<std::size_t> start;
-    std::size_t count = 0;
-    Lines rules;
+    std::vector<std::string> rules;
     for (const Section& section : family.sections) {
       if (first[section.position.k] == 0) first[section.position.k] = start.size();
       std::optional<Mask> ports;
       for (const Row& row : section.rows) {
-        if (ports != row.key.ports) start.push_back(count);
+        if (ports != row.key.ports) start.push_back(rules.size());
         ports = row.key.ports;
         const auto place = std::lower_bound(pairing.begin(), pairing.end(), partners(row.key.joined.masks(), max_k));
-        rules.add(fmt::format(" {{{}, {}}},", row.recoloring, place - pairing.begin()));
-        ++count;
+        rules.push_back(fmt::format("{{{}, {}}}", row.recoloring, place - pairing.begin()));
       }
     }
-    start.push_back(count);
+    start.push_back(rules.size());
     text += fmt::format(
         "inline constexpr LinkedTable<{}, {}, {}> {}{{\n    {{{}    }},\n    {{\n{}    }},\n    {{{{\n{}    "
         "}}}},\n}};\n",
-        max_k, start.size(), count, identifier(family.name), numbers(first).substr(4), numbers(start), rules.text());
-    bytes += (wide ? 4 : 2) * (first.size() + start.size()) + 4 * count;
+        max_k, start.size(), rules.size(), identifier(family.name), numbers(first).substr(4), numbers(start),
+        numbers(rules));
+    bytes += (wide ? 4 : 2) * (first.size() + start.size()) + 4 * rules.size();
   }
   return {text + footer, bytes};
 }

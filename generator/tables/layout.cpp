@@ -5,30 +5,20 @@
 #include "operations/operation_layout.hpp"
 
 namespace restrip::generator {
-namespace {
-
-/// Independent of the position, so any position will do.
-LookUp look_up_of(const Description& family) {
-  const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
-  const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());
-  const int added = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
-  return {identifier(family.name),
-          family.numbers,
-          family.range,
-          identifier(family.certificate),
-          family.numbers.empty() ? "" : (closed(family) ? "closed_rows" : "open_rows"),
-          added > 0,
-          static_cast<int>(patch.before.edges.size()) - k,
-          static_cast<int>(patch.after.edges.size()) - k,
-          added};
-}
-
-}  // namespace
 
 const std::vector<LookUp>& look_ups() {
   static const std::vector<LookUp> all = [] {
     std::vector<LookUp> look_ups;
-    for (const Description& family : families()) look_ups.push_back(look_up_of(family));
+    for (const Description& family : families()) {
+      // Independent of the position, so any position will do.
+      const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
+      const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());
+      const int added = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
+      look_ups.push_back({identifier(family.name), family.numbers, family.range, identifier(family.certificate),
+                          family.numbers.empty() ? "" : (closed(family) ? "closed_rows" : "open_rows"), added > 0,
+                          static_cast<int>(patch.before.edges.size()) - k,
+                          static_cast<int>(patch.after.edges.size()) - k, added});
+    }
     return look_ups;
   }();
   return all;

@@ -8,28 +8,19 @@
 
 namespace restrip::generator {
 
-/// Words in lines of at most 120 characters.
-class Lines {
- public:
-  void add(const std::string& word) {
-    if (line_.size() + word.size() > 120) {
-      text_ += line_ + "\n";
-      line_ = "   ";
-    }
-    line_ += word;
-  }
-  [[nodiscard]] std::string text() const { return text_ + line_ + "\n"; }
-
- private:
-  std::string text_;
-  std::string line_ = "   ";
-};
-
 template <class Number>
 std::string numbers(const std::vector<Number>& values, const char* spelling = " {},") {
-  Lines lines;
-  for (const Number& value : values) lines.add(fmt::format(fmt::runtime(spelling), value));
-  return lines.text();
+  std::string text;
+  std::string line = "   ";
+  for (const Number& value : values) {
+    const std::string word = fmt::format(fmt::runtime(spelling), value);
+    if (line.size() + word.size() > 120) {
+      text += line + "\n";
+      line = "   ";
+    }
+    line += word;
+  }
+  return text + line + "\n";
 }
 
 }  // namespace restrip::generator

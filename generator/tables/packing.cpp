@@ -6,36 +6,16 @@
 #include <set>
 
 namespace restrip::generator {
+namespace {
 
-FanKey fan_key(const Key& key, const Position& position) {
-  const bool around = closed(*position.family);
-  FanKey fan{key.ports, 0};
-  for (const Mask pair : key.joined.masks())
-    for (Mask one = pair; one != 0; one &= one - 1) {
-      const Mask port = one & (~one + 1);
-      // The nearest solid port below, cyclic in a closed fan.
-      const Mask below = key.ports & (port - 1);
-      const Mask others = key.ports & ~port;
-      if (below == 0 && !(around && others != 0)) continue;
-      if ((pair & std::bit_floor(below != 0 ? below : others)) != 0) fan.joined |= port;
-    }
-  return fan;
-}
-
-std::vector<Mask> spellings(const FanKey& key) {
-  // Both bits are set only if each of two ports of a closed fan is the other's predecessor.
-  if (std::popcount(key.ports) != 2 || key.joined != key.ports) return {key.joined};
-  return {key.joined, std::bit_floor(key.joined), key.joined & (~key.joined + 1)};
-}
-
-Packing pack(const std::vector<const Section*>& sections, unsigned max_k) {
+Packing packed(const std::vector<const Section*>& sections, unsigned max_k) {
   Packing packing{std::vector<unsigned>(std::size_t{2} << max_k, 0), std::vector<unsigned>(max_k + 1, 0)};
   for (unsigned k = 1; k <= max_k; ++k) {
     std::map<Mask, std::set<Mask>> columns;
     for (const Section* section : sections) {
       if (section->position.k != k) continue;
       for (const Row& row : section->rows)
-        for (const Mask joined : spellings(fan_key(row.key, section->position))) columns[row.key.ports].insert(joined);
+        for (const Mask joined : spellings(row.key, section->position)) columns[row.key.ports].insert(joined);
     }
     std::vector<Mask> order;
     order.reserve(columns.size());
@@ -59,6 +39,25 @@ Packing pack(const std::vector<const Section*>& sections, unsigned max_k) {
   return packing;
 }
 
+}  // namespace
+
+std::vector<Mask> spellings(const Key& key, const Position& position) {
+  const bool around = closed(*position.family);
+  Mask joined = 0;
+  for (const Mask pair : key.joined.masks())
+    for (Mask one = pair; one != 0; one &= one - 1) {
+      const Mask port = one & (~one + 1);
+      // The nearest solid port below, cyclic in a closed fan.
+      const Mask below = key.ports & (port - 1);
+      const Mask others = key.ports & ~port;
+      if (below == 0 && !(around && others != 0)) continue;
+      if ((pair & std::bit_floor(below != 0 ? below : others)) != 0) joined |= port;
+    }
+  // Both bits are set only if each of two ports of a closed fan is the other's predecessor.
+  if (std::popcount(key.ports) != 2 || joined != key.ports) return {joined};
+  return {joined, std::bit_floor(joined), joined & (~joined + 1)};
+}
+
 RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, unsigned max_k) {
   RuleBlocks blocks{std::vector<unsigned>(max_k + 1, 0), std::vector<unsigned>(max_k + 1, 0), {}};
   unsigned last_k = 0;
@@ -70,7 +69,7 @@ RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, un
     const std::size_t block = blocks.rules.size();
     blocks.rules.resize(block + packing.cells[k], 0);
     for (const Row& row : section.rows)
-      for (const Mask joined : spellings(fan_key(row.key, section.position)))
+      for (const Mask joined : spellings(row.key, section.position))
         blocks.rules[block + packing.start[std::size_t{1} << k | row.key.ports] + joined] = row.recoloring;
   }
   return blocks;
@@ -83,7 +82,7 @@ Packings pack(const std::vector<Certificate>& certificates, unsigned max_k) {
     for (const Section& section : certificate.sections)
       if (!section.linked && !section.position.family->numbers.empty())
         (closed(*section.position.family) ? closed_ones : open_ones).push_back(&section);
-  return {pack(closed_ones, max_k), pack(open_ones, max_k)};
+  return {packed(closed_ones, max_k), packed(open_ones, max_k)};
 }
 
 }  // namespace restrip::generator

@@ -14,29 +14,19 @@ struct Packing {
   std::vector<unsigned> cells;  ///< index k: cells in one block
 };
 
-/// One packing that serves all given sections (all of closed fans, or all of open ones), valence by valence. First fit,
-/// the fullest rows first: deterministic.
-[[nodiscard]] Packing pack(const std::vector<const Section*>& sections, unsigned max_k);
-
 /// The packings of all rules of closed fans, and of all rules of open ones.
 struct Packings {
   Packing closed;
   Packing open;
 };
+/// Each packing serves all sections of its fans, valence by valence. First fit, the fullest rows first: deterministic.
 /// Linked rules and flips have no packing.
 [[nodiscard]] Packings pack(const std::vector<Certificate>& certificates, unsigned max_k);
 
-/// A key in the form used by look-ups of fans (docs/reference/notation.md, "Key"): bit i of `joined` is set if solid
-/// port i is joined to the solid port before it, cyclic in a closed fan.
-struct FanKey {
-  Mask ports = 0;
-  Mask joined = 0;
-};
-[[nodiscard]] FanKey fan_key(const Key& key, const Position& position);
-
-/// The values of `joined` under which a look-up may find this key: the key's own value and, if two solid ports of a
-/// closed fan are joined, either of their bits alone.
-[[nodiscard]] std::vector<Mask> spellings(const FanKey& key);
+/// The values of `joined` under which a look-up may find this key (docs/reference/notation.md, "Key"): bit i is set if
+/// solid port i is joined to the solid port before it, cyclic in a closed fan. If two solid ports of a closed fan are
+/// joined, either of their bits alone will do.
+[[nodiscard]] std::vector<Mask> spellings(const Key& key, const Position& position);
 
 /// The rules of a family of fans in their cells: members as in RuleTable of restrip/tables/format.hpp.
 struct RuleBlocks {

@@ -71,62 +71,9 @@ std::vector<std::filesystem::path> table_files(const std::set<std::string>& want
   return in_order;
 }
 
-/// The files of the tables, and their summary.
-struct TableFiles {
-  struct File {
-    std::string text;
-    std::size_t rows = 0;  ///< the number that MANIFEST lists
-  };
-  std::map<std::string, File> by_path;
-  std::string text;
-
-  /// Returns the files, followed by MANIFEST.
-  [[nodiscard]] std::vector<files::NamedBytes> take() {
-    std::string manifest = "restrip-manifest 1\n";
-    std::vector<files::NamedBytes> all;
-    for (auto& [path, file] : by_path) {
-      manifest += fmt::format("{} {} {} {}\n", sha256(file.text), file.text.size(), file.rows, path);
-      all.push_back({path, std::move(file.text)});
-    }
-    all.push_back({"MANIFEST", manifest});
-    return all;
-  }
-};
-
 std::string summary(const std::string& family, std::size_t sections, std::size_t rules, std::size_t bytes) {
   return fmt::format("{:<16} {:>3} {:<8}  {:>6} {:<5}  {:>6} {}\n", family, sections, plural(sections, "section"),
                      rules, plural(rules, "rule"), bytes, plural(bytes, "byte"));
-}
-
-void add_rules(const std::vector<Certificate>& families, const Packings& packings, unsigned max_k, TableFiles& to) {
-  to.by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
-  for (const Certificate& family : families) {
-    const bool on_closed = closed(*family.sections[0].position.family);
-    const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
-    to.by_path[header_path(family.name)] = {header.text, family.rows()};
-    to.by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
-    to.text += summary(family.name, family.sections.size(), family.rows(), header.bytes);
-  }
-}
-
-void add_linked(const std::vector<Certificate>& families, unsigned max_k, TableFiles& to) {
-  const RulesHeader header = linked_header(families, max_k);
-  std::size_t sections = 0;
-  std::size_t alternatives = 0;
-  for (const Certificate& family : families) {
-    to.by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
-    sections += family.sections.size();
-    alternatives += family.rows();
-  }
-  to.by_path[headers + "linked.hpp"] = {header.text, alternatives};
-  to.text += summary("linked", sections, alternatives, header.bytes);
-}
-
-void add_automaton(TableFiles& to) {
-  const AutomatonFiles automaton;
-  to.by_path[header_path("automaton")] = {automaton.header.text, automaton.certificate.rows};
-  to.by_path[certificate_path("automaton")] = {automaton.certificate.text, automaton.certificate.rows};
-  to.text += automaton.summary();
 }
 
 /// Files and their summary.
@@ -135,24 +82,57 @@ struct Emitted {
   std::string text;
 };
 
-/// The stage `emit`: the files of the languages. MANIFEST lists the C++ files, which restrip-verify reads.
+/// The stage `emit`: the files of the languages. MANIFEST, which comes last, lists the C++ files, which restrip-verify
+/// reads.
 Emitted emit(const std::vector<Certificate>& certificates, const Packings& packings, const TablesOptions& options) {
+  const unsigned max_k = options.max_k;
   const auto first_linked = std::find_if(certificates.begin(), certificates.end(), std::mem_fn(&Certificate::linked));
   const std::vector<Certificate> rules(certificates.begin(), first_linked);
-  const TableLayout layout = table_layout(rules, packings, options.max_k);
+  const std::vector<Certificate> linked(first_linked, certificates.end());
+  const TableLayout layout = table_layout(rules, packings, max_k);
   auto [files, text] = Emitted{};
   for (const auto& [name, file] : files_in(options.languages, "tables")) {
     files.push_back({name, file->of_tables(layout)});
     text += fmt::format("{:<25} {:>8} bytes\n", name, files.back().bytes.size());
   }
-  if (!files.empty()) text += fmt::format("rules up to k = {}: {} bytes of data\n", options.max_k, layout.bytes());
+  if (!files.empty()) text += fmt::format("rules up to k = {}: {} bytes of data\n", max_k, layout.bytes());
   if (!options.languages.contains("c++")) return {files, text};
-  TableFiles tables;
-  add_rules(rules, packings, options.max_k, tables);
-  add_linked({first_linked, certificates.end()}, options.max_k, tables);
-  add_automaton(tables);
-  for (files::NamedBytes& file : tables.take()) files.push_back(std::move(file));
-  return {files, text + tables.text};
+
+  struct Listed {
+    std::string text;
+    std::size_t rows = 0;  ///< the number that MANIFEST lists
+  };
+  std::map<std::string, Listed> by_path;
+  for (const Certificate& family : certificates)
+    by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
+  by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
+  for (const Certificate& family : rules) {
+    const bool on_closed = closed(*family.sections[0].position.family);
+    const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
+    by_path[header_path(family.name)] = {header.text, family.rows()};
+    text += summary(family.name, family.sections.size(), family.rows(), header.bytes);
+  }
+  const RulesHeader lists = linked_header(linked, max_k);
+  std::size_t sections = 0;
+  std::size_t alternatives = 0;
+  for (const Certificate& family : linked) {
+    sections += family.sections.size();
+    alternatives += family.rows();
+  }
+  by_path[headers + "linked.hpp"] = {lists.text, alternatives};
+  text += summary("linked", sections, alternatives, lists.bytes);
+  const AutomatonFiles automaton;
+  by_path[header_path("automaton")] = {automaton.header.text, automaton.certificate.rows};
+  by_path[certificate_path("automaton")] = {automaton.certificate.text, automaton.certificate.rows};
+  text += automaton.summary();
+
+  std::string manifest = "restrip-manifest 1\n";
+  for (auto& [path, file] : by_path) {
+    manifest += fmt::format("{} {} {} {}\n", sha256(file.text), file.text.size(), file.rows, path);
+    files.push_back({path, std::move(file.text)});
+  }
+  files.push_back({"MANIFEST", manifest});
+  return {files, text};
 }
 
 /// The files and the sections solved for them.
@@ -176,12 +156,12 @@ void make_tables(const TablesOptions& options) {
   const files::ReportOutput report(options.json);
   const bool certified = options.languages.contains("c++");
 
-  const std::vector<Description>& described = families();
-  std::vector<Patches> patches = patches_of(described, options.max_k);
+  std::vector<Patches> patches = patches_of(families(), options.max_k);
   if (!certified) std::erase_if(patches, std::mem_fn(&Patches::linked));  // other languages have no lists
   std::vector<Section> solved = solve_all(patches, options.threads, Watched::yes);
-  const std::vector<Certificate> certificates =
-      certified ? certify(std::move(solved), options.threads) : by_certificate(std::move(solved));
+  std::vector<std::string> texts;
+  if (certified) texts = section_texts(solved, options.threads);
+  const std::vector<Certificate> certificates = by_certificate(std::move(solved), std::move(texts));
   const Packings packings = pack(certificates, options.max_k);
   const Emitted made = emit(certificates, packings, options);
   std::vector<files::NamedBytes> written = made.files;

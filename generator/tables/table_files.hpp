@@ -19,7 +19,7 @@ struct TablesOptions {
 };
 
 // The generator's pipeline, which make_tables() follows: describe (families(), read_descriptions()) -> patches
-// (patches_of()) -> solve (solve_all()) -> certify (certify()) -> pack (pack()) -> emit (headers, files of other
+// (patches_of()) -> solve (solve_all()) -> certify (section_texts()) -> pack (pack()) -> emit (headers, files of other
 // languages, MANIFEST).
 //
 // All functions check their output paths before they work, report on standard output what they wrote, show progress on
