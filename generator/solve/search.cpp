@@ -94,33 +94,18 @@ std::vector<PortPairs> relevant_pairs(const Operation& operation) {
   return joined;
 }
 
-Candidates::Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports) {
+std::vector<Candidate> candidates_for(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports) {
+  std::vector<Candidate> candidates;
   for_each_recoloring(operation, colorings, ports, [&](const Coloring& coloring, Mask kept, const Outcome& outcome) {
     const auto lost = static_cast<unsigned>(std::popcount(ports & ~kept));
-    candidates_.push_back({{coloring.inner, kept, outcome.solid, outcome.isolated + lost},
-                           outcome.joined,
-                           values_of(operation, coloring, outcome, ports, kept)});
+    candidates.push_back({{coloring.inner, kept, outcome.solid, outcome.isolated + lost},
+                          outcome.joined,
+                          values_of(operation, coloring, outcome, ports, kept)});
   });
-  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
-    return std::tie(x.values, x.choice.recoloring, x.choice.kept) <
-           std::tie(y.values, y.choice.recoloring, y.choice.kept);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+    return std::tie(x.values, x.recoloring, x.kept) < std::tie(y.values, y.recoloring, y.kept);
   });
-}
-
-const Choice* Candidates::best(const PortPairs& joined_before) const {
-  for (const Candidate& candidate : candidates_)
-    if (candidate.joins.within(joined_before)) return &candidate.choice;
-  return nullptr;
-}
-
-std::vector<std::pair<Choice, PortPairs>> Candidates::uncovered() const {
-  std::vector<std::pair<Choice, PortPairs>> list;
-  for (const Candidate& candidate : candidates_) {
-    const bool covered = std::any_of(list.begin(), list.end(),
-                                     [&](const auto& earlier) { return earlier.second.within(candidate.joins); });
-    if (!covered) list.emplace_back(candidate.choice, candidate.joins);
-  }
-  return list;
+  return candidates;
 }
 
 }  // namespace restrip::generator

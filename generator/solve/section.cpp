@@ -86,17 +86,18 @@ void find_rules(Section& section, const Operation& rows_of, Watched watched) {
   };
   std::vector<Row>& rows = section.rows;
   std::vector<bool> done(rows.size(), false);
-  std::optional<Candidates> candidates;
+  std::vector<Candidate> candidates;
   std::optional<Mask> candidates_of;
   Progress progress("finding rules", rows.size(), watched);
   for (std::size_t representative = 0; representative < rows.size(); ++representative) {
     progress.step();
     if (done[representative]) continue;
     const Key& smallest = rows[representative].key;
-    if (candidates_of != smallest.ports) candidates.emplace(rows_of, after, smallest.ports);
+    if (candidates_of != smallest.ports) candidates = candidates_for(rows_of, after, smallest.ports);
     candidates_of = smallest.ports;
-    const Choice* const best = candidates->best(smallest.joined);
-    if (best == nullptr) refuse_without_rule(section, smallest);
+    const auto best = std::find_if(candidates.begin(), candidates.end(),
+                                   [&](const Candidate& one) { return one.joins.within(smallest.joined); });
+    if (best == candidates.end()) refuse_without_rule(section, smallest);
     static_cast<Choice&>(rows[representative]) = *best;
     done[representative] = true;
 
@@ -218,9 +219,16 @@ Section solve(Patches patches, Watched watched) {
   const Operation rows_of = operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch);
   if (section.linked) {
     const std::vector<Coloring> after = legal_colorings(rows_of.patch.after, rows_of.constraint);
-    for (Mask ports = 0; ports <= rows_of.patch.after.all_ports(); ++ports)
-      for (const auto& [choice, joins] : Candidates(rows_of, after, ports).uncovered())
-        section.rows.push_back({choice, {ports, joins}, -1});
+    // The list of a port mask has the recolourings that are not covered, best first: one is covered if a better one
+    // joins only pairs that it joins too. For each set of pairs joined outside, the first that closes no cycle with it
+    // is best.
+    for (Mask ports = 0; ports <= rows_of.patch.after.all_ports(); ++ports) {
+      const auto first = static_cast<std::ptrdiff_t>(section.rows.size());
+      for (const Candidate& one : candidates_for(rows_of, after, ports))
+        if (std::none_of(section.rows.begin() + first, section.rows.end(),
+                         [&](const Row& earlier) { return earlier.key.joined.within(one.joins); }))
+          section.rows.push_back({one, {ports, one.joins}, -1});
+    }
   } else {
     find_rules(section, rows_of, watched);
     make_claims(section);

@@ -138,14 +138,6 @@ std::vector<unsigned> on_edges(const Side& side, const Permutation& p, unsigned 
   return image;
 }
 
-/// Whether port i goes to port i + n for some n, modulo the number of ports.
-bool turns(const PatchMap& map) {
-  const std::size_t ports = map.port.size();
-  for (std::size_t i = 0; i < ports; ++i)
-    if (map.port[i] != (map.port[0] + i) % ports) return false;
-  return true;
-}
-
 /// The effect of a map on masks of a given width, computed eight bits at a time.
 class MaskMap {
  public:
@@ -194,7 +186,13 @@ Symmetries symmetries(const Operation& operation) {
   found.generators = maps_of(generating);
   found.maps = found.order <= most_listed ? maps_of(closure(generating, graph.size())) : found.generators;
   if (operation.turns_first && found.order <= most_listed)
-    std::stable_partition(found.maps.begin(), found.maps.end(), turns);
+    std::stable_partition(found.maps.begin(), found.maps.end(), [](const PatchMap& map) {
+      // Port i goes to port i + n for some n, modulo the number of ports.
+      const std::size_t ports = map.port.size();
+      for (std::size_t i = 0; i < ports; ++i)
+        if (map.port[i] != (map.port[0] + i) % ports) return false;
+      return true;
+    });
   return found;
 }
 
