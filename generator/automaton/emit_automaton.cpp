@@ -1,10 +1,10 @@
 #include "automaton/emit_automaton.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -44,59 +44,40 @@ struct HeaderNumbers {
     for (const ArcClass& c : automaton.classes) {
       for (const auto& step : c.steps) {
         next.push_back(step ? step->to : no_class);
-        before.push_back(step ? origins(automaton.classes[step->to], *step) : 0);
+        std::uint64_t& origins = before.emplace_back(0U);
+        for (Case from = 0; step && from < case_codes; ++from)
+          if (automaton.classes[step->to].costs[from]) origins |= std::uint64_t{step->before[from]} << 4U * from;
       }
       closed.push_back(c.closing.value_or(both_dashed));
       first.push_back(c.as_first);
       second.push_back(c.as_second);
     }
   }
-
- private:
-  static std::uint64_t origins(const ArcClass& to, const ArcStep& step) {
-    std::uint64_t cases = 0;
-    for (Case c = 0; c < case_codes; ++c)
-      if (to.costs[c]) cases |= std::uint64_t{step.before[c]} << 4U * c;
-    return cases;
-  }
 };
 
-/// A sequence of rows, counted.
-class Rows {
- public:
-  template <class... Words>
-  void add(fmt::format_string<Words...> row, Words&&... words) {
-    fmt::format_to(std::back_inserter(text_), row, std::forward<Words>(words)...);
-    text_ += '\n';
-    ++count_;
-  }
-  [[nodiscard]] std::size_t count() const { return count_; }
-  /// As a section of a certificate.
-  [[nodiscard]] std::string section(std::string_view name) const {
-    return fmt::format("section {}\nclaim rows {}\n{}", name, count_, text_);
-  }
+using Rows = std::vector<std::string>;
 
- private:
-  std::string text_;
-  std::size_t count_ = 0;
-};
+std::string section_of(std::string_view name, const Rows& rows) {
+  return fmt::format("section {}\nclaim rows {}\n{}\n", name, rows.size(), fmt::join(rows, "\n"));
+}
 
 Rows class_rows(const Automaton& automaton) {
   Rows rows;
   for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
     const ArcClass& c = automaton.classes[x];
-    rows.add("class {} {} {} {}", x, c.witness.empty() ? "-" : c.witness,
-             c.can_be_first() ? std::to_string(c.as_first) : "-", x == 0 ? "-" : std::to_string(c.as_second));
+    rows.push_back(fmt::format("class {} {} {} {}", x, c.witness.empty() ? "-" : c.witness,
+                               c.can_be_first() ? std::to_string(c.as_first) : "-",
+                               x == 0 ? "-" : std::to_string(c.as_second)));
     for (Case k = 0; k < case_codes; ++k)
-      if (c.costs[k]) rows.add("value {} {} {}", x, text_of(k), *c.costs[k]);
+      if (c.costs[k]) rows.push_back(fmt::format("value {} {} {}", x, text_of(k), *c.costs[k]));
     for (std::size_t place = 0; place < c.steps.size(); ++place) {
       const auto& step = c.steps[place];
       if (!step) continue;
       const char letter = text_of(all_letters.at(place));
-      rows.add("step {} {} {} {}", x, letter, step->to, step->cost);
+      rows.push_back(fmt::format("step {} {} {} {}", x, letter, step->to, step->cost));
       for (Case k = 0; k < case_codes; ++k)
         if (automaton.classes[step->to].costs[k])
-          rows.add("from {} {} {} {}", x, letter, text_of(k), text_of(step->before[k]));
+          rows.push_back(fmt::format("from {} {} {} {}", x, letter, text_of(k), text_of(step->before[k])));
     }
   }
   return rows;
@@ -162,21 +143,23 @@ AutomatonArrays automaton_arrays(const Automaton& automaton) {
 }
 
 AutomatonCertificate automaton_certificate(const Automaton& automaton) {
-  Rows cost;
-  cost.add("weights {} 0 {}", strip_cost, isolated_cost);
+  const Rows cost{fmt::format("weights {} 0 {}", strip_cost, isolated_cost)};
   const Rows classes = class_rows(automaton);
   Rows closings;
   for (std::size_t x = 1; x < automaton.classes.size(); ++x)
-    if (const auto& closing = automaton.classes[x].closing) closings.add("close {} {}", x, text_of(*closing));
+    if (const auto& closing = automaton.classes[x].closing)
+      closings.push_back(fmt::format("close {} {}", x, text_of(*closing)));
   Rows meetings;
   for (std::size_t x = 0; x < automaton.meets.size(); ++x)
     for (std::size_t y = 0; y < automaton.meets[x].size(); ++y) {
       const Meeting& m = automaton.meets[x][y];
-      meetings.add("meet {} {} {} {} {}", x, y, text_of(m.first), text_of(m.second), m.chord ? "chord" : "-");
+      meetings.push_back(
+          fmt::format("meet {} {} {} {} {}", x, y, text_of(m.first), text_of(m.second), m.chord ? "chord" : "-"));
     }
-  const std::size_t rows = cost.count() + classes.count() + closings.count() + meetings.count();
-  const std::string text = "restrip-certificate 2\nfamily automaton\n" + cost.section("cost") +
-                           classes.section("classes") + closings.section("closings") + meetings.section("meetings");
+  const std::size_t rows = cost.size() + classes.size() + closings.size() + meetings.size();
+  const std::string text = "restrip-certificate 2\nfamily automaton\n" + section_of("cost", cost) +
+                           section_of("classes", classes) + section_of("closings", closings) +
+                           section_of("meetings", meetings);
   return {sealed(text, rows), rows};
 }
 

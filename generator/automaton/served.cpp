@@ -100,21 +100,25 @@ std::string text_of(const Sum& sum) {
   return text.empty() ? "0" : text;
 }
 
-/// The parameters of a look-up: only the ones on which the number of ports depends have a name in the call.
-std::string parameters_of(const Description& family, const Sum& size) {
+std::string path_of(const Description& family) {
+  return fmt::format("include/restrip/automaton/{}.hpp", identifier(family.name));
+}
+
+}  // namespace
+
+std::string served_header(const Description& family) {
+  if (family.numbers.empty()) refuse(family, "it is an operation with one position");
+  if (family.constraint.most_edges != 2) refuse(family, "its solid edges are not strips");
+  if (family.own_cost) refuse(family, "it has a custom cost");
+  if (family.gives_all_up) refuse(family, "it may give ports up");
+  const bool closed = fan_of(family) == Fan::closed;
+  const Sum size = triangles_after(family);
+  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
+  // The call uses those on which the number of ports depends.
   std::string parameters;
   for (std::size_t i = 0; i < family.numbers.size(); ++i)
     parameters +=
         fmt::format("{}std::size_t {}, ", size.factors.at(i) == 0 ? "[[maybe_unused]] " : "", number_names.at(i));
-  return parameters;
-}
-
-/// The look-up of a fan that keeps every port, by the shipped automaton, for masks and for bit strings.
-std::string fan_header(const Description& family) {
-  const bool closed = fan_of(family) == Fan::closed;
-  const Sum size = triangles_after(family);
-  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
-  const std::string parameters = parameters_of(family, size);
   const std::string name = identifier(family.name);
   return fmt::format(
       "// {}\n"
@@ -134,20 +138,6 @@ std::string fan_header(const Description& family) {
       "}}  // namespace restrip::exact\n",
       family.about.empty() ? family.name : family.about, family.name, fmt::join(family.numbers, ", "),
       family.range.empty() ? "any" : family.range, name, parameters, call, name, parameters, call);
-}
-
-std::string path_of(const Description& family) {
-  return fmt::format("include/restrip/automaton/{}.hpp", identifier(family.name));
-}
-
-}  // namespace
-
-std::string served_header(const Description& family) {
-  if (family.numbers.empty()) refuse(family, "it is an operation with one position");
-  if (family.constraint.most_edges != 2) refuse(family, "its solid edges are not strips");
-  if (family.own_cost) refuse(family, "it has a custom cost");
-  if (family.gives_all_up) refuse(family, "it may give ports up");
-  return fan_header(family);
 }
 
 void make_served_headers(const std::vector<std::string>& files, const std::string& out) {

@@ -63,36 +63,25 @@ std::string rust_text(std::string_view text, Filling filling, const TableLayout&
 
 /// All arrays as one sequence of 32-bit words, for buffers of shaders. Elements of 8 and 16 bits fill a word from its
 /// lowest bit, and each array begins with a new word. The first word is the checksum of the others.
-struct TableWords {
-  struct Array {
-    std::string name;   ///< of the array, in capitals
-    unsigned word = 0;  ///< its first word
-    unsigned bits = 8;  ///< of an element
-  };
-  std::vector<std::uint32_t> words;
-  std::vector<Array> arrays;
-};
-
-TableWords table_words(const TableLayout& layout) {
-  TableWords data{{0}, {}};
+std::vector<std::uint32_t> table_words(const TableLayout& layout) {
+  std::vector<std::uint32_t> words{0};
   for (const TableArray& array : layout.arrays) {
-    data.arrays.push_back({capitals(array.name), static_cast<unsigned>(data.words.size()), array.bits});
     const std::size_t in_a_word = 32 / array.bits;
     for (std::size_t i = 0; i < array.values.size(); ++i) {
-      if (i % in_a_word == 0) data.words.push_back(0);
-      data.words.back() |= array.values[i] << (i % in_a_word * array.bits);
+      if (i % in_a_word == 0) words.push_back(0);
+      words.back() |= array.values[i] << (i % in_a_word * array.bits);
     }
   }
   std::uint32_t checksum = 0x811c9dc5;
-  for (std::size_t i = 1; i < data.words.size(); ++i) checksum = (checksum ^ data.words[i]) * 0x01000193;
-  data.words[0] = checksum;
-  return data;
+  for (std::size_t i = 1; i < words.size(); ++i) checksum = (checksum ^ words[i]) * 0x01000193;
+  words[0] = checksum;
+  return words;
 }
 
 /// Each word as four bytes, little-endian.
 std::string words_file(const TableLayout& layout) {
   std::string bytes;
-  for (const std::uint32_t word : table_words(layout).words)
+  for (const std::uint32_t word : table_words(layout))
     for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
   return bytes;
 }
@@ -103,11 +92,13 @@ constexpr const char* wgsl_array = "const RESTRIP_{}{} = vec2<u32>({}u, {}u);\n"
 
 std::string shader_text(std::string_view text, const char* array, Filling filling, const TableLayout& layout,
                         std::string_view of = {}) {
-  const TableWords data = table_words(layout);
-  for (const TableWords::Array& one : data.arrays)
-    filling["arrays"] += fmt::format(fmt::runtime(array), one.name, of, one.word, one.bits);
-  filling["words"] = std::to_string(data.words.size());
-  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
+  std::size_t words = 1;
+  for (const TableArray& one : layout.arrays) {
+    filling["arrays"] += fmt::format(fmt::runtime(array), capitals(one.name), of, words, one.bits);
+    words += (one.bytes() + 3) / 4;
+  }
+  filling["words"] = std::to_string(words);
+  filling["checksum"] = fmt::format("{:#010x}", table_words(layout)[0]);
   return filled(text, filling);
 }
 
