@@ -11,13 +11,6 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-std::string name_at(const Position& position) {
-  std::string name = position.family->name;
-  for (std::size_t i = 0; i < position.family->numbers.size(); ++i)
-    name += fmt::format("-{}{}", position.family->numbers[i], position.numbers().at(i));
-  return name;
-}
-
 OrderedJson places(Mask mask) {
   OrderedJson list = OrderedJson::array();
   for (unsigned i = 0; mask >> i != 0; ++i)
@@ -52,7 +45,9 @@ OrderedJson json_of(const Preference& preference, const Side& after) {
 
 std::string operation_file_text(const Position& position, Constraint constraint) {
   Operation operation = operation_at(position);
-  std::string name = name_at(position);
+  std::string name = position.family->name;
+  for (std::size_t i = 0; i < position.family->numbers.size(); ++i)
+    name += fmt::format("-{}{}", position.family->numbers[i], position.numbers().at(i));
   if (constraint.most_edges != operation.constraint.most_edges) {
     operation.constraint = constraint;
     operation.preference.clear();

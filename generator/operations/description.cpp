@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -15,76 +16,12 @@
 namespace restrip::generator {
 namespace {
 
-/// The triangles of a pattern at one position and their numbers: first those with an index, ordered by the first
-/// appearance of their name and then by index, then single ones in order of appearance.
-class Numbering {
- public:
-  Numbering(const SidePattern& pattern, const PositionNumbers& place) : place_(place) {
-    std::map<std::string, std::size_t> appeared;  // names of triangles with an index
-    std::vector<std::tuple<bool, std::size_t, Triangle>> all;
-    for (const Chain& chain : pattern.chains)
-      for (const Stretch& stretch : chain.elements)
-        for (const Triangle& triangle : triangles(stretch))
-          all.emplace_back(!stretch.range,
-                           stretch.range ? appeared.emplace(stretch.name, appeared.size()).first->second : all.size(),
-                           triangle);
-    if (all.size() > most_triangles)
-      throw std::runtime_error(fmt::format("expected at most {} triangles, found {}", most_triangles, all.size()));
-    std::sort(all.begin(), all.end());
-    for (const auto& [is_single, order, triangle] : all) {
-      if (!number_.emplace(triangle, size()).second)
-        throw std::runtime_error(fmt::format("{} occurs twice", text_of(triangle)));
-      with_index_ += is_single ? 0U : 1U;
-    }
-  }
-
-  [[nodiscard]] unsigned size() const { return static_cast<unsigned>(number_.size()); }
-  [[nodiscard]] unsigned with_index() const { return with_index_; }
-  /// The triangles of a stretch, in order.
-  [[nodiscard]] std::vector<unsigned> of(const Stretch& stretch) const {
-    std::vector<unsigned> numbers;
-    for (const auto& triangle : triangles(stretch)) {
-      const auto found = number_.find(triangle);
-      if (found == number_.end()) throw std::runtime_error(fmt::format("{} does not occur", text_of(triangle)));
-      numbers.push_back(found->second);
-    }
-    return numbers;
-  }
-
- private:
-  using Triangle = std::pair<std::string, int>;
-  static constexpr int no_index = -1;
-  static constexpr int most_triangles = 64;  // well above the size of tables
-
-  static std::string text_of(const Triangle& triangle) {
-    return triangle.second == no_index ? triangle.first : fmt::format("{}_{}", triangle.first, triangle.second);
-  }
-  [[nodiscard]] std::vector<Triangle> triangles(const Stretch& stretch) const {
-    if (!stretch.range) return {{stretch.name, no_index}};
-    const int from = stretch.range->from.at(place_);
-    const int to = stretch.range->to.at(place_);
-    if (from < 0 || to < from || to > most_triangles)
-      throw std::runtime_error(
-          fmt::format("expected indices from 0 to {}, found {}[{},{})", most_triangles, stretch.name, from, to));
-    std::vector<Triangle> all;
-    for (int i = from; i < to; ++i) all.emplace_back(stretch.name, i);
-    return all;
-  }
-
-  PositionNumbers place_;
-  std::map<Triangle, unsigned> number_;
-  unsigned with_index_ = 0;
-};
-
 /// Throws if a side is not a graph of triangles: a duplicate edge, or more than three edges and ports at a triangle.
 void expect_triangles(const Side& side) {
   std::vector<unsigned> degree(side.nodes, 0);
-  for (std::size_t e = 0; e < side.edges.size(); ++e) {
-    const auto [u, v] = side.edges[e];
-    const Edge turned{v, u};
-    const auto before = side.edges.begin() + static_cast<std::ptrdiff_t>(e);
-    const auto is_there = [&](const Edge& edge) { return std::find(side.edges.begin(), before, edge) != before; };
-    if (u == v || is_there(side.edges[e]) || is_there(turned))
+  std::set<std::pair<unsigned, unsigned>> joined;
+  for (const auto& [u, v] : side.edges) {
+    if (u == v || !joined.insert(std::minmax(u, v)).second)
       throw std::runtime_error(fmt::format("triangles {} and {} cannot be joined by this edge", u, v));
     ++degree[u];
     ++degree[v];
@@ -95,25 +32,69 @@ void expect_triangles(const Side& side) {
       throw std::runtime_error(fmt::format("triangle {} has more than three edges and ports", node));
 }
 
+/// The numbers of triangles: first those with an index, ordered by the first appearance of their name and then by
+/// index, then single ones in order of appearance.
 Side side_at(const SidePattern& pattern, const PositionNumbers& place) {
-  const Numbering numbering(pattern, place);
-  Side side{numbering.size(), {}, {}};
+  using Triangle = std::pair<std::string, int>;
+  constexpr int no_index = -1;
+  constexpr int most_triangles = 64;  // well above the size of tables
+  const auto text_of = [&](const Triangle& triangle) {
+    return triangle.second == no_index ? triangle.first : fmt::format("{}_{}", triangle.first, triangle.second);
+  };
+  const auto triangles_of = [&](const Stretch& stretch) -> std::vector<Triangle> {
+    if (!stretch.range) return {{stretch.name, no_index}};
+    const int from = stretch.range->from.at(place);
+    const int to = stretch.range->to.at(place);
+    if (from < 0 || to < from || to > most_triangles)
+      throw std::runtime_error(
+          fmt::format("expected indices from 0 to {}, found {}[{},{})", most_triangles, stretch.name, from, to));
+    std::vector<Triangle> all;
+    for (int i = from; i < to; ++i) all.emplace_back(stretch.name, i);
+    return all;
+  };
+  std::map<std::string, std::size_t> appeared;  // names of triangles with an index
+  std::vector<std::tuple<bool, std::size_t, Triangle>> all;
+  for (const Chain& chain : pattern.chains)
+    for (const Stretch& stretch : chain.elements)
+      for (const Triangle& triangle : triangles_of(stretch))
+        all.emplace_back(!stretch.range,
+                         stretch.range ? appeared.emplace(stretch.name, appeared.size()).first->second : all.size(),
+                         triangle);
+  if (all.size() > most_triangles)
+    throw std::runtime_error(fmt::format("expected at most {} triangles, found {}", most_triangles, all.size()));
+  std::sort(all.begin(), all.end());
+  Side side;
+  std::map<Triangle, unsigned> number;
+  for (const auto& [is_single, order, triangle] : all) {
+    if (!number.emplace(triangle, side.nodes).second)
+      throw std::runtime_error(fmt::format("{} occurs twice", text_of(triangle)));
+    if (!is_single && pattern.ports.empty()) side.owner.push_back(side.nodes);
+    ++side.nodes;
+  }
+  const auto numbers_of = [&](const Stretch& stretch) {
+    std::vector<unsigned> numbers;
+    for (const Triangle& triangle : triangles_of(stretch)) {
+      const auto found = number.find(triangle);
+      if (found == number.end()) throw std::runtime_error(fmt::format("{} does not occur", text_of(triangle)));
+      numbers.push_back(found->second);
+    }
+    return numbers;
+  };
   for (const Chain& chain : pattern.chains) {
     std::vector<unsigned> order;
     for (const Stretch& stretch : chain.elements)
-      for (const unsigned triangle : numbering.of(stretch)) order.push_back(triangle);
+      for (const unsigned triangle : numbers_of(stretch)) order.push_back(triangle);
     for (std::size_t i = 0; i + 1 < order.size(); ++i) side.edges.push_back({order[i], order[i + 1]});
     if (chain.ring && !order.empty()) side.edges.push_back({order.back(), order.front()});
   }
   for (const auto& [from, to] : pattern.chords) {
-    const std::vector<unsigned> u = numbering.of(from);
-    const std::vector<unsigned> v = numbering.of(to);
+    const std::vector<unsigned> u = numbers_of(from);
+    const std::vector<unsigned> v = numbers_of(to);
     if (u.size() != 1 || v.size() != 1) throw std::runtime_error("a chord joins two triangles");
     side.edges.push_back({u[0], v[0]});
   }
   for (const Stretch& stretch : pattern.ports)
-    for (const unsigned triangle : numbering.of(stretch)) side.owner.push_back(triangle);
-  for (unsigned t = 0; pattern.ports.empty() && t < numbering.with_index(); ++t) side.owner.push_back(t);
+    for (const unsigned triangle : numbers_of(stretch)) side.owner.push_back(triangle);
   expect_triangles(side);
   return side;
 }
@@ -156,6 +137,16 @@ SurfacePatch triangles_at(const Position& position) {
 /// Whether a text has the number's name in braces.
 bool names(const std::string& text, const std::string& number) {
   return text.find(fmt::format("{{{}}}", number)) != std::string::npos;
+}
+
+/// Replaces the names in braces by the numbers.
+std::string filled(std::string text, const Position& position) {
+  for (std::size_t i = 0; i < position.family->numbers.size(); ++i) {
+    const std::string name = fmt::format("{{{}}}", position.family->numbers[i]);
+    if (const std::size_t at = text.find(name); at != std::string::npos)
+      text.replace(at, name.size(), std::to_string(position.numbers().at(i)));
+  }
+  return text;
 }
 
 }  // namespace
@@ -245,20 +236,6 @@ Operation operation_at(const Position& position, Patch patch) {
   if (description.gives_all_up) operation.may_give_up = operation.patch.after.all_ports();
   return operation;
 }
-
-namespace {
-
-/// Replaces the names in braces by the numbers.
-std::string filled(std::string text, const Position& position) {
-  for (std::size_t i = 0; i < position.family->numbers.size(); ++i) {
-    const std::string name = fmt::format("{{{}}}", position.family->numbers[i]);
-    if (const std::size_t at = text.find(name); at != std::string::npos)
-      text.replace(at, name.size(), std::to_string(position.numbers().at(i)));
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string position_text(const Position& position) { return filled(position.family->section, position); }
 

@@ -176,10 +176,6 @@ SideForm side_from(const JsonValue& value, const std::vector<std::string>& numbe
   return pattern_from(value, numbers);
 }
 
-Constraint constraint_from(const JsonValue& value) {
-  return {static_cast<unsigned>(value.one_of(constraint_words)) + 1};
-}
-
 Mask mask_from(const JsonValue& value, std::size_t count, const std::string& what) {
   Mask mask = 0;
   for (const unsigned place : value.places(count, what)) mask |= Mask{1} << place;
@@ -341,7 +337,8 @@ Description description_from(const JsonValue& value, Author author) {
   }
   const std::optional<Patch> patch = patch_from(value, description);
   const Side* after = patch ? &patch->after : nullptr;
-  if (value.has("constraint")) description.constraint = constraint_from(value["constraint"]);
+  if (value.has("constraint"))
+    description.constraint.most_edges = static_cast<unsigned>(value["constraint"].one_of(constraint_words)) + 1;
   if (value.has("give_up")) take_give_up(value["give_up"], after, description);
   description.preference = fewest_strips();
   if (description.constraint.most_edges == 1) description.preference.erase(description.preference.begin());

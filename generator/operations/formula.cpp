@@ -37,59 +37,13 @@ class FormulaReader {
     }
   }
 
-  /// chain { "," chain }
-  Conditions conditions() {
-    Conditions all;
-    do {
-      Sum left = sum();
-      const std::size_t before = all.size();
-      for (std::string sign = this->sign(); !sign.empty(); sign = this->sign()) {
-        const Sum right = sum();
-        all.push_back({left, sign, right});
-        if (all.size() > most_comparisons) refuse(fmt::format("at most {} comparisons before this", most_comparisons));
-        left = right;
-      }
-      if (all.size() == before) refuse("a comparison");
-    } while (taken(","));
-    if (at_ != text_.size()) refuse("the end");
-    return all;
-  }
-
-  /// name [ "[" sum "," sum ")" ]
-  Stretch stretch() {
-    Stretch stretch{run_of([](int c) { return std::isalnum(c); }), {}};
-    if (stretch.name.empty() || stretch.name.size() > longest_word)
-      refuse(fmt::format("a name of 1 to {} letters and digits before this", longest_word));
-    if (taken("[")) {
-      stretch.range.emplace().from = sum();
-      if (!taken(",")) refuse("\",\"");
-      stretch.range->to = sum();
-      if (!taken(")")) refuse("\")\" and the end");
-    }
-    if (at_ != text_.size()) refuse("the end");
-    return stretch;
-  }
-
-  /// name [ "[" sum "]" ]
-  IndexedName vertex() {
-    IndexedName vertex{run_of([](int c) { return static_cast<int>(std::isalnum(c) != 0 || c == '_'); }), {}};
-    if (vertex.name.empty()) refuse("a name");
-    if (taken("[")) {
-      vertex.index = sum();
-      if (!taken("]")) refuse("\"]\" and the end");
-    }
-    if (at_ != text_.size()) refuse("the end");
-    return vertex;
-  }
-
- private:
   [[noreturn]] void refuse(const std::string& expected) const {
     constexpr std::size_t shown = 100;
     throw std::runtime_error(fmt::format("\"{}{}\": expected {} in column {}", text_.substr(0, shown),
                                          text_.size() > shown ? "..." : "", expected, at_ + 1));
   }
-  void skip_space() {
-    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+  void expect_end() const {
+    if (at_ != text_.size()) refuse("the end");
   }
   bool taken(std::string_view what) {
     skip_space();
@@ -97,17 +51,17 @@ class FormulaReader {
     at_ += what.size();
     return true;
   }
-  std::string sign() {
-    for (const char* sign : {"<=", ">=", "<", "="})
-      if (taken(sign)) return sign;
-    return {};
-  }
   template <class Is>
   std::string run_of(Is&& is) {
     skip_space();
     const std::size_t start = at_;
     while (at_ < text_.size() && is(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
     return std::string(text_.substr(start, at_ - start));
+  }
+
+ private:
+  void skip_space() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
   }
   void add_term(Sum& sum, int sign) {
     const std::string digits = run_of([](int c) { return std::isdigit(c); });
@@ -149,16 +103,57 @@ bool hold(const Conditions& conditions, const PositionNumbers& place) {
   });
 }
 
+/// chain { "," chain }
 Conditions parse_conditions(std::string_view text, const std::vector<std::string>& numbers) {
-  return FormulaReader(text, numbers).conditions();
+  FormulaReader in(text, numbers);
+  const auto taken_sign = [&]() -> std::string {
+    for (const char* sign : {"<=", ">=", "<", "="})
+      if (in.taken(sign)) return sign;
+    return {};
+  };
+  Conditions all;
+  do {
+    Sum left = in.sum();
+    const std::size_t before = all.size();
+    for (std::string sign = taken_sign(); !sign.empty(); sign = taken_sign()) {
+      const Sum right = in.sum();
+      all.push_back({left, sign, right});
+      if (all.size() > most_comparisons) in.refuse(fmt::format("at most {} comparisons before this", most_comparisons));
+      left = right;
+    }
+    if (all.size() == before) in.refuse("a comparison");
+  } while (in.taken(","));
+  in.expect_end();
+  return all;
 }
 
+/// name [ "[" sum "," sum ")" ]
 Stretch parse_stretch(std::string_view text, const std::vector<std::string>& numbers) {
-  return FormulaReader(text, numbers).stretch();
+  FormulaReader in(text, numbers);
+  Stretch stretch{in.run_of([](int c) { return std::isalnum(c); }), {}};
+  if (stretch.name.empty() || stretch.name.size() > longest_word)
+    in.refuse(fmt::format("a name of 1 to {} letters and digits before this", longest_word));
+  if (in.taken("[")) {
+    stretch.range.emplace().from = in.sum();
+    if (!in.taken(",")) in.refuse("\",\"");
+    stretch.range->to = in.sum();
+    if (!in.taken(")")) in.refuse("\")\" and the end");
+  }
+  in.expect_end();
+  return stretch;
 }
 
+/// name [ "[" sum "]" ]
 IndexedName parse_vertex(std::string_view text, const std::vector<std::string>& numbers, const std::string& index) {
-  return FormulaReader(text, numbers, index).vertex();
+  FormulaReader in(text, numbers, index);
+  IndexedName vertex{in.run_of([](int c) { return static_cast<int>(std::isalnum(c) != 0 || c == '_'); }), {}};
+  if (vertex.name.empty()) in.refuse("a name");
+  if (in.taken("[")) {
+    vertex.index = in.sum();
+    if (!in.taken("]")) in.refuse("\"]\" and the end");
+  }
+  in.expect_end();
+  return vertex;
 }
 
 }  // namespace restrip::generator

@@ -56,16 +56,8 @@ Solved solve_and_certify(const std::vector<Patches>& patches, bool with_text) {
   return made;
 }
 
-/// The files of a description.
-std::set<std::filesystem::path> paths_of(const Description& description, const std::set<std::string>& languages) {
-  std::set<std::filesystem::path> paths;
-  if (languages.contains("c++")) paths.insert(operation_header_path(description.name));
-  for (const auto& [name, file] : files_in(languages, description.name))
-    if (file->of_operation != nullptr) paths.insert(name);
-  return paths;
-}
-
-/// Their bytes. Positions that the certificate omits, because they are images of others, are solved for them.
+/// The files of a description. Positions that the certificate omits, because they are images of others, are solved for
+/// them.
 std::map<std::filesystem::path, std::string> files_of(const Description& description, Solved& solved,
                                                       const std::set<std::string>& languages, unsigned max_k) {
   const std::vector<Section>& known = solved.certificate.sections;
@@ -166,7 +158,11 @@ void make_rules(const RulesOptions& options) {
     if (certified) paths.insert(operation_certificate_path(one.certificate));
     by_name.back().push_back(std::move(one));
   }
-  for (const Description& description : descriptions) paths.merge(paths_of(description, options.languages));
+  for (const Description& description : descriptions) {
+    if (certified) paths.insert(operation_header_path(description.name));
+    for (const auto& [name, file] : files_in(options.languages, description.name))
+      if (file->of_operation != nullptr) paths.insert(name);
+  }
   const std::vector<std::filesystem::path> inputs{options.files.begin(), options.files.end()};
   const MadeBefore before(options.out, made_from);
   std::vector<std::filesystem::path> names{paths.begin(), paths.end()};

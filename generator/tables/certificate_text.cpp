@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -31,40 +32,6 @@ void add_alternatives(Out out, const Section& section) {
   for (const Row& row : section.rows) fmt::format_to(out, "alternative {:x} {:x}\n", row.key.ports, row.recoloring);
 }
 
-/// A row in the certificate's order: by P, then by J as a number.
-struct WrittenRow {
-  const Row* row = nullptr;
-  std::string joined;
-  std::size_t orbit = 0;  ///< index of its representative among the section's rows
-  [[nodiscard]] auto order() const { return std::tuple{row->key.ports, joined.size(), std::string_view(joined)}; }
-};
-
-std::vector<WrittenRow> written_rows(const Section& section) {
-  std::vector<WrittenRow> lines;
-  std::map<Key, std::size_t> representatives;
-  for (std::size_t i = 0; i < section.rows.size(); ++i) {
-    const Row& row = section.rows[i];
-    Key representative = row.key;
-    if (row.witness >= 0) {
-      const std::vector<unsigned>& port = section.symmetry[static_cast<std::size_t>(row.witness)].port;
-      representative = {permute(row.key.ports, port), row.key.joined.moved(port)};
-    }
-    const std::size_t orbit = representatives.try_emplace(representative, i).first->second;
-    lines.push_back({&row, row.key.joined.text(), orbit});
-  }
-  std::sort(lines.begin(), lines.end(), [](const WrittenRow& x, const WrittenRow& y) { return x.order() < y.order(); });
-  return lines;
-}
-
-/// The map of the row's ports to the ports of its representative in the search.
-std::vector<unsigned> to_representative(const Section& section, const Row& row) {
-  if (row.witness >= 0) return section.symmetry[static_cast<std::size_t>(row.witness)].port;
-  // Called only for orbits with a copy, so a symmetry exists.
-  std::vector<unsigned> identity(section.symmetry.at(0).port.size());
-  for (unsigned i = 0; i < identity.size(); ++i) identity[i] = i;
-  return identity;
-}
-
 void add_rules(Out out, const Section& section, Watched watched) {
   const Claims claims = sum(section.claims);
   fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
@@ -72,20 +39,41 @@ void add_rules(Out out, const Section& section, Watched watched) {
   fmt::format_to(out, "claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",
                  section.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
   const Operation operation = operation_of_rows(section.position, Sight::patch);
+  std::vector<unsigned> identity(operation.patch.after.ports());
+  std::iota(identity.begin(), identity.end(), 0U);
+  // The map of a row's ports to the ports of its representative in the search.
+  const auto to_representative = [&](const Row& row) -> const std::vector<unsigned>& {
+    return row.witness < 0 ? identity : section.symmetry[static_cast<std::size_t>(row.witness)].port;
+  };
+  struct Line {
+    const Row* row = nullptr;
+    std::string joined;
+    Key representative;
+  };
+  std::vector<Line> lines;
+  for (const Row& row : section.rows) {
+    const std::vector<unsigned>& to = to_representative(row);
+    lines.push_back({&row, row.key.joined.text(), {permute(row.key.ports, to), row.key.joined.moved(to)}});
+  }
+  // By P, then by J as a number.
+  std::sort(lines.begin(), lines.end(), [](const Line& x, const Line& y) {
+    return std::tuple{x.row->key.ports, x.joined.size(), std::string_view(x.joined)} <
+           std::tuple{y.row->key.ports, y.joined.size(), std::string_view(y.joined)};
+  });
   std::optional<Reasoner> reasoner;
   if (has_reasons(operation)) reasoner.emplace(operation);
   // The rule row of an orbit is its first line, whichever row the search started with.
-  std::map<std::size_t, const Row*> rule_of;
+  std::map<Key, const Row*> rule_of;
   Progress progress("finding reasons", section.rows.size(), watched);
-  for (const WrittenRow& line : written_rows(section)) {
-    const Row& row = *line.row;
-    const auto [rule, is_rule] = rule_of.try_emplace(line.orbit, &row);
-    fmt::format_to(out, "{} {:x} {} {:x} {:x}", is_rule ? "rule" : "copy", row.key.ports, line.joined, row.recoloring,
+  for (const auto& [line_row, joined, representative] : lines) {
+    const Row& row = *line_row;
+    const auto [rule, is_rule] = rule_of.try_emplace(representative, &row);
+    fmt::format_to(out, "{} {:x} {} {:x} {:x}", is_rule ? "rule" : "copy", row.key.ports, joined, row.recoloring,
                    row.kept);
     if (!is_rule) {
-      const std::vector<unsigned> back = inverse(to_representative(section, *rule->second));
+      const std::vector<unsigned> back = inverse(to_representative(*rule->second));
       std::vector<unsigned> ports;
-      for (const unsigned port : to_representative(section, row)) ports.push_back(back[port]);
+      for (const unsigned port : to_representative(row)) ports.push_back(back[port]);
       fmt::format_to(out, " by {}", fmt::join(ports, " "));
     } else if (reasoner) {
       fmt::format_to(out, " because {}", reasoner->find(row.key.ports, row.key.joined.masks(), row).reason.text());

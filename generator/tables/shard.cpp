@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 #include "common/digest.hpp"
 #include "common/reading.hpp"
@@ -149,21 +150,8 @@ void read_alternatives(Section& section, Reader& reader) {
   if (lists != after.all_ports() + 1) reader.refuse("a list for every port mask");
 }
 
-std::string read_section(Section& section, Reader& reader) {
-  const std::size_t begin = reader.at;
-  reader.expect("section " + position_text(section.position));
-  while (reader.starts("claim ")) reader.skip();
-  section.linked ? read_alternatives(section, reader) : read_rules(section, reader);
-  return std::string(reader.text.substr(begin, reader.at - begin));
-}
-
-struct Head {
-  Shard shard;
-  unsigned max_k = 0;
-};
-
-/// The lines before the sections, of a file with a matching digest.
-Head read_head(Reader& reader, const std::string& id) {
+/// The shard and the largest valence of a file with a matching digest. Reads the lines before the sections.
+std::pair<Shard, unsigned> read_head(Reader& reader, const std::string& id) {
   const std::string_view text = reader.text;
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("{}: {}", reader.file.string(), why));
@@ -177,21 +165,19 @@ Head read_head(Reader& reader, const std::string& id) {
   if (reader.peek() != "generator " + id)
     refuse("was written by another version of restrip-generate; run all shards again with one version");
   reader.skip();
-  Head found;
-  Words max_k(reader.peek());
-  max_k.expect("max-k");
-  found.max_k = max_k.number(10, 14);
-  if (!max_k.good || found.max_k < 3) reader.refuse("'max-k' and a number from 3 to 13");
+  Words max_k_words(reader.peek());
+  max_k_words.expect("max-k");
+  const unsigned max_k = max_k_words.number(10, 14);
+  if (!max_k_words.good || max_k < 3) reader.refuse("'max-k' and a number from 3 to 13");
   reader.skip();
   Words words(reader.peek());
   words.expect("shard");
   const unsigned index = words.number(10, 10000);
   words.expect("of");
-  found.shard = {index, words.number(10, 10000)};
-  if (!text.starts_with(head(found.shard, found.max_k, id)) || index < 1 || index > found.shard.count)
-    reader.refuse("'shard I of N'");
+  const Shard shard{index, words.number(10, 10000)};
+  if (!text.starts_with(head(shard, max_k, id)) || index < 1 || index > shard.count) reader.refuse("'shard I of N'");
   reader.skip();
-  return found;
+  return {shard, max_k};
 }
 
 }  // namespace
@@ -261,13 +247,13 @@ Merged read_shards(const fs::path& directory, const std::string& id) {
         fmt::format("{}: holds no shard; first run restrip-generate tables --shard 1/N --out {}, and so on to N/N",
                     directory.string(), directory.string()));
   std::sort(paths.begin(), paths.end());
-  std::vector<ShardBytes> shards;
+  std::vector<files::NamedBytes> shards;
   shards.reserve(paths.size());
   for (const fs::path& path : paths) shards.push_back({path, files::read_whole(path)});
   return merge_shards(shards, id, directory);
 }
 
-Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id, const fs::path& directory) {
+Merged merge_shards(const std::vector<files::NamedBytes>& shards, const std::string& id, const fs::path& directory) {
   Merged merged;
   std::vector<Patches> patches;
   std::vector<fs::path> seen;
@@ -285,7 +271,7 @@ Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id
       throw std::runtime_error(fmt::format(
           "{}: is shard {} of {} with --max-k {}, but {} is one of {} with --max-k {}; keep one set of "
           "shards in a directory",
-          path.string(), shard.index, shard.count, max_k, shards[0].path.string(), seen.size(), merged.max_k));
+          path.string(), shard.index, shard.count, max_k, shards[0].name.string(), seen.size(), merged.max_k));
     if (!seen[shard.index - 1].empty())
       throw std::runtime_error(fmt::format("{}: is shard {} of {}, and so is {}; remove one of them", path.string(),
                                            shard.index, shard.count, seen[shard.index - 1].string()));
@@ -296,7 +282,11 @@ Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id
       Section& section = merged.sections[i];
       if (section.certificate != family) reader.expect("family " + section.certificate);
       family = section.certificate;
-      merged.texts[i] = read_section(section, reader);
+      const std::size_t begin = reader.at;
+      reader.expect("section " + position_text(section.position));
+      while (reader.starts("claim ")) reader.skip();
+      section.linked ? read_alternatives(section, reader) : read_rules(section, reader);
+      merged.texts[i] = text.substr(begin, reader.at - begin);
     }
     if (!reader.starts("end ")) reader.refuse("the end");
     reader.skip();

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "common/output.hpp"
 #include "solve/section.hpp"
 
 namespace restrip::generator {
@@ -53,13 +54,9 @@ struct Merged {
 /// missing, duplicated, truncated or altered, or does not match the others or this generator.
 [[nodiscard]] Merged read_shards(const std::filesystem::path& directory, const std::string& id);
 
-/// The content of a shard-*.txt.
-struct ShardBytes {
-  std::filesystem::path path;
-  std::string text;
-};
-/// Combines at least one shard. Throws as read_shards() does; `directory` is used in the remedies.
-[[nodiscard]] Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id,
+/// Combines at least one shard, given by the path and the content of its file. Throws as read_shards() does;
+/// `directory` is used in the remedies.
+[[nodiscard]] Merged merge_shards(const std::vector<files::NamedBytes>& shards, const std::string& id,
                                   const std::filesystem::path& directory);
 
 }  // namespace restrip::generator
