@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "operations/description_file.hpp"
@@ -24,39 +24,11 @@ struct SideOf {
 
 Ends back(Ends ends) { return {ends.second, ends.first}; }
 
-class Names {
- public:
-  unsigned number(const std::string& name) {
-    const auto [at, fresh] = numbers_.emplace(name, static_cast<unsigned>(names_.size()));
-    if (fresh) names_.push_back(name);
-    return at->second;
-  }
-  [[nodiscard]] std::optional<unsigned> find(const std::string& name) const {
-    const auto at = numbers_.find(name);
-    return at == numbers_.end() ? std::nullopt : std::optional(at->second);
-  }
-  [[nodiscard]] std::string edge(Ends ends) const {
-    return fmt::format("{} {}", names_[ends.first], names_[ends.second]);
-  }
-  [[nodiscard]] const std::string& operator[](unsigned v) const { return names_[v]; }
-  [[nodiscard]] unsigned size() const { return static_cast<unsigned>(names_.size()); }
-
- private:
-  std::map<std::string, unsigned> numbers_;
-  std::vector<std::string> names_;
-};
-
-bool is_vertex_name(const std::string& name) {
-  const auto allowed = [](char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_';
-  };
-  return !name.empty() && name.size() <= longest_word && std::all_of(name.begin(), name.end(), allowed);
-}
-
 /// The triangles of one side of the operation, by their directed edges.
 class Disc {
  public:
-  Disc(std::string member, const NamedPatch::Triangles& triangles, Names& names)
+  /// `names` has the vertices of both sides.
+  Disc(std::string member, const NamedPatch::Triangles& triangles, std::vector<std::string>& names)
       : member_(std::move(member)), names_(names) {
     if (triangles.empty() || triangles.size() > most_nodes)
       fail(-1, fmt::format("expected 1 to {} triangles", most_nodes));
@@ -69,12 +41,11 @@ class Disc {
 
   [[noreturn]] void fail(int element, const std::string& what) const { throw PatchFault(member_, element, what); }
 
-  [[nodiscard]] const std::string& member() const { return member_; }
   [[nodiscard]] const std::vector<Corners>& corners() const { return corners_; }
   [[nodiscard]] bool has(Ends ends) const { return sides_.contains(ends); }
   [[nodiscard]] SideOf at(Ends ends) const { return sides_.at(ends); }
-  [[nodiscard]] bool on_rim(unsigned v) const { return rim_.contains(v); }
-  [[nodiscard]] bool on_rim(Ends ends) const { return has(ends) && !has(back(ends)); }
+  /// Whether it is an edge of the outline that does not lie on the boundary of the mesh.
+  [[nodiscard]] bool is_open(Ends ends) const { return has(ends) && !has(back(ends)) && !boundary_.contains(ends); }
   [[nodiscard]] Ends side(unsigned triangle, unsigned s) const {
     return {corners_[triangle][s], corners_[triangle][(s + 1) % 3]};
   }
@@ -89,22 +60,65 @@ class Disc {
     return edges;
   }
 
+  /// Takes the edges of the outline that lie on the boundary of the mesh.
+  void take_boundary(const std::vector<std::array<std::string, 2>>& stretches) {
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const auto refuse = [&](const std::string& what) { throw PatchFault("boundary", static_cast<int>(i), what); };
+      const auto& [from, to] = stretches[i];
+      if (from == to) refuse("expected two different vertices");
+      for (const std::string& name : stretches[i])
+        if (!rim_.contains(index_of(name)))
+          refuse(fmt::format("expected vertices of the outline on both sides; {} is not one {} the operation", name,
+                             member_));
+      for (const Ends& edge : rim_from(index_of(from))) {
+        if (!boundary_.insert(edge).second) refuse(fmt::format("{} is in a stretch already", words(edge)));
+        if (edge.second == index_of(to)) break;
+      }
+    }
+  }
+
+  /// Checks that every edge of its outline that is not on the boundary is also in the other's.
+  void expect_outline_of(const Disc& other) const {
+    for (unsigned t = 0; t < corners_.size(); ++t)
+      for (unsigned s = 0; s < 3; ++s)
+        if (const Ends edge = side(t, s); is_open(edge) && !other.is_open(edge))
+          fail(static_cast<int>(t), fmt::format("{} is an edge of the outline {} the operation, but not {} it; both "
+                                                "sides need the same outline",
+                                                words(edge), member_, other.member_));
+  }
+
  private:
+  /// The number of names for one that is not there.
+  [[nodiscard]] unsigned index_of(const std::string& name) const {
+    return static_cast<unsigned>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+  }
+  [[nodiscard]] std::string words(Ends ends) const {
+    return fmt::format("{} {}", names_[ends.first], names_[ends.second]);
+  }
+
   void add(const std::array<std::string, 3>& triangle) {
     const auto number = static_cast<unsigned>(corners_.size());
     const auto element = static_cast<int>(number);
+    const auto allowed = [](char c) {
+      return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_';
+    };
     for (const std::string& name : triangle)
-      if (!is_vertex_name(name)) fail(element, "expected names of vertices: 1 to 20 letters, digits and underscores");
+      if (name.empty() || name.size() > longest_word || !std::all_of(name.begin(), name.end(), allowed))
+        fail(element, "expected names of vertices: 1 to 20 letters, digits and underscores");
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
       fail(element, "expected three different vertices");
-    corners_.push_back({names_.number(triangle[0]), names_.number(triangle[1]), names_.number(triangle[2])});
+    corners_.emplace_back();
+    for (unsigned s = 0; s < 3; ++s) {
+      corners_.back()[s] = index_of(triangle[s]);
+      if (corners_.back()[s] == names_.size()) names_.push_back(triangle[s]);
+    }
     for (unsigned s = 0; s < 3; ++s) {
       const Ends ends = side(number, s);
       const auto [there, fresh] = sides_.emplace(ends, SideOf{number, s});
       if (fresh) continue;
-      if (has(back(ends))) fail(element, fmt::format("the edge {} has two triangles already", names_.edge(ends)));
+      if (has(back(ends))) fail(element, fmt::format("the edge {} has two triangles already", words(ends)));
       fail(element, fmt::format("this triangle and triangle {} both run along {} in this direction: turn one of them",
-                                there->second.triangle, names_.edge(ends)));
+                                there->second.triangle, words(ends)));
     }
   }
 
@@ -158,65 +172,31 @@ class Disc {
   }
 
   std::string member_;
-  Names& names_;
+  std::vector<std::string>& names_;
   std::vector<Corners> corners_;
   std::map<Ends, SideOf> sides_;
   std::map<unsigned, std::vector<unsigned>> rim_;  ///< the next vertices of the outline
+  std::set<Ends> boundary_;
 };
 
-/// The edges of the outline that lie on the boundary of the mesh.
-std::set<Ends> boundary_of(const Disc& disc, const NamedPatch& named, const Names& names) {
-  std::set<Ends> edges;
-  for (std::size_t i = 0; i < named.boundary.size(); ++i) {
-    const auto& [from, to] = named.boundary[i];
-    const auto refuse = [&](const std::string& what) { throw PatchFault("boundary", static_cast<int>(i), what); };
-    if (from == to) refuse("expected two different vertices");
-    for (const std::string& name : named.boundary[i])
-      if (const auto v = names.find(name); !v || !disc.on_rim(*v))
-        refuse(fmt::format("expected vertices of the outline on both sides; {} is not one {} the operation", name,
-                           disc.member()));
-    const unsigned last = *names.find(to);
-    for (const Ends& edge : disc.rim_from(*names.find(from))) {
-      if (!edges.insert(edge).second) refuse(fmt::format("{} is in a stretch already", names.edge(edge)));
-      if (edge.second == last) break;
-    }
-  }
-  return edges;
-}
-
 /// The ports in order, by the directed edges of the outline before the operation.
-std::vector<Ends> ports_of(const Disc& before, const std::set<Ends>& boundary) {
+std::vector<Ends> ports_of(const Disc& before) {
   for (unsigned t = 0; t < before.corners().size(); ++t)
     for (unsigned s = 0; s < 3; ++s) {
-      const Ends first = before.side(t, s);
-      if (!before.on_rim(first) || boundary.contains(first)) continue;
-      std::vector<Ends> ports = before.rim_from(first.first);
-      std::erase_if(ports, [&](Ends edge) { return boundary.contains(edge); });
+      if (!before.is_open(before.side(t, s))) continue;
+      std::vector<Ends> ports = before.rim_from(before.side(t, s).first);
+      std::erase_if(ports, [&](Ends edge) { return !before.is_open(edge); });
       return ports;
     }
   return {};
 }
 
-/// Checks that every edge of one rim that is not on the boundary is also in the other.
-void expect_rim_of(const Disc& other, const std::set<Ends>& open_there, const Disc& disc, const std::set<Ends>& open,
-                   const Names& names) {
-  for (unsigned t = 0; t < disc.corners().size(); ++t)
-    for (unsigned s = 0; s < 3; ++s) {
-      const Ends edge = disc.side(t, s);
-      if (!disc.on_rim(edge) || open.contains(edge) || (other.on_rim(edge) && !open_there.contains(edge))) continue;
-      disc.fail(
-          static_cast<int>(t),
-          fmt::format("{} is an edge of the outline {} the operation, but not {} it; both sides need the same outline",
-                      names.edge(edge), disc.member(), other.member()));
-    }
-}
-
-/// Numbers the sides: `of[t][s]` as in SurfaceTriangle.
-Side numbered(const Disc& disc, const std::vector<Ends>& ports, std::vector<std::array<std::uint8_t, 3>>& of) {
+/// The side with its numbers, and the triangles in traversal order from the first side of the first.
+std::pair<Side, std::vector<SurfaceTriangle>> numbered(const Disc& disc, const std::vector<Ends>& ports) {
   Side side;
   side.nodes = static_cast<unsigned>(disc.corners().size());
-  of.assign(side.nodes,
-            {SurfaceTriangle::boundary_side, SurfaceTriangle::boundary_side, SurfaceTriangle::boundary_side});
+  constexpr std::uint8_t boundary = SurfaceTriangle::boundary_side;
+  std::vector<std::array<std::uint8_t, 3>> of(side.nodes, {boundary, boundary, boundary});  // as in SurfaceTriangle
   for (unsigned t = 0; t < side.nodes; ++t)
     for (unsigned s = 0; s < 3; ++s) {
       const Ends other = back(disc.side(t, s));
@@ -235,11 +215,6 @@ Side numbered(const Disc& disc, const std::vector<Ends>& ports, std::vector<std:
               fmt::format("expected 1 to {} ports, the edges of the outline that are not on the boundary", most_ports));
   if (side.edges.size() + side.owner.size() > most_edges_and_ports)
     disc.fail(-1, fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
-  return side;
-}
-
-/// The triangles in traversal order from the first side of the first.
-std::vector<SurfaceTriangle> walked(const Disc& disc, const std::vector<std::array<std::uint8_t, 3>>& of) {
   std::vector<SurfaceTriangle> met;
   std::set<unsigned> known;
   const auto meet = [&](SideOf at, unsigned from, unsigned from_side) {
@@ -256,7 +231,7 @@ std::vector<SurfaceTriangle> walked(const Disc& disc, const std::vector<std::arr
       const Ends other{met[i].vertex[(s + 1) % 3], met[i].vertex[s]};
       if (disc.has(other)) meet(disc.at(other), i, s);
     }
-  return met;
+  return {side, met};
 }
 
 std::string name_at(const IndexedName& vertex, const PositionNumbers& place, int index = 0) {
@@ -290,21 +265,18 @@ NamedPatch named_at(const TrianglePatterns& before, const TrianglePatterns& afte
 }
 
 SurfacePatch surface_patch(const NamedPatch& named) {
-  Names names;
-  const Disc before("before", named.before, names);
-  const Disc after("after", named.after, names);
-  const std::set<Ends> open_before = boundary_of(before, named, names);
-  const std::set<Ends> open_after = boundary_of(after, named, names);
-  expect_rim_of(before, open_before, after, open_after, names);
-  expect_rim_of(after, open_after, before, open_before, names);
-  const std::vector<Ends> ports = ports_of(before, open_before);
+  std::vector<std::string> names;
+  Disc before("before", named.before, names);
+  Disc after("after", named.after, names);
+  before.take_boundary(named.boundary);
+  after.take_boundary(named.boundary);
+  after.expect_outline_of(before);
+  before.expect_outline_of(after);
+  const std::vector<Ends> ports = ports_of(before);
   SurfacePatch patch;
-  std::vector<std::array<std::uint8_t, 3>> of;
-  patch.patch.before = numbered(before, ports, of);
-  patch.surface.before = walked(before, of);
-  patch.patch.after = numbered(after, ports, of);
-  patch.surface.after = walked(after, of);
-  patch.surface.vertices = names.size();
+  std::tie(patch.patch.before, patch.surface.before) = numbered(before, ports);
+  std::tie(patch.patch.after, patch.surface.after) = numbered(after, ports);
+  patch.surface.vertices = static_cast<unsigned>(names.size());
   return patch;
 }
 
