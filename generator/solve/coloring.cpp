@@ -53,12 +53,6 @@ std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint) {
   return found;
 }
 
-const Coloring* coloring_of(const std::vector<Coloring>& legal, Mask inner) {
-  const auto found = std::lower_bound(legal.begin(), legal.end(), inner,
-                                      [](const Coloring& one, Mask wanted) { return one.inner < wanted; });
-  return found == legal.end() || found->inner != inner ? nullptr : &*found;
-}
-
 std::optional<Outcome> with_ports(const Coloring& coloring, Mask ports) {
   if ((coloring.full & ports) != 0) return std::nullopt;
   for (const auto& [of_node, room] : coloring.crowds)

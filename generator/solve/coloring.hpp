@@ -27,9 +27,6 @@ struct Coloring {
 /// All legal colorings of the inner edges of a side, in ascending order of their masks.
 [[nodiscard]] std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint = {});
 
-/// The legal coloring with these inner edges; null if it does not exist.
-[[nodiscard]] const Coloring* coloring_of(const std::vector<Coloring>& legal, Mask inner);
-
 /// A legal coloring together with the colours of the ports.
 struct Outcome {
   unsigned solid = 0;     ///< solid inner edges

@@ -138,28 +138,6 @@ std::vector<unsigned> on_edges(const Side& side, const Permutation& p, unsigned 
   return image;
 }
 
-/// The effect of a map on masks of a given width, computed eight bits at a time.
-class MaskMap {
- public:
-  MaskMap(const std::vector<unsigned>& to) : images_((to.size() + 7) / 8) {
-    for (std::size_t byte = 0; byte < images_.size(); ++byte)
-      for (Mask mask = 0; mask < 256; ++mask)
-        for (unsigned i = 0; i < 8 && 8 * byte + i < to.size(); ++i)
-          images_[byte][mask] |= (mask >> i & 1U) << to[8 * byte + i];
-  }
-  [[nodiscard]] Mask operator()(Mask mask) const {
-    Mask image = 0;
-    for (const auto& of_byte : images_) {
-      image |= of_byte[mask & 0xff];
-      mask >>= 8;
-    }
-    return image;
-  }
-
- private:
-  std::vector<std::array<Mask, 256>> images_;
-};
-
 /// Larger groups are not listed element by element.
 constexpr double most_listed = 100;
 
@@ -208,29 +186,35 @@ std::vector<unsigned> inverse(const std::vector<unsigned>& to) {
   return from;
 }
 
-Orbits::Orbits(const Patch& patch, const std::vector<PatchMap>& maps)
-    : ports_(patch.before.owner.size()), other_(std::size_t{1} << (patch.before.edges.size() + ports_)) {
-  std::vector<std::pair<MaskMap, MaskMap>> images;
-  images.reserve(maps.size());
-  for (const PatchMap& map : maps) images.emplace_back(map.before, map.port);
-  const Mask all_ports = patch.before.all_ports();
+std::vector<bool> larger_in_orbits(const Patch& patch, const std::vector<PatchMap>& maps) {
+  const unsigned ports = patch.before.ports();
+  // For each map, the image of each byte of a configuration.
+  std::vector<std::vector<std::array<Mask, 256>>> images;
+  for (const PatchMap& map : maps) {
+    std::vector<unsigned> to = map.port;
+    for (const unsigned edge : map.before) to.push_back(ports + edge);
+    auto& of_bytes = images.emplace_back((to.size() + 7) / 8);
+    for (std::size_t i = 0; i < to.size(); ++i)
+      for (Mask byte = 0; byte < 256; ++byte) of_bytes[i / 8][byte] |= (byte >> i % 8 & 1U) << to[i];
+  }
+  std::vector<bool> larger(std::size_t{1} << (patch.before.edges.size() + ports));
   std::vector<std::size_t> orbit;
-  for (std::size_t smallest = 0; smallest < other_.size(); ++smallest) {
-    if (other_[smallest]) continue;
-    ++count_;
+  for (std::size_t smallest = 0; smallest < larger.size(); ++smallest) {
+    if (larger[smallest]) continue;
     orbit = {smallest};
     while (!orbit.empty()) {
       const std::size_t one = orbit.back();
       orbit.pop_back();
-      for (const auto& [on_edges, on_ports] : images) {
-        const std::size_t image = std::size_t{on_edges(static_cast<Mask>(one >> ports_))} << ports_ |
-                                  on_ports(static_cast<Mask>(one) & all_ports);
-        if (image == smallest || other_[image]) continue;
-        other_[image] = true;
+      for (const auto& of_bytes : images) {
+        std::size_t image = 0;
+        for (std::size_t i = 0; i < of_bytes.size(); ++i) image |= of_bytes[i][one >> 8 * i & 0xff];
+        if (image == smallest || larger[image]) continue;
+        larger[image] = true;
         orbit.push_back(image);
       }
     }
   }
+  return larger;
 }
 
 }  // namespace restrip::generator

@@ -34,21 +34,8 @@ struct Symmetries {
 
 [[nodiscard]] std::vector<unsigned> inverse(const std::vector<unsigned>& to);
 
-/// The orbits of all configurations of a patch: a bit for each configuration, set unless it is the smallest (before,
-/// ports) of its orbit.
-class Orbits {
- public:
-  Orbits(const Patch& patch, const std::vector<PatchMap>& maps);
-
-  [[nodiscard]] bool is_smallest(Mask before, Mask ports) const {
-    return !other_[std::size_t{before} << ports_ | ports];
-  }
-  [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
-  std::size_t ports_;
-  std::vector<bool> other_;
-  std::size_t count_ = 0;
-};
+/// The orbits of all configurations of a patch: a bit for each configuration, (before << number of ports | ports), set
+/// unless it is the smallest of its orbit.
+[[nodiscard]] std::vector<bool> larger_in_orbits(const Patch& patch, const std::vector<PatchMap>& maps);
 
 }  // namespace restrip::generator
