@@ -20,17 +20,6 @@ std::string json_numbers(const TableArray& array, const std::string& key) {
   return fmt::format("\"{}\": [\n{}]", key, text);
 }
 
-std::string json_look_up(const LookUp& look_up) {
-  std::string position;
-  for (const std::string& name : look_up.position)
-    position += fmt::format("{}\"{}\"", position.empty() ? "" : ", ", name);
-  return fmt::format(
-      "{{\"name\": \"{}\", \"position\": [{}], \"family\": \"{}\", \"from_fan\": {}, \"before_bits\": {}, "
-      "\"after_bits\": {}, \"triangles\": {}}}",
-      look_up.name, position, look_up.family, look_up.from_fan, look_up.before_bits, look_up.after_bits,
-      look_up.triangles);
-}
-
 }  // namespace
 
 std::string json_tables(const TableLayout& layout) {
@@ -41,7 +30,14 @@ std::string json_tables(const TableLayout& layout) {
       layout.max_k);
   std::string between = "\n    ";
   for (const LookUp& look_up : look_ups()) {
-    text += between + json_look_up(look_up);
+    std::string position;
+    for (const std::string& number : look_up.position)
+      position += fmt::format("{}\"{}\"", position.empty() ? "" : ", ", number);
+    text += fmt::format(
+        "{}{{\"name\": \"{}\", \"position\": [{}], \"family\": \"{}\", \"from_fan\": {}, \"before_bits\": {}, "
+        "\"after_bits\": {}, \"triangles\": {}}}",
+        between, look_up.name, position, look_up.family, look_up.from_fan, look_up.before_bits, look_up.after_bits,
+        look_up.triangles);
     between = ",\n    ";
   }
   text += "\n],\n\"rows\": {\n" + json_numbers(*layout.find("closed_rows"), "closed") + ",\n" +

@@ -280,10 +280,6 @@ Filling automaton_filling(const std::string& comment, const AutomatonArrays& aut
           {"operations", operations}};
 }
 
-std::string shader_automaton(std::string_view text, const char* array, const AutomatonArrays& automaton) {
-  return shader_text(text, array, automaton_filling("//", automaton, 32), automaton.table, "_OF_AUTOMATON");
-}
-
 std::string c_automaton(const AutomatonArrays& automaton) {
   return c_text(automaton_h, automaton_filling("//", automaton, 64), automaton.table);
 }
@@ -293,11 +289,13 @@ std::string rust_automaton(const AutomatonArrays& automaton) {
 }
 
 std::string glsl_automaton(const AutomatonArrays& automaton) {
-  return shader_automaton(automaton_glsl, glsl_array, automaton);
+  return shader_text(automaton_glsl, glsl_array, automaton_filling("//", automaton, 32), automaton.table,
+                     "_OF_AUTOMATON");
 }
 
 std::string wgsl_automaton(const AutomatonArrays& automaton) {
-  return shader_automaton(automaton_wgsl, wgsl_array, automaton);
+  return shader_text(automaton_wgsl, wgsl_array, automaton_filling("//", automaton, 32), automaton.table,
+                     "_OF_AUTOMATON");
 }
 
 std::string automaton_words_file(const AutomatonArrays& automaton) { return words_file(automaton.table); }
@@ -332,10 +330,9 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
 std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages, const std::string& what) {
   std::map<std::string, const LanguageFile*> files;
   for (const std::string& language : languages)
-    for (const LanguageFile& file : language_files().at(language)) files[file.name(what)] = &file;
+    for (const LanguageFile& file : language_files().at(language))
+      files["restrip_" + identifier(what) + file.extension] = &file;
   return files;
 }
-
-std::string LanguageFile::name(const std::string& what) const { return "restrip_" + identifier(what) + extension; }
 
 }  // namespace restrip::generator

@@ -22,16 +22,14 @@ struct LanguageFile {
   std::string (*of_operation)(const OperationLayout& layout) =
       nullptr;  ///< for a custom operation or family; may be null
   std::string (*of_automaton)(const AutomatonArrays& automaton) = nullptr;
-
-  /// "restrip_tables.h", or for an operation "restrip_bisect.h".
-  [[nodiscard]] std::string name(const std::string& what = "tables") const;
 };
 
 /// The files of each language, by its name on the command line; none for "c++", whose files are written by emit.hpp and
 /// operations/operation_layout.hpp. The shading languages share a file.
 [[nodiscard]] const std::map<std::string, std::vector<LanguageFile>>& language_files();
 
-/// The files of several languages by name, each once; `what` as for LanguageFile::name.
+/// The files of several languages, each once, by name: "restrip_tables.h" for "tables", "restrip_bisect.h" for an
+/// operation.
 [[nodiscard]] std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages,
                                                                   const std::string& what);
 

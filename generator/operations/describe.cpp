@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "operations/description_file.hpp"
@@ -29,7 +30,8 @@ OrderedJson json_of(const Preference& preference, const Side& after) {
   for (const Criterion& criterion : preference) {
     OrderedJson terms = OrderedJson::array();
     for (const Term& term : criterion) {
-      const CountWord& word = word_of(term.count);
+      const CountWord& word = *std::find_if(count_words.begin(), count_words.end(),
+                                            [&](const CountWord& one) { return one.count == term.count; });
       OrderedJson json{{"count", word.word}};
       if (term.weight != 1) json["weight"] = term.weight;
       const Mask all = (Mask{1} << how_many(word.among, after)) - 1;

@@ -118,10 +118,4 @@ std::string operation_header(const OperationLayout& layout) {
       named.about.empty() ? named.name : named.about, named.name, table(layout, identifier(named.name)));
 }
 
-std::string operation_certificate_path(const std::string& name) { return "certificates/operations/" + name + ".cert"; }
-
-std::string operation_header_path(const std::string& name) {
-  return "include/restrip/tables/operations/" + identifier(name) + ".hpp";
-}
-
 }  // namespace restrip::generator

@@ -43,8 +43,4 @@ struct OperationLayout {
 /// The header in C++: docs/reference/operation-file.md, "Table".
 [[nodiscard]] std::string operation_header(const OperationLayout& layout);
 
-/// Paths of an operation's files in a folder of tables.
-[[nodiscard]] std::string operation_certificate_path(const std::string& name);
-[[nodiscard]] std::string operation_header_path(const std::string& name);
-
 }  // namespace restrip::generator

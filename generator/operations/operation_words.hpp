@@ -1,9 +1,7 @@
 // The words of operation files for the types of operation.hpp.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string_view>
 
 #include "operations/operation.hpp"
@@ -30,14 +28,6 @@ inline constexpr std::array<CountWord, 10> count_words{{{"strips", Count::strips
                                                         {"ends_at_port", Count::ends_at_port, "triangle"},
                                                         {"neighbouring_ends", Count::neighbouring_ends},
                                                         {"squares", Count::squares}}};
-
-/// Throws std::logic_error for a count that files do not have.
-[[nodiscard]] inline const CountWord& word_of(Count count) {
-  const auto* const found =
-      std::find_if(count_words.begin(), count_words.end(), [&](const CountWord& word) { return word.count == count; });
-  if (found == count_words.end()) throw std::logic_error("operation files have no word for this count");
-  return *found;
-}
 
 /// The number of members to choose among.
 [[nodiscard]] inline std::size_t how_many(std::string_view among, const Side& after) {

@@ -24,6 +24,12 @@
 namespace restrip::generator {
 namespace {
 
+std::string operation_certificate_path(const std::string& name) { return "certificates/operations/" + name + ".cert"; }
+
+std::string operation_header_path(const std::string& name) {
+  return "include/restrip/tables/operations/" + identifier(name) + ".hpp";
+}
+
 /// A solved certificate, with data for reports.
 struct Solved {
   Certificate certificate;

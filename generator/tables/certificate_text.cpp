@@ -20,19 +20,21 @@ namespace {
 
 constexpr unsigned certificate_version = 3;
 
-using Out = std::back_insert_iterator<std::string>;
+}  // namespace
 
-void add_alternatives(Out out, const Section& section) {
-  std::map<Mask, std::size_t> lists;
-  for (const Row& row : section.rows) ++lists[row.key.ports];
-  std::size_t longest = 0;
-  for (const auto& [ports, length] : lists) longest = std::max(longest, length);
-  fmt::format_to(out, "claim lists {}\nclaim alternatives {}\nclaim longest {}\n", lists.size(), section.rows.size(),
-                 longest);
-  for (const Row& row : section.rows) fmt::format_to(out, "alternative {:x} {:x}\n", row.key.ports, row.recoloring);
-}
-
-void add_rules(Out out, const Section& section, Watched watched) {
+std::string section_text(const Section& section, Watched watched) {
+  std::string text = fmt::format("section {}\n", position_text(section.position));
+  const auto out = std::back_inserter(text);
+  if (section.linked) {
+    std::map<Mask, std::size_t> lists;
+    for (const Row& row : section.rows) ++lists[row.key.ports];
+    std::size_t longest = 0;
+    for (const auto& [ports, length] : lists) longest = std::max(longest, length);
+    fmt::format_to(out, "claim lists {}\nclaim alternatives {}\nclaim longest {}\n", lists.size(), section.rows.size(),
+                   longest);
+    for (const Row& row : section.rows) fmt::format_to(out, "alternative {:x} {:x}\n", row.key.ports, row.recoloring);
+    return text;
+  }
   const Claims claims = sum(section.claims);
   fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
@@ -81,16 +83,6 @@ void add_rules(Out out, const Section& section, Watched watched) {
     fmt::format_to(out, "\n");
     progress.step();
   }
-}
-
-}  // namespace
-
-std::string section_text(const Section& section, Watched watched) {
-  std::string text = fmt::format("section {}\n", position_text(section.position));
-  if (section.linked)
-    add_alternatives(std::back_inserter(text), section);
-  else
-    add_rules(std::back_inserter(text), section, watched);
   return text;
 }
 

@@ -40,18 +40,6 @@ std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {
   return packed;
 }
 
-/// FlipTable of restrip/tables/format.hpp is the table of an operation with one position.
-RulesHeader flip_header(const Certificate& family) {
-  const Section& only = family.sections.at(0);
-  const OperationLayout layout = operation_layout({{only.position, &only}});
-  const auto none = std::count(layout.entries.begin(), layout.entries.end(), layout.none());
-  const auto valid = static_cast<std::ptrdiff_t>(layout.entries.size()) - none;
-  return {banner(fmt::format("Rules of the {}: {} valid configurations.", family.name, valid)) +
-              fmt::format("inline constexpr FlipTable {}{{\n", identifier(family.name)) + numbers(layout.entries) +
-              "};\n" + footer,
-          layout.bytes()};
-}
-
 }  // namespace
 
 std::string identifier(std::string name) {
@@ -69,7 +57,17 @@ std::string rows_header(const Packing& closed, const Packing& open, unsigned max
 }
 
 RulesHeader rules_header(const Certificate& family, const Packing& packing, unsigned max_k) {
-  if (family.sections.at(0).position.family->numbers.empty()) return flip_header(family);
+  const Section& first = family.sections.at(0);
+  if (first.position.family->numbers.empty()) {
+    // FlipTable of restrip/tables/format.hpp is the table of an operation with one position.
+    const OperationLayout layout = operation_layout({{first.position, &first}});
+    const auto none = std::count(layout.entries.begin(), layout.entries.end(), layout.none());
+    const auto valid = static_cast<std::ptrdiff_t>(layout.entries.size()) - none;
+    return {banner(fmt::format("Rules of the {}: {} valid configurations.", family.name, valid)) +
+                fmt::format("inline constexpr FlipTable {}{{\n", identifier(family.name)) + numbers(layout.entries) +
+                "};\n" + footer,
+            layout.bytes()};
+  }
   const RuleBlocks blocks = fill(family.sections, packing, max_k);
   const bool wide = *std::max_element(blocks.rules.begin(), blocks.rules.end()) > 0xff;
   std::string text = banner(

@@ -139,10 +139,12 @@ void read_alternatives(Section& section, Reader& reader) {
     words.next();
     const Mask ports = words.number(16, after.all_ports() + 1);
     const Mask inner = words.number(16, Mask{1} << after.edges.size());
-    const Coloring* const coloring = coloring_of(colorings, inner);
+    const auto coloring = std::lower_bound(colorings.begin(), colorings.end(), inner,
+                                           [](const Coloring& one, Mask wanted) { return one.inner < wanted; });
+    const bool legal = coloring != colorings.end() && coloring->inner == inner;
     std::optional<Outcome> outcome;
     const bool next = ports == lists || ports + 1 == lists;
-    if (words.good && words.at_end() && next && coloring != nullptr) outcome = with_ports(*coloring, ports);
+    if (words.good && words.at_end() && next && legal) outcome = with_ports(*coloring, ports);
     if (!outcome) reader.refuse("a legal recolouring of these or the next ports");
     section.rows.push_back({{inner, ports, outcome->solid, outcome->isolated}, {ports, outcome->joined}, -1});
     lists = ports + 1;
