@@ -26,17 +26,11 @@ struct FullArc {
   friend auto operator<=>(const FullArc&, const FullArc&) = default;
 };
 
-/// The result of a letter: an index, and the origin of each case.
-struct FullStep {
-  std::size_t to = 0;
-  std::array<Case, case_codes> before{};
-};
-
 /// All distinguishable arcs: finitely many, found breadth first.
 struct Closure {
   std::vector<FullArc> arcs;
   std::vector<std::string> witness;
-  std::vector<std::vector<std::optional<FullStep>>> steps;  ///< by arc and letter
+  std::vector<std::vector<std::optional<ArcStep>>> steps;  ///< by arc and letter, from arc to arc; without costs
 
   Closure() {
     std::map<FullArc, std::size_t> number;
@@ -55,7 +49,7 @@ struct Closure {
           arcs.push_back(next);
           witness.push_back(witness[i] + text_of(letter));
         }
-        step = FullStep{place->second, longer.before};
+        step = ArcStep{place->second, 0, longer.before};
       }
     }
   }

@@ -10,35 +10,13 @@ namespace {
 
 Mask bit(std::size_t i) { return Mask{1} << i; }
 
-/// `degree` has the solid inner edges of each node, `strip` a label: the smallest node of its strip.
-Coloring describe(const Side& side, Constraint constraint, Mask inner, const std::vector<unsigned>& degree,
-                  const std::vector<unsigned>& strip) {
-  Coloring coloring;
-  coloring.inner = inner;
-  std::vector<Mask> ports_of_node(side.nodes, 0);
-  std::vector<Mask> ports_of_strip(side.nodes, 0);
-  for (unsigned p = 0; p < side.owner.size(); ++p) {
-    const unsigned node = side.owner[p];
-    ports_of_node[node] |= bit(p);
-    ports_of_strip[strip[node]] |= bit(p);
-    if (degree[node] == constraint.most_edges) coloring.full |= bit(p);
-  }
-  for (unsigned node = 0; node < side.nodes; ++node) {
-    if (degree[node] == 0) coloring.lonely.push_back(ports_of_node[node]);
-    if (ports_of_strip[node] != 0) coloring.strips.push_back(ports_of_strip[node]);
-    const int room = static_cast<int>(constraint.most_edges) - static_cast<int>(degree[node]);
-    if (0 < room && room < std::popcount(ports_of_node[node])) coloring.crowds.push_back({ports_of_node[node], room});
-  }
-  return coloring;
-}
-
 }  // namespace
 
 std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint) {
   std::vector<Coloring> found;
   for (Mask inner = 0; inner < bit(side.edges.size()); ++inner) {
     std::vector<unsigned> degree(side.nodes, 0);
-    std::vector<unsigned> strip(side.nodes);
+    std::vector<unsigned> strip(side.nodes);  // label: the smallest node of the strip
     std::iota(strip.begin(), strip.end(), 0U);
     bool legal = true;
     for (Mask rest = inner; legal && rest != 0; rest &= rest - 1) {
@@ -48,7 +26,24 @@ std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint) {
       legal = ++degree[u] <= constraint.most_edges && ++degree[v] <= constraint.most_edges && keep != drop;
       std::replace(strip.begin(), strip.end(), drop, keep);
     }
-    if (legal) found.push_back(describe(side, constraint, inner, degree, strip));
+    if (!legal) continue;
+    Coloring& coloring = found.emplace_back();
+    coloring.inner = inner;
+    std::vector<Mask> ports_of_node(side.nodes, 0);
+    std::vector<Mask> ports_of_strip(side.nodes, 0);
+    for (unsigned p = 0; p < side.owner.size(); ++p) {
+      const unsigned node = side.owner[p];
+      ports_of_node[node] |= bit(p);
+      ports_of_strip[strip[node]] |= bit(p);
+      if (degree[node] == constraint.most_edges) coloring.full |= bit(p);
+    }
+    for (unsigned node = 0; node < side.nodes; ++node) {
+      const Mask ports = ports_of_node[node];
+      if (degree[node] == 0) coloring.lonely.push_back(ports);
+      if (ports_of_strip[node] != 0) coloring.strips.push_back(ports_of_strip[node]);
+      const int room = static_cast<int>(constraint.most_edges) - static_cast<int>(degree[node]);
+      if (0 < room && room < std::popcount(ports)) coloring.crowds.push_back({ports, room});
+    }
   }
   return found;
 }

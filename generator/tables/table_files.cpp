@@ -41,14 +41,9 @@ std::string certificate_path(const std::string& family) { return "certificates/"
 
 /// The two files of the automaton, which serves every valence.
 struct AutomatonFiles {
-  AutomatonFiles()
-      : automaton(make_automaton()),
-        header(automaton_header(automaton)),
-        certificate(automaton_certificate(automaton)) {}
-
-  Automaton automaton;
-  RulesHeader header;
-  AutomatonCertificate certificate;
+  Automaton automaton = make_automaton();
+  RulesHeader header = automaton_header(automaton);
+  AutomatonCertificate certificate = automaton_certificate(automaton);
 
   [[nodiscard]] std::string summary() const {
     return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", "automaton", automaton.classes.size(),
