@@ -54,13 +54,6 @@ std::string text_of(Case c) {
 
 char text_of(Letter letter) { return std::string_view("dsSb")[static_cast<unsigned>(letter)]; }
 
-Costs costs_of_empty_arc() {
-  Costs costs;
-  costs[both_dashed] = 0;
-  costs[through_case] = 0;
-  return costs;
-}
-
 Appended append(const Costs& arc, Letter letter) {
   Appended result;
   std::array<unsigned, case_codes> best_rank{};

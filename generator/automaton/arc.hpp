@@ -67,9 +67,6 @@ inline constexpr std::array<Letter, 4> all_letters{Letter::dashed, Letter::solid
 /// counted by their absence: each solid edge is worth one.
 using Costs = std::array<std::optional<int>, case_codes>;
 
-/// The arc without letters: its two links are one edge, which the next arc counts.
-[[nodiscard]] Costs costs_of_empty_arc();
-
 /// An arc with one more letter: its costs, and for each case the previous case from which the least cost comes.
 struct Appended {
   Costs costs;

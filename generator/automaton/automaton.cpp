@@ -1,6 +1,5 @@
 #include "automaton/automaton.hpp"
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -34,7 +33,9 @@ struct Closure {
 
   Closure() {
     std::map<FullArc, std::size_t> number;
-    arcs.push_back({costs_of_empty_arc(), {}, false});
+    // The two links of the empty arc are one edge, which the next arc counts.
+    FullArc& empty = arcs.emplace_back();
+    empty.costs[both_dashed] = empty.costs[through_case] = 0;
     witness.emplace_back();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       steps.emplace_back();

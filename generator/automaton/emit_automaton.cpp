@@ -61,28 +61,6 @@ std::string section_of(std::string_view name, const Rows& rows) {
   return fmt::format("section {}\nclaim rows {}\n{}\n", name, rows.size(), fmt::join(rows, "\n"));
 }
 
-Rows class_rows(const Automaton& automaton) {
-  Rows rows;
-  for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
-    const ArcClass& c = automaton.classes[x];
-    rows.push_back(fmt::format("class {} {} {} {}", x, c.witness.empty() ? "-" : c.witness,
-                               c.can_be_first() ? std::to_string(c.as_first) : "-",
-                               x == 0 ? "-" : std::to_string(c.as_second)));
-    for (Case k = 0; k < case_codes; ++k)
-      if (c.costs[k]) rows.push_back(fmt::format("value {} {} {}", x, text_of(k), *c.costs[k]));
-    for (std::size_t place = 0; place < c.steps.size(); ++place) {
-      const auto& step = c.steps[place];
-      if (!step) continue;
-      const char letter = text_of(all_letters.at(place));
-      rows.push_back(fmt::format("step {} {} {} {}", x, letter, step->to, step->cost));
-      for (Case k = 0; k < case_codes; ++k)
-        if (automaton.classes[step->to].costs[k])
-          rows.push_back(fmt::format("from {} {} {} {}", x, letter, text_of(k), text_of(step->before[k])));
-    }
-  }
-  return rows;
-}
-
 /// The colours of the links of a class's witness in its case k, from left to right.
 std::vector<bool> witness_links(const Automaton& automaton, const std::string& witness, Case k) {
   std::vector<const ArcStep*> steps;
@@ -144,7 +122,24 @@ AutomatonArrays automaton_arrays(const Automaton& automaton) {
 
 AutomatonCertificate automaton_certificate(const Automaton& automaton) {
   const Rows cost{fmt::format("weights {} 0 {}", strip_cost, isolated_cost)};
-  const Rows classes = class_rows(automaton);
+  Rows classes;
+  for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
+    const ArcClass& c = automaton.classes[x];
+    classes.push_back(fmt::format("class {} {} {} {}", x, c.witness.empty() ? "-" : c.witness,
+                                  c.can_be_first() ? std::to_string(c.as_first) : "-",
+                                  x == 0 ? "-" : std::to_string(c.as_second)));
+    for (Case k = 0; k < case_codes; ++k)
+      if (c.costs[k]) classes.push_back(fmt::format("value {} {} {}", x, text_of(k), *c.costs[k]));
+    for (std::size_t place = 0; place < c.steps.size(); ++place) {
+      const auto& step = c.steps[place];
+      if (!step) continue;
+      const char letter = text_of(all_letters.at(place));
+      classes.push_back(fmt::format("step {} {} {} {}", x, letter, step->to, step->cost));
+      for (Case k = 0; k < case_codes; ++k)
+        if (automaton.classes[step->to].costs[k])
+          classes.push_back(fmt::format("from {} {} {} {}", x, letter, text_of(k), text_of(step->before[k])));
+    }
+  }
   Rows closings;
   for (std::size_t x = 1; x < automaton.classes.size(); ++x)
     if (const auto& closing = automaton.classes[x].closing)

@@ -30,13 +30,6 @@ std::string operation_header_path(const std::string& name) {
   return "include/restrip/tables/operations/" + identifier(name) + ".hpp";
 }
 
-/// A solved certificate, with data for reports.
-struct Solved {
-  Certificate certificate;
-  Claims claims;          ///< of all sections; linked ones have none
-  std::size_t bytes = 0;  ///< of the tables
-};
-
 void expect_within_limits(const Patches& section) {
   for (const Position& position : section.serves) {
     const Patch patch = make_patch(position);
@@ -50,23 +43,11 @@ void expect_within_limits(const Patches& section) {
   }
 }
 
-Solved solve_and_certify(const std::vector<Patches>& patches, bool with_text) {
-  Solved made{{patches.at(0).certificate, {}, {}}, {}, 0};
-  std::vector<Claims> parts;
-  for (const Patches& unsolved : patches) {
-    const Section& section = made.certificate.sections.emplace_back(solve(unsolved, Watched::yes));
-    parts.insert(parts.end(), section.claims.begin(), section.claims.end());
-    if (with_text) made.certificate.texts.push_back(section_text(section, Watched::yes));
-  }
-  made.claims = sum(parts);
-  return made;
-}
-
-/// The files of a description. Positions that the certificate omits, because they are images of others, are solved for
-/// them.
-std::map<std::filesystem::path, std::string> files_of(const Description& description, Solved& solved,
-                                                      const std::set<std::string>& languages, unsigned max_k) {
-  const std::vector<Section>& known = solved.certificate.sections;
+/// The files of a description, from the sections of its certificate. Positions that it omits, because they are images
+/// of others, are solved for them. Adds the bytes of the table.
+std::map<std::filesystem::path, std::string> files_of(const Description& description, const std::vector<Section>& known,
+                                                      const std::set<std::string>& languages, unsigned max_k,
+                                                      std::size_t& table_bytes) {
   std::vector<Description> every{description};
   every[0].listed.clear();
   every[0].section = description.place.empty() ? description.name : description.place;
@@ -90,7 +71,7 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
     positions.push_back({position, found == known.end() ? &images.back() : &*found});
   }
   const OperationLayout layout = operation_layout(positions);
-  solved.bytes += layout.bytes();
+  table_bytes += layout.bytes();
   std::map<std::filesystem::path, std::string> files;
   if (languages.contains("c++")) files[operation_header_path(description.name)] = operation_header(layout);
   for (const auto& [name, file] : files_in(languages, description.name))
@@ -98,37 +79,39 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
   return files;
 }
 
-nlohmann::ordered_json figures(const Solved& made) {
-  const auto& [name, sections, texts] = made.certificate;
-  const std::size_t rows = made.certificate.rows();
-  if (made.certificate.linked()) return {{"name", name}, {"alternatives", rows}};
+/// Adds the figures of a certificate to a report, as JSON and as a human-readable line.
+void add_figures(const Certificate& certificate, std::size_t bytes, nlohmann::ordered_json& json, std::string& text) {
+  const auto& [name, sections, texts] = certificate;
+  const std::size_t rows = certificate.rows();
+  if (certificate.linked()) {
+    json.push_back({{"name", name}, {"alternatives", rows}});
+    text += fmt::format("{:<24} {:>6} {}\n", name, rows, plural(rows, "alternative"));
+    return;
+  }
+  std::vector<Claims> parts;
   double symmetries = 0;
-  for (const Section& section : sections) symmetries = std::max(symmetries, section.symmetries);
-  const Claims& claims = made.claims;
-  return {{"name", name},
-          {"configurations", claims.configurations},
-          {"valid", claims.valid},
-          {"orbits", claims.orbits},
-          {"valid_orbits", claims.valid_orbits},
-          {"symmetries", static_cast<std::uint64_t>(symmetries)},
-          {"keys", rows},
-          {"costing", claims.costing},
-          {"worst_strips", claims.worst_strips},
-          {"worst_isolated", claims.worst_isolated},
-          {"bytes", made.bytes},
-          {"graph_only", sections[0].position.family->is_graph_only()}};
-}
-
-/// Human-readable summary.
-std::string summary(const Solved& made) {
-  const auto& [name, sections, texts] = made.certificate;
-  const std::size_t rows = made.certificate.rows();
-  if (made.certificate.linked()) return fmt::format("{:<24} {:>6} {}\n", name, rows, plural(rows, "alternative"));
-  const std::size_t configurations = made.claims.configurations;
-  return fmt::format(
-      "{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", name, configurations, plural(configurations, "configuration"),
-      rows, plural(rows, "rule"), made.bytes, plural(made.bytes, "byte"),
-      sections[0].position.family->is_graph_only() ? "  graph only: not checked to be an operation on a mesh\n" : "");
+  for (const Section& section : sections) {
+    parts.insert(parts.end(), section.claims.begin(), section.claims.end());
+    symmetries = std::max(symmetries, section.symmetries);
+  }
+  const Claims claims = sum(parts);
+  const bool graph_only = sections[0].position.family->is_graph_only();
+  json.push_back({{"name", name},
+                  {"configurations", claims.configurations},
+                  {"valid", claims.valid},
+                  {"orbits", claims.orbits},
+                  {"valid_orbits", claims.valid_orbits},
+                  {"symmetries", static_cast<std::uint64_t>(symmetries)},
+                  {"keys", rows},
+                  {"costing", claims.costing},
+                  {"worst_strips", claims.worst_strips},
+                  {"worst_isolated", claims.worst_isolated},
+                  {"bytes", bytes},
+                  {"graph_only", graph_only}});
+  text +=
+      fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", name, claims.configurations,
+                  plural(claims.configurations, "configuration"), rows, plural(rows, "rule"), bytes,
+                  plural(bytes, "byte"), graph_only ? "  graph only: not checked to be an operation on a mesh\n" : "");
 }
 
 }  // namespace
@@ -157,12 +140,9 @@ void make_rules(const RulesOptions& options) {
   std::vector<Patches> all = patches_of(descriptions, max_k);
   // Other languages have no linked rules.
   if (!certified) std::erase_if(all, std::mem_fn(&Patches::linked));
-  std::for_each(all.begin(), all.end(), expect_within_limits);
-  std::vector<std::vector<Patches>> by_name;
-  for (Patches& one : all) {
-    if (by_name.empty() || by_name.back()[0].certificate != one.certificate) by_name.emplace_back();
+  for (const Patches& one : all) {
+    expect_within_limits(one);
     if (certified) paths.insert(operation_certificate_path(one.certificate));
-    by_name.back().push_back(std::move(one));
   }
   for (const Description& description : descriptions) {
     if (certified) paths.insert(operation_header_path(description.name));
@@ -180,20 +160,25 @@ void make_rules(const RulesOptions& options) {
   files::OutputSet out(options.out, names, {{}, inputs});
   const files::ReportOutput report(options.json, inputs);
 
+  std::vector<Section> solved;
+  std::vector<std::string> solved_texts;
+  for (Patches& patches : all) {
+    solved.push_back(solve(std::move(patches), Watched::yes));
+    if (certified) solved_texts.push_back(section_text(solved.back(), Watched::yes));
+  }
   std::vector<files::NamedBytes> texts;
   nlohmann::ordered_json json;
   std::string text;
-  for (const std::vector<Patches>& patches : by_name) {
-    Solved made = solve_and_certify(patches, certified);
-    const std::string& name = made.certificate.name;
-    if (certified) texts.push_back({operation_certificate_path(name), certificate_text(made.certificate)});
+  for (const Certificate& certificate : by_certificate(std::move(solved), std::move(solved_texts))) {
+    const std::string& name = certificate.name;
+    if (certified) texts.push_back({operation_certificate_path(name), certificate_text(certificate)});
+    std::size_t table_bytes = 0;
     for (const Description& description : descriptions) {
       if (description.certificate != name) continue;
-      for (auto& [path, bytes] : files_of(description, made, options.languages, max_k))
+      for (auto& [path, bytes] : files_of(description, certificate.sections, options.languages, max_k, table_bytes))
         texts.push_back({path, std::move(bytes)});
     }
-    json["operations"].push_back(figures(made));
-    text += summary(made);
+    add_figures(certificate, table_bytes, json["operations"], text);
   }
   if (!options.force) texts.push_back(before.with(texts));
   out.write(texts);

@@ -52,7 +52,6 @@ class ReasonSearch {
 
   /// The first smallest tree in a fixed order; empty if that takes more steps. Exponential in the leaves.
   std::optional<Reason> smallest(std::uint64_t most_steps) {
-    known_.clear();
     last_step_ = steps_ + most_steps;
     for (std::size_t leaves = 1; steps_ <= last_step_; ++leaves)
       if (const Reason* const found = find(0, 0, leaves)) return *found;

@@ -1,7 +1,6 @@
 // The symmetries of an operation, found by nauty, and their action on masks.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "operations/operation.hpp"

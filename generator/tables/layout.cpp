@@ -6,21 +6,18 @@
 
 namespace restrip::generator {
 
-const std::vector<LookUp>& look_ups() {
-  static const std::vector<LookUp> all = [] {
-    std::vector<LookUp> look_ups;
-    for (const Description& family : families()) {
-      // Independent of the position, so any position will do.
-      const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
-      const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());
-      const int added = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
-      look_ups.push_back({identifier(family.name), family.numbers, family.range, identifier(family.certificate),
-                          family.numbers.empty() ? "" : (closed(family) ? "closed_rows" : "open_rows"), added > 0,
-                          static_cast<int>(patch.before.edges.size()) - k,
-                          static_cast<int>(patch.after.edges.size()) - k, added});
-    }
-    return look_ups;
-  }();
+std::vector<LookUp> look_ups() {
+  std::vector<LookUp> all;
+  for (const Description& family : families()) {
+    // Independent of the position, so any position will do.
+    const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
+    const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());
+    const int added = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
+    all.push_back({identifier(family.name), family.numbers, family.range, identifier(family.certificate),
+                   family.numbers.empty() ? "" : (closed(family) ? "closed_rows" : "open_rows"), added > 0,
+                   static_cast<int>(patch.before.edges.size()) - k, static_cast<int>(patch.after.edges.size()) - k,
+                   added});
+  }
   return all;
 }
 

@@ -54,7 +54,7 @@ struct LookUp {
 };
 
 /// One for each family, in the order of tables/families.json.
-[[nodiscard]] const std::vector<LookUp>& look_ups();
+[[nodiscard]] std::vector<LookUp> look_ups();
 
 /// The families of rules, with the packings of their keys.
 [[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& rules, const Packings& packings, unsigned max_k);

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,7 +18,6 @@
 #include "common/output.hpp"
 #include "common/progress.hpp"
 #include "common/report_output.hpp"
-#include "common/share.hpp"
 #include "languages/languages.hpp"
 #include "operations/families_text.hpp"
 #include "tables/certificate_text.hpp"
