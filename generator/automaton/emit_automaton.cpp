@@ -19,42 +19,6 @@ namespace {
 
 constexpr unsigned automaton_format_version = 2;
 
-/// In the header, for a letter that is not allowed.
-constexpr std::size_t no_class = UINT8_MAX;
-
-/// The contents of the header.
-struct HeaderNumbers {
-  std::vector<std::size_t> next;
-  std::vector<std::uint64_t> before;
-  std::vector<unsigned> closed;
-  std::vector<std::size_t> first;
-  std::vector<std::size_t> second;
-  std::vector<std::size_t> meet;
-  std::vector<unsigned> meetings;
-
-  explicit HeaderNumbers(const Automaton& automaton) {
-    std::map<unsigned, std::size_t> numbers;
-    for (const std::vector<Meeting>& row : automaton.meets)
-      for (const Meeting& m : row) {
-        const unsigned word = m.first | m.second << 4U | (m.chord ? 1U : 0U) << 8U;
-        const auto [place, is_new] = numbers.emplace(word, numbers.size());
-        if (is_new) meetings.push_back(word);
-        meet.push_back(place->second);
-      }
-    for (const ArcClass& c : automaton.classes) {
-      for (const auto& step : c.steps) {
-        next.push_back(step ? step->to : no_class);
-        std::uint64_t& origins = before.emplace_back(0U);
-        for (Case from = 0; step && from < case_codes; ++from)
-          if (automaton.classes[step->to].costs[from]) origins |= std::uint64_t{step->before[from]} << 4U * from;
-      }
-      closed.push_back(c.closing.value_or(both_dashed));
-      first.push_back(c.as_first);
-      second.push_back(c.as_second);
-    }
-  }
-};
-
 using Rows = std::vector<std::string>;
 
 std::string section_of(std::string_view name, const Rows& rows) {
@@ -83,7 +47,14 @@ std::vector<bool> witness_links(const Automaton& automaton, const std::string& w
 }  // namespace
 
 RulesHeader automaton_header(const Automaton& automaton) {
-  const HeaderNumbers all(automaton);
+  const auto [seconds, table] = automaton_arrays(automaton);
+  const std::vector<TableArray>& arrays = table.arrays;
+  std::vector<std::size_t> next;
+  for (const ArcClass& c : automaton.classes)
+    for (const auto& step : c.steps) next.push_back(step ? step->to : UINT8_MAX);
+  std::vector<std::uint64_t> before;
+  for (std::size_t i = 0; i < next.size(); ++i)
+    before.push_back(arrays[1].values[2 * i] | std::uint64_t{arrays[1].values[2 * i + 1]} << 32U);
   std::string text = fmt::format(
       "// Rules of fans of any valence: {} classes of arcs, {} pairs of classes.\n"
       "// The cost: {} for a strip, 0 for a swap, {} for an isolated triangle.\n"
@@ -91,33 +62,50 @@ RulesHeader automaton_header(const Automaton& automaton) {
       "`regenerate`.\n"
       "// Format {}, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
       "#include \"restrip/tables/automaton_format.hpp\"\n\nnamespace restrip::tables {{\n\n",
-      automaton.classes.size(), all.meet.size(), strip_cost, isolated_cost, automaton_format_version);
+      automaton.classes.size(), automaton.meets.size() * seconds, strip_cost, isolated_cost, automaton_format_version);
   text +=
       fmt::format("inline constexpr ArcAutomaton<std::uint8_t, {}, {}, {}, {}, {}> automaton{{\n", all_letters.size(),
-                  automaton.classes.size(), automaton.meets.size(), automaton.meets[0].size(), all.meetings.size());
+                  automaton.classes.size(), automaton.meets.size(), seconds, arrays.back().values.size());
   const auto block = [&](const std::string& lines) { text += "    {\n" + lines + "    },\n"; };
-  block(numbers(all.next));
-  block(numbers(all.before, " {:#x},"));
-  block(numbers(all.closed));
-  block(numbers(all.first));
-  block(numbers(all.second));
-  block(numbers(all.meet));
-  block(numbers(all.meetings));
-  return {text + "};\n\n}  // namespace restrip::tables\n", automaton_arrays(automaton).table.bytes()};
+  block(numbers(next));
+  block(numbers(before, " {:#x},"));
+  for (std::size_t i = 2; i < arrays.size(); ++i) block(numbers(arrays[i].values));
+  return {text + "};\n\n}  // namespace restrip::tables\n", table.bytes()};
 }
 
 AutomatonArrays automaton_arrays(const Automaton& automaton) {
-  HeaderNumbers all(automaton);
-  std::replace(all.next.begin(), all.next.end(), no_class, std::size_t{0});
+  std::map<unsigned, std::size_t> number;
+  std::vector<std::size_t> meet;
+  std::vector<unsigned> meetings;
+  for (const std::vector<Meeting>& row : automaton.meets)
+    for (const Meeting& m : row) {
+      const unsigned word = m.first | m.second << 4U | (m.chord ? 1U : 0U) << 8U;
+      const auto [place, is_new] = number.emplace(word, number.size());
+      if (is_new) meetings.push_back(word);
+      meet.push_back(place->second);
+    }
+  std::vector<std::size_t> next;
   TableArray before{"before", 32, {}};
-  for (const std::uint64_t cases : all.before) {
-    before.values.push_back(static_cast<std::uint32_t>(cases));
-    before.values.push_back(static_cast<std::uint32_t>(cases >> 32U));
+  std::vector<unsigned> closed;
+  std::vector<std::size_t> first;
+  std::vector<std::size_t> second;
+  for (const ArcClass& c : automaton.classes) {
+    for (const auto& step : c.steps) {
+      next.push_back(step ? step->to : 0);
+      std::uint64_t cases = 0;
+      for (Case to = 0; step && to < case_codes; ++to)
+        if (automaton.classes[step->to].costs[to]) cases |= std::uint64_t{step->before[to]} << 4U * to;
+      before.values.push_back(static_cast<std::uint32_t>(cases));
+      before.values.push_back(static_cast<std::uint32_t>(cases >> 32U));
+    }
+    closed.push_back(c.closing.value_or(both_dashed));
+    first.push_back(c.as_first);
+    second.push_back(c.as_second);
   }
   return {automaton.meets.at(0).size(),
           {0,
-           {array_of("next", all.next), before, array_of("closed", all.closed), array_of("first", all.first),
-            array_of("second", all.second), array_of("meet", all.meet), array_of("meetings", all.meetings)}}};
+           {array_of("next", next), before, array_of("closed", closed), array_of("first", first),
+            array_of("second", second), array_of("meet", meet), array_of("meetings", meetings)}}};
 }
 
 AutomatonCertificate automaton_certificate(const Automaton& automaton) {
@@ -172,9 +160,10 @@ std::string automaton_json(const Automaton& automaton) {
   json["letters"] = all_letters.size();
   json["cases"] = all_cases.size();
   json["meetings"]["rows"] = automaton.meets.size();
-  json["meetings"]["columns"] = automaton.meets[0].size();
-  json["meetings"]["different"] = HeaderNumbers(automaton).meetings.size();
-  json["bytes"] = automaton_arrays(automaton).table.bytes();
+  const auto [seconds, table] = automaton_arrays(automaton);
+  json["meetings"]["columns"] = seconds;
+  json["meetings"]["different"] = table.arrays.back().values.size();
+  json["bytes"] = table.bytes();
   return json.dump(2) + "\n";
 }
 
