@@ -110,41 +110,23 @@ std::string as_it_is(const Layout& /*layout*/) {
 
 // ---- The tables.
 
-/// The operations, one per line; each line begins with `comment`.
-std::string operation_lines(const std::string& comment) {
+/// The values for every template of the tables, except the arrays. The operations are one per line; each line begins
+/// with `comment`.
+Filling tables_filling(const std::string& comment, const TableLayout& layout) {
   const auto bits = [](int more) {
     return more == 0 ? std::string("k bits") : fmt::format("k {} {} bits", more < 0 ? '-' : '+', std::abs(more));
   };
-  std::string text = fmt::format("{0}   {1:<19}{2:<26}{3:<19}{4:<9}{5}\n", comment, "operation", "position",
-                                 "colours before", "ports", "colours after");
+  std::string operations = fmt::format("{0}   {1:<19}{2:<26}{3:<19}{4:<9}{5}\n", comment, "operation", "position",
+                                       "colours before", "ports", "colours after");
   for (const LookUp& look_up : look_ups()) {
     const bool flip = look_up.position.empty();
-    text += fmt::format("{}   {:<19}{:<26}{:<19}{:<9}{}\n", comment, look_up.name, look_up.where,
-                        (look_up.from_fan ? "loop, " : "inner, ") + (flip ? "1 bit" : bits(look_up.before_bits)),
-                        flip ? "4 bits" : "k bits", flip ? "inner, 1 bit; ports, 4 bits" : bits(look_up.after_bits));
+    operations +=
+        fmt::format("{}   {:<19}{:<26}{:<19}{:<9}{}\n", comment, look_up.name, look_up.where,
+                    (look_up.from_fan ? "loop, " : "inner, ") + (flip ? "1 bit" : bits(look_up.before_bits)),
+                    flip ? "4 bits" : "k bits", flip ? "inner, 1 bit; ports, 4 bits" : bits(look_up.after_bits));
   }
-  return text;
-}
-
-/// The values for every template of the tables, except the arrays.
-Filling tables_filling(const std::string& comment, const TableLayout& layout) {
-  return {{"max_k", std::to_string(layout.max_k)},
-          {"bytes", std::to_string(layout.bytes())},
-          {"operations", operation_lines(comment)}};
-}
-
-std::string c_header(const TableLayout& layout) { return c_text(tables_h, tables_filling("//", layout), layout); }
-
-std::string rust_module(const TableLayout& layout) {
-  return rust_text(tables_rs, tables_filling("//!", layout), layout);
-}
-
-std::string glsl_source(const TableLayout& layout) {
-  return shader_text(tables_glsl, glsl_array, tables_filling("//", layout), layout);
-}
-
-std::string wgsl_source(const TableLayout& layout) {
-  return shader_text(tables_wgsl, wgsl_array, tables_filling("//", layout), layout);
+  return {
+      {"max_k", std::to_string(layout.max_k)}, {"bytes", std::to_string(layout.bytes())}, {"operations", operations}};
 }
 
 // ---- The table of a custom operation or family. All languages have the same arrays, with one element per place. The
@@ -259,8 +241,6 @@ std::string wgsl_operation(const OperationLayout& layout) {
                           {"//", "{}: u32, ", "  if ({}) {{\n    return none;\n  }}\n", "  place = {};\n", "", "u"});
 }
 
-std::string operation_words_file(const OperationLayout& layout) { return words_file(arrays_of(layout)); }
-
 // ---- The automaton of all valences: its arrays, and a look-up by keys.
 
 /// The values for every template of the automaton, except the arrays. A split has three edges more than k.
@@ -280,48 +260,40 @@ Filling automaton_filling(const std::string& comment, const AutomatonArrays& aut
           {"operations", operations}};
 }
 
-std::string c_automaton(const AutomatonArrays& automaton) {
-  return c_text(automaton_h, automaton_filling("//", automaton, 64), automaton.table);
-}
-
-std::string rust_automaton(const AutomatonArrays& automaton) {
-  return rust_text(automaton_rs, automaton_filling("//!", automaton, 64), automaton.table);
-}
-
-std::string glsl_automaton(const AutomatonArrays& automaton) {
-  return shader_text(automaton_glsl, glsl_array, automaton_filling("//", automaton, 32), automaton.table,
-                     "_OF_AUTOMATON");
-}
-
-std::string wgsl_automaton(const AutomatonArrays& automaton) {
-  return shader_text(automaton_wgsl, wgsl_array, automaton_filling("//", automaton, 32), automaton.table,
-                     "_OF_AUTOMATON");
-}
-
-std::string automaton_words_file(const AutomatonArrays& automaton) { return words_file(automaton.table); }
-
 }  // namespace
 
 const std::map<std::string, std::vector<LanguageFile>>& language_files() {
+  static const LanguageFile words{".bin", words_file, [](const OperationLayout& o) { return words_file(arrays_of(o)); },
+                                  [](const AutomatonArrays& a) { return words_file(a.table); }};
   static const std::map<std::string, std::vector<LanguageFile>> files{
       {"c++", {}},
       {"c",
-       {{".h", c_header, c_operation, c_automaton},
+       {{".h", [](const TableLayout& t) { return c_text(tables_h, tables_filling("//", t), t); }, c_operation,
+         [](const AutomatonArrays& a) { return c_text(automaton_h, automaton_filling("//", a, 64), a.table); }},
         {"_check.c", as_it_is<tables_check_c>, nullptr, as_it_is<automaton_check_c>}}},
       {"json",
        {{".json", json_tables, json_operation, json_automaton},
         {".mjs", as_it_is<tables_mjs>, nullptr, as_it_is<automaton_mjs>},
         {"_check.mjs", as_it_is<tables_check_mjs>, nullptr, as_it_is<automaton_check_mjs>}}},
       {"rust",
-       {{".rs", rust_module, rust_operation, rust_automaton},
+       {{".rs", [](const TableLayout& t) { return rust_text(tables_rs, tables_filling("//!", t), t); }, rust_operation,
+         [](const AutomatonArrays& a) { return rust_text(automaton_rs, automaton_filling("//!", a, 64), a.table); }},
         {"_check.rs", as_it_is<tables_check_rs>, nullptr, as_it_is<automaton_check_rs>}}},
       {"glsl",
-       {{".glsl", glsl_source, glsl_operation, glsl_automaton},
-        {".bin", words_file, operation_words_file, automaton_words_file},
+       {{".glsl", [](const TableLayout& t) { return shader_text(tables_glsl, glsl_array, tables_filling("//", t), t); },
+         glsl_operation,
+         [](const AutomatonArrays& a) {
+           return shader_text(automaton_glsl, glsl_array, automaton_filling("//", a, 32), a.table, "_OF_AUTOMATON");
+         }},
+        words,
         {"_check.comp", as_it_is<tables_check_comp>, nullptr, as_it_is<automaton_check_comp>}}},
       {"wgsl",
-       {{".wgsl", wgsl_source, wgsl_operation, wgsl_automaton},
-        {".bin", words_file, operation_words_file, automaton_words_file},
+       {{".wgsl", [](const TableLayout& t) { return shader_text(tables_wgsl, wgsl_array, tables_filling("//", t), t); },
+         wgsl_operation,
+         [](const AutomatonArrays& a) {
+           return shader_text(automaton_wgsl, wgsl_array, automaton_filling("//", a, 32), a.table, "_OF_AUTOMATON");
+         }},
+        words,
         {"_check.wgsl", as_it_is<tables_check_wgsl>, nullptr, as_it_is<automaton_check_wgsl>}}},
   };
   return files;
