@@ -53,23 +53,21 @@ CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& langu
       ->allow_extra_args(false);
 }
 
-/// The options that select a position of a family.
-using PlaceOptions = std::array<const CLI::Option*, PositionNumbers{}.size()>;
-
 /// The position given by the options --k, --at and --to.
-Position position_of(const Description& family, PositionNumbers numbers, const PlaceOptions& given) {
-  constexpr std::array<const char*, PositionNumbers{}.size()> options{"--k", "--at", "--to"};
-  for (std::size_t i = family.numbers.size(); i < options.size(); ++i)
-    if (!given.at(i)->empty())
+Position position_of(const Description& family, PositionNumbers numbers,
+                     const std::array<const CLI::Option*, 3>& given) {
+  constexpr std::array<const char*, 3> options{"--k", "--at", "--to"};
+  std::vector<std::string> expected;
+  for (std::size_t i = 0; i < options.size(); ++i)
+    if (i < family.numbers.size())
+      expected.push_back(fmt::format("{} by {}", family.numbers[i], options.at(i)));
+    else if (!given.at(i)->empty())
       throw std::invalid_argument(
           fmt::format("--family {}: its positions do not depend on {}; leave it out", family.name, options.at(i)));
   if (family.numbers.empty()) return positions(family, 0).at(0);
-  if (!hold(family.where, numbers)) {
-    std::string names;
-    for (std::size_t i = 0; i < family.numbers.size(); ++i)
-      names += fmt::format("{}{} by {}", i == 0 ? "" : ", ", family.numbers[i], options.at(i));
-    throw std::invalid_argument(fmt::format("--family {}: expected {}; {}", family.name, family.range, names));
-  }
+  if (!hold(family.where, numbers))
+    throw std::invalid_argument(
+        fmt::format("--family {}: expected {}; {}", family.name, family.range, fmt::join(expected, ", ")));
   for (std::size_t i = family.numbers.size(); i < numbers.size(); ++i) numbers.at(i) = 0;
   return {&family, numbers[0], numbers[1], numbers[2]};
 }
@@ -180,7 +178,7 @@ int main(int argc, char** argv) {
   describe_command->add_option("--family", described_family, fmt::format("One of {}", fmt::join(names, ", ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
-  const PlaceOptions place_options{
+  const std::array<const CLI::Option*, 3> place_options{
       describe_command->add_option("--k", numbers[0], "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8)),
       describe_command->add_option("--at", numbers[1], "Arc a of a closed fan, gap i of an open one")
           ->check(CLI::Range(0, 8)),

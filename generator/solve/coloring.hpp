@@ -25,7 +25,7 @@ struct Coloring {
 };
 
 /// All legal colorings of the inner edges of a side, in ascending order of their masks.
-[[nodiscard]] std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint = {});
+[[nodiscard]] std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint);
 
 /// A legal coloring together with the colours of the ports.
 struct Outcome {
