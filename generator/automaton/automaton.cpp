@@ -17,24 +17,16 @@ Costs relative(Costs costs) {
   return costs;
 }
 
-/// An arc with all cases that some patch may need; costs minus the least.
-struct FullArc {
-  Costs costs;
-  Ports ports;
-  bool boundary = false;
-  friend auto operator<=>(const FullArc&, const FullArc&) = default;
-};
-
 /// All distinguishable arcs: finitely many, found breadth first.
 struct Closure {
-  std::vector<FullArc> arcs;
+  std::vector<Arc> arcs;
   std::vector<std::string> witness;
   std::vector<std::vector<std::optional<ArcStep>>> steps;  ///< by arc and letter, from arc to arc; without costs
 
   Closure() {
-    std::map<FullArc, std::size_t> number;
+    std::map<Arc, std::size_t> number;
     // The two links of the empty arc are one edge, which the next arc counts.
-    FullArc& empty = arcs.emplace_back();
+    Arc& empty = arcs.emplace_back();
     empty.costs[both_dashed] = empty.costs[through_case] = 0;
     witness.emplace_back();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -43,8 +35,8 @@ struct Closure {
         auto& step = steps[i].emplace_back();
         if (letter == Letter::boundary && arcs[i].boundary) continue;
         const Appended longer = append(arcs[i].costs, letter);
-        const FullArc next{relative(longer.costs), with_letter(arcs[i].ports, letter),
-                           arcs[i].boundary || letter == Letter::boundary};
+        const Arc next{relative(longer.costs), with_letter(arcs[i].ports, letter),
+                       arcs[i].boundary || letter == Letter::boundary};
         const auto [place, is_new] = number.emplace(next, arcs.size());
         if (is_new) {
           arcs.push_back(next);
@@ -65,14 +57,12 @@ struct Contexts {
   std::vector<std::optional<Case>> closings;
 
   explicit Contexts(const Closure& all) : best(all.arcs.size()), closings(all.arcs.size()) {
-    std::vector<Arc> arcs;
-    for (const FullArc& arc : all.arcs) arcs.emplace_back(arc.costs, arc.ports);
     for (std::size_t x = 0; x < all.arcs.size(); ++x) {
       if (!all.can_be_first(x)) continue;
-      closings[x] = best_closing(arcs[x]);
+      closings[x] = best_closing(all.arcs[x]);
       best[x].resize(all.arcs.size());
       for (std::size_t y = 1; y < all.arcs.size(); ++y)
-        best[x][y] = static_cast<std::uint16_t>(all_meetings.best(arcs[x], arcs[y]));
+        best[x][y] = static_cast<std::uint16_t>(all_meetings.best(all.arcs[x], all.arcs[y]));
     }
   }
 
@@ -156,7 +146,7 @@ std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& con
 
 /// Numbers the distinct rows and columns of meetings.
 void number_meetings(Automaton& automaton, const Contexts& contexts, const std::vector<std::size_t>& smallest) {
-  using Line = std::vector<std::pair<std::size_t, unsigned>>;  // meetings, and the own case
+  using Line = std::vector<std::uint16_t>;
   std::map<Line, std::size_t> firsts;
   std::map<Line, std::size_t> seconds;
   const std::size_t n = automaton.classes.size();
@@ -165,10 +155,8 @@ void number_meetings(Automaton& automaton, const Contexts& contexts, const std::
     Line row;
     Line column;
     for (std::size_t j = 1; j < n; ++j) {
-      if (arc.can_be_first())
-        row.emplace_back(contexts.best[smallest[i]][smallest[j]], contexts.meeting(smallest[i], smallest[j]).first);
-      if (automaton.classes[j].can_be_first())
-        column.emplace_back(contexts.best[smallest[j]][smallest[i]], contexts.meeting(smallest[j], smallest[i]).second);
+      if (arc.can_be_first()) row.push_back(contexts.best[smallest[i]][smallest[j]]);
+      if (automaton.classes[j].can_be_first()) column.push_back(contexts.best[smallest[j]][smallest[i]]);
     }
     if (arc.can_be_first()) arc.as_first = number_for(firsts, row);
     arc.as_second = number_for(seconds, column);

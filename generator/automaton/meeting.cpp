@@ -42,16 +42,7 @@ unsigned joined_ends(const Ports& first, const Ports& second) {
   return pairs;
 }
 
-std::size_t place_of(Case first, Case second, bool chord) {
-  return 2 * (case_codes * first + second) + (chord ? 1 : 0);
-}
-
 }  // namespace
-
-Arc::Arc(const Costs& costs, Ports of) : ports(of) {
-  for (Case c = 0; c < case_codes; ++c)
-    if (costs[c]) cases.push_back({c, *costs[c]});
-}
 
 Ports with_letter(Ports ports, Letter letter) {
   if (!has_port(letter)) return ports;
@@ -103,48 +94,40 @@ std::optional<Meetings::Combination> Meetings::combination_of(const Meeting& mee
   return combination;
 }
 
-Meetings::Meetings() : number_of_(place_of(case_codes, 0, false), -1) {
+Meetings::Meetings() {
   for (const Case first : all_cases)
     for (const Case second : all_cases)
       for (const bool chord : {false, true})
         if (const auto combination = combination_of({first, second, chord})) combinations_.push_back(*combination);
   std::stable_sort(combinations_.begin(), combinations_.end(),
                    [](const Combination& x, const Combination& y) { return x.tie < y.tie; });
-  for (std::size_t i = 0; i < combinations_.size(); ++i) {
-    const Meeting& m = combinations_[i].meeting;
-    number_of_[place_of(m.first, m.second, m.chord)] = static_cast<int>(i);
-  }
 }
 
 std::size_t Meetings::best(const Arc& first, const Arc& second) const {
   const unsigned joined = joined_ends(first.ports, second.ports);
-  std::optional<std::pair<int, int>> best;  // cost, number
-  for (const auto& x : first.cases)
-    for (const auto& y : second.cases)
-      for (const bool chord : {false, true}) {
-        const int number = number_of_[place_of(x.arc, y.arc, chord)];
-        if (number < 0) continue;
-        const Combination& combination = combinations_[static_cast<std::size_t>(number)];
-        if ((combination.joins & ~joined) != 0) continue;
-        const std::pair found{x.cost + y.cost + combination.cost, number};
-        if (!best || found < *best) best = found;
-      }
+  std::optional<std::pair<int, std::size_t>> best;  // cost, number
+  for (std::size_t number = 0; number < combinations_.size(); ++number) {
+    const Combination& combination = combinations_[number];
+    const std::optional<int>& one = first.costs[combination.meeting.first];
+    const std::optional<int>& other = second.costs[combination.meeting.second];
+    if (!one || !other || (combination.joins & ~joined) != 0) continue;
+    const int cost = *one + *other + combination.cost;
+    if (!best || cost < best->first) best = std::pair{cost, number};
+  }
   if (!best) throw std::logic_error("two arcs without a sound recolouring");
-  return static_cast<std::size_t>(best->second);
+  return best->second;
 }
 
 Case best_closing(const Arc& arc) {
   const bool ports_joined = arc.ports.count > 1 && (arc.ports.first_joined || arc.ports.two_joined);
-  std::optional<Arc::CaseCost> best;
-  for (const Arc::CaseCost& own : arc.cases) {
-    const Reach left = left_of(own.arc);
-    const Reach right = right_of(own.arc);
-    if (is_solid(left) != is_solid(right) || own.arc == through_case) continue;
-    if (left == Reach::port && right == Reach::port && !ports_joined) continue;
-    if (!best || own.cost < best->cost) best = own;
+  std::optional<Case> best;
+  for (const Case c : all_cases) {
+    if (!arc.costs[c] || is_solid(left_of(c)) != is_solid(right_of(c)) || c == through_case) continue;
+    if (left_of(c) == Reach::port && right_of(c) == Reach::port && !ports_joined) continue;
+    if (!best || *arc.costs[c] < *arc.costs[*best]) best = c;
   }
   if (!best) throw std::logic_error("an arc without a sound recolouring");
-  return best->arc;
+  return *best;
 }
 
 }  // namespace restrip::generator

@@ -20,16 +20,12 @@ struct Ports {
 };
 [[nodiscard]] Ports with_letter(Ports ports, Letter letter);
 
-/// An arc as seen by a patch.
+/// An arc with all cases that some patch may need; costs minus the least.
 struct Arc {
-  Arc(const Costs& costs, Ports of);
-
-  struct CaseCost {
-    Case arc = both_dashed;
-    int cost = 0;
-  };
-  std::vector<CaseCost> cases;  ///< the existing ones
+  Costs costs;
   Ports ports;
+  bool boundary = false;  ///< the mesh boundary is inside
+  friend auto operator<=>(const Arc&, const Arc&) = default;
 };
 
 /// The choice for two arcs around A and D, in ring order A, first, D, second.
@@ -37,7 +33,6 @@ struct Meeting {
   Case first = both_dashed;
   Case second = both_dashed;
   bool chord = false;
-  friend constexpr auto operator<=>(const Meeting&, const Meeting&) = default;
 };
 
 /// All meetings that are sound for some arcs, in order of preference, and the best of them for two arcs.
@@ -59,7 +54,6 @@ class Meetings {
   static std::optional<Combination> combination_of(const Meeting& meeting);
 
   std::vector<Combination> combinations_;
-  std::vector<int> number_of_;  ///< by cases and chord; -1 if not sound
 };
 
 /// The best case of an arc that is a whole closed fan, so that its two links are one edge.
