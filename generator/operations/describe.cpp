@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "operations/description_file.hpp"
@@ -30,12 +29,11 @@ OrderedJson json_of(const Preference& preference, const Side& after) {
   for (const Criterion& criterion : preference) {
     OrderedJson terms = OrderedJson::array();
     for (const Term& term : criterion) {
-      const CountWord& word = *std::find_if(count_words.begin(), count_words.end(),
-                                            [&](const CountWord& one) { return one.count == term.count; });
-      OrderedJson json{{"count", word.word}};
+      const std::string_view among = count_among.at(static_cast<std::size_t>(term.count));
+      OrderedJson json{{"count", count_words.at(static_cast<std::size_t>(term.count))}};
       if (term.weight != 1) json["weight"] = term.weight;
-      const Mask all = (Mask{1} << how_many(word.among, after)) - 1;
-      if ((term.of & all) != all) json[fmt::format("{}s", word.among)] = places(term.of & all);
+      const Mask all = (Mask{1} << how_many(among, after)) - 1;
+      if ((term.of & all) != all) json[fmt::format("{}s", among)] = places(term.of & all);
       terms.push_back(json);
     }
     criteria.push_back(terms);

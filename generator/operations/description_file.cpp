@@ -197,17 +197,17 @@ void take_give_up(const JsonValue& value, const Side* after, Description& descri
 /// `after` is null for patterns, whose terms count everything.
 Term term_from(const JsonValue& value, const Side* after) {
   value.expect_members({"count", "weight", "edges", "triangles", "ports"});
-  std::array<std::string_view, count_words.size()> names;
-  std::transform(count_words.begin(), count_words.end(), names.begin(), [](const CountWord& one) { return one.word; });
-  const CountWord& word = count_words.at(value["count"].one_of(names));
-  Term term{word.count};
+  const std::size_t count = value["count"].one_of(count_words);
+  const std::string_view may_choose = count_among.at(count);
+  Term term{static_cast<Count>(count)};
   constexpr std::int64_t heaviest = 1'000'000;
   if (value.has("weight")) term.weight = value["weight"].number(-heaviest, heaviest, "a weight");
-  if (!word.among.empty() && after != nullptr) term.of = (Mask{1} << how_many(word.among, *after)) - 1;
+  if (!may_choose.empty() && after != nullptr) term.of = (Mask{1} << how_many(may_choose, *after)) - 1;
   for (const std::string among : {"edge", "triangle", "port"}) {
     const std::string member = among + "s";
     if (!value.has(member)) continue;
-    if (word.among != among) value[member].refuse(fmt::format("\"{}\" does not choose among {}", word.word, member));
+    if (may_choose != among)
+      value[member].refuse(fmt::format("\"{}\" does not choose among {}", count_words.at(count), member));
     if (after == nullptr) value[member].refuse("a pattern has different ones at each position; leave this out");
     term.of = mask_from(value[member], how_many(among, *after), among);
   }

@@ -11,23 +11,14 @@ namespace restrip::generator {
 /// By the maximum of solid edges at a triangle, from one.
 inline constexpr std::array<std::string_view, 3> constraint_words{"matching", "strips", "forest"};
 
-struct CountWord {
-  std::string_view word;
-  Count count;
-  std::string_view among = {};  ///< what it can choose among: "edge", "triangle" or "port"; the member's name has an s
-};
+/// Every count, in the order of Count.
+inline constexpr std::array<std::string_view, 10> count_words{
+    "strips", "isolated",     "given_up",          "kept",   "joined", "solid",
+    "ends",   "ends_at_port", "neighbouring_ends", "squares"};
 
-/// Every count that a file can name.
-inline constexpr std::array<CountWord, 10> count_words{{{"strips", Count::strips},
-                                                        {"isolated", Count::isolated},
-                                                        {"given_up", Count::given_up},
-                                                        {"kept", Count::kept, "port"},
-                                                        {"joined", Count::joined},
-                                                        {"solid", Count::solid, "edge"},
-                                                        {"ends", Count::ends, "triangle"},
-                                                        {"ends_at_port", Count::ends_at_port, "triangle"},
-                                                        {"neighbouring_ends", Count::neighbouring_ends},
-                                                        {"squares", Count::squares}}};
+/// What each count can choose among: "edge", "triangle" or "port"; the member's name has an s.
+inline constexpr std::array<std::string_view, 10> count_among{"",     "",         "",         "port", "",
+                                                              "edge", "triangle", "triangle", "",     ""};
 
 /// The number of members to choose among.
 [[nodiscard]] inline std::size_t how_many(std::string_view among, const Side& after) {
