@@ -17,8 +17,6 @@
 namespace restrip::generator {
 namespace {
 
-constexpr unsigned automaton_format_version = 2;
-
 using Rows = std::vector<std::string>;
 
 std::string section_of(std::string_view name, const Rows& rows) {
@@ -60,9 +58,9 @@ RulesHeader automaton_header(const Automaton& automaton) {
       "// The cost: {} for a strip, 0 for a swap, {} for an isolated triangle.\n"
       "// Written by `restrip-generate tables`. Do not edit: change the generator, then build the target "
       "`regenerate`.\n"
-      "// Format {}, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
+      "// Format 2, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
       "#include \"restrip/tables/automaton_format.hpp\"\n\nnamespace restrip::tables {{\n\n",
-      automaton.classes.size(), automaton.meets.size() * seconds, strip_cost, isolated_cost, automaton_format_version);
+      automaton.classes.size(), automaton.meets.size() * seconds, strip_cost, isolated_cost);
   text +=
       fmt::format("inline constexpr ArcAutomaton<std::uint8_t, {}, {}, {}, {}, {}> automaton{{\n", all_letters.size(),
                   automaton.classes.size(), automaton.meets.size(), seconds, arrays.back().values.size());

@@ -6,15 +6,10 @@
 #include <numeric>
 
 namespace restrip::generator {
-namespace {
-
-Mask bit(std::size_t i) { return Mask{1} << i; }
-
-}  // namespace
 
 std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint) {
   std::vector<Coloring> found;
-  for (Mask inner = 0; inner < bit(side.edges.size()); ++inner) {
+  for (Mask inner = 0; inner < Mask{1} << side.edges.size(); ++inner) {
     std::vector<unsigned> degree(side.nodes, 0);
     std::vector<unsigned> strip(side.nodes);  // label: the smallest node of the strip
     std::iota(strip.begin(), strip.end(), 0U);
@@ -33,9 +28,9 @@ std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint) {
     std::vector<Mask> ports_of_strip(side.nodes, 0);
     for (unsigned p = 0; p < side.owner.size(); ++p) {
       const unsigned node = side.owner[p];
-      ports_of_node[node] |= bit(p);
-      ports_of_strip[strip[node]] |= bit(p);
-      if (degree[node] == constraint.most_edges) coloring.full |= bit(p);
+      ports_of_node[node] |= Mask{1} << p;
+      ports_of_strip[strip[node]] |= Mask{1} << p;
+      if (degree[node] == constraint.most_edges) coloring.full |= Mask{1} << p;
     }
     for (unsigned node = 0; node < side.nodes; ++node) {
       const Mask ports = ports_of_node[node];

@@ -227,7 +227,7 @@ Section solve(Patches patches, Watched watched) {
       for (const Candidate& one : candidates_for(rows_of, after, ports))
         if (std::none_of(section.rows.begin() + first, section.rows.end(),
                          [&](const Row& earlier) { return earlier.key.joined.within(one.joins); }))
-          section.rows.push_back({one, {ports, one.joins}, -1});
+          section.rows.push_back({static_cast<const Choice&>(one), {ports, one.joins}, -1});
     }
   } else {
     find_rules(section, rows_of, watched);

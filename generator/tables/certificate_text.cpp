@@ -16,11 +16,6 @@
 #include "solve/reason.hpp"
 
 namespace restrip::generator {
-namespace {
-
-constexpr unsigned certificate_version = 3;
-
-}  // namespace
 
 std::string section_text(const Section& section, Watched watched) {
   std::string text = fmt::format("section {}\n", position_text(section.position));
@@ -110,7 +105,7 @@ std::vector<std::string> section_texts(const std::vector<Section>& sections, uns
 }
 
 std::string certificate_text(const Certificate& certificate) {
-  std::string text = fmt::format("restrip-certificate {}\noperation {}\n", certificate_version, certificate.name);
+  std::string text = fmt::format("restrip-certificate 3\noperation {}\n", certificate.name);
   for (const std::string& section : certificate.texts) text += section;
   return sealed(std::move(text), certificate.rows());
 }

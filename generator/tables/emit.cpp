@@ -14,16 +14,14 @@
 namespace restrip::generator {
 namespace {
 
-constexpr unsigned header_version = 1;
-
 std::string banner(const std::string& what) {
   return fmt::format(
       "// {}\n// Written by `restrip-generate tables`. Do not edit: change the generator, then build the target "
       "`regenerate`.\n"
-      "// Format {}, explained in restrip/tables/format.hpp.\n#pragma once\n\n#include "
+      "// Format 1, explained in restrip/tables/format.hpp.\n#pragma once\n\n#include "
       "\"restrip/tables/format.hpp\"\n\n"
       "namespace restrip::tables {{\n\n",
-      what, header_version);
+      what);
 }
 
 constexpr const char* footer = "\n}  // namespace restrip::tables\n";
