@@ -44,14 +44,6 @@ void expect_no_other_operation(const JsonValue& value, const std::string& name) 
                       name));
 }
 
-std::string sentence_from(const JsonValue& value) {
-  std::string sentence = value.text();
-  if (const std::string found = unprintable(sentence); !found.empty())
-    value.refuse(
-        fmt::format("expected one line that can stand in a comment of any language, found {}; remove it", found));
-  return sentence;
-}
-
 /// A position as certificates write it, in words.
 std::string words_from(const JsonValue& value) {
   std::string words = value.text();
@@ -137,15 +129,6 @@ TrianglePatterns triangles_from(const JsonValue& value, const std::vector<std::s
       pattern.corners.at(corner) = vertex_from(words[corner], numbers, pattern.index ? pattern.index->name : "");
   }
   return patterns;
-}
-
-std::vector<StretchPattern> stretches_of_rim_from(const JsonValue& value, const std::vector<std::string>& numbers) {
-  std::vector<StretchPattern> stretches;
-  for (const JsonValue& stretch : value.elements("stretches of the outline")) {
-    const std::vector<JsonValue> ends = stretch.elements("vertices", 2, 2);
-    stretches.push_back({vertex_from(ends[0], numbers, ""), vertex_from(ends[1], numbers, "")});
-  }
-  return stretches;
 }
 
 SidePattern pattern_from(const JsonValue& value, const std::vector<std::string>& numbers) {
@@ -315,7 +298,12 @@ Description description_from(const JsonValue& value, Author author) {
   if (value.has("restrip_operation")) expect_version(value["restrip_operation"]);
   description.name = name_from(value["name"], author);
   if (author == Author::user) expect_no_other_operation(value, description.name);
-  if (value.has("about")) description.about = sentence_from(value["about"]);
+  if (value.has("about")) {
+    description.about = value["about"].text();
+    if (const std::string found = unprintable(description.about); !found.empty())
+      value["about"].refuse(
+          fmt::format("expected one line that can stand in a comment of any language, found {}; remove it", found));
+  }
   description.certificate = value.has("certificate") ? name_from(value["certificate"], author) : description.name;
   take_positions(value, description);
   if (value.has("at_most")) expect_bounds(value["at_most"], description.numbers);
@@ -325,7 +313,12 @@ Description description_from(const JsonValue& value, Author author) {
   if (value["before"].is_list()) {
     description.before = triangles_from(value["before"], description.numbers);
     description.after = triangles_from(value["after"], description.numbers);
-    if (value.has("boundary")) description.boundary = stretches_of_rim_from(value["boundary"], description.numbers);
+    if (value.has("boundary"))
+      for (const JsonValue& stretch : value["boundary"].elements("stretches of the outline")) {
+        const std::vector<JsonValue> ends = stretch.elements("vertices", 2, 2);
+        description.boundary.push_back(
+            {vertex_from(ends[0], description.numbers, ""), vertex_from(ends[1], description.numbers, "")});
+      }
     if (serves_every_position(description))
       value["section"].refuse("a family given by triangles has a section for each position");
   } else {

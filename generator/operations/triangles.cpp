@@ -179,18 +179,6 @@ class Disc {
   std::set<Ends> boundary_;
 };
 
-/// The ports in order, by the directed edges of the outline before the operation.
-std::vector<Ends> ports_of(const Disc& before) {
-  for (unsigned t = 0; t < before.corners().size(); ++t)
-    for (unsigned s = 0; s < 3; ++s) {
-      if (!before.is_open(before.side(t, s))) continue;
-      std::vector<Ends> ports = before.rim_from(before.side(t, s).first);
-      std::erase_if(ports, [&](Ends edge) { return !before.is_open(edge); });
-      return ports;
-    }
-  return {};
-}
-
 /// The side with its numbers, and the triangles in traversal order from the first side of the first.
 std::pair<Side, std::vector<SurfaceTriangle>> numbered(const Disc& disc, const std::vector<Ends>& ports) {
   Side side;
@@ -272,7 +260,11 @@ SurfacePatch surface_patch(const NamedPatch& named) {
   after.take_boundary(named.boundary);
   after.expect_outline_of(before);
   before.expect_outline_of(after);
-  const std::vector<Ends> ports = ports_of(before);
+  // The ports in order, by the directed edges of the outline before the operation.
+  std::vector<Ends> ports;
+  for (unsigned i = 0; ports.empty() && i < 3 * before.corners().size(); ++i)
+    if (const Ends first = before.side(i / 3, i % 3); before.is_open(first)) ports = before.rim_from(first.first);
+  std::erase_if(ports, [&](Ends edge) { return !before.is_open(edge); });
   SurfacePatch patch;
   std::tie(patch.patch.before, patch.surface.before) = numbered(before, ports);
   std::tie(patch.patch.after, patch.surface.after) = numbered(after, ports);
