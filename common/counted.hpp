@@ -1,4 +1,4 @@
-// Pluralised counts in messages.
+// Pluralised counts and sizes in messages.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,6 +29,14 @@ namespace restrip {
 /// "1 rule", "25,888 rules".
 [[nodiscard]] inline std::string counted_grouped(std::uint64_t number, std::string_view one) {
   return fmt::format("{} {}", grouped(number), plural(number, one));
+}
+
+/// A number of bytes in words: "16 GiB", "300 bytes".
+[[nodiscard]] inline std::string size_in_words(std::uint64_t bytes) {
+  constexpr std::uint64_t mib = std::uint64_t{1} << 20;
+  if (bytes >= 1024 * mib && bytes % (1024 * mib) == 0) return fmt::format("{} GiB", bytes / (1024 * mib));
+  if (bytes >= mib && bytes % mib == 0) return fmt::format("{} MiB", bytes / mib);
+  return fmt::format("{} bytes", bytes);
 }
 
 }  // namespace restrip

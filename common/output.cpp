@@ -7,10 +7,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstring>
 #include <optional>
+#include <utility>
 
+#include "common/descriptor.hpp"
 #include "common/file_error.hpp"
 #include "common/reading.hpp"
 
@@ -19,6 +23,100 @@ namespace restrip::files {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Throws FileError: `shown` cannot be written because of `error`, and what to do.
+[[noreturn]] void fail_to_write(const std::string& shown, int error) {
+  const char* remedy = "name a file in a folder that you may write to";
+  if (error == ENOSPC || error == EDQUOT) remedy = "make room there, or name a file on another disk";
+  if (error == EFBIG) remedy = "raise the limit on the size of files (ulimit -f)";
+  throw FileError(fmt::format("{}: cannot be written: {}; {}", shown, std::strerror(error), remedy));
+}
+
+/// Keeps the signals that end a program by request (interrupt, hang-up, quit, terminate) waiting while it lives, so
+/// that none of them leaves a draft.
+class SignalPause {
+ public:
+  SignalPause() noexcept {
+    sigset_t paused;
+    sigemptyset(&paused);
+    for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGTERM}) sigaddset(&paused, signal);
+    pthread_sigmask(SIG_BLOCK, &paused, &before_);
+  }
+  ~SignalPause() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalPause(const SignalPause&) = delete;
+  SignalPause& operator=(const SignalPause&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// A temporary file in the folder of its target: written and synced there, then renamed. Removed with its owner unless
+/// it was published.
+class Draft {
+ public:
+  /// A new file in the folder of `target`, which is not a link. Its name is new. Throws FileError about `shown`, the
+  /// name by which the user knows the target.
+  Draft(fs::path target, std::string shown) : target_(std::move(target)), shown_(std::move(shown)) {
+    // Not derived from the target's name, which may have the greatest possible length. Another program may use the same
+    // process number in a folder shared by machines; then the next name is tried.
+    constexpr unsigned attempts = 1000;
+    for (unsigned attempt = 0; attempt < attempts; ++attempt) {
+      std::string name = (target_.parent_path() / fmt::format(".restrip-{}-{}", getpid(), attempt)).string();
+      file_ = Descriptor(system_calls().open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+      if (file_.is_open()) {
+        name_ = std::move(name);
+        return;
+      }
+      if (errno != EEXIST && errno != EINTR) fail_to_write(shown_, errno);
+    }
+    fail_to_write(shown_, EEXIST);
+  }
+  ~Draft() {
+    if (!name_.empty()) system_calls().unlink(name_.c_str());
+  }
+  Draft(Draft&& other) noexcept
+      : target_(std::move(other.target_)),
+        shown_(std::move(other.shown_)),
+        name_(std::exchange(other.name_, {})),
+        file_(std::move(other.file_)) {}
+  Draft& operator=(Draft&&) = delete;
+
+  /// Writes all bytes and makes sure that they are on the disk, with the owner and permissions of the target if that
+  /// is there, otherwise as the umask says. Throws FileError.
+  void fill(std::string_view bytes) {
+    struct stat replaced {};
+    if (::lstat(target_.c_str(), &replaced) == 0) {
+      struct stat own {};
+      // Not every user may change owners; then the permissions are kept for the present owner.
+      if (fstat(file_.get(), &own) == 0 && (own.st_uid != replaced.st_uid || own.st_gid != replaced.st_gid))
+        (void)!fchown(file_.get(), replaced.st_uid, replaced.st_gid);
+      if (system_calls().fchmod(file_.get(), replaced.st_mode & 0777U) != 0) fail_to_write(shown_, errno);
+    }
+    if (!write_fully(file_.get(), bytes.data(), bytes.size()) || system_calls().fsync(file_.get()) != 0 ||
+        !file_.close())
+      fail_to_write(shown_, errno);
+  }
+
+  // False, with errno, when they failed; then the target is as it was.
+  /// Takes the target's name.
+  [[nodiscard]] bool publish() noexcept {
+    if (system_calls().rename(name_.c_str(), target_.c_str()) != 0) return false;
+    name_.clear();
+    return true;
+  }
+  /// Instead of fill(): the target itself gets the draft's name.
+  [[nodiscard]] bool take_target_aside() noexcept { return system_calls().rename(target_.c_str(), name_.c_str()) == 0; }
+  /// Removes the target, which this draft was published as.
+  [[nodiscard]] bool remove_published() const noexcept { return system_calls().unlink(target_.c_str()) == 0; }
+  /// Leaves the draft where it is, under its own name, which it returns.
+  [[nodiscard]] std::string leave() noexcept { return std::exchange(name_, {}); }
+
+ private:
+  fs::path target_;
+  std::string shown_;
+  std::string name_;  ///< empty when there is nothing to remove
+  Descriptor file_;
+};
 
 std::optional<struct stat> status_of(const fs::path& file) {
   struct stat status {};
@@ -144,20 +242,7 @@ void Output::write(std::string_view bytes) const {
   const SignalPause pause;
   Draft draft(target_, file_.string());
   draft.fill(bytes);
-  draft.publish();
-}
-
-void write_scratch(const fs::path& file, std::string_view bytes) {
-  Descriptor out(system_calls().open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!out.is_open() || !write_fully(out.get(), bytes.data(), bytes.size()) || !out.close())
-    fail_to_write(file.string(), errno);
-}
-
-void move_into_place(const fs::path& from, const fs::path& to) {
-  Descriptor file(system_calls().open(from.c_str(), O_RDONLY | O_CLOEXEC, 0));
-  if (!file.is_open() || system_calls().fsync(file.get()) != 0 || !file.close() ||
-      system_calls().rename(from.c_str(), to.c_str()) != 0)
-    fail_to_write(to.string(), errno);
+  if (!draft.publish()) fail_to_write(file_.string(), errno);
 }
 
 MadeFolders::~MadeFolders() {
@@ -206,7 +291,7 @@ class Exchange {
   const Replacement* run() noexcept {
     if (files_.size() > 1 && !set_aside(files_.back())) return &files_.back();
     for (Replacement& file : files_) {
-      if (!set_aside(file) || !file.fresh.try_publish()) return &file;
+      if (!set_aside(file) || !file.fresh.publish()) return &file;
       file.is_published = true;
     }
     return nullptr;
@@ -218,7 +303,7 @@ class Exchange {
     for (std::size_t i = 0; i < files_.size(); ++i) {
       Replacement& file = files_[i];
       const bool may_vouch = i + 1 < files_.size() || whole_;
-      if (file.is_aside ? may_vouch && file.old->try_publish() : !file.is_published || file.fresh.remove_published())
+      if (file.is_aside ? may_vouch && file.old->publish() : !file.is_published || file.fresh.remove_published())
         continue;
       whole_ = false;
       if (file.is_aside) lost_.push_back(file.old->leave());

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "common/claim.hpp"
-#include "common/draft.hpp"
 
 namespace restrip::files {
 
@@ -43,13 +42,6 @@ class Output {
   int descriptor_ = -1;           ///< for /dev/stdout and the like: one that is open already
   std::shared_ptr<const Claim> claim_;
 };
-
-/// Writes a file in a folder that only this program uses: neither drafted nor synced. Throws FileError.
-void write_scratch(const std::filesystem::path& file, std::string_view bytes);
-
-/// Syncs a file that another program wrote and renames it, in the same file system. Throws FileError; then both are
-/// unchanged.
-void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Folders made for an output. Empty ones are removed with their owner, unless kept.
 class MadeFolders {

@@ -10,9 +10,9 @@
 #include <cstring>
 
 #include "common/claim.hpp"
+#include "common/counted.hpp"
 #include "common/descriptor.hpp"
 #include "common/file_error.hpp"
-#include "common/size_in_words.hpp"
 
 namespace restrip::files {
 

@@ -223,24 +223,6 @@ TEST_F(Faults, WritingASetWithoutAWayBack) {
   EXPECT_EQ(refused, 7U);  // three old files go aside, four new ones get their names
 }
 
-TEST_F(Faults, MovingWhatAnotherProgramWrote) {
-  const auto prepare = [&] {
-    put(file("from"), "new");
-    put(file("to"), "old");
-  };
-  const Contents old{{"from", "new"}, {"to", "old"}};
-  EXPECT_EQ(each_in_turn(
-                prepare, [&] { move_into_place(file("from"), file("to")); },
-                [&](const Contents& found) { return found == old; }, {{"to", "new"}}),
-            4);
-}
-
-TEST_F(Faults, WritingAScratchFile) {
-  EXPECT_EQ(each_in_turn([] {}, [&] { write_scratch(file("a"), "text"); }, [](const Contents&) { return true; },
-                         {{"a", "text"}}),
-            4);
-}
-
 TEST_F(Faults, Reading) {
   const Contents there{{"a", "text"}};
   const auto read = [&] { EXPECT_EQ(read_whole(file("a")), "text"); };

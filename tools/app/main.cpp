@@ -15,9 +15,9 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "common/printable.hpp"
 #include "common/reading.hpp"
-#include "common/size_in_words.hpp"
 #include "common/system_calls.hpp"
 #include "meshes/soup_builder.hpp"
 
@@ -40,8 +40,8 @@ int run_command_line(int argc, char** argv) {
       "Output files are written whole or not at all. Their names end in the extension of the format; inputs are not "
       "overwritten.\n"
       "Example: restrip replay --built-in",
-      restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
-      restrip::files::size_in_words(longest_line)));
+      restrip::size_in_words(limits.regular), restrip::size_in_words(limits.endless),
+      restrip::size_in_words(longest_line)));
   std::vector<Subcommand> subcommands;
   for (const auto add :
        {add_stats, add_replay, add_simplify, add_convert, add_stripify, add_draw, add_paper, add_bake, add_make_mesh})

@@ -7,7 +7,6 @@
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "common/size_in_words.hpp"
 
 namespace restrip::tools {
 
@@ -16,7 +15,7 @@ void refuse_long_lines(std::string_view text, const std::string& name, std::size
     const std::size_t stop = std::min(text.find_first_of("\n\r"), text.size());
     if (stop > limit)
       throw BadInput(fmt::format("{}:{}: a line of more than {}, the limit; write a line for each vertex and face",
-                                 name, line, files::size_in_words(limit)));
+                                 name, line, size_in_words(limit)));
     text.remove_prefix(stop + 1);
   }
 }

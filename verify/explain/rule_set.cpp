@@ -182,9 +182,8 @@ RuleSetReport judge_rules(const std::string& file, const std::string& text,
   order.reserve(rows.size());
   for (const auto& position : rows) order.push_back(&position.first);
   std::vector<RuleSetReport> parts(order.size());
-  on_threads(threads, order.size(), [&] {
-    return [&](std::size_t i) { parts[i] = judge_position(file, operations.at(*order[i]), rows.at(*order[i]), worst); };
-  });
+  share(order.size(), threads,
+        [&](std::size_t i) { parts[i] = judge_position(file, operations.at(*order[i]), rows.at(*order[i]), worst); });
 
   RuleSetReport sum;
   sum.operation = reader.description().name;

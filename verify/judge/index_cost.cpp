@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -209,25 +208,18 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
   Failures wrong;
   IndexCost::AddedIndices all;
   double seconds = 0;
-  on_threads(threads, tasks.size(), [&] {
-    return [&](std::size_t i) {
-      const auto now = [] {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-      };
-      const double start = now();
-      const Operation& operation = *tasks[i].operation;
-      const IndexCost::AddedIndices found = IndexCost(operation, *tasks[i].rows).run();
-      const std::lock_guard lock(mutex);
-      seconds += now() - start;
-      all.configurations += found.configurations;
-      all.by_rule = std::max(all.by_rule, found.by_rule);
-      all.at_most = std::max(all.at_most, found.at_most);
-      if (found.at_most > *operation.most_indices)
-        wrong.add(fmt::format("{}: adds {} to 3 strips + swaps, the family claims at most {}", operation.name(),
-                              found.at_most, *operation.most_indices));
-    };
+  share(tasks.size(), threads, [&](std::size_t i) {
+    const double start = thread_seconds();
+    const Operation& operation = *tasks[i].operation;
+    const IndexCost::AddedIndices found = IndexCost(operation, *tasks[i].rows).run();
+    const std::lock_guard lock(mutex);
+    seconds += thread_seconds() - start;
+    all.configurations += found.configurations;
+    all.by_rule = std::max(all.by_rule, found.by_rule);
+    all.at_most = std::max(all.at_most, found.at_most);
+    if (found.at_most > *operation.most_indices)
+      wrong.add(fmt::format("{}: adds {} to 3 strips + swaps, the family claims at most {}", operation.name(),
+                            found.at_most, *operation.most_indices));
   });
   listener({family.name, fmt::format("adds at most {} to 3 strips + swaps, a rule alone {}", all.at_most, all.by_rule),
             "all configurations, all turns beyond the ports", all.configurations, seconds, wrong.count, wrong.first});

@@ -144,12 +144,10 @@ std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& task
   std::vector<PositionCheck> checks(tasks.size());
   std::mutex mutex;
   std::size_t done = 0;
-  on_threads(threads, order.size(), [&] {
-    return [&](std::size_t i) {
-      checks[order[i]] = check_position(tasks[order[i]]);
-      const std::lock_guard lock(mutex);
-      on_done(++done);
-    };
+  share(order.size(), threads, [&](std::size_t i) {
+    checks[order[i]] = check_position(tasks[order[i]]);
+    const std::lock_guard lock(mutex);
+    on_done(++done);
   });
   return checks;
 }

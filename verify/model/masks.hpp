@@ -3,10 +3,8 @@
 
 #include <array>
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace restrip::verify {
 
@@ -83,24 +81,6 @@ struct BitRow {
   constexpr void append(unsigned value, unsigned bits) {
     for (unsigned i = 0; i < bits; ++i) append(is_solid(value, i));
   }
-};
-
-/// A set of numbers below a bound that is fixed on construction.
-class NumberSet {
- public:
-  explicit NumberSet(std::size_t bound) : words_((bound + 63) / 64) {}
-  void add(std::size_t number) { words_[number / 64] |= std::uint64_t{1} << number % 64; }
-  void clear() { words_.assign(words_.size(), 0); }
-  bool has(std::size_t number) const { return (words_[number / 64] >> number % 64 & 1U) != 0; }
-  bool within(const NumberSet& whole) const {
-    for (std::size_t i = 0; i < words_.size(); ++i)
-      if ((words_[i] & ~whole.words_[i]) != 0) return false;
-    return true;
-  }
-  friend auto operator<=>(const NumberSet&, const NumberSet&) = default;
-
- private:
-  std::vector<std::uint64_t> words_;
 };
 
 }  // namespace restrip::verify
