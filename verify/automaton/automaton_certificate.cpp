@@ -221,7 +221,7 @@ class Parser {
 AutomatonCertificate parse_automaton(const std::string& file, std::string text) {
   AutomatonCertificate result;
   result.file = file;
-  parse_form(file, std::move(text), family_head("automaton"),
+  parse_form(file, std::move(text), {"restrip-certificate 2", "family automaton"},
              [&](LineReader& reader) { return Parser(reader, result).read(); });
   return result;
 }

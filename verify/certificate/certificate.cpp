@@ -10,19 +10,34 @@ namespace {
 
 constexpr std::array<const char*, 2> row_words = {"rule", "copy"};
 
-bool starts_row(const LineReader& reader) { return reader.starts_with("rule") || reader.starts_with("copy"); }
-
-Permutation parse_ports(const LineReader& reader, std::size_t first, unsigned ports) {
-  Permutation permutation;
-  Mask seen = 0;
-  for (std::size_t i = first; i < reader.words().size(); ++i) {
-    const std::int64_t port = reader.number(i);
-    if (port < 0 || port >= ports || is_solid(seen, static_cast<unsigned>(port)))
-      reader.fail(fmt::format("expected each port from 0 to {} once, found \"{}\"", ports - 1, reader.rest(first)));
-    permutation.push_back(static_cast<unsigned>(port));
-    seen |= single(permutation.back());
+/// Reads a reason that starts at word `at` and moves `at` past it. Its edges are below `edges`; `asked` are the edges
+/// of the enclosing cases.
+Reason parse_reason(const LineReader& reader, std::size_t& at, unsigned edges, Mask asked) {
+  const auto word = [&] { return at < reader.words().size() ? reader.words()[at] : "the end of the line"; };
+  const auto expect = [&](std::string_view expected) {
+    if (word() != expected) reader.fail(fmt::format("expected \"{}\", found \"{}\"", expected, word()));
+    ++at;
+  };
+  const auto is_mask = [&] { return at < reader.words().size() && word() != "else"; };
+  Reason reason;
+  if (word() == "-") {
+    ++at;
+  } else if (word() == "if") {
+    if (++at == reader.words().size()) reader.fail("expected the number of an edge, found the end of the line");
+    const std::int64_t edge = reader.number(at++);
+    if (edge < 0 || edge >= edges) reader.fail(fmt::format("expected an edge from 0 to {}, found {}", edges - 1, edge));
+    reason.edge = static_cast<unsigned>(edge);
+    if (is_solid(asked, reason.edge)) reader.fail(fmt::format("edge {} is already split on", edge));
+    asked |= single(reason.edge);
+    expect("then");
+    reason.cases.push_back(parse_reason(reader, at, edges, asked));
+    expect("else");
+    reason.cases.push_back(parse_reason(reader, at, edges, asked));
+  } else {
+    if (!is_mask()) reader.fail(fmt::format("expected a reason, found \"{}\"", word()));
+    for (; is_mask(); ++at) reason.sets.push_back(reader.mask(at, edges));
   }
-  return permutation;
+  return reason;
 }
 
 Row parse_row(const LineReader& reader, const Operation& operation) {
@@ -38,45 +53,51 @@ Row parse_row(const LineReader& reader, const Operation& operation) {
   row.after = {reader.mask(3, operation.after.inner_edges()), reader.mask(4, ports)};
   if (row.copy) {
     if (reader.words()[5] != "by") reader.fail(fmt::format("expected \"by\", found \"{}\"", reader.words()[5]));
-    row.by = parse_ports(reader, 6, ports);
-  } else if (reader.words().size() > 5) {
+    Mask seen = 0;
+    for (std::size_t i = 6; i < reader.words().size(); ++i) {
+      const std::int64_t port = reader.number(i);
+      if (port < 0 || port >= ports || is_solid(seen, static_cast<unsigned>(port)))
+        reader.fail(fmt::format("expected each port from 0 to {} once, found \"{}\"", ports - 1, reader.rest(6)));
+      row.by.push_back(static_cast<unsigned>(port));
+      seen |= single(row.by.back());
+    }
+  } else if (std::size_t at = 6; reader.words().size() >= at) {
     if (!may_have_reasons(operation))
       reader.fail("expected no reason: reasons require strips or forests whose cost begins like the default cost");
-    row.reason = parse_reason(reader, 6, operation.after.inner_edges() + ports);
+    row.reason = parse_reason(reader, at, operation.after.inner_edges() + ports, 0);
+    if (at != reader.words().size())
+      reader.fail(fmt::format("expected the end of the reason, found \"{}\"", reader.rest(at)));
   }
   return row;
 }
 
-/// Leaves the reader on the first line after the section.
-SectionRows parse_section(LineReader& reader, const Section& section, const Certificate& certificate) {
+/// Leaves the reader on the first line after the section. `before` are the sections above.
+SectionRows parse_section(LineReader& reader, const Section& section, const std::vector<SectionRows>& before) {
   SectionRows result;
   parse_section_head(reader, section.position, claim_words, result.claims, row_words);
-  parse_rows(reader, section, certificate, result);
+  for (; reader.starts_with("rule") || reader.starts_with("copy"); reader.next("a row, a section or \"end\"")) {
+    Row row = parse_row(reader, section.operations.front());
+    if (const bool ascending = result.rows.empty() || result.rows.back().key < row.key; !ascending) {
+      if (result.rows.back().key == row.key)
+        reader.fail(fmt::format("duplicate row: the key {:x} {:x} already has a row in line {}", row.key.ports,
+                                row.key.joined.bits, result.rows.back().line));
+      reader.fail("expected rows in ascending order of (P, J)");
+    }
+    const std::vector<Row>& first = before.empty() ? result.rows : before.front().rows;
+    const auto rule = std::find_if(first.begin(), first.end(), [](const Row& one) { return !one.copy; });
+    if (!row.copy && rule != first.end() && rule->reason.has_value() != row.reason.has_value())
+      reader.fail(fmt::format("the rule in line {} has {} reason: expected a reason for all rules or for none",
+                              rule->line, rule->reason ? "a" : "no"));
+    result.rows.push_back(std::move(row));
+  }
   return result;
-}
-const Row* first_rule(const SectionRows& rows) {
-  const auto rule = std::find_if(rows.rows.begin(), rows.rows.end(), [](const Row& row) { return !row.copy; });
-  return rule == rows.rows.end() ? nullptr : &*rule;
-}
-
-void expect_reasons_as_before(const LineReader& reader, const Certificate& certificate, const SectionRows& rows,
-                              const Row& row) {
-  if (row.copy) return;
-  const Row* const rule = first_rule(certificate.sections.empty() ? rows : certificate.sections.front());
-  if (rule != nullptr && rule->reason.has_value() != row.reason.has_value())
-    reader.fail(fmt::format("the rule in line {} has {} reason: expected a reason for all rules or for none",
-                            rule->line, rule->reason ? "a" : "no"));
 }
 
 }  // namespace
 
-void parse_rows(LineReader& reader, const Section& section, const Certificate& certificate, SectionRows& result) {
-  for (; starts_row(reader); reader.next("a row, a section or \"end\"")) {
-    Row row = parse_row(reader, section.operations.front());
-    expect_order(reader, result.rows, row);
-    expect_reasons_as_before(reader, certificate, result, row);
-    result.rows.push_back(std::move(row));
-  }
+std::string Reason::text() const {
+  if (!cases.empty()) return fmt::format("if {} then {} else {}", edge, cases[0].text(), cases[1].text());
+  return sets.empty() ? "-" : fmt::format("{:x}", fmt::join(sets, " "));
 }
 
 std::string Row::text() const {
@@ -91,20 +112,12 @@ const Row* SectionRows::row_of(Key key) const {
   return place != rows.end() && place->key == key ? &*place : nullptr;
 }
 
-void expect_order(const LineReader& reader, const std::vector<Row>& rows, const Row& row) {
-  if (rows.empty() || rows.back().key < row.key) return;
-  if (rows.back().key == row.key)
-    reader.fail(fmt::format("duplicate row: the key {:x} {:x} already has a row in line {}", row.key.ports,
-                            row.key.joined.bits, rows.back().line));
-  reader.fail("expected rows in ascending order of (P, J)");
-}
-
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family) {
   Certificate certificate;
   certificate.file = file;
-  parse_form(file, std::move(text), head_of(family.name), [&](LineReader& reader) {
+  parse_form(file, std::move(text), {"restrip-certificate 3", "operation " + family.name}, [&](LineReader& reader) {
     for (const Section& section : family.sections) {
-      certificate.sections.push_back(parse_section(reader, section, certificate));
+      certificate.sections.push_back(parse_section(reader, section, certificate.sections));
       certificate.rows += certificate.sections.back().rows.size();
     }
     return certificate.rows;

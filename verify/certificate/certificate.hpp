@@ -8,11 +8,23 @@
 #include <vector>
 
 #include "certificate/certificate_form.hpp"
-#include "certificate/reason_text.hpp"
 #include "model/family.hpp"
 #include "model/key.hpp"
 
 namespace restrip::verify {
+
+/// Why no recolouring is preferred to a rule: either two cases (an edge solid, and the same edge dashed), or sets of
+/// edges that cannot all be solid.
+struct Reason {
+  unsigned edge = 0;
+  std::vector<Reason> cases;  ///< solid, dashed; empty for a leaf
+  std::vector<Mask> sets;     ///< of a leaf
+
+  /// The reason as the certificate writes it (docs/reference/certificate.md, "Reasons").
+  std::string text() const;
+  /// The number of leaves of its tree.
+  std::size_t leaves() const { return cases.empty() ? 1 : cases[0].leaves() + cases[1].leaves(); }
+};
 
 struct Row {
   bool copy = false;
@@ -45,12 +57,5 @@ struct Certificate {
 
 /// Throws InputError if anything differs from docs/reference/certificate.md.
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family);
-
-/// Parses the rows of a section and leaves the reader on the first line after them. All rules of a certificate have a
-/// reason, or none.
-void parse_rows(LineReader& reader, const Section& section, const Certificate& certificate, SectionRows& result);
-
-/// Checks that rows are in ascending order and each key occurs once.
-void expect_order(const LineReader& reader, const std::vector<Row>& rows, const Row& row);
 
 }  // namespace restrip::verify

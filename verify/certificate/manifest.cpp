@@ -18,51 +18,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_sha256(std::string_view word) {
-  return word.size() == 64 && word.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
-std::size_t natural(const LineReader& reader, std::size_t index) {
-  const std::int64_t value = reader.number(index);
-  if (value < 0) reader.fail("expected a number that is not negative");
-  return static_cast<std::size_t>(value);
-}
-
 /// Files in the folder of the tables that need no line.
 bool needs_no_line(const std::string& path) {
   return path == "MANIFEST" || path == "restrip-digests.txt" || path.ends_with("CMakeLists.txt") ||
          path.ends_with(".cmake");
 }
 
-/// The number in the last line of a certificate, "end NUMBER …"; 0 if it has no such line.
-std::size_t rows_at_end(const std::string& text) {
-  const std::size_t line = text.rfind("\nend ");
+/// The number of rows of a certificate by its last line, "end NUMBER …", 0 if it has no such line; of a header by the
+/// certificates from which it is made. Certificates and headers of operations are in separate folders.
+std::size_t rows_of(const std::string& tables_dir, const std::string& path) {
   std::size_t rows = 0;
-  if (line != std::string::npos) std::from_chars(text.data() + line + 5, text.data() + text.size(), rows);
-  return rows;
-}
-
-/// The certificates from which a header is made. Certificates and headers of operations are in separate folders.
-std::vector<std::string> certificates_of(const std::string& path) {
+  if (path.ends_with(".cert")) {
+    const std::string text = read_file(tables_dir + "/" + path);
+    const std::size_t line = text.rfind("\nend ");
+    if (line != std::string::npos) std::from_chars(text.data() + line + 5, text.data() + text.size(), rows);
+    return rows;
+  }
   constexpr std::string_view headers = "include/restrip/tables/";
-  if (!path.starts_with(headers) || !path.ends_with(".hpp")) return {};
+  if (!path.starts_with(headers) || !path.ends_with(".hpp")) return 0;
   std::string name = path.substr(headers.size(), path.size() - headers.size() - 4);
   std::replace(name.begin(), name.end(), '_', '-');
-  if (name == "linked") return {"certificates/linked-collapse.cert", "certificates/linked-split.cert"};
-  return {"certificates/" + name + ".cert"};
-}
-
-/// The number of rows of a file.
-std::size_t rows_of(const std::string& tables_dir, const std::string& path) {
-  if (path.ends_with(".cert")) return rows_at_end(read_file(tables_dir + "/" + path));
-  std::size_t rows = 0;
-  for (const std::string& certificate : certificates_of(path))
-    if (fs::is_regular_file(fs::path(tables_dir) / certificate)) rows += rows_of(tables_dir, certificate);
+  std::vector<std::string> certificates{name};
+  if (name == "linked") certificates = {"linked-collapse", "linked-split"};
+  for (const std::string& one : certificates)
+    if (const std::string certificate = "certificates/" + one + ".cert";
+        fs::is_regular_file(fs::path(tables_dir) / certificate))
+      rows += rows_of(tables_dir, certificate);
   return rows;
-}
-
-bool stays_inside(const fs::path& path) {
-  return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
 }
 
 }  // namespace
@@ -71,23 +53,26 @@ std::vector<ManifestLine> parse_manifest(const std::string& file, const std::str
   LineReader reader(file, text);
   reader.next("\"restrip-manifest 1\"");
   reader.expect_line("restrip-manifest 1");
+  const auto natural = [&](std::size_t index) {
+    const std::int64_t value = reader.number(index);
+    if (value < 0) reader.fail("expected a number that is not negative");
+    return static_cast<std::size_t>(value);
+  };
   std::vector<ManifestLine> lines;
   while (!reader.at_end()) {
     reader.next("SHA256 BYTES ROWS PATH");
     reader.expect_words(4, "SHA256 BYTES ROWS PATH");
-    if (!is_sha256(reader.words()[0])) reader.fail("expected 64 lower-case hexadecimal digits");
-    lines.push_back({std::string(reader.words()[0]), natural(reader, 1), natural(reader, 2),
-                     std::string(reader.words()[3]), reader.line()});
-    if (!stays_inside(lines.back().path)) reader.fail("expected a path below the folder of the tables");
+    const std::string digest(reader.words()[0]);
+    if (digest.size() != 64 || digest.find_first_not_of("0123456789abcdef") != std::string::npos)
+      reader.fail("expected 64 lower-case hexadecimal digits");
+    lines.push_back({digest, natural(1), natural(2), std::string(reader.words()[3]), reader.line()});
+    const fs::path path(lines.back().path);
+    if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
+      reader.fail("expected a path below the folder of the tables");
     if (lines.size() > 1 && !(lines[lines.size() - 2].path < lines.back().path))
       reader.fail("expected lines in ascending order of path");
   }
   return lines;
-}
-
-std::vector<ManifestLine> read_manifest(const std::string& tables_dir) {
-  const std::string file = tables_dir + "/MANIFEST";
-  return parse_manifest(file, read_file(file));
 }
 
 std::vector<std::string> manifest_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines) {

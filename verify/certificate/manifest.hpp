@@ -17,8 +17,6 @@ struct ManifestLine {
 
 /// The lines of a manifest; `file` is named in errors. Throws files::FileError if it is malformed.
 std::vector<ManifestLine> parse_manifest(const std::string& file, const std::string& text);
-/// The lines of the folder's MANIFEST. Also throws files::FileError if it cannot be read.
-std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 
 /// Compares the files below the folder with the list; one sentence per fault, empty if they match. MANIFEST itself and
 /// files of CMake need no line. The families must equal the families of this program.

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "certificate/reason_text.hpp"
+#include "certificate/certificate.hpp"
 #include "judge/operation_judge.hpp"
 
 namespace restrip::verify {

@@ -113,7 +113,7 @@ void tally_reasons(const CheckedSection& checked, ReasonTally& tally) {
     const Row& row = checked.rows.rows[i];
     if (row.reason) {
       ++tally.rules;
-      const std::size_t cases = cases_of(*row.reason);
+      const std::size_t cases = row.reason->leaves();
       tally.trees += cases > 1 ? 1U : 0U;
       tally.most_cases = std::max(tally.most_cases, cases);
     }

@@ -37,7 +37,7 @@ List SectionLists::list(Mask ports) const {
 LinkedCertificate parse_linked_certificate(const std::string& file, std::string text, const LinkedFamily& family) {
   LinkedCertificate certificate;
   certificate.file = file;
-  parse_form(file, std::move(text), head_of(family.name), [&](LineReader& reader) {
+  parse_form(file, std::move(text), {"restrip-certificate 3", "operation " + family.name}, [&](LineReader& reader) {
     for (const Section& section : family.local.sections) {
       certificate.sections.push_back(parse_lists(reader, section));
       certificate.rows += certificate.sections.back().rows.size();
