@@ -119,12 +119,6 @@ nlohmann::ordered_json json_of(const Definition& definition, const Obstacle& obs
 
 }  // namespace
 
-Change change_of(const Operation& operation, Colors configuration, Colors after) {
-  return {strips_of(operation.after, after) - strips_of(operation.before, configuration),
-          static_cast<int>(isolated_of(operation.after, after) + solid_count(configuration.ports & ~after.ports)) -
-              static_cast<int>(isolated_of(operation.before, configuration))};
-}
-
 std::string_view name_of(Standing standing) { return standing_names.at(static_cast<std::size_t>(standing)); }
 
 Operation operation_at(const Description& description, const Numbers& numbers) {

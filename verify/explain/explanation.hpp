@@ -30,14 +30,6 @@ struct Explanation {
   std::vector<Obstacle> obstacles;
 };
 
-/// What an operation changes (docs/reference/notation.md, "Change").
-struct Change {
-  int strips = 0;
-  int isolated = 0;
-  friend bool operator==(Change, Change) = default;
-};
-Change change_of(const Operation& operation, Colors configuration, Colors after);
-
 /// From worst to best. Only rows of a rule set can be `not_a_configuration`: invalid before the operation.
 enum class Standing { not_a_configuration, not_valid, unsound, worse, equally_good, best };
 std::string_view name_of(Standing standing);

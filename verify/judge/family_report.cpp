@@ -7,10 +7,44 @@
 #include "common/counted.hpp"
 #include "judge/reference.hpp"
 #include "judge/report.hpp"
-#include "judge/section_check.hpp"
 
 namespace restrip::verify {
 namespace {
+
+std::string fault_of_copy(const Row& row, const SectionRows& rows, const Symmetries& symmetries) {
+  if (!symmetries.allows(row.by)) return "wrong witness: no symmetry moves the ports in this way";
+  const Key image = moved(row.key, row.by);
+  const Row* const rule = rows.row_of(image);
+  if (rule == nullptr || rule->copy)
+    return fmt::format("wrong witness: it takes the key to {:x} {:x}, which has no rule row", image.ports,
+                       image.joined.bits);
+  if (!symmetries.carries(row.by, row.after, rule->after))
+    return fmt::format(
+        "wrong witness: no symmetry with this permutation of ports maps the recolouring to the one in line {}",
+        rule->line);
+  return {};
+}
+
+/// For each row, the smallest key with a row in its orbit. Images without a row are followed too: if a section serves
+/// several positions, no configuration may have them. Missing rows are reported by another claim.
+std::vector<Key> smallest_keys(const SectionRows& rows, const Symmetries& symmetries) {
+  std::map<Key, Key> smallest;
+  std::vector<Key> result;
+  for (const Row& row : rows.rows) {
+    if (!smallest.contains(row.key)) {
+      std::vector<Key> orbit = {row.key};
+      std::set<Key> seen = {row.key};
+      for (std::size_t i = 0; i < orbit.size(); ++i)
+        for (const Symmetry& symmetry : symmetries.generators())
+          if (const Key image = moved(orbit[i], symmetry.ports); seen.insert(image).second) orbit.push_back(image);
+      const Key first =
+          *std::find_if(seen.begin(), seen.end(), [&](const Key& key) { return rows.row_of(key) != nullptr; });
+      for (const Key& key : orbit) smallest.emplace(key, first);
+    }
+    result.push_back(smallest.at(row.key));
+  }
+  return result;
+}
 
 class FamilyReport {
  public:
@@ -72,23 +106,76 @@ class FamilyReport {
 
   void check_sections() {
     const double start = thread_seconds();
-    std::size_t first = 0;
+    std::span<const PositionCheck> rest = checks_;
     for (std::size_t i = 0; i < family_.sections.size(); ++i) {
-      const Section& section = family_.sections[i];
-      const CheckedSection checked{section, certificate_->sections[i],
-                                   checks_.subspan(first, section.operations.size()), certificate_->file};
-      first += section.operations.size();
-      const Symmetries symmetries(section.operations.front(), section.serves_every_position
-                                                                  ? Symmetries::Keep::after
-                                                                  : Symmetries::Keep::both_sides);
-      most_symmetries_ = std::max(most_symmetries_, symmetries.order());
-      extra_.add(extra_rows(checked));
-      copies_.add(wrong_copies(checked, symmetries));
-      claims_.add(wrong_claims(checked));
-      stated_ += claim_words.size();
-      tally_reasons(checked, reasons_);
+      const std::size_t count = family_.sections[i].operations.size();
+      check_section(family_.sections[i], certificate_->sections[i], rest.first(count));
+      rest = rest.subspan(count);
     }
     section_seconds_ = thread_seconds() - start;
+  }
+
+  /// Claims about a section as a whole, after its rows have been judged in each of its positions: every row has a valid
+  /// configuration; every orbit of keys has its `rule` row at its smallest key, and every other key is a `copy` whose
+  /// symmetry preserves the operation and maps key and recolouring to the `rule` row; the stated numbers.
+  void check_section(const Section& section, const SectionRows& rows, std::span<const PositionCheck> positions) {
+    const Symmetries symmetries(section.operations.front(),
+                                section.serves_every_position ? Symmetries::Keep::after : Symmetries::Keep::both_sides);
+    most_symmetries_ = std::max(most_symmetries_, symmetries.order());
+    const std::vector<Key> smallest = smallest_keys(rows, symmetries);
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+      const Row& row = rows.rows[i];
+      const auto add = [&](Failures& failures, const std::string& fault) {
+        failures.add(fmt::format("{}:{}: \"{}\"\n  section {}: {}\n", certificate_->file, row.line, row.text(),
+                                 section.position, fault));
+      };
+      if (std::none_of(positions.begin(), positions.end(),
+                       [&](const PositionCheck& position) { return position.row_used[i]; }))
+        add(extra_, "extra row: no valid configuration has this key");
+
+      std::string fault;
+      const bool smallest_is_rule = row.copy != (smallest[i] == row.key);
+      if (!smallest_is_rule && row.copy)
+        fault = "wrong representative: the smallest key of its orbit must be a rule, not a copy";
+      else if (!smallest_is_rule)
+        fault = fmt::format("wrong representative: {:x} {:x} is a smaller key of this orbit, so the row must be a copy",
+                            smallest[i].ports, smallest[i].joined.bits);
+      else if (row.copy)
+        fault = fault_of_copy(row, rows, symmetries);
+      if (!fault.empty()) add(copies_, fault);
+
+      if (row.reason) {
+        const std::size_t cases = row.reason->leaves();
+        ++rules_with_reason_;
+        case_trees_ += cases > 1 ? 1U : 0U;
+        most_cases_ = std::max(most_cases_, cases);
+      }
+      const auto wrong = std::find_if(positions.begin(), positions.end(), [&](const PositionCheck& position) {
+        return !position.reason_faults[i].empty();
+      });
+      if (wrong != positions.end()) add(wrong_reasons_, "wrong reason: " + wrong->reason_faults[i]);
+    }
+
+    std::array<std::int64_t, claim_words.size()> counted{};
+    std::optional<int> worst_strips;
+    std::optional<int> worst_isolated;
+    std::set<Key> keys;
+    for (const PositionCheck& position : positions) {
+      const std::array<std::uint64_t, 6> own = {
+          position.configurations, position.valid, position.merged.all, position.merged.valid, 0, position.costing};
+      for (std::size_t i = 0; i < own.size(); ++i) counted[i] += static_cast<std::int64_t>(own[i]);
+      worst_strips = std::max(worst_strips, position.worst_strips);
+      worst_isolated = std::max(worst_isolated, position.worst_isolated);
+      keys.insert(position.keys.begin(), position.keys.end());
+    }
+    counted[4] = static_cast<std::int64_t>(keys.size());
+    counted[6] = worst_strips.value_or(0);
+    counted[7] = worst_isolated.value_or(0);
+    stated_ += claim_words.size();
+    for (std::size_t i = 0; i < claim_words.size(); ++i)
+      if (const StatedClaim& claim = rows.claims[i]; claim.number != counted[i])
+        claims_.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}\n", certificate_->file, claim.line,
+                                claim_words[i], claim.number, counted[i]));
   }
 
   void report_rows() const {
@@ -111,12 +198,12 @@ class FamilyReport {
 
   void report_reasons() const {
     if (!may_have_reasons(operation_)) return;
-    const std::string method =
-        reasons_.rules == 0 ? "the certificate gives none"
-                            : fmt::format("{} by disjoint sets, {}, leaves up to {}", reasons_.rules - reasons_.trees,
-                                          counted(reasons_.trees, "case tree"), reasons_.most_cases);
-    report("every rule has a reason why nothing is preferred to it", method, reasons_.rules,
-           sum(&PositionCheck::Seconds::reasons), reasons_.wrong);
+    const std::string method = rules_with_reason_ == 0 ? "the certificate gives none"
+                                                       : fmt::format("{} by disjoint sets, {}, leaves up to {}",
+                                                                     rules_with_reason_ - case_trees_,
+                                                                     counted(case_trees_, "case tree"), most_cases_);
+    report("every rule has a reason why nothing is preferred to it", method, rules_with_reason_,
+           sum(&PositionCheck::Seconds::reasons), wrong_reasons_);
   }
 
   void report_nauty() const {
@@ -191,7 +278,10 @@ class FamilyReport {
   Failures extra_;
   Failures copies_;
   Failures claims_;
-  ReasonTally reasons_;
+  Failures wrong_reasons_;
+  std::uint64_t rules_with_reason_ = 0;
+  std::uint64_t case_trees_ = 0;  ///< of them, those whose reason has cases
+  std::size_t most_cases_ = 0;
   std::uint64_t stated_ = 0;
   double most_symmetries_ = 0;
   double section_seconds_ = 0;
@@ -203,12 +293,11 @@ std::vector<PositionTask> tasks_of(const Family& family, const Certificate* cert
   std::vector<PositionTask> tasks;
   for (std::size_t i = 0; i < family.sections.size(); ++i)
     for (const Operation& operation : family.sections[i].operations) {
-      PositionTask task{&family.sections[i], &operation, nullptr, {}};
-      if (certificate != nullptr) {
-        task.rows = &certificate->sections[i];
-        task.file = certificate->file;
-      }
-      tasks.push_back(task);
+      PositionTask& task = tasks.emplace_back();
+      task.operation = &operation;
+      if (certificate == nullptr) continue;
+      task.rows = &certificate->sections[i];
+      task.file = certificate->file;
     }
   return tasks;
 }

@@ -1,6 +1,8 @@
 #pragma once
 // Combines the checks of a family's positions and sections and reports them claim by claim.
 
+#include <span>
+
 #include "certificate/certificate.hpp"
 #include "judge/position.hpp"
 

@@ -13,89 +13,6 @@
 namespace restrip::verify {
 namespace {
 
-class RowChecker {
- public:
-  RowChecker(const PositionTask& task, const OperationJudge& judge, PositionCheck& check)
-      : task_(task), operation_(*task.operation), judge_(judge), check_(check) {
-    check.row_used.resize(task.rows->rows.size());
-    check.reason_faults.resize(task.rows->rows.size());
-  }
-
-  void judge(Colors configuration, const Key& key) {
-    if (const Row* const row = task_.rows->row_of(key)) {
-      judge_row(*row, configuration);
-      count_cost(*row, configuration);
-    } else {
-      check_.missing.add(check_.missing.count != 0
-                             ? std::string()
-                             : fmt::format("{}: {}: no row for the key {:x} {:x} of\n    {}\n", task_.file,
-                                           operation_.name(), key.ports, key.joined.bits,
-                                           drawn(operation_.before, configuration)));
-    }
-  }
-  /// For the first configuration that each rule serves.
-  void check_reasons() {
-    if (!may_have_reasons(operation_)) return;
-    for (const auto& [row, configuration] : first_) {
-      if (row->copy) continue;
-      std::string& fault = check_.reason_faults[index_of(*row)];
-      if (row->reason) fault = fault_of_reason(judge_, configuration, row->after, *row->reason);
-      if (!row->reason && !searched(operation_)) fault = "missing, and the operation has too many ports to be searched";
-    }
-  }
-
- private:
-  std::size_t index_of(const Row& row) const { return static_cast<std::size_t>(&row - task_.rows->rows.data()); }
-
-  Failures* failures_of(const Judged& judged) {
-    switch (judged.verdict) {
-      case Verdict::right:
-        return nullptr;
-      case Verdict::wrong_ports:
-        return &check_.wrong_ports;
-      case Verdict::unsound:
-        return &check_.unsound;
-      case Verdict::not_best:
-        break;
-    }
-    return &check_.not_best[judged.criterion];
-  }
-
-  void judge_row(const Row& row, Colors configuration) {
-    if (!check_.row_used[index_of(row)]) first_.emplace_back(&row, configuration);
-    check_.row_used[index_of(row)] = true;
-    ++check_.with_row;
-    const Judged judged = judge_.judged(configuration, row.after);
-    if (judged.verdict == Verdict::right || judged.verdict == Verdict::not_best) ++check_.with_sound_row;
-    if (Failures* const failures = failures_of(judged))
-      failures->add(failures->count != 0
-                        ? std::string()
-                        : fmt::format("{}:{}: \"{}\"\n    {}, inner {:x}, ports {:x}\n{}", task_.file, row.line,
-                                      row.text(), operation_.name(), configuration.inner, configuration.ports,
-                                      judge_.explained(configuration, row.after, judged)));
-  }
-
-  /// The rule's change of the numbers of strips and of isolated triangles.
-  void count_cost(const Row& row, Colors configuration) {
-    const auto given_up = static_cast<int>(solid_count(configuration.ports & ~row.after.ports));
-    const int strips = strips_of(operation_.after, row.after) - strips_of(operation_.before, configuration);
-    const int isolated = static_cast<int>(isolated_of(operation_.after, row.after)) + given_up -
-                         static_cast<int>(isolated_of(operation_.before, configuration));
-    check_.worst_strips = std::max(check_.worst_strips.value_or(strips), strips);
-    check_.worst_isolated = std::max(check_.worst_isolated.value_or(isolated), isolated);
-    const bool matching = operation_.constraint == Constraint::matching;
-    if ((matching ? isolated : strips) > 0) ++check_.costing;
-  }
-
-  const PositionTask& task_;
-  const Operation& operation_;
-  const OperationJudge& judge_;
-  PositionCheck& check_;
-  std::vector<std::pair<const Row*, Colors>> first_;
-};
-
-}  // namespace
-
 PositionCheck check_position(const PositionTask& task) {
   PositionCheck check;
   double last = thread_seconds();
@@ -106,8 +23,35 @@ PositionCheck check_position(const PositionTask& task) {
   };
   const Operation& operation = *task.operation;
   const OperationJudge judge(operation);
-  std::optional<RowChecker> rows;
-  if (task.rows != nullptr) rows.emplace(task, judge, check);
+  if (task.rows != nullptr) {
+    check.row_used.resize(task.rows->rows.size());
+    check.reason_faults.resize(task.rows->rows.size());
+  }
+  std::vector<std::pair<const Row*, Colors>> first;  // the first configuration that each row serves
+  const auto index_of = [&](const Row& row) { return static_cast<std::size_t>(&row - task.rows->rows.data()); };
+  const auto judge_row = [&](const Row& row, Colors configuration) {
+    if (!check.row_used[index_of(row)]) first.emplace_back(&row, configuration);
+    check.row_used[index_of(row)] = true;
+    ++check.with_row;
+    const Judged judged = judge.judged(configuration, row.after);
+    if (judged.verdict == Verdict::right || judged.verdict == Verdict::not_best) ++check.with_sound_row;
+    if (judged.verdict != Verdict::right) {
+      Failures& failures = judged.verdict == Verdict::wrong_ports ? check.wrong_ports
+                           : judged.verdict == Verdict::unsound   ? check.unsound
+                                                                  : check.not_best[judged.criterion];
+      failures.add(failures.count != 0
+                       ? std::string()
+                       : fmt::format("{}:{}: \"{}\"\n    {}, inner {:x}, ports {:x}\n{}", task.file, row.line,
+                                     row.text(), operation.name(), configuration.inner, configuration.ports,
+                                     judge.explained(configuration, row.after, judged)));
+    }
+    const Change change = change_of(operation, configuration, row.after);
+    check.worst_strips = std::max(check.worst_strips.value_or(change.strips), change.strips);
+    check.worst_isolated = std::max(check.worst_isolated.value_or(change.isolated), change.isolated);
+    const bool matching = operation.constraint == Constraint::matching;
+    if ((matching ? change.isolated : change.strips) > 0) ++check.costing;
+  };
+
   std::vector<bool> valid(mask_count(operation.before.colors()));
   check.configurations = valid.size();
   for (Mask both = 0; both < valid.size(); ++both) {
@@ -117,12 +61,27 @@ PositionCheck check_position(const PositionTask& task) {
     valid[both] = true;
     ++check.valid;
     check.keys.insert(*key);
-    if (rows) rows->judge(configuration, *key);
+    if (task.rows == nullptr) continue;
+    if (const Row* const row = task.rows->row_of(*key))
+      judge_row(*row, configuration);
+    else
+      check.missing.add(check.missing.count != 0
+                            ? std::string()
+                            : fmt::format("{}: {}: no row for the key {:x} {:x} of\n    {}\n", task.file,
+                                          operation.name(), key->ports, key->joined.bits,
+                                          drawn(operation.before, configuration)));
   }
   if (judge.definition()) check.graphs = judge.definition()->graphs();
   lap(check.seconds.judging);
-  if (!rows) return check;
-  rows->check_reasons();
+  if (task.rows == nullptr) return check;
+
+  if (may_have_reasons(operation))
+    for (const auto& [row, configuration] : first) {
+      if (row->copy) continue;
+      std::string& fault = check.reason_faults[index_of(*row)];
+      if (row->reason) fault = fault_of_reason(judge, configuration, row->after, *row->reason);
+      if (!row->reason && !searched(operation)) fault = "missing, and the operation has too many ports to be searched";
+    }
   lap(check.seconds.reasons);
   check.merged = merged_orbits(operation, Symmetries(operation, Symmetries::Keep::both_sides), valid);
   lap(check.seconds.merged);
@@ -130,6 +89,8 @@ PositionCheck check_position(const PositionTask& task) {
   lap(check.seconds.nauty);
   return check;
 }
+
+}  // namespace
 
 std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, unsigned threads,
                                            const std::function<void(std::size_t)>& on_done) {

@@ -41,13 +41,10 @@ struct PositionCheck {
 
 /// One task: an operation and the rows that serve it. Without rows, its configurations are only counted.
 struct PositionTask {
-  const Section* section = nullptr;
   const Operation* operation = nullptr;
   const SectionRows* rows = nullptr;
   std::string file;
 };
-
-PositionCheck check_position(const PositionTask& task);
 
 /// Runs all tasks on this number of threads; results are in the order of the tasks. `on_done` is called with the number
 /// of finished tasks, from one thread at a time.

@@ -50,6 +50,12 @@ int strips_of(const Side& side, Colors colors) {
          static_cast<int>(solid_count(colors.ports));
 }
 
+Change change_of(const Operation& operation, Colors configuration, Colors after) {
+  return {strips_of(operation.after, after) - strips_of(operation.before, configuration),
+          static_cast<int>(isolated_of(operation.after, after) + solid_count(configuration.ports & ~after.ports)) -
+              static_cast<int>(isolated_of(operation.before, configuration))};
+}
+
 Survey survey(const Side& side, Colors colors) {
   Survey result;
   const std::optional<SolidGraph> inner = valid_graph(side, colors, most_solid(Constraint::strips));

@@ -68,6 +68,14 @@ unsigned isolated_of(const Side& side, Colors colors);
 /// The strips of a side: its triangles minus its solid edges, including ports.
 int strips_of(const Side& side, Colors colors);
 
+/// What an operation changes (docs/reference/notation.md, "Change").
+struct Change {
+  int strips = 0;
+  int isolated = 0;
+  friend bool operator==(Change, Change) = default;
+};
+Change change_of(const Operation& operation, Colors configuration, Colors after);
+
 /// Properties of colours whose solid edges are strips.
 struct Survey {
   bool valid = false;  ///< degrees at most two, no cycle; otherwise the rest has no meaning
