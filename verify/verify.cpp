@@ -186,7 +186,7 @@ class Verification {
     for (std::size_t i = 0; i < family.local.sections.size(); ++i) {
       const Section& section = family.local.sections[i];
       const SectionLists& of_section = lists.certificate.sections[i];
-      check_linked({&section, &of_section, lists.certificate.file}, check);
+      check_linked(section, of_section, lists.certificate.file, check);
       lists.lines.push_back(dump_of(section, of_section, pairing_places(options_.max_k)));
     }
     report_linked(family, check, listener_);

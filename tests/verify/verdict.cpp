@@ -78,7 +78,7 @@ Verdict verdict_of(const NaiveLists& lists) {
     const LinkedCertificate certificate =
         parse_linked_certificate("table", certificate_text(lists.family, std::vector{lists}), family);
     LinkedCheck check;
-    check_linked({&family.local.sections.front(), &certificate.sections.front(), certificate.file}, check);
+    check_linked(family.local.sections.front(), certificate.sections.front(), certificate.file, check);
     report_linked(family, check, listener);
   });
 }

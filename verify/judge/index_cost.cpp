@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/share.hpp"
-#include "model/coloring.hpp"
+#include "judge/operation_judge.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -86,26 +86,19 @@ struct Carried {
 };
 std::optional<std::vector<Carried>> carried(const Side& fan, const Side& with) {
   if (fan.triangles >= with.triangles || fan.ports() != fan.triangles) return {};
-  const auto edge_between = [](const Side& side, unsigned one, unsigned other) -> std::optional<unsigned> {
-    for (unsigned e = 0; e < side.inner_edges(); ++e)
-      if ((side.edges[e][0] == one && side.edges[e][1] == other) ||
-          (side.edges[e][0] == other && side.edges[e][1] == one))
-        return e;
-    return {};
-  };
   std::vector<unsigned> port_of(fan.triangles);
   for (unsigned port = 0; port < fan.ports(); ++port) port_of[fan.owner_of_port[port]] = port;
   std::vector<Carried> all;
   for (unsigned e = 0; e < fan.inner_edges(); ++e) {
     const unsigned one = with.owner_of_port[port_of[fan.edges[e][0]]];
     const unsigned other = with.owner_of_port[port_of[fan.edges[e][1]]];
-    if (const auto same = edge_between(with, one, other)) {
+    if (const auto same = with.edge_between(one, other)) {
       all.push_back({e, {*same, *same}});
       continue;
     }
     const unsigned between =
         std::find_if(with.edges.begin(), with.edges.end(), [&](const auto& edge) { return edge[0] == one; })->at(1);
-    all.push_back({e, {edge_between(with, one, between).value(), edge_between(with, between, other).value()}});
+    all.push_back({e, {with.edge_between(one, between).value(), with.edge_between(between, other).value()}});
   }
   return all;
 }
@@ -116,6 +109,7 @@ class IndexCost {
   IndexCost(const Operation& operation, const SectionRows& rows)
       : operation_(operation),
         rows_(rows),
+        keys_(operation),
         turns_before_(operation.before),
         turns_after_(operation.after),
         inserts_(carried(operation.before, operation.after)),
@@ -128,13 +122,11 @@ class IndexCost {
   };
   AddedIndices run() const {
     AddedIndices found;
-    for (Mask ports = 0; ports < mask_count(operation_.ports()); ++ports) {
-      const PortPairs joinable = joinable_with(ports);
+    for (Mask ports = 0; ports < mask_count(operation_.ports()); ++ports)
       for (Mask inner = 0; inner < mask_count(operation_.before.inner_edges()); ++inner) {
         const Colors before{inner, ports};
-        const Survey own = survey(operation_.before, before);
-        if (!own.valid) continue;
-        const Row* const row = rows_.row_of({ports, own.joined.both(joinable)});
+        const std::optional<Key> key = keys_.key_of(before);
+        const Row* const row = key ? rows_.row_of(*key) : nullptr;
         if (row == nullptr) continue;
         ++found.configurations;
         const int by_rule = added(before, row->after);
@@ -144,22 +136,10 @@ class IndexCost {
         else
           found.at_most = found.by_rule;
       }
-    }
     return found;
   }
 
  private:
-  /// The pairs of these ports that some recolouring joins.
-  PortPairs joinable_with(Mask ports) const {
-    PortPairs pairs;
-    for (Mask inner = 0; inner < mask_count(operation_.after.inner_edges()); ++inner)
-      for (Mask kept = ports;; kept = (kept - 1) & ports) {
-        if (is_subset(ports & ~kept, operation_.may_give_up))
-          if (const Survey after = survey(operation_.after, {inner, kept}); after.valid) pairs.add(after.joined);
-        if (kept == 0 || operation_.may_give_up == 0) break;
-      }
-    return pairs;
-  }
   Mask passed_on(Mask inner) const {
     Mask passed = 0;
     for (const auto& [fan, in] : inserts_ ? *inserts_ : *removes_) {
@@ -170,9 +150,8 @@ class IndexCost {
   }
   /// The most that the recolouring adds, over all turns beyond the ports.
   int added(Colors before, Colors after) const {
-    const auto both = [](const Side& side, Colors colors) { return colors.inner | colors.ports << side.inner_edges(); };
-    const Mask old = both(operation_.before, before);
-    const Mask now = both(operation_.after, after);
+    const Mask old = concatenated(before.ports, before.inner, operation_.before.inner_edges());
+    const Mask now = concatenated(after.ports, after.inner, operation_.after.inner_edges());
     int added = 3 * (strips_of(operation_.after, after) - strips_of(operation_.before, before)) +
                 turns_after_.inner_swaps(now) - turns_before_.inner_swaps(old);
     for (unsigned port = 0; port < operation_.ports(); ++port) {
@@ -185,6 +164,7 @@ class IndexCost {
 
   const Operation& operation_;
   const SectionRows& rows_;
+  Keys keys_;
   Turns turns_before_;
   Turns turns_after_;
   std::optional<std::vector<Carried>> inserts_;

@@ -15,9 +15,8 @@ namespace restrip::verify {
 struct Failures {
   std::uint64_t count = 0;
   std::string first;
-  void add(const std::string& counterexample, std::uint64_t times = 1) {
-    if (count == 0) first = counterexample;
-    count += times;
+  void add(const std::string& counterexample) {
+    if (count++ == 0) first = counterexample;
   }
   void add(const Failures& later) {
     if (count == 0) first = later.first;

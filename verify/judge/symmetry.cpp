@@ -6,7 +6,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 
 #include "model/input.hpp"
 
@@ -33,12 +32,6 @@ std::map<PlacedTerm, unsigned> counted_terms(const Operation& operation) {
   for (std::size_t i = 0; i < operation.cost.size(); ++i)
     for (const Term& term : operation.cost[i]) ++terms[{i, term}];
   return terms;
-}
-
-unsigned edge_between(const Side& side, unsigned one, unsigned other) {
-  for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
-    if (side.edges[edge] == std::array{one, other} || side.edges[edge] == std::array{other, one}) return edge;
-  throw std::logic_error("a symmetry takes an edge to none");
 }
 
 /// Nodes may be mapped to nodes of the same colour.
@@ -91,45 +84,43 @@ class Isomorphisms {
   explicit Isomorphisms(const Operation& operation) : name_(operation.name()) {}
 
   /// One that maps the first nodes as `fixed` says; nullopt if none exists.
-  std::optional<Permutation> find(ColoredGraph from, ColoredGraph to, const Permutation& fixed);
+  std::optional<Permutation> find(ColoredGraph from, ColoredGraph to, const Permutation& fixed) {
+    constexpr unsigned steps = 20'000'000;
+    constexpr unsigned pinned = 1'000'000;  // a colour that only this node has, the same in both graphs
+    if (num_vertices(from) != num_vertices(to)) return {};
+    for (unsigned node = 0; node < fixed.size(); ++node) {
+      if (fixed[node] >= num_vertices(to) ||
+          get(boost::vertex_color, from, node) != get(boost::vertex_color, to, fixed[node]))
+        return {};
+      put(boost::vertex_color, from, node, pinned + node);
+      put(boost::vertex_color, to, fixed[node], pinned + node);
+    }
+    std::optional<Permutation> found;
+    const auto same_color = [&](unsigned one, unsigned other) {
+      if (++compared_ > steps)
+        throw InputError(name_, 0,
+                         "its patches have too many equal parts: their symmetries were not found in 20,000,000 steps");
+      return get(boost::vertex_color, from, one) == get(boost::vertex_color, to, other);
+    };
+    boost::vf2_graph_iso(
+        from, to,
+        [&](const auto& image_of, const auto& /*inverse*/) {
+          found.emplace();
+          for (unsigned node = 0; node < num_vertices(from); ++node)
+            found->push_back(static_cast<unsigned>(get(image_of, node)));
+          return false;  // stop at the first
+        },
+        boost::vertex_order_by_mult(from),
+        boost::vertices_equivalent(same_color)
+            .edges_equivalent(
+                boost::make_property_map_equivalent(get(boost::edge_color, from), get(boost::edge_color, to))));
+    return found;
+  }
 
  private:
   std::string name_;
   unsigned compared_ = 0;
 };
-
-std::optional<Permutation> Isomorphisms::find(ColoredGraph from, ColoredGraph to, const Permutation& fixed) {
-  constexpr unsigned steps = 20'000'000;
-  constexpr unsigned pinned = 1'000'000;  // a colour that only this node has, the same in both graphs
-  if (num_vertices(from) != num_vertices(to)) return {};
-  for (unsigned node = 0; node < fixed.size(); ++node) {
-    if (fixed[node] >= num_vertices(to) ||
-        get(boost::vertex_color, from, node) != get(boost::vertex_color, to, fixed[node]))
-      return {};
-    put(boost::vertex_color, from, node, pinned + node);
-    put(boost::vertex_color, to, fixed[node], pinned + node);
-  }
-  std::optional<Permutation> found;
-  const auto same_color = [&](unsigned one, unsigned other) {
-    if (++compared_ > steps)
-      throw InputError(name_, 0,
-                       "its patches have too many equal parts: their symmetries were not found in 20,000,000 steps");
-    return get(boost::vertex_color, from, one) == get(boost::vertex_color, to, other);
-  };
-  boost::vf2_graph_iso(
-      from, to,
-      [&](const auto& image_of, const auto& /*inverse*/) {
-        found.emplace();
-        for (unsigned node = 0; node < num_vertices(from); ++node)
-          found->push_back(static_cast<unsigned>(get(image_of, node)));
-        return false;  // stop at the first
-      },
-      boost::vertex_order_by_mult(from),
-      boost::vertices_equivalent(same_color)
-          .edges_equivalent(
-              boost::make_property_map_equivalent(get(boost::edge_color, from), get(boost::edge_color, to))));
-  return found;
-}
 
 }  // namespace
 
@@ -160,14 +151,14 @@ Symmetries::Symmetries(const Operation& operation, Keep keep)
 Symmetry Symmetries::symmetry_of(const Permutation& nodes) const {
   const unsigned ports = operation_.ports();
   Symmetry symmetry{{nodes.begin(), nodes.begin() + ports}, {}, {}};
-  if (before_too_)
-    for (const auto& [one, other] : operation_.before.edges)
-      symmetry.edges_before.push_back(
-          edge_between(operation_.before, nodes[ports + one] - ports, nodes[ports + other] - ports));
-  const unsigned first_after = ports + (before_too_ ? operation_.before.triangles : 0);
-  for (const auto& [one, other] : operation_.after.edges)
-    symmetry.edges_after.push_back(edge_between(operation_.after, nodes[first_after + one] - first_after,
-                                                nodes[first_after + other] - first_after));
+  const auto images = [&](const Side& side, unsigned first) {
+    Permutation edges;
+    for (const auto& [one, other] : side.edges)
+      edges.push_back(side.edge_between(nodes[first + one] - first, nodes[first + other] - first).value());
+    return edges;
+  };
+  if (before_too_) symmetry.edges_before = images(operation_.before, ports);
+  symmetry.edges_after = images(operation_.after, ports + (before_too_ ? operation_.before.triangles : 0));
   return symmetry;
 }
 

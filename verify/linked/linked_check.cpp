@@ -10,61 +10,6 @@
 namespace restrip::verify {
 namespace {
 
-/// Checks the lists of one section in every world.
-class WorldCheck {
- public:
-  WorldCheck(const LinkedTask& task, LinkedCheck& check)
-      : task_(task),
-        after_(task.section->operations.front().after),
-        worlds_(worlds_of(Constraint::strips, after_.ports())),
-        in_worlds_(after_, Constraint::strips, worlds_),
-        check_(check) {}
-
-  /// Checks that the first alternative that is valid in a world is as good as the first valid recolouring.
-  void check(Mask ports, const std::vector<Recoloring>& recolorings, List list) {
-    std::vector<const Recoloring*> in_order;
-    for (const Recoloring& recoloring : recolorings)
-      if (recoloring.survey.valid) in_order.push_back(&recoloring);
-    std::stable_sort(in_order.begin(), in_order.end(),
-                     [](const Recoloring* one, const Recoloring* other) { return one->merit > other->merit; });
-    for (std::size_t world = 0; world < worlds_.size(); ++world) {
-      if (!is_subset(worlds_[world].ports, ports)) continue;
-      ++check_.worlds;
-      const auto best = std::find_if(in_order.begin(), in_order.end(), [&](const Recoloring* recoloring) {
-        return in_worlds_.valid(recoloring->colors, world);
-      });
-      const auto row = std::find_if(list.begin(), list.end(), [&](const Alternative& alternative) {
-        return in_worlds_.valid({alternative.inner, ports}, world);
-      });
-      const auto fail = [&](const std::string& what) {
-        check_.best.add(fmt::format("{}: section {}, ports {:x}, {}\n  {}", task_.file, task_.section->position, ports,
-                                    text_of(worlds_[world]), what));
-      };
-      if (row == list.end())
-        fail("not the best: no alternative is sound");
-      else if ((*best)->merit > recolorings[row->inner].merit)
-        fail(fmt::format("not the best: the first sound alternative is line {}, \"{}\"; better:\n    {}", row->line,
-                         row->text(), drawn(after_, (*best)->colors)));
-    }
-  }
-
- private:
-  const LinkedTask& task_;
-  const Side& after_;
-  std::vector<World> worlds_;
-  PatchInWorlds in_worlds_;
-  LinkedCheck& check_;
-};
-
-using ClaimedNumbers = std::array<std::int64_t, linked_claim_words.size()>;
-
-void check_claims(const LinkedTask& task, const ClaimedNumbers& counts, Failures& wrong) {
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    if (const StatedClaim& claim = task.lists->claims[i]; claim.number != counts[i])
-      wrong.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}", task.file, claim.line,
-                            linked_claim_words[i], claim.number, counts[i]));
-}
-
 /// The partner of each port, four bits each: itself if it has none, or if it is beyond the ports of the patch.
 std::uint64_t partners(PortPairs joined, unsigned ports, unsigned places) {
   std::uint64_t all = 0;
@@ -79,27 +24,118 @@ std::uint64_t partners(PortPairs joined, unsigned ports, unsigned places) {
 
 }  // namespace
 
-void check_linked(const LinkedTask& task, LinkedCheck& check) {
-  ClaimedNumbers counts{};
-  const Side& after = task.section->operations.front().after;
-  ++check.sections;
+std::vector<Recoloring> recolorings_of(const Side& after, Mask ports) {
+  std::vector<Recoloring> all;
+  for (Mask inner = 0; inner < mask_count(after.inner_edges()); ++inner) {
+    const Colors colors{inner, ports};
+    const Survey found = survey(after, colors);
+    all.push_back({colors, found, {static_cast<int>(solid_count(inner)), -static_cast<int>(found.isolated)}});
+  }
+  return all;
+}
+
+void check_list(const Side& after, const std::vector<Recoloring>& recolorings, Mask ports, List list,
+                const std::string& file, ListFailures& failures) {
+  const auto fail = [&](ListClaim claim, const Alternative& row, const std::string& what) {
+    failures[static_cast<std::size_t>(claim)].add(
+        fmt::format("{}:{}: \"{}\"\n    {}\n  {}", file, row.line, row.text(), drawn(after, {row.inner, ports}), what));
+  };
+  if (list.empty())
+    failures[static_cast<std::size_t>(ListClaim::present)].add(
+        fmt::format("{}: missing list: the ports {:x} have no row", file, ports));
+  struct Legal {
+    const Alternative* row;
+    const Recoloring* own;
+  };
+  std::vector<Legal> legal;
+  for (const Alternative& row : list) {
+    const Recoloring& own = recolorings[row.inner];
+    if (!own.survey.valid) {
+      fail(ListClaim::legal, row,
+           "illegal alternative: " + invalid_because(after, own.colors, most_solid(Constraint::strips)));
+      continue;
+    }
+    if (!legal.empty() && legal.back().own->merit < own.merit)
+      fail(ListClaim::ordered, row,
+           fmt::format("out of order: it is preferred to the row before it, in line {}", legal.back().row->line));
+    const auto cover = std::find_if(legal.begin(), legal.end(), [&](const Legal& earlier) {
+      return earlier.own->survey.joined.within(own.survey.joined);
+    });
+    if (cover != legal.end())
+      fail(ListClaim::uncovered, row,
+           fmt::format("covered alternative: it joins {}; line {} is preferred and joins no other ports: {}",
+                       listed(own.survey.joined, after.ports()), cover->row->line,
+                       listed(cover->own->survey.joined, after.ports())));
+    legal.push_back({&row, &own});
+  }
+  Failures& incomplete = failures[static_cast<std::size_t>(ListClaim::complete)];
+  for (const Recoloring& recoloring : recolorings) {
+    if (!recoloring.survey.valid) continue;
+    // Sound wherever the recolouring is sound, and as good.
+    const auto serves = [&](const Legal& row) {
+      return row.own->merit >= recoloring.merit && row.own->survey.joined.within(recoloring.survey.joined);
+    };
+    if (std::any_of(legal.begin(), legal.end(), serves)) continue;
+    // Only the first one is reported in words.
+    incomplete.add(incomplete.count != 0
+                       ? std::string{}
+                       : fmt::format("{}: the list of the ports {:x}\n  incomplete list (joinable ports: {}): nothing "
+                                     "in it is as good as\n    {}",
+                                     file, ports, listed(recoloring.survey.joined, after.ports()),
+                                     drawn(after, recoloring.colors)));
+  }
+}
+
+void check_linked(const Section& section, const SectionLists& lists, const std::string& file, LinkedCheck& check) {
   double last = thread_seconds();
-  WorldCheck in_worlds(task, check);
+  const Side& after = section.operations.front().after;
+  const std::vector<World> worlds = worlds_of(Constraint::strips, after.ports());
+  const PatchInWorlds in_worlds(after, Constraint::strips, worlds);
+  std::array<std::int64_t, linked_claim_words.size()> counts{};
+  ++check.sections;
+  check.rows += lists.rows.size();
   for (Mask ports = 0; ports < mask_count(after.ports()); ++ports) {
-    const List list = task.lists->list(ports);
+    const List list = lists.list(ports);
     const std::vector<Recoloring> recolorings = recolorings_of(after, ports);
     check.recolorings += recolorings.size();
     const auto length = static_cast<std::int64_t>(list.size());
     counts = {counts[0] + (list.empty() ? 0 : 1), counts[1] + length, std::max(counts[2], length)};
-    check.rows += list.size();
-    check_list(after, recolorings, ports, list, task.file, check.lists);
+    check_list(after, recolorings, ports, list, file, check.lists);
     const double listed = thread_seconds();
     check.listing_seconds += listed - last;
-    in_worlds.check(ports, recolorings, list);
+
+    // In each world the first alternative that is valid there must be as good as the first valid recolouring.
+    std::vector<const Recoloring*> in_order;
+    for (const Recoloring& recoloring : recolorings)
+      if (recoloring.survey.valid) in_order.push_back(&recoloring);
+    std::stable_sort(in_order.begin(), in_order.end(),
+                     [](const Recoloring* one, const Recoloring* other) { return one->merit > other->merit; });
+    for (std::size_t world = 0; world < worlds.size(); ++world) {
+      if (!is_subset(worlds[world].ports, ports)) continue;
+      ++check.worlds;
+      const auto best = std::find_if(in_order.begin(), in_order.end(), [&](const Recoloring* recoloring) {
+        return in_worlds.valid(recoloring->colors, world);
+      });
+      const auto row = std::find_if(list.begin(), list.end(), [&](const Alternative& alternative) {
+        return in_worlds.valid({alternative.inner, ports}, world);
+      });
+      const auto fail = [&](const std::string& what) {
+        check.best.add(fmt::format("{}: section {}, ports {:x}, {}\n  {}", file, section.position, ports,
+                                   text_of(worlds[world]), what));
+      };
+      if (row == list.end())
+        fail("not the best: no alternative is sound");
+      else if ((*best)->merit > recolorings[row->inner].merit)
+        fail(fmt::format("not the best: the first sound alternative is line {}, \"{}\"; better:\n    {}", row->line,
+                         row->text(), drawn(after, (*best)->colors)));
+    }
     last = thread_seconds();
     check.world_seconds += last - listed;
   }
-  check_claims(task, counts, check.claims);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (const StatedClaim& claim = lists.claims[i]; claim.number != counts[i])
+      check.claims.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}", file, claim.line,
+                                   linked_claim_words[i], claim.number, counts[i]));
 }
 
 void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const ClaimListener& listener) {

@@ -1,9 +1,43 @@
 #pragma once
-// All checks of one section of linked rules.
+// All checks of one section of linked rules: points 1 to 4 of docs/reference/certificate.md, "Linked rules", for each
+// list of alternatives, which are the conditions under which its first sound row is the best, whatever lies outside;
+// and that it is the best, in every world.
 
-#include "linked/list_check.hpp"
+#include <array>
+#include <string>
+#include <vector>
+
+#include "judge/report.hpp"
+#include "linked/linked_certificate.hpp"
+#include "model/coloring.hpp"
 
 namespace restrip::verify {
+
+/// Ascending: a greater merit is preferred.
+struct Merit {
+  int solid = 0;
+  int fewer_isolated = 0;  ///< minus the isolated triangles
+  friend constexpr auto operator<=>(Merit, Merit) = default;
+};
+
+/// All ports stay solid.
+struct Recoloring {
+  Colors colors;
+  Survey survey;
+  Merit merit;
+};
+
+enum class ListClaim { present, legal, ordered, uncovered, complete };
+inline constexpr std::size_t list_claim_count = 5;
+
+using ListFailures = std::array<Failures, list_claim_count>;
+
+/// All recolourings with these solid ports, by their inner mask.
+std::vector<Recoloring> recolorings_of(const Side& after, Mask ports);
+
+/// Adds the faults of the list of these ports. An illegal row fails only that claim and is otherwise ignored.
+void check_list(const Side& after, const std::vector<Recoloring>& recolorings, Mask ports, List list,
+                const std::string& file, ListFailures& failures);
 
 /// The combined results of sections.
 struct LinkedCheck {
@@ -18,15 +52,8 @@ struct LinkedCheck {
   double world_seconds = 0;
 };
 
-/// One task: the lists of a section.
-struct LinkedTask {
-  const Section* section = nullptr;
-  const SectionLists* lists = nullptr;
-  std::string file;
-};
-
-/// Checks a section and adds the results.
-void check_linked(const LinkedTask& task, LinkedCheck& check);
+/// Checks the lists of a section of a file and adds the results.
+void check_linked(const Section& section, const SectionLists& lists, const std::string& file, LinkedCheck& check);
 
 /// Reports the results of all sections, claim by claim.
 void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const ClaimListener& listener);

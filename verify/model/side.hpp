@@ -3,6 +3,7 @@
 
 #include <array>
 #include <compare>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct Side {
   unsigned inner_edges() const { return static_cast<unsigned>(edges.size()); }
   unsigned ports() const { return static_cast<unsigned>(owner_of_port.size()); }
   unsigned colors() const { return inner_edges() + ports(); }
+  std::optional<unsigned> edge_between(unsigned one, unsigned other) const {
+    for (unsigned edge = 0; edge < inner_edges(); ++edge)
+      if (edges[edge] == std::array{one, other} || edges[edge] == std::array{other, one}) return edge;
+    return {};
+  }
 };
 
 /// What lies at a side of a triangle: the number of an inner edge, or of a port plus this constant, or the boundary of
