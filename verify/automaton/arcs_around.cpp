@@ -119,44 +119,22 @@ ArcWays::ArcWays() {
   for (std::size_t c = 0; c < case_count; ++c) closed_.push_back(way_closed(c));
 }
 
-namespace {
-
-/// The solid ports of the ring, and the ports that two links reach: the nearest solid ones of their arcs.
-struct RingPorts {
-  std::string ring;
-  std::vector<std::size_t> places;
-  std::optional<std::size_t> one;    ///< in `places`
-  std::optional<std::size_t> other;  ///< in `places`
-
-  RingPorts(std::string_view first, std::string_view second, ArcEnd one_end, ArcEnd other_end) : ring(first) {
-    ring += second;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (has_port(ring[i])) places.push_back(i);
-    const auto reached = [&](ArcEnd end) {
-      std::optional<std::size_t> found;
-      for (std::size_t n = 0; n < places.size(); ++n) {
-        if ((places[n] >= first.size()) != (end >= second_left)) continue;
-        if (!found || end == first_right || end == second_right) found = n;
-      }
-      return found;
-    };
-    one = reached(one_end);
-    other = reached(other_end);
-  }
-
-  bool are_two() const { return one && other && *one != *other; }
-  bool follows(std::size_t later, std::size_t earlier) const { return (earlier + 1) % places.size() == later; }
-};
-
-}  // namespace
-
 bool joined_before(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other) {
-  const RingPorts ports(first, second, one, other);
-  if (!ports.are_two()) return false;
-  const auto joined = [&](std::size_t later, std::size_t earlier) {
-    return ports.follows(later, earlier) && is_joined(ports.ring[ports.places[later]]);
+  // The solid ports of the ring, those of the first arc first; a link reaches the nearest one of its arc.
+  const std::size_t of_first = ports_in(first).size();
+  const std::string ring = ports_in(first) + ports_in(second);
+  const auto reached = [&](ArcEnd end) -> std::optional<std::size_t> {
+    const std::size_t from = end >= second_left ? of_first : 0;
+    const std::size_t to = end >= second_left ? ring.size() : of_first;
+    if (from == to) return {};
+    return end == first_left || end == second_left ? from : to - 1;
   };
-  return joined(*ports.one, *ports.other) || joined(*ports.other, *ports.one);
+  const std::optional<std::size_t> a = reached(one);
+  const std::optional<std::size_t> b = reached(other);
+  const auto follows = [&](std::size_t later, std::size_t earlier) {
+    return (earlier + 1) % ring.size() == later && is_joined(ring[later]);
+  };
+  return a && b && *a != *b && (follows(*a, *b) || follows(*b, *a));
 }
 
 Mask pairs_joined_before(std::string_view first, std::string_view second) {

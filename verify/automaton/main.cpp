@@ -71,37 +71,30 @@ std::string certificate_of(const AutomatonOptions& options, const std::string& f
   return options.tables_dir + "/certificates/" + family + ".cert";
 }
 
-void tell_classes(const AutomatonCertificate& certificate, AutomatonTotals& totals, ClaimReporter& reporter) {
-  totals.read.certificates = true;
-  totals.classes += certificate.classes.size();
-  totals.rows += certificate.rows;
-  const ClassCheck classes(certificate);
-  totals.kinds += classes.arcs().size();
-  for (const AutomatonClaim& claim : classes.claims())
-    reporter.report(claim.claim, claim.method, claim.cases, claim.failures);
-}
-
-void tell_dump(AutomatonDumpCheck dump, unsigned max_k, AutomatonTotals& totals, ClaimReporter& reporter) {
-  totals.read.of_headers.emplace_back("compiled automaton");
-  if (!dump.fault.empty()) dump.wrong_numbers.add(dump.fault);
-  reporter.report("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
-  reporter.report("every answer of the header is the certificate's", fmt::format("k <= {}, digests of its dump", max_k),
-                  dump.keys, dump.wrong_answers);
-}
-
 /// Checks the certificate; calls the listener for each claim. Throws files::FileError if a file cannot be read.
 AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener) {
   AutomatonTotals totals;
   ClaimReporter reporter(totals, listener);
   const std::string path = certificate_of(options, "automaton");
   const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
-  tell_classes(certificate, totals, reporter);
+  totals.read.certificates = true;
+  totals.classes = certificate.classes.size();
+  totals.rows = certificate.rows;
+  const ClassCheck classes = check_classes(certificate);
+  totals.kinds = classes.kinds;
+  for (const AutomatonClaim& claim : classes.claims)
+    reporter.report(claim.claim, claim.method, claim.cases, claim.failures);
   // Steps and meetings are consistent only if all claims above hold; answers rely on that.
   if (totals.failed != 0) return totals;
 
-  if (!options.dump_command.empty())
-    tell_dump(check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k), options.tables_max_k,
-              totals, reporter);
+  if (!options.dump_command.empty()) {
+    AutomatonDumpCheck dump = check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k);
+    totals.read.of_headers.emplace_back("compiled automaton");
+    if (!dump.fault.empty()) dump.wrong_numbers.add(dump.fault);
+    reporter.report("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
+    reporter.report("every answer of the header is the certificate's",
+                    fmt::format("k <= {}, digests of its dump", options.tables_max_k), dump.keys, dump.wrong_answers);
+  }
 
   if (!options.digest_commands.empty()) {
     const Digests digests = automaton_digests(certificate, options.digest_max_k);

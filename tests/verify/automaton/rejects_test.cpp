@@ -50,8 +50,8 @@ std::string sealed_again(const std::vector<std::string>& lines) {
 std::string verdict_of(const std::string& text) {
   try {
     const AutomatonCertificate certificate = parse_automaton("altered.cert", text);
-    const ClassCheck check(certificate);
-    for (const AutomatonClaim& claim : check.claims())
+    const ClassCheck check = check_classes(certificate);
+    for (const AutomatonClaim& claim : check.claims)
       if (claim.failures.count != 0) return claim.failures.first;
     return {};
   } catch (const InputError& error) {
