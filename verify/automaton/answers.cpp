@@ -24,6 +24,38 @@ std::string word_of(const FanKey& key, unsigned from, unsigned to) {
   return word;
 }
 
+/// An arc with the class after each of its letters.
+class Walk {
+ public:
+  Walk(const AutomatonCertificate& certificate, const std::string& word)
+      : certificate_(certificate), word_(word), classes_{0} {
+    for (const char letter : word) {
+      const AutomatonStep& step = *certificate.step(classes_.back(), letter);
+      cost_ += step.cost;
+      classes_.push_back(step.to);
+    }
+  }
+
+  std::size_t arc_class() const { return classes_.back(); }
+  int cost(std::size_t arc_case) const { return cost_ + certificate_.classes[arc_class()].costs[arc_case].value(); }
+
+  /// The links of the arc in this case, left to right.
+  LinkColors links(std::size_t arc_case) const {
+    LinkColors solid(word_.size() + 1);
+    for (std::size_t at = word_.size();; --at) {
+      solid[at] = case_at(arc_case).right != '-';
+      if (at == 0) return solid;
+      arc_case = certificate_.step(classes_[at - 1], word_[at - 1])->from[arc_case];
+    }
+  }
+
+ private:
+  const AutomatonCertificate& certificate_;
+  std::string word_;
+  std::vector<std::size_t> classes_;
+  int cost_ = 0;
+};
+
 }  // namespace
 
 std::string FanPlace::text() const {
@@ -81,69 +113,29 @@ std::vector<FanPlace> all_places(unsigned k) {
 
 std::string FanKey::text() const { return fmt::format("ports {:x} joined {:x}", ports, joined); }
 
-/// An arc with the class after each of its letters.
-class AutomatonReader::Walk {
- public:
-  Walk(const AutomatonCertificate& certificate, const std::string& word)
-      : certificate_(certificate), word_(word), classes_{0} {
-    for (const char letter : word) {
-      const AutomatonStep& step = *certificate.step(classes_.back(), letter);
-      cost_ += step.cost;
-      classes_.push_back(step.to);
-    }
-  }
-
-  std::size_t arc_class() const { return classes_.back(); }
-  int cost(std::size_t arc_case) const { return cost_ + certificate_.classes[arc_class()].costs[arc_case].value(); }
-
-  /// The links of the arc in this case, left to right.
-  LinkColors links(std::size_t arc_case) const {
-    LinkColors solid(word_.size() + 1);
-    for (std::size_t at = word_.size();; --at) {
-      solid[at] = case_at(arc_case).right != '-';
-      if (at == 0) return solid;
-      arc_case = certificate_.step(classes_[at - 1], word_[at - 1])->from[arc_case];
-    }
-  }
-
- private:
-  const AutomatonCertificate& certificate_;
-  std::string word_;
-  std::vector<std::size_t> classes_;
-  int cost_ = 0;
-};
-
-AutomatonAnswer AutomatonReader::two_arcs(const FanPlace& place, const FanKey& key) const {
-  const bool ring = place.family == "split";
-  const unsigned first_from = ring ? 0 : place.a;
-  const unsigned first_to = ring ? place.a : place.b;
-  const Walk x(certificate_, word_of(key, first_from, first_to));
-  const std::string boundary = ring ? "" : 'b' + word_of(key, 0, first_from);
-  const Walk y(certificate_, word_of(key, first_to, place.k) + boundary);
-  const AutomatonMeeting& meeting = certificate_.meeting(x.arc_class(), y.arc_class());
-  const LinkColors inside = x.links(meeting.first);
-  const LinkColors outside = y.links(meeting.second);
-  const std::size_t above = place.k - first_to;  // triangles after D
-  LinkColors colors;
-  if (ring) {
-    append(colors, inside, 0, inside.size());
-    append(colors, outside, 0, outside.size());
-  } else {
-    if (place.a > 0) append(colors, outside, above + 2, outside.size());
-    append(colors, inside, 0, inside.size());
-    append(colors, outside, 0, above);
-  }
-  colors.push_back(meeting.chord);
-  return {mask_of(colors), x.cost(meeting.first) + y.cost(meeting.second) +
-                               ways_.around(meeting.first, meeting.second, meeting.chord).cost};
-}
-
 AutomatonAnswer AutomatonReader::answer(const FanPlace& place, const FanKey& key) const {
-  if (place.family == "split" || place.family == "open-split") return two_arcs(place, key);
+  LinkColors colors;
+  const bool ring = place.family == "split";
+  if (ring || place.family == "open-split") {
+    const unsigned first_from = ring ? 0 : place.a;
+    const unsigned first_to = ring ? place.a : place.b;
+    const Walk x(certificate_, word_of(key, first_from, first_to));
+    const std::string boundary = ring ? "" : 'b' + word_of(key, 0, first_from);
+    const Walk y(certificate_, word_of(key, first_to, place.k) + boundary);
+    const AutomatonMeeting& meeting = certificate_.meeting(x.arc_class(), y.arc_class());
+    const LinkColors inside = x.links(meeting.first);
+    const LinkColors outside = y.links(meeting.second);
+    const std::size_t above = place.k - first_to;  // triangles after D
+    if (!ring && place.a > 0) append(colors, outside, above + 2, outside.size());
+    append(colors, inside, 0, inside.size());
+    append(colors, outside, 0, ring ? outside.size() : above);
+    colors.push_back(meeting.chord);
+    return {mask_of(colors), x.cost(meeting.first) + y.cost(meeting.second) +
+                                 ways_.around(meeting.first, meeting.second, meeting.chord).cost};
+  }
   std::string word = word_of(key, 0, place.k);
   if (place.family == "boundary-split") word.insert(word.begin() + place.a, 'd');
   const Walk whole(certificate_, word);
-  LinkColors colors;
   if (place.family == "collapse") {
     const std::size_t closing = certificate_.closings[whole.arc_class()].value().arc;
     append(colors, whole.links(closing), 1, word.size() + 1);

@@ -58,9 +58,6 @@ class AutomatonReader {
   AutomatonAnswer answer(const FanPlace& place, const FanKey& key) const;
 
  private:
-  class Walk;
-  AutomatonAnswer two_arcs(const FanPlace& place, const FanKey& key) const;
-
   const AutomatonCertificate& certificate_;
   ArcWays ways_;
 };

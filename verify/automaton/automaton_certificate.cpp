@@ -23,24 +23,20 @@ class Parser {
   Parser(LineReader& reader, AutomatonCertificate& result) : reader_(reader), result_(result) {}
 
   std::size_t read() {
-    begin_section("cost", "weights");
-    reader_.expect_words(4, "\"weights\" restart swap isolated");
-    expect_number(1, strip_cost);
-    expect_number(2, 0);
-    expect_number(3, isolated_cost);
-    next();
-    end_section();
-    begin_section("classes", "class");
-    while (reader_.starts_with("class")) read_class();
-    check_targets();
-    end_section();
+    read_section("cost", "weights", [&] {
+      reader_.expect_words(4, "\"weights\" restart swap isolated");
+      expect_number(1, strip_cost);
+      expect_number(2, 0);
+      expect_number(3, isolated_cost);
+      next();
+    });
+    read_section("classes", "class", [&] {
+      while (reader_.starts_with("class")) read_class();
+      check_targets();
+    });
     result_.closings.resize(result_.classes.size());
-    begin_section("closings", "close");
-    read_closings();
-    end_section();
-    begin_section("meetings", "meet");
-    read_meetings();
-    end_section();
+    read_section("closings", "close", [&] { read_closings(); });
+    read_section("meetings", "meet", [&] { read_meetings(); });
     return result_.rows;
   }
 
@@ -48,19 +44,17 @@ class Parser {
   static constexpr std::int64_t most_cost = std::int64_t{100} * strip_cost;
   static constexpr std::int64_t most_classes = 65535;
 
-  /// Reads the head of a section, and the first line after it, which starts with `first_row`.
-  void begin_section(const std::string& name, const char* first_row) {
+  /// Reads a section, whose first row starts with `first_row`. The number of its rows must equal the claim in its head.
+  template <class ReadRows>
+  void read_section(const std::string& name, const char* first_row, const ReadRows& read_rows) {
     std::array<StatedClaim, 1> claims;
     const std::array<const char*, 1> rows = {first_row};
     parse_section_head(reader_, name, row_claim_words, claims, rows);
-    section_ = name;
-    section_start_ = result_.rows;
-    claimed_ = static_cast<std::size_t>(claims[0].number);
-  }
-  /// The number of rows of the section must equal the claim in its head.
-  void end_section() const {
-    if (const std::size_t found = result_.rows - section_start_; found != claimed_)
-      reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", section_, claimed_, found));
+    const std::size_t before = result_.rows;
+    read_rows();
+    const auto claimed = static_cast<std::size_t>(claims[0].number);
+    if (const std::size_t found = result_.rows - before; found != claimed)
+      reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", name, claimed, found));
   }
   /// Counts the row that was read and continues to the next line.
   void next() {
@@ -208,9 +202,6 @@ class Parser {
 
   LineReader& reader_;
   AutomatonCertificate& result_;
-  std::string section_;
-  std::size_t section_start_ = 0;  ///< number of the rows before it
-  std::size_t claimed_ = 0;
   std::vector<Mask> given_;  ///< cases with an origin, by class and letter
   std::size_t meeting_rows_ = 0;
   std::size_t meeting_columns_ = 0;
