@@ -57,7 +57,7 @@ class Verification {
     if (options_.dump_command.empty()) return totals_;
     ExpectedDump expected = expected_dump();
     expected.with_digests = !options_.digest_commands.empty();
-    const AnswerDigests digests =
+    const Digests digests =
         check_dump("shipped headers", "their dump", [&] { return compare_dump_of(options_.dump_command, expected); });
     totals_.read.of_headers.emplace_back("compiled tables");
     for (const std::string& command : options_.digest_commands) check_digests(command, digests);
@@ -220,7 +220,7 @@ class Verification {
 
   /// Reports a claim for each way in which the answers of a dump program were compared; returns their digests.
   template <class Compare>
-  AnswerDigests check_dump(const std::string& subject, const std::string& how_read, const Compare& compare) {
+  Digests check_dump(const std::string& subject, const std::string& how_read, const Compare& compare) {
     const double start = thread_seconds();
     const DumpComparison comparison = compare();
     double seconds = thread_seconds() - start;
@@ -259,9 +259,9 @@ class Verification {
   }
 
   /// Compares digests of another look-up's answers with digests of the judged answers.
-  void check_digests(const std::string& command, const AnswerDigests& digests) const {
+  void check_digests(const std::string& command, const Digests& digests) const {
     const double start = thread_seconds();
-    const DigestComparison found = compare_digests_of(command, digests.by_position());
+    const DigestComparison found = compare_digests_of(command, digests);
     Failures failures = found.differences;
     if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
     if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "certificate/stream_lines.hpp"
 #include "judge/operation_judge.hpp"
@@ -14,27 +16,15 @@
 namespace restrip::verify {
 namespace {
 
-constexpr std::string_view title = "restrip-table-dump 4";
-
-void append_mask(std::string& text, Mask mask) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  if (mask >= 16) append_mask(text, mask / 16);
-  text += digits[mask % 16];
-}
-
 /// Takes a mask in the notation of certificates off the beginning of a line.
 std::optional<Mask> taken_mask(std::string_view& line, unsigned bits) {
   Mask mask = 0;
-  std::size_t digits = 0;
-  for (; digits < line.size(); ++digits) {
-    const char c = line[digits];
-    const bool is_letter = c >= 'a' && c <= 'f';
-    if (!is_letter && (c < '0' || c > '9')) break;
-    if (mask >= mask_count(most_colors) || (digits == 1 && line.front() == '0')) return {};
-    mask = mask * 16 + static_cast<Mask>(is_letter ? c - 'a' + 10 : c - '0');
-  }
-  if (digits == 0 || mask >= mask_count(bits)) return {};
-  line.remove_prefix(digits);
+  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), mask, 16);
+  const std::string_view word = line.substr(0, static_cast<std::size_t>(end - line.data()));
+  const bool is_canonical =
+      word.find_first_of("ABCDEF") == std::string_view::npos && (word == "0" || !word.starts_with('0'));
+  if (error != std::errc{} || !is_canonical || mask >= mask_count(bits)) return {};
+  line.remove_prefix(word.size());
   return mask;
 }
 
@@ -48,16 +38,6 @@ std::optional<int> taken_change(std::string_view& line) {
   if (error != std::errc{} || std::to_string(change) != word) return {};
   line.remove_prefix(1 + word.size());
   return change;
-}
-
-/// Visits every configuration in the order of a dump. For a matching, every colouring of the ports, because it serves
-/// all colourings of the inner edges.
-template <class Visit>
-void for_each_configuration(const Operation& operation, const Visit& visit) {
-  const Mask inner_masks =
-      operation.constraint == Constraint::matching ? 1 : mask_count(operation.before.inner_edges());
-  for (Mask inner = 0; inner < inner_masks; ++inner)
-    for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) visit(Colors{inner, ports});
 }
 
 /// Judges the answers of one table: by the rows of a certificate, which are judged elsewhere, or by the definition.
@@ -126,19 +106,34 @@ class TableJudge {
   std::optional<OperationJudge> judge_;
 };
 
+/// Judges the answers to every configuration in the order of a dump. For a matching, to every colouring of the ports,
+/// because it serves all colourings of the inner edges. `next` returns the line of an answer, and the answer.
+template <class Next>
+void compare_table(const ExpectedTable& table, DumpComparison& result, const Next& next) {
+  const Operation& operation = *table.operation;
+  Compared& compared = result.tables[static_cast<std::size_t>(table.against)];
+  std::optional<TableJudge> judge;
+  if (table.against != Against::nothing) judge.emplace(table, compared);
+  std::uint64_t entries = 0;
+  const Mask inner_masks =
+      operation.constraint == Constraint::matching ? 1 : mask_count(operation.before.inner_edges());
+  for (Mask inner = 0; inner < inner_masks; ++inner)
+    for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) {
+      const auto& [line, answer] = next({inner, ports});
+      ++entries;
+      if (judge) judge->entry(line, {inner, ports}, answer);
+    }
+  compared.families[operation.family] += {1, entries};
+  result.lines += entries;
+}
+
 class DumpReader {
  public:
   DumpReader(StreamLines& lines, const ExpectedDump& expected, DumpComparison& result)
       : lines_(lines), expected_(expected), result_(result) {}
 
   void run() {
-    lines_.expect(std::string(title));
-    read_tables();
-    lines_.expect_last(fmt::format("end {}", result_.lines));
-  }
-
- private:
-  void read_tables() {
+    lines_.expect("restrip-table-dump 4");
     std::map<std::string, std::function<void()>, std::less<>> missing;
     for (const ExpectedTable& table : expected_.tables)
       missing.emplace("table " + table.operation->name(), [&] { table_of(table); });
@@ -153,31 +148,25 @@ class DumpReader {
       table->second();
       missing.erase(table);
     }
+    lines_.expect_last(fmt::format("end {}", result_.lines));
   }
 
+ private:
   void table_of(const ExpectedTable& table) {
-    Compared& compared = result_.tables[static_cast<std::size_t>(table.against)];
     const Operation& operation = *table.operation;
-    const std::uint64_t lines_before = result_.lines;
-    std::optional<TableJudge> judge;
-    if (table.against != Against::nothing) judge.emplace(table, compared);
-    for_each_configuration(operation, [&](Colors configuration) {
+    std::uint32_t* const digest = expected_.with_digests ? &result_.digests[digest_words(operation)] : nullptr;
+    compare_table(table, result_, [&](Colors configuration) {
       const std::optional<Answer> answer = answer_to(configuration, operation);
-      if (judge) judge->entry(lines_.number(), configuration, answer);
-      if (expected_.with_digests) result_.digests.add(operation, configuration, answer);
+      if (digest != nullptr) *digest += digest_of(operation, configuration, answer);
+      return std::pair(lines_.number(), answer);
     });
-    compared.families[operation.family] += {1, result_.lines - lines_before};
   }
 
   /// The answer in the next line; nullopt if it states that no answer exists.
   std::optional<Answer> answer_to(Colors configuration, const Operation& operation) {
     prefix_.clear();
-    append_mask(prefix_, configuration.inner);
-    prefix_ += ' ';
-    append_mask(prefix_, configuration.ports);
-    prefix_ += ' ';
+    fmt::format_to(std::back_inserter(prefix_), "{:x} {:x} ", configuration.inner, configuration.ports);
     const std::string_view line = lines_.next(prefix_);
-    ++result_.lines;
     if (line.starts_with(prefix_)) {
       std::string_view rest = line.substr(prefix_.size());
       if (rest == "-") return {};
@@ -239,16 +228,9 @@ DumpComparison compare_answers(const ExpectedDump& expected, const AnswerOf& ans
   DumpComparison result;
   result.states_changes = false;
   for (const ExpectedTable& table : expected.tables) {
-    Compared& compared = result.tables[static_cast<std::size_t>(table.against)];
-    std::optional<TableJudge> judge;
-    if (table.against != Against::nothing) judge.emplace(table, compared);
-    std::uint64_t entries = 0;
-    for_each_configuration(*table.operation, [&](Colors configuration) {
-      ++entries;
-      if (judge) judge->entry(entries, configuration, answer(*table.operation, configuration));
-    });
-    compared.families[table.operation->family] += {1, entries};
-    result.lines += entries;
+    std::uint64_t entry = 0;
+    compare_table(table, result,
+                  [&](Colors configuration) { return std::pair(++entry, answer(*table.operation, configuration)); });
   }
   return result;
 }

@@ -66,7 +66,7 @@ struct DumpComparison {
   bool states_changes = true;                  ///< whether answers stated their changes, so that these could be judged
   std::array<Compared, against_count> tables;  ///< by Against; tables compared with nothing have no differences
   std::array<Compared, against_count> lists;   ///< likewise; never against own_patch
-  AnswerDigests digests;                       ///< of all tables, if requested
+  Digests digests;                             ///< of all tables, if requested
   std::string fault;                           ///< why the dump could not be read to its end; otherwise empty
 
   const Compared& of(Against against) const { return tables[static_cast<std::size_t>(against)]; }

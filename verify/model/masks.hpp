@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <optional>
 
 namespace restrip::verify {
 
@@ -50,11 +49,6 @@ struct PortPairs {
   friend constexpr auto operator<=>(PortPairs, PortPairs) = default;
 };
 
-/// The part of an answer that a digest covers: its colours and the change in strips.
-struct AnswerBits {
-  Mask colors = 0;
-  int strips = 0;
-};
 /// Mixes three numbers as docs/reference/verifiers.md, "Digests of answers", defines.
 constexpr std::uint32_t mixed_number(Mask before, Mask ports, std::uint32_t answer) {
   std::uint32_t h = answer ^ before * 0x9e3779b1U ^ ports * 0x85ebca77U;
@@ -62,10 +56,9 @@ constexpr std::uint32_t mixed_number(Mask before, Mask ports, std::uint32_t answ
   h = (h ^ h >> 13U) * 0xc2b2ae35U;
   return h ^ h >> 16U;
 }
-/// A configuration with its answer, if any.
-constexpr std::uint32_t mixed(Mask before, Mask ports, const std::optional<AnswerBits>& answer) {
-  return mixed_number(
-      before, ports, answer ? 0x80000000U | static_cast<std::uint32_t>(answer->strips + 8) << 16U | answer->colors : 0);
+/// A configuration with its answer: colours and the change in strips.
+constexpr std::uint32_t mixed(Mask before, Mask ports, Mask colors, int strips) {
+  return mixed_number(before, ports, 0x80000000U | static_cast<std::uint32_t>(strips + 8) << 16U | colors);
 }
 
 /// Up to 256 bits in a row, compared as a whole.
