@@ -14,9 +14,9 @@
 #include <optional>
 #include <utility>
 
-#include "common/descriptor.hpp"
 #include "common/file_error.hpp"
 #include "common/reading.hpp"
+#include "common/system_calls.hpp"
 
 namespace restrip::files {
 
@@ -152,32 +152,18 @@ Destination follow_links(const fs::path& file) {
   throw FileError(fmt::format("{}: cannot be written: its links lead nowhere; name a file", file.string()));
 }
 
-[[noreturn]] void refuse_extension(const fs::path& file, const fs::path& target,
-                                   const std::vector<std::string>& wanted) {
-  const std::string which =
-      file == target ? file.string() : fmt::format("{}: leads to {}", file.string(), target.string());
-  throw FileError(fmt::format("{}: has the extension '{}', but what is written is {}; name a file that ends so", which,
-                              extension_of(target), fmt::join(wanted, " or ")));
-}
-
 void check_extension(const fs::path& file, const fs::path& target, const std::vector<std::string>& wanted) {
-  if (wanted.empty()) return;
-  const auto is_wanted = [&](const std::string& extension) {
-    return std::find(wanted.begin(), wanted.end(), extension) != wanted.end();
+  const auto expect_wanted = [&](const fs::path& named, const std::string& which) {
+    const std::string extension = extension_of(named);
+    if (std::find(wanted.begin(), wanted.end(), extension) == wanted.end())
+      throw FileError(fmt::format("{}: has the extension '{}', but what is written is {}; name a file that ends so",
+                                  which, extension, fmt::join(wanted, " or ")));
   };
-  if (!is_wanted(extension_of(file))) refuse_extension(file, file, wanted);
+  if (wanted.empty()) return;
+  expect_wanted(file, file.string());
   // A link may lead to a store of files without extensions, but not to a file of another format.
-  const std::string extension = extension_of(target);
-  if (!extension.empty() && !is_wanted(extension)) refuse_extension(file, target, wanted);
-}
-
-void check_inputs(const fs::path& file, const std::optional<struct stat>& status, const std::vector<fs::path>& inputs) {
-  if (!status || S_ISCHR(status->st_mode)) return;  // a terminal may be both
-  for (const fs::path& input : inputs)
-    if (const auto other = status_of(input);
-        other && other->st_dev == status->st_dev && other->st_ino == status->st_ino)
-      throw FileError(fmt::format("{}: is the input {} itself, which would be lost; name another file", file.string(),
-                                  input.string()));
+  if (!extension_of(target).empty())
+    expect_wanted(target, fmt::format("{}: leads to {}", file.string(), target.string()));
 }
 
 /// Tries it, because permissions, read-only disks and quotas are not all visible in advance.
@@ -209,7 +195,12 @@ Output::Output(const fs::path& file, const OutputRules& rules) : file_(file) {
   if (file.empty()) throw FileError("the name of an output is empty; name a file");
   const Destination end = file == "-" ? Destination{file, STDOUT_FILENO} : follow_links(file);
   const auto status = status_of(file);
-  check_inputs(file, status, rules.inputs);
+  if (status && !S_ISCHR(status->st_mode))  // a terminal may be both
+    for (const fs::path& input : rules.inputs)
+      if (const auto other = status_of(input);
+          other && other->st_dev == status->st_dev && other->st_ino == status->st_ino)
+        throw FileError(
+            fmt::format("{}: is the input {} itself, which would be lost; name another file", shown, input.string()));
   claim_ = std::make_shared<Claim>(shown, end.file, end.descriptor);
   if (end.descriptor >= 0) {
     const int flags = ::fcntl(end.descriptor, F_GETFL);

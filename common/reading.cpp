@@ -11,8 +11,8 @@
 
 #include "common/claim.hpp"
 #include "common/counted.hpp"
-#include "common/descriptor.hpp"
 #include "common/file_error.hpp"
+#include "common/system_calls.hpp"
 
 namespace restrip::files {
 
