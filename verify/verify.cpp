@@ -20,9 +20,6 @@
 namespace restrip::verify {
 namespace {
 
-/// The number of ports in a pairing of tables up to this k (docs/reference/verifiers.md, "Table dump").
-unsigned pairing_places(unsigned max_k) { return max_k <= 8 ? 8 : 16; }
-
 /// The certificate of a linked family, and the expected dump of each section.
 struct Lists {
   LinkedCertificate certificate;
@@ -43,7 +40,12 @@ class Verification {
     totals_.max_k = options_.max_k;
     families_ = all_families(options_.max_k);
     linked_ = linked_families(options_.max_k);
-    refuse_unknown_families();
+    for (const std::string& name : options_.families) {
+      const auto is_called = [&](const auto& family) { return family.name == name; };
+      if (std::none_of(families_.begin(), families_.end(), is_called) &&
+          std::none_of(linked_.begin(), linked_.end(), is_called))
+        throw InputError("--family", 0, fmt::format("unknown family \"{}\"", name));
+    }
     if (!options_.headers_only) {
       check_manifest();
       for (const Family& family : families_)
@@ -60,7 +62,15 @@ class Verification {
     const Digests digests =
         check_dump("shipped headers", "their dump", [&] { return compare_dump_of(options_.dump_command, expected); });
     totals_.read.of_headers.emplace_back("compiled tables");
-    for (const std::string& command : options_.digest_commands) check_digests(command, digests);
+    for (const std::string& command : options_.digest_commands) {  // look-ups in other languages
+      const double start = thread_seconds();
+      const DigestComparison found = compare_digests_of(command, digests);
+      Failures failures = found.differences;
+      if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
+      if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");
+      listener_({"other languages", "the answers equal the headers' answers", "digests, " + command, found.positions,
+                 thread_seconds() - start, failures.count, failures.first});
+    }
     if (expected.with_digests) totals_.read.of_headers.emplace_back("digests of other languages");
     return totals_;
   }
@@ -111,15 +121,6 @@ class Verification {
   }
   std::string shipped(const std::string& certificate) const {
     return fmt::format("{}/certificates/{}.cert", options_.tables_dir, certificate);
-  }
-
-  void refuse_unknown_families() const {
-    for (const std::string& name : options_.families) {
-      const auto is_called = [&](const auto& family) { return family.name == name; };
-      if (std::none_of(families_.begin(), families_.end(), is_called) &&
-          std::none_of(linked_.begin(), linked_.end(), is_called))
-        throw InputError("--family", 0, fmt::format("unknown family \"{}\"", name));
-    }
   }
 
   void check_manifest() const {
@@ -177,19 +178,19 @@ class Verification {
         report_index_cost(family, *rules, std::max(1U, options_.threads), listener_);
       rest = rest.subspan(count);
     }
-    for (const LinkedFamily& family : linked_)
-      if (const auto lists = lists_.find(&family); lists != lists_.end()) check_lists(family, lists->second);
-  }
-
-  void check_lists(const LinkedFamily& family, Lists& lists) {
-    LinkedCheck check;
-    for (std::size_t i = 0; i < family.local.sections.size(); ++i) {
-      const Section& section = family.local.sections[i];
-      const SectionLists& of_section = lists.certificate.sections[i];
-      check_linked(section, of_section, lists.certificate.file, check);
-      lists.lines.push_back(dump_of(section, of_section, pairing_places(options_.max_k)));
+    for (const LinkedFamily& family : linked_) {
+      const auto lists = lists_.find(&family);
+      if (lists == lists_.end()) continue;
+      auto& [certificate, lines] = lists->second;
+      const unsigned pairing_places = options_.max_k <= 8 ? 8 : 16;  // docs/reference/verifiers.md, "Table dump"
+      LinkedCheck check;
+      for (std::size_t i = 0; i < family.local.sections.size(); ++i) {
+        const Section& section = family.local.sections[i];
+        check_linked(section, certificate.sections[i], certificate.file, check);
+        lines.push_back(dump_of(section, certificate.sections[i], pairing_places));
+      }
+      report_linked(family, check, listener_);
     }
-    report_linked(family, check, listener_);
   }
 
   /// The expected answers of the tables: the rows and lists of the certificates that were read; otherwise the best
@@ -256,17 +257,6 @@ class Verification {
     for (const Compared* compared : {&comparison.of(Against::nothing), &comparison.of_lists(Against::nothing)})
       for (const auto& [family, count] : compared->families) totals_.not_compared[family] += count;
     return comparison.digests;
-  }
-
-  /// Compares digests of another look-up's answers with digests of the judged answers.
-  void check_digests(const std::string& command, const Digests& digests) const {
-    const double start = thread_seconds();
-    const DigestComparison found = compare_digests_of(command, digests);
-    Failures failures = found.differences;
-    if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
-    if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");
-    listener_({"other languages", "the answers equal the headers' answers", "digests, " + command, found.positions,
-               thread_seconds() - start, failures.count, failures.first});
   }
 
   /// Checks the header of an operation, and judges the table in its text. Code in the header would be executed together

@@ -36,13 +36,11 @@ std::vector<Recoloring> recolorings_of(const Side& after, Mask ports) {
 
 void check_list(const Side& after, const std::vector<Recoloring>& recolorings, Mask ports, List list,
                 const std::string& file, ListFailures& failures) {
-  const auto fail = [&](ListClaim claim, const Alternative& row, const std::string& what) {
-    failures[static_cast<std::size_t>(claim)].add(
+  const auto fail = [&](Failures& claim, const Alternative& row, const std::string& what) {
+    claim.add(
         fmt::format("{}:{}: \"{}\"\n    {}\n  {}", file, row.line, row.text(), drawn(after, {row.inner, ports}), what));
   };
-  if (list.empty())
-    failures[static_cast<std::size_t>(ListClaim::present)].add(
-        fmt::format("{}: missing list: the ports {:x} have no row", file, ports));
+  if (list.empty()) failures.present.add(fmt::format("{}: missing list: the ports {:x} have no row", file, ports));
   struct Legal {
     const Alternative* row;
     const Recoloring* own;
@@ -51,24 +49,23 @@ void check_list(const Side& after, const std::vector<Recoloring>& recolorings, M
   for (const Alternative& row : list) {
     const Recoloring& own = recolorings[row.inner];
     if (!own.survey.valid) {
-      fail(ListClaim::legal, row,
+      fail(failures.legal, row,
            "illegal alternative: " + invalid_because(after, own.colors, most_solid(Constraint::strips)));
       continue;
     }
     if (!legal.empty() && legal.back().own->merit < own.merit)
-      fail(ListClaim::ordered, row,
+      fail(failures.ordered, row,
            fmt::format("out of order: it is preferred to the row before it, in line {}", legal.back().row->line));
     const auto cover = std::find_if(legal.begin(), legal.end(), [&](const Legal& earlier) {
       return earlier.own->survey.joined.within(own.survey.joined);
     });
     if (cover != legal.end())
-      fail(ListClaim::uncovered, row,
+      fail(failures.uncovered, row,
            fmt::format("covered alternative: it joins {}; line {} is preferred and joins no other ports: {}",
                        listed(own.survey.joined, after.ports()), cover->row->line,
                        listed(cover->own->survey.joined, after.ports())));
     legal.push_back({&row, &own});
   }
-  Failures& incomplete = failures[static_cast<std::size_t>(ListClaim::complete)];
   for (const Recoloring& recoloring : recolorings) {
     if (!recoloring.survey.valid) continue;
     // Sound wherever the recolouring is sound, and as good.
@@ -77,12 +74,13 @@ void check_list(const Side& after, const std::vector<Recoloring>& recolorings, M
     };
     if (std::any_of(legal.begin(), legal.end(), serves)) continue;
     // Only the first one is reported in words.
-    incomplete.add(incomplete.count != 0
-                       ? std::string{}
-                       : fmt::format("{}: the list of the ports {:x}\n  incomplete list (joinable ports: {}): nothing "
-                                     "in it is as good as\n    {}",
-                                     file, ports, listed(recoloring.survey.joined, after.ports()),
-                                     drawn(after, recoloring.colors)));
+    failures.complete.add(
+        failures.complete.count != 0
+            ? std::string{}
+            : fmt::format("{}: the list of the ports {:x}\n  incomplete list (joinable ports: {}): nothing "
+                          "in it is as good as\n    {}",
+                          file, ports, listed(recoloring.survey.joined, after.ports()),
+                          drawn(after, recoloring.colors)));
   }
 }
 
@@ -145,15 +143,13 @@ void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const Cla
                           const Failures& failures) {
     listener({family.name, claim, method, cases, seconds, failures.count, failures.first});
   };
-  const auto of = [&](ListClaim claim) { return sum.lists[static_cast<std::size_t>(claim)]; };
 
-  report("every port mask has its list", "all port masks", lists, 0, of(ListClaim::present));
-  report("every alternative is legal", "degrees counted, cycles looked for", sum.rows, 0, of(ListClaim::legal));
-  report("lists are in order of preference", "solid edges, isolated triangles counted", sum.rows, 0,
-         of(ListClaim::ordered));
-  report("no alternative is covered by an earlier one", "ports joined compared", sum.rows, 0, of(ListClaim::uncovered));
+  report("every port mask has its list", "all port masks", lists, 0, sum.lists.present);
+  report("every alternative is legal", "degrees counted, cycles looked for", sum.rows, 0, sum.lists.legal);
+  report("lists are in order of preference", "solid edges, isolated triangles counted", sum.rows, 0, sum.lists.ordered);
+  report("no alternative is covered by an earlier one", "ports joined compared", sum.rows, 0, sum.lists.uncovered);
   report("lists are complete", "all recolourings, ports joined compared", sum.recolorings, sum.listing_seconds,
-         of(ListClaim::complete));
+         sum.lists.complete);
   report("in every world the first sound one is best", "definition, all worlds", sum.worlds, sum.world_seconds,
          sum.best);
   report("the stated numbers", "recounted", linked_claim_words.size() * sum.sections, 0, sum.claims);

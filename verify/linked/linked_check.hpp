@@ -3,7 +3,6 @@
 // list of alternatives, which are the conditions under which its first sound row is the best, whatever lies outside;
 // and that it is the best, in every world.
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -27,10 +26,14 @@ struct Recoloring {
   Merit merit;
 };
 
-enum class ListClaim { present, legal, ordered, uncovered, complete };
-inline constexpr std::size_t list_claim_count = 5;
-
-using ListFailures = std::array<Failures, list_claim_count>;
+/// Of one list or several.
+struct ListFailures {
+  Failures present;
+  Failures legal;
+  Failures ordered;
+  Failures uncovered;
+  Failures complete;
+};
 
 /// All recolourings with these solid ports, by their inner mask.
 std::vector<Recoloring> recolorings_of(const Side& after, Mask ports);

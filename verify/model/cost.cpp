@@ -1,6 +1,7 @@
 #include "model/cost.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -29,14 +30,14 @@ std::int64_t squares(const Counted& counted) {
   return sum;
 }
 
-std::int64_t ends(const Counted& counted, Mask among, bool at_port) {
+std::int64_t ends(const Counted& counted, const Term& term) {
   std::int64_t count = 0;
   for (unsigned triangle = 0; triangle < counted.side.triangles; ++triangle) {
-    if (!is_solid(among, triangle) || !counted.is_end(triangle)) continue;
-    bool by_port = false;
+    if (!is_solid(term.among, triangle) || !counted.is_end(triangle)) continue;
+    bool counts = term.count == Count::ends;  // or it must have a solid port
     for (unsigned port = 0; port < counted.side.ports(); ++port)
-      by_port = by_port || (is_solid(counted.colors.ports, port) && counted.side.owner_of_port[port] == triangle);
-    count += !at_port || by_port ? 1 : 0;
+      counts = counts || (is_solid(counted.colors.ports, port) && counted.side.owner_of_port[port] == triangle);
+    count += counts ? 1 : 0;
   }
   return count;
 }
@@ -60,9 +61,8 @@ std::int64_t count_of(const Term& term, const Counted& counted) {
     case Count::solid:
       return solid_count(counted.colors.inner & term.among);
     case Count::ends:
-      return ends(counted, term.among, false);
     case Count::ends_at_port:
-      return ends(counted, term.among, true);
+      return ends(counted, term);
     case Count::neighbouring_ends:
       return std::count_if(side.edges.begin(), side.edges.end(), [&](const std::array<unsigned, 2>& edge) {
         return counted.is_end(edge[0]) && counted.is_end(edge[1]);
@@ -71,13 +71,6 @@ std::int64_t count_of(const Term& term, const Counted& counted) {
       break;
   }
   return squares(counted);
-}
-
-std::string listed_members(Mask mask) {
-  std::string text;
-  for (unsigned i = 0; i < most_colors; ++i)
-    if (is_solid(mask, i)) text += fmt::format("{}{}", text.empty() ? "" : ",", i);
-  return '(' + text + ')';
 }
 
 }  // namespace
@@ -96,7 +89,11 @@ std::string text_of(const Criterion& criterion) {
     text += text.empty() ? "" : " + ";
     if (term.weight != 1) text += fmt::format("{} ", term.weight);
     text += count_names[static_cast<std::size_t>(term.count)];
-    if (among_of(term.count) != Among::nothing) text += listed_members(term.among);
+    if (among_of(term.count) == Among::nothing) continue;
+    std::vector<unsigned> members;
+    for (unsigned i = 0; i < most_colors; ++i)
+      if (is_solid(term.among, i)) members.push_back(i);
+    text += fmt::format("({})", fmt::join(members, ","));
   }
   return text;
 }

@@ -37,6 +37,7 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
 }  // namespace
 
 Sum::Sum(std::string_view text, const std::vector<std::string>& names) : factors_(names.size()) {
+  constexpr std::size_t most_digits = 4;
   std::int64_t sign = 1;
   std::size_t terms = 0;
   for (std::string_view rest = text;;) {
@@ -44,31 +45,20 @@ Sum::Sum(std::string_view text, const std::vector<std::string>& names) : factors
       throw std::invalid_argument(
           fmt::format("expected a sum of at most {} terms, found \"{}\"", most_terms_of_a_sum, text));
     const std::size_t next = std::min(rest.find_first_of("+-"), rest.size());
-    add_term(trimmed(rest.substr(0, next)), sign, text, names);
+    const std::string_view term = trimmed(rest.substr(0, next));
+    const std::size_t digits = std::min(term.find_first_not_of("0123456789"), term.size());
+    const std::string_view name = trimmed(term.substr(digits));
+    const auto found = std::find(names.begin(), names.end(), name);
+    const bool is_constant = digits != 0 && name.empty();
+    if (digits > most_digits || (!is_constant && found == names.end()))
+      throw std::invalid_argument(fmt::format("expected a sum of {}, found \"{}\"", fmt::join(names, ", "), text));
+    std::int64_t factor = 1;
+    if (digits != 0) std::from_chars(term.data(), term.data() + digits, factor);
+    (is_constant ? constant_ : factors_[static_cast<std::size_t>(found - names.begin())]) += sign * factor;
     if (next == rest.size()) return;
     sign = rest[next] == '-' ? -1 : 1;
     rest.remove_prefix(next + 1);
   }
-}
-
-void Sum::add_term(std::string_view term, std::int64_t sign, std::string_view text,
-                   const std::vector<std::string>& names) {
-  std::int64_t factor = 1;
-  constexpr std::size_t most_digits = 4;
-  const std::size_t digits = std::min(term.find_first_not_of("0123456789"), term.size());
-  const auto refuse = [&] {
-    throw std::invalid_argument(fmt::format("expected a sum of {}, found \"{}\"", fmt::join(names, ", "), text));
-  };
-  if (digits > most_digits) refuse();
-  if (digits != 0) std::from_chars(term.data(), term.data() + digits, factor);
-  const std::string_view name = trimmed(term.substr(digits));
-  if (digits != 0 && name.empty()) {
-    constant_ += sign * factor;
-    return;
-  }
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) refuse();
-  factors_[static_cast<std::size_t>(found - names.begin())] += sign * factor;
 }
 
 std::int64_t Sum::of(const Numbers& numbers) const {

@@ -20,9 +20,6 @@ class Sum {
   std::int64_t of(const Numbers& numbers) const;
 
  private:
-  /// Adds a term of the sum `text`.
-  void add_term(std::string_view term, std::int64_t sign, std::string_view text, const std::vector<std::string>& names);
-
   std::int64_t constant_ = 0;
   std::vector<std::int64_t> factors_;  ///< one for each number
 };

@@ -69,48 +69,6 @@ void expect_name(const std::string& name) {
         fmt::format("expected 1 to {} letters and digits as the name, found \"{}\"", longest_word, name));
 }
 
-/// The meaning of an element: one triangle by its name, or x_from … x_(to-1).
-using TriangleNames = std::vector<std::string>;
-
-/// Reads elements, and remembers which of the read triangles are indexed.
-class ElementReader {
- public:
-  explicit ElementReader(const NamedNumbers& numbers) : numbers_(numbers) {}
-
-  TriangleNames read(const JsonValue& value) {
-    const std::string text = value.text();
-    try {
-      return element(text);
-    } catch (const std::invalid_argument& error) {
-      value.refuse(error.what());
-    }
-  }
-  /// The names of indexed triangles before their indices, in order of first appearance.
-  const std::vector<std::string>& indexed_names() const { return indexed_names_; }
-  const std::set<unsigned>& indices(const std::string& name) const { return indices_.at(name); }
-
- private:
-  TriangleNames element(const std::string& text) {
-    if (text.find('[') == std::string::npos) {
-      expect_name(text);
-      return {text};
-    }
-    const auto& [name, from, to] = range_of(text, numbers_);
-    if (!indices_.contains(name)) indexed_names_.push_back(name);
-    std::set<unsigned>& indices = indices_[name];
-    TriangleNames element;
-    for (unsigned i = from; i < to; ++i) {
-      indices.insert(i);
-      element.push_back(fmt::format("{}{}", name, i));
-    }
-    return element;
-  }
-
-  NamedNumbers numbers_;
-  std::vector<std::string> indexed_names_;
-  std::map<std::string, std::set<unsigned>> indices_;
-};
-
 /// A row of triangles, each joined to the next.
 struct Chain {
   JsonValue where;
@@ -120,7 +78,7 @@ struct Chain {
 
 class PatternReader {
  public:
-  PatternReader(const JsonValue& value, const NamedNumbers& numbers) : value_(value), elements_(numbers) {}
+  PatternReader(const JsonValue& value, const NamedNumbers& numbers) : value_(value), numbers_(numbers) {}
 
   Side read() {
     value_.expect_members({"ring", "rings", "path", "paths", "chord", "chords", "ports"});
@@ -149,6 +107,28 @@ class PatternReader {
   }
 
  private:
+  /// The meaning of an element: one triangle by its name, or x_from … x_(to-1).
+  std::vector<std::string> read_element(const JsonValue& value) {
+    const std::string text = value.text();
+    try {
+      if (text.find('[') == std::string::npos) {
+        expect_name(text);
+        return {text};
+      }
+      const NamedRange range = range_of(text, numbers_);
+      if (!indices_.contains(range.name)) indexed_names_.push_back(range.name);
+      std::set<unsigned>& indices = indices_[range.name];
+      std::vector<std::string> element;
+      for (unsigned i = range.from; i < range.to; ++i) {
+        indices.insert(i);
+        element.push_back(fmt::format("{}{}", range.name, i));
+      }
+      return element;
+    } catch (const std::invalid_argument& error) {
+      value.refuse(error.what());
+    }
+  }
+
   /// The value of the first member, or the items of the second.
   std::vector<JsonValue> one_or_more(std::string_view one, std::string_view more) const {
     std::vector<JsonValue> values;
@@ -163,7 +143,7 @@ class PatternReader {
       for (const JsonValue& chain : ring ? one_or_more("ring", "rings") : one_or_more("path", "paths")) {
         chains_.push_back({chain, ring, {}});
         for (const JsonValue& part : chain.elements("triangles")) {
-          const TriangleNames element = elements_.read(part);
+          const std::vector<std::string> element = read_element(part);
           std::vector<std::string>& triangles = chains_.back().triangles;
           triangles.insert(triangles.end(), element.begin(), element.end());
         }
@@ -176,8 +156,8 @@ class PatternReader {
 
   /// Indexed triangles first, by name and index, then the others in order of appearance.
   void number_triangles() {
-    for (const std::string& name : elements_.indexed_names())
-      for (const unsigned i : elements_.indices(name)) names_.push_back(fmt::format("{}{}", name, i));
+    for (const std::string& name : indexed_names_)
+      for (const unsigned i : indices_.at(name)) names_.push_back(fmt::format("{}{}", name, i));
     indexed_ = names_.size();
     const std::set<std::string> indexed(names_.begin(), names_.end());
     for (const Chain& chain : chains_) {
@@ -205,7 +185,7 @@ class PatternReader {
     const std::optional<JsonValue> ports = value_.member("ports");
     if (ports) {
       for (const JsonValue& port : ports->elements("triangles, one for each port"))
-        for (const std::string& owner : elements_.read(port)) builder.add_port(port, number_of(port, owner));
+        for (const std::string& owner : read_element(port)) builder.add_port(port, number_of(port, owner));
     } else {
       for (unsigned i = 0; i < indexed_; ++i) builder.add_port(value_, i);
     }
@@ -214,7 +194,9 @@ class PatternReader {
   }
 
   const JsonValue& value_;
-  ElementReader elements_;
+  NamedNumbers numbers_;
+  std::vector<std::string> indexed_names_;  ///< of indexed triangles before their indices, in order of first appearance
+  std::map<std::string, std::set<unsigned>> indices_;
   std::vector<Chain> chains_;
   std::vector<std::string> names_;
   std::size_t indexed_ = 0;
