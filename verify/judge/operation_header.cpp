@@ -67,87 +67,70 @@ class HeaderReader {
   HeaderReader(const std::string& file, std::string_view text, const Description& description, unsigned max_k,
                HeaderCheck& check)
       : file_(file), rest_(text), description_(description), check_(check) {
-    for (const Numbers& numbers : description.positions(max_k)) operations_.push_back(description.at(numbers));
+    unsigned bits = 0;
+    for (const Numbers& numbers : description.positions(max_k)) {
+      const Operation& operation = operations_.emplace_back(description.at(numbers));
+      bits = std::max(bits, operation.after.inner_edges() + operation.ports());
+      entries_ += entries_of(operation);
+    }
     if (operations_.empty())
       throw InputError(description.file(), 0, fmt::format("{} has no position up to {}", description.name, max_k));
+    check_.width = bits < 8 ? 8 : (bits < 16 ? 16 : 32);
   }
 
   /// Stops at the first wrong line.
   void read() {
-    const bool good = expect_all(lines_before()) &&
-                      expect_all(is_family() ? lines_of_family() : lines_of_operation()) && take_entries() &&
-                      (first().on_a_mesh() ? take_surface() : expect("    }};")) && expect("") &&
+    const bool good = expect_all(lines_before_entries()) && take_entries() &&
+                      (operations_.front().on_a_mesh() ? take_surface() : expect("    }};")) && expect("") &&
                       expect("}  // namespace restrip::tables");
     if (good && !rest_.empty()) fail("the end of the file", rest_.substr(0, rest_.find('\n')));
   }
 
  private:
   [[nodiscard]] bool is_family() const { return !description_.numbers.empty(); }
-  [[nodiscard]] const Operation& first() const { return operations_.front(); }
-  [[nodiscard]] bool is_matching() const { return first().constraint == Constraint::matching; }
-  /// Bits of an entry.
-  [[nodiscard]] unsigned width() const {
-    unsigned bits = 0;
-    for (const Operation& operation : operations_)
-      bits = std::max(bits, operation.after.inner_edges() + operation.ports());
-    return bits < 8 ? 8 : (bits < 16 ? 16 : 32);
-  }
-  [[nodiscard]] std::uint64_t entries() const {
-    std::uint64_t all = 0;
-    for (const Operation& operation : operations_) all += entries_of(operation);
-    return all;
-  }
-  /// For all positions.
-  [[nodiscard]] std::string triangle_counts() const {
-    unsigned before = 0;
-    unsigned after = 0;
-    for (const Operation& operation : operations_) {
-      before += operation.before.triangles;
-      after += operation.after.triangles;
-    }
-    return fmt::format(", {}, {}", before, after);
-  }
-  [[nodiscard]] std::string variable() const {
-    std::string name = description_.name;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-  }
 
-  [[nodiscard]] std::vector<std::string> lines_before() const {
+  [[nodiscard]] std::vector<std::string> lines_before_entries() const {
     const std::string& name = description_.name;
-    return {"// " + (description_.about.empty() ? name : description_.about),
-            fmt::format("// Written by `restrip-generate rules` from the operation file of {}. Do not edit.", name),
-            "// Explained in restrip/tables/operation_format.hpp.",
-            "#pragma once",
-            "",
-            "#include \"restrip/tables/operation_format.hpp\"",
-            "",
-            "namespace restrip::tables {",
-            ""};
-  }
-
-  /// From the name to the entries.
-  [[nodiscard]] std::vector<std::string> lines_of_operation() const {
-    const Side& before = first().before;
-    const Side& after = first().after;
-    const bool surface = first().on_a_mesh();
-    return {
-        fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{", surface ? "SurfaceOperation" : "OperationTable",
-                    width(), entries(), surface ? triangle_counts() : std::string(), variable()),
-        fmt::format("    {}{{{}, {}}},", surface ? "{" : "", before.triangles, before.inner_edges()),
-        fmt::format("    {{{}, {}}},", after.triangles, after.inner_edges()),
-        fmt::format("    {},", first().ports()),
-        fmt::format("    {},", is_matching()),
-        "    {"};
-  }
-
-  /// The same for a family.
-  [[nodiscard]] std::vector<std::string> lines_of_family() const {
-    const bool surface = first().on_a_mesh();
+    std::string variable = name;
+    std::replace(variable.begin(), variable.end(), '-', '_');
+    const Operation& first = operations_.front();
+    const bool surface = first.on_a_mesh();
+    const bool matching = first.constraint == Constraint::matching;
+    std::string triangles;  // of all positions
+    if (surface) {
+      unsigned before = 0;
+      unsigned after = 0;
+      for (const Operation& operation : operations_) {
+        before += operation.before.triangles;
+        after += operation.after.triangles;
+      }
+      triangles = fmt::format(", {}, {}", before, after);
+    }
     std::vector<std::string> lines{
-        fmt::format("inline constexpr {}<std::uint{}_t, {}, {}{}> {}{{", surface ? "SurfaceFamily" : "OperationFamily",
-                    width(), entries(), operations_.size(), surface ? triangle_counts() : std::string(), variable()),
-        fmt::format("    {}{},", surface ? "{" : "", is_matching()), fmt::format("    \"{}\",", position()), "    {{"};
+        "// " + (description_.about.empty() ? name : description_.about),
+        fmt::format("// Written by `restrip-generate rules` from the operation file of {}. Do not edit.", name),
+        "// Explained in restrip/tables/operation_format.hpp.",
+        "#pragma once",
+        "",
+        "#include \"restrip/tables/operation_format.hpp\"",
+        "",
+        "namespace restrip::tables {",
+        ""};
+    if (!is_family()) {
+      lines.insert(
+          lines.end(),
+          {fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{", surface ? "SurfaceOperation" : "OperationTable",
+                       check_.width, entries_, triangles, variable),
+           fmt::format("    {}{{{}, {}}},", surface ? "{" : "", first.before.triangles, first.before.inner_edges()),
+           fmt::format("    {{{}, {}}},", first.after.triangles, first.after.inner_edges()),
+           fmt::format("    {},", first.ports()), fmt::format("    {},", matching), "    {"});
+      return lines;
+    }
+    lines.insert(
+        lines.end(),
+        {fmt::format("inline constexpr {}<std::uint{}_t, {}, {}{}> {}{{", surface ? "SurfaceFamily" : "OperationFamily",
+                     check_.width, entries_, operations_.size(), triangles, variable),
+         fmt::format("    {}{},", surface ? "{" : "", matching), fmt::format("    \"{}\",", position()), "    {{"});
     std::uint64_t begin = 0;
     for (const Operation& operation : operations_) {
       Numbers numbers = operation.numbers;
@@ -225,11 +208,10 @@ class HeaderReader {
   }
 
   bool take_entries() {
-    check_.width = width();
-    const std::uint64_t none = largest_of(width());
+    const std::uint64_t none = largest_of(check_.width);
     auto operation = operations_.begin();
     std::uint64_t left = entries_of(*operation);
-    return take_elements(entries(), fmt::format("rules of the operation, or {}", none), [&](std::string_view& line) {
+    return take_elements(entries_, fmt::format("rules of the operation, or {}", none), [&](std::string_view& line) {
       for (; left == 0; left = entries_of(*operation)) ++operation;
       --left;
       return take_number(line, [&](std::uint64_t number) {
@@ -240,11 +222,12 @@ class HeaderReader {
   }
 
   bool take_surface() {
-    return expect("    }},") && (is_family() ? expect_all(triangles_of_positions()) : expect(vertices_of(first()))) &&
+    return expect("    }},") &&
+           (is_family() ? expect_all(triangles_of_positions())
+                        : expect(fmt::format("    {},", operations_.front().vertices))) &&
            take_triangles(&Operation::placed_before) && take_triangles(&Operation::placed_after) && expect("};");
   }
 
-  static std::string vertices_of(const Operation& operation) { return fmt::format("    {},", operation.vertices); }
   /// For each position, the number of vertices and the start of its triangles.
   [[nodiscard]] std::vector<std::string> triangles_of_positions() const {
     std::vector<std::string> lines{"    {{"};
@@ -282,6 +265,7 @@ class HeaderReader {
   std::string_view rest_;
   const Description& description_;
   std::vector<Operation> operations_;  ///< at all positions
+  std::uint64_t entries_ = 0;          ///< of all of them
   HeaderCheck& check_;
 };
 
