@@ -129,9 +129,9 @@ class Patches {
 };
 
 /// As the readers of a file see it, which know the limits.
-std::optional<verify::SurfaceGraphs> by_verifier(const verify::NamedSurface& patch) {
+std::optional<verify::Sides> by_verifier(const verify::NamedSurface& patch) {
   try {
-    const verify::SurfaceGraphs graphs = verify::graphs_of(patch);
+    const verify::Sides graphs = verify::graphs_of(patch);
     for (const auto* graph : {&graphs.before, &graphs.after})
       if (graph->owner_of_port.empty() || graph->owner_of_port.size() > 8 ||
           graph->edges.size() + graph->owner_of_port.size() > 20)
@@ -150,7 +150,7 @@ std::optional<generator::SurfacePatch> by_generator(const verify::NamedSurface& 
   }
 }
 
-void expect_same(const generator::Side& side, const verify::PatchGraph& graph) {
+void expect_same(const generator::Side& side, const verify::Side& graph) {
   EXPECT_EQ(side.nodes, graph.triangles);
   EXPECT_EQ(side.owner, graph.owner_of_port);
   ASSERT_EQ(side.edges.size(), graph.edges.size());
@@ -162,7 +162,7 @@ using generator::SurfaceTriangle;
 /// What lies on the sides of a triangle, which identifies it.
 using Sides = std::multiset<unsigned>;
 
-std::multiset<Sides> sides_of(const verify::PatchGraph& graph) {
+std::multiset<Sides> sides_of(const verify::Side& graph) {
   std::vector<Sides> sides(graph.triangles);
   for (unsigned e = 0; e < graph.edges.size(); ++e)
     for (const unsigned t : graph.edges[e]) sides[t].insert(e);
@@ -175,7 +175,7 @@ std::multiset<Sides> sides_of(const verify::PatchGraph& graph) {
 
 /// The ends of the ports, which both sides must have in common.
 std::map<unsigned, std::pair<unsigned, unsigned>> expect_met(const std::vector<SurfaceTriangle>& met,
-                                                             const verify::PatchGraph& graph) {
+                                                             const verify::Side& graph) {
   std::multiset<Sides> sides;
   std::map<unsigned, std::pair<unsigned, unsigned>> ports;
   for (std::size_t t = 0; t < met.size(); ++t) {

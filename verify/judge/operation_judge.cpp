@@ -6,9 +6,12 @@ namespace restrip::verify {
 
 Keys::Keys(const Operation& operation) : operation_(operation), joinable_(mask_count(operation.ports())) {
   std::vector<PortPairs> joined(joinable_.size());  // by kept ports
-  for_each_valid(operation.after, most_solid(operation.constraint), [&](Colors after, const SolidGraph& inner) {
-    joined[after.ports].add(joined_ports(operation.after, inner, after.ports));
-  });
+  const unsigned most = most_solid(operation.constraint);
+  for (Mask inner = 0; inner < mask_count(operation.after.inner_edges()); ++inner)
+    if (const auto graph = valid_graph(operation.after, {inner, 0}, most))
+      for (Mask kept = 0; kept < joined.size(); ++kept)
+        if (valid_graph(operation.after, {inner, kept}, most))
+          joined[kept].add(joined_ports(operation.after, *graph, kept));
   for (Mask ports = 0; ports < joinable_.size(); ++ports)
     for (Mask kept = 0; kept <= ports; ++kept)
       if (admissible(operation, ports, kept)) joinable_[ports].add(joined[kept]);

@@ -50,15 +50,6 @@ Degrees degrees(const Side& side, Colors colors);
 /// cycle is solid. nullopt if it is not valid.
 std::optional<SolidGraph> valid_graph(const Side& side, Colors colors, unsigned most_solid);
 
-/// Calls back with each valid colouring and its solid inner edges.
-template <class Visit>
-void for_each_valid(const Side& side, unsigned most_solid, const Visit& visit) {
-  for (Mask inner = 0; inner < mask_count(side.inner_edges()); ++inner)
-    if (const auto graph = valid_graph(side, {inner, 0}, most_solid))
-      for (Mask ports = 0; ports < mask_count(side.ports()); ++ports)
-        if (valid_graph(side, {inner, ports}, most_solid)) visit(Colors{inner, ports}, *graph);
-}
-
 /// The pairs of solid ports whose triangles are connected by solid inner edges.
 PortPairs joined_ports(const Side& side, const SolidGraph& inner, Mask ports);
 

@@ -3,6 +3,7 @@
 
 #include "common/json.hpp"
 #include "model/operation.hpp"
+#include "model/triangles.hpp"
 
 namespace restrip::verify {
 
@@ -10,15 +11,6 @@ namespace restrip::verify {
 struct NamedNumbers {
   const std::vector<std::string>& names;
   const Numbers& values;
-};
-
-/// The two sides of an operation.
-struct Sides {
-  Side before;
-  Side after;
-  unsigned vertices = 0;  ///< of triangles with named vertices; 0 for the other forms
-  std::vector<PlacedTriangle> placed_before;
-  std::vector<PlacedTriangle> placed_after;
 };
 
 inline constexpr unsigned most_ports_of_a_graph = 8;

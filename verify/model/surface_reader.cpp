@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 #include "model/side_reader.hpp"
-#include "model/triangles.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -32,13 +30,11 @@ class SurfaceReader {
       const std::vector<JsonValue> ends = stretch.elements("vertices", 2, 2);
       surface.boundary.push_back({vertex(ends[0], {}, 0), vertex(ends[1], {}, 0)});
     }
-    std::set<std::string> vertices;
-    for (const NamedTriangles* side : {&surface.before, &surface.after})
-      for (const auto& names : *side) vertices.insert(names.begin(), names.end());
     try {
-      SurfaceGraphs graphs = graphs_of(surface);
-      return {side_of(description_["before"], graphs.before), side_of(description_["after"], graphs.after),
-              static_cast<unsigned>(vertices.size()), std::move(graphs.before.placed), std::move(graphs.after.placed)};
+      const Sides sides = graphs_of(surface);
+      expect_limits(description_["before"], sides.before);
+      expect_limits(description_["after"], sides.after);
+      return sides;
     } catch (const SurfaceFault& fault) {
       if (!fault.element) description_[fault.member].refuse(fault.what + position());
       const std::vector<JsonValue>& elements = fault.member == "boundary" ? stretches
@@ -114,14 +110,12 @@ class SurfaceReader {
     }
   }
 
-  Side side_of(const JsonValue& value, PatchGraph& graph) const {
-    Side side{graph.triangles, std::move(graph.edges), std::move(graph.owner_of_port), {}};
+  void expect_limits(const JsonValue& value, const Side& side) const {
     if (side.ports() == 0 || side.ports() > most_ports_of_a_graph)
       value.refuse(fmt::format("expected 1 to {} ports, found {}{}", most_ports_of_a_graph, side.ports(), position()));
     if (side.colors() > most_colors_of_a_graph)
       value.refuse(fmt::format("expected at most {} edges and ports together, found {} and {}{}",
                                most_colors_of_a_graph, side.inner_edges(), side.ports(), position()));
-    return side;
   }
 
   const JsonValue& description_;

@@ -160,37 +160,9 @@ void expect_among(const std::map<Name, Along>& ports, const Complex& complex, co
                                               from, port.to, complex.member(), other.member()));
 }
 
-/// The numbers of the vertices, in order of appearance in the file.
-std::map<Name, unsigned> numbers_of_vertices(const NamedSurface& surface) {
-  std::map<Name, unsigned> numbers;
-  for (const NamedTriangles* side : {&surface.before, &surface.after})
-    for (const auto& corners : *side)
-      for (const Name& name : corners) numbers.emplace(name, static_cast<unsigned>(numbers.size()));
-  return numbers;
-}
-
-PatchGraph graph_of(const NamedTriangles& triangles, const Complex& complex, const std::map<Name, Along>& ports,
-                    const std::vector<Name>& order, const std::map<Name, unsigned>& vertices) {
-  PatchGraph graph{static_cast<unsigned>(triangles.size()), {}, {}, {}};
-  for (const auto& [a, b, c] : triangles)
-    graph.placed.push_back(
-        {{vertices.at(a), vertices.at(b), vertices.at(c)}, {boundary_side, boundary_side, boundary_side}});
-  for (const auto& edge : complex.inner_edges()) {
-    for (const Along& along : edge)
-      graph.placed[along.triangle].side[along.side] = static_cast<unsigned>(graph.edges.size());
-    graph.edges.push_back({static_cast<unsigned>(edge[0].triangle), static_cast<unsigned>(edge[1].triangle)});
-  }
-  for (const Name& from : order) {
-    const Along& port = ports.at(from);
-    graph.placed[port.triangle].side[port.side] = first_port_side + static_cast<unsigned>(graph.owner_of_port.size());
-    graph.owner_of_port.push_back(static_cast<unsigned>(port.triangle));
-  }
-  return graph;
-}
-
 }  // namespace
 
-SurfaceGraphs graphs_of(const NamedSurface& surface) {
+Sides graphs_of(const NamedSurface& surface) {
   for (const auto& [member, triangles] : {std::pair("before", &surface.before), {"after", &surface.after}})
     if (triangles->empty()) throw SurfaceFault{member, {}, "expected a list of triangles, found none"};
   const Complex before("before", surface.before);
@@ -213,9 +185,32 @@ SurfaceGraphs graphs_of(const NamedSurface& surface) {
       at = before.rim().at(at).to;
     } while (at != first->first);
   }
-  const std::map<Name, unsigned> vertices = numbers_of_vertices(surface);
-  return {graph_of(surface.before, before, ports_before, order, vertices),
-          graph_of(surface.after, after, ports_after, order, vertices)};
+  std::map<Name, unsigned> vertices;  // numbers, in order of appearance in the file
+  for (const NamedTriangles* triangles : {&surface.before, &surface.after})
+    for (const auto& corners : *triangles)
+      for (const Name& name : corners) vertices.emplace(name, static_cast<unsigned>(vertices.size()));
+
+  Sides sides;
+  sides.vertices = static_cast<unsigned>(vertices.size());
+  const auto fill = [&](Side& side, std::vector<PlacedTriangle>& placed, const NamedTriangles& triangles,
+                        const Complex& complex, const std::map<Name, Along>& ports) {
+    side.triangles = static_cast<unsigned>(triangles.size());
+    for (const auto& [a, b, c] : triangles)
+      placed.push_back(
+          {{vertices.at(a), vertices.at(b), vertices.at(c)}, {boundary_side, boundary_side, boundary_side}});
+    for (const auto& edge : complex.inner_edges()) {
+      for (const Along& along : edge) placed[along.triangle].side[along.side] = side.inner_edges();
+      side.edges.push_back({static_cast<unsigned>(edge[0].triangle), static_cast<unsigned>(edge[1].triangle)});
+    }
+    for (const Name& from : order) {
+      const Along& port = ports.at(from);
+      placed[port.triangle].side[port.side] = first_port_side + side.ports();
+      side.owner_of_port.push_back(static_cast<unsigned>(port.triangle));
+    }
+  };
+  fill(sides.before, sides.placed_before, surface.before, before, ports_before);
+  fill(sides.after, sides.placed_after, surface.after, after, ports_after);
+  return sides;
 }
 
 }  // namespace restrip::verify

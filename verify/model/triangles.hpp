@@ -19,17 +19,13 @@ struct NamedSurface {
   std::vector<std::array<std::string, 2>> boundary;
 };
 
-/// The dual graph of a disc of triangles: inner edges by their triangles and ports by their owners, both in order.
-struct PatchGraph {
-  unsigned triangles = 0;
-  std::vector<std::array<unsigned, 2>> edges;
-  std::vector<unsigned> owner_of_port;
-  std::vector<PlacedTriangle> placed;
-};
-
-struct SurfaceGraphs {
-  PatchGraph before;
-  PatchGraph after;
+/// The two sides of an operation.
+struct Sides {
+  Side before;
+  Side after;
+  unsigned vertices = 0;  ///< of triangles with named vertices; 0 for the other forms
+  std::vector<PlacedTriangle> placed_before;
+  std::vector<PlacedTriangle> placed_after;
 };
 
 /// The place of a fault: an element of the member "before", "after" or "boundary", or the whole member.
@@ -39,8 +35,9 @@ struct SurfaceFault {
   std::string what;  ///< "expected …, found …"
 };
 
+/// The dual graphs: inner edges by their triangles and ports by their owners, both in order; triangles have no names.
 /// Throws SurfaceFault unless both sides are discs of triangles with the same outline, apart from edges on the boundary
 /// of the mesh. The caller checks the limits on triangles, edges and ports.
-SurfaceGraphs graphs_of(const NamedSurface& surface);
+Sides graphs_of(const NamedSurface& surface);
 
 }  // namespace restrip::verify
