@@ -46,8 +46,7 @@ class ConfigurationGraph {
  public:
   explicit ConfigurationGraph(const Operation& operation)
       : ports_(operation.ports()), may_give_up_(operation.may_give_up) {
-    EMPTYGRAPH(graph_.data(), 1, most_nodes);
-    for (unsigned port = 0; port < ports_; ++port) classes_.push_back(port_class(port, false));
+    for (unsigned port = 0; port < ports_; ++port) add_node(port_class(port, false));
     const std::vector<int> before = add_triangles(operation.before, NodeClass::own_before);
     const std::vector<int> after = add_triangles(operation.after, NodeClass::own_after);
     for (const auto& [one, other] : operation.after.edges) join(after[one], after[other]);
@@ -59,13 +58,7 @@ class ConfigurationGraph {
     }
   }
 
-  /// The number of nodes of the graph.
-  static std::size_t size_for(const Operation& operation) {
-    std::size_t nodes = operation.ports() + operation.before.inner_edges();
-    for (const Side* side : {&operation.before, &operation.after})
-      for (const std::vector<int>& ports : ports_of_triangles(*side)) nodes += stands_for(ports, *side) ? 0U : 1U;
-    return nodes;
-  }
+  bool has_too_many_nodes() const { return size() > most_nodes; }
 
   /// nauty keeps working memory for each thread, which an ending thread must release.
   ~ConfigurationGraph() {
@@ -113,33 +106,24 @@ class ConfigurationGraph {
 
   int add_node(NodeClass node_class) {
     classes_.push_back(node_class);
+    graph_.push_back(0);  // without edges
     return static_cast<int>(size()) - 1;
   }
 
   void join(int one, int other) { ADDONEEDGE(graph_.data(), one, other, 1); }
 
-  static std::vector<std::vector<int>> ports_of_triangles(const Side& side) {
-    std::vector<std::vector<int>> ports_of(side.triangles);
-    for (unsigned port = 0; port < side.ports(); ++port)
-      ports_of[side.owner_of_port[port]].push_back(static_cast<int>(port));
-    return ports_of;
-  }
-  /// Whether the only port of a triangle represents it as well. Next to a triangle with several ports this is wrong: an
-  /// inner edge between the two could be mistaken for one more port.
-  static bool stands_for(const std::vector<int>& ports, const Side& side) {
-    const std::set<unsigned> owners(side.owner_of_port.begin(), side.owner_of_port.end());
-    return ports.size() == 1 && owners.size() == side.ports();
-  }
-
-  /// The node of each triangle.
+  /// The node of each triangle. The only port of a triangle represents it as well. Next to a triangle with several
+  /// ports this is wrong: an inner edge between the two could be mistaken for one more port.
   std::vector<int> add_triangles(const Side& side, NodeClass own_class) {
-    std::vector<int> node_of;
-    for (const std::vector<int>& ports : ports_of_triangles(side)) {
-      const bool is_port = stands_for(ports, side);
-      node_of.push_back(is_port ? ports.front() : add_node(own_class));
-      if (!is_port)
-        for (const int port : ports) join(node_of.back(), port);
-    }
+    const std::set<unsigned> owners(side.owner_of_port.begin(), side.owner_of_port.end());
+    std::vector<int> node_of(side.triangles, -1);
+    if (owners.size() == side.ports())
+      for (unsigned port = 0; port < side.ports(); ++port) node_of[side.owner_of_port[port]] = static_cast<int>(port);
+    for (int& node : node_of)
+      if (node < 0) node = add_node(own_class);
+    if (owners.size() != side.ports())
+      for (unsigned port = 0; port < side.ports(); ++port)
+        join(node_of[side.owner_of_port[port]], static_cast<int>(port));
     return node_of;
   }
 
@@ -175,7 +159,7 @@ class ConfigurationGraph {
   Mask may_give_up_;
   std::size_t first_edge_ = 0;
   std::vector<NodeClass> classes_;
-  NautyGraph graph_{};
+  std::vector<graph> graph_;  ///< a word for each node
   statsblk stats_{};
 };
 
@@ -221,8 +205,9 @@ OrbitCounts merged_orbits(const Operation& operation, const Symmetries& symmetri
 }
 
 std::optional<OrbitCounts> nauty_orbits(const Operation& operation, const std::vector<bool>& valid) {
-  if (!counts_everything(operation) || ConfigurationGraph::size_for(operation) > most_nodes) return {};
+  if (!counts_everything(operation)) return {};
   ConfigurationGraph configuration(operation);
+  if (configuration.has_too_many_nodes()) return {};
   if (configuration.rigid())
     return OrbitCounts{valid.size(), static_cast<std::uint64_t>(std::count(valid.begin(), valid.end(), true))};
   std::vector<CanonicalForm> all;
