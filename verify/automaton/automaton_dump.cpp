@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
 #include <string_view>
 #include <vector>
 
@@ -93,43 +92,37 @@ class AutomatonDumpReader {
     }
   }
 
-  /// The places of the dump, family by family.
-  std::vector<FanPlace> places() const {
-    std::map<std::string, std::vector<FanPlace>> by_family;
-    for (unsigned k = 1; k <= max_k_; ++k)
-      for (const FanPlace& place : all_places(k)) by_family[place.family].push_back(place);
-    std::vector<FanPlace> all;
-    for (const char* family : {"split", "collapse", "open-split", "boundary-split", "fan-collapse"})
-      all.insert(all.end(), by_family[family].begin(), by_family[family].end());
-    return all;
-  }
-
   void read_answers() {
     const AutomatonReader certified(certificate_);
-    for (const FanPlace& place : places()) {
-      std::string head = fmt::format("answers {} {}", place.family, place.k);
-      if (place.family.ends_with("split")) head += fmt::format(" {}", place.a);
-      if (place.family == "open-split") head += fmt::format(" {}", place.b);
-      const Side patch = patch_after(place);
-      std::uint64_t keys = 1;
-      for (unsigned i = 0; i < place.k; ++i) keys *= 3;
-      head += fmt::format(" keys {} digest ", keys);
-      const std::string_view line = lines_.next(head);
-      if (!line.starts_with(head)) lines_.fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
-      ++entries_;
-      std::uint64_t digest = 0;
-      std::uint64_t changes = 0;
-      for (std::uint64_t n = 0; n < keys; ++n) {
-        const FanKey key = seen_key(written_key(place.k, n), place);
-        const Mask inner = certified.answer(place, key).inner;
-        digest = digest * 1000003 + inner;
-        changes = changes * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});
-      }
-      check_.keys += keys;
-      if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, changes); line != right)
-        check_.wrong_answers.add(
-            fmt::format("line {}: the certificate's answers give\n  {}\nfound\n  {}\n", lines_.number(), right, line));
+    for (const char* family : {"split", "collapse", "open-split", "boundary-split", "fan-collapse"})
+      for (unsigned k = 1; k <= max_k_; ++k)
+        for (const FanPlace& place : all_places(k))
+          if (place.family == family) read_place(certified, place);
+  }
+
+  void read_place(const AutomatonReader& certified, const FanPlace& place) {
+    std::string head = fmt::format("answers {} {}", place.family, place.k);
+    if (place.family.ends_with("split")) head += fmt::format(" {}", place.a);
+    if (place.family == "open-split") head += fmt::format(" {}", place.b);
+    const Side patch = patch_after(place);
+    std::uint64_t keys = 1;
+    for (unsigned i = 0; i < place.k; ++i) keys *= 3;
+    head += fmt::format(" keys {} digest ", keys);
+    const std::string_view line = lines_.next(head);
+    if (!line.starts_with(head)) lines_.fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
+    ++entries_;
+    std::uint64_t digest = 0;
+    std::uint64_t changes = 0;
+    for (std::uint64_t n = 0; n < keys; ++n) {
+      const FanKey key = seen_key(written_key(place.k, n), place);
+      const Mask inner = certified.answer(place, key).inner;
+      digest = digest * 1000003 + inner;
+      changes = changes * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});
     }
+    check_.keys += keys;
+    if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, changes); line != right)
+      check_.wrong_answers.add(
+          fmt::format("line {}: the certificate's answers give\n  {}\nfound\n  {}\n", lines_.number(), right, line));
   }
 
   StreamLines& lines_;
@@ -155,21 +148,11 @@ AutomatonDumpCheck check_automaton_dump_of(const std::string& program, const Aut
                            [&](std::FILE* stream) { return check_automaton_dump(stream, certificate, max_k); });
 }
 
-namespace {
-
-constexpr std::array<std::string_view, 5> operations = {"split", "collapse", "open-split", "fan-collapse",
-                                                        "boundary-split"};
-constexpr std::uint32_t most_keys = 7000;
-constexpr std::uint32_t drawn_keys = 64;
-
-FanKey drawn_key(unsigned k, std::uint32_t n) {
-  const auto drawn = [&](Mask place) { return low_part(mixed_number(n, place, 0), k); };
-  return {drawn(0), drawn(1)};
-}
-
-}  // namespace
-
 Digests automaton_digests(const AutomatonCertificate& certificate, unsigned max_k) {
+  constexpr std::array<std::string_view, 5> operations = {"split", "collapse", "open-split", "fan-collapse",
+                                                          "boundary-split"};
+  constexpr std::uint32_t most_keys = 7000;
+  constexpr std::uint32_t drawn_keys = 64;
   const AutomatonReader reader(certificate);
   Digests digests;
   std::uint32_t keys = 1;
@@ -179,7 +162,8 @@ Digests automaton_digests(const AutomatonCertificate& certificate, unsigned max_
       const auto operation = std::find(operations.begin(), operations.end(), place.family) - operations.begin();
       std::uint32_t& digest = digests[fmt::format("{} {} {} {}", operation, k, place.a, place.b)];
       for (std::uint32_t n = 0; n < (keys <= most_keys ? keys : drawn_keys); ++n) {
-        const FanKey key = keys <= most_keys ? written_key(k, n) : drawn_key(k, n);
+        const auto drawn = [&](Mask number) { return low_part(mixed_number(n, number, 0), k); };
+        const FanKey key = keys <= most_keys ? written_key(k, n) : FanKey{drawn(0), drawn(1)};
         digest += mixed_number(n, key.ports, 0x80000000U | reader.answer(place, seen_key(key, place)).inner);
       }
     }

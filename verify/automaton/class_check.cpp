@@ -27,66 +27,55 @@ struct ArcJoint {
 };
 
 /// The combination of the cases of an arc and a following letter, observed in all colourings of all words of up to
-/// `longest` letters. It is a failure if two colourings with the same cases disagree in the case of the whole, its cost
-/// or its soundness, or if the longest words show a new combination.
-class ArcJoints {
- public:
-  explicit ArcJoints(std::size_t longest) : joints_(2 * case_count * case_count) {
-    std::vector<std::string> words{""};
-    for (std::size_t length = 1; length <= longest; ++length) {
-      std::vector<std::string> longer;
-      for (const std::string& word : words)
-        for (const char letter : letters)
-          if (!is_boundary(letter) || !has_boundary(word)) longer.push_back(word + letter);
-      words = std::move(longer);
-      if (length < 2) continue;
-      for (const std::string& word : words)
-        for (Mask links = 0; links < mask_count(static_cast<unsigned>(length) + 1); ++links)
-          observe(word, links, length < longest);
-    }
-  }
+/// `longest_joint` letters. It is a failure if two colourings with the same cases disagree in the case of the whole,
+/// its cost or its soundness, or if the longest words show a new combination.
+struct ArcJoints {
+  std::vector<std::optional<ArcJoint>> joints;  ///< empty if links of different colours meet
+  std::uint64_t colorings = 0;
+  Failures failures;
 
-  /// Empty if links of different colours meet.
-  const std::optional<ArcJoint>& at(std::size_t arc_case, std::size_t own_case, char letter) const {
-    return joints_[place(arc_case, own_case, letter)];
-  }
-  std::uint64_t colorings() const { return colorings_; }
-  const Failures& failures() const { return failures_; }
-
- private:
   static std::size_t place(std::size_t arc_case, std::size_t own_case, char letter) {
     return 2 * (case_count * arc_case + own_case) + (is_joined(letter) ? 1U : 0U);
   }
-
-  void observe(const std::string& word, Mask links, bool may_be_new) {
-    const auto last = static_cast<unsigned>(word.size() - 1);
-    const std::string_view before = std::string_view(word).substr(0, last);
-    const std::string_view letter = std::string_view(word).substr(last);
-    const ArcColoring alone = arc_coloring(letter, high_part(links, last));
-    if (!alone.sound) return;
-    const ArcColoring arc = arc_coloring(before, low_part(links, last + 1));
-    if (!arc.sound) return;
-    ++colorings_;
-    const ArcColoring whole = arc_coloring(word, links);
-    const ArcJoint seen = whole.sound ? ArcJoint{true, whole.arc_case} : ArcJoint{};
-    std::optional<ArcJoint>& known = joints_[place(arc.arc_case, alone.arc_case, letter[0])];
-    const auto fail = [&](const char* what) {
-      failures_.add(fmt::format("the arc {} with the links {:x}: {}", word, links, what));
-    };
-    if (whole.sound && whole.cost != arc.cost + alone.cost) fail("its cost is not the sum of its parts' costs");
-    if (known && *known != seen) fail("the cases of its parts do not determine the case of the whole");
-    if (!known && !may_be_new) fail("it has cases that shorter arcs do not have");
-    known = seen;
-  }
-
-  std::vector<std::optional<ArcJoint>> joints_;
-  std::uint64_t colorings_ = 0;
-  Failures failures_;
 };
+
+ArcJoints observed_joints() {
+  ArcJoints observed;
+  observed.joints.resize(2 * case_count * case_count);
+  std::vector<std::string> words{""};
+  for (std::size_t length = 1; length <= longest_joint; ++length) {
+    std::vector<std::string> longer;
+    for (const std::string& word : words)
+      for (const char letter : letters)
+        if (!is_boundary(letter) || !has_boundary(word)) longer.push_back(word + letter);
+    words = std::move(longer);
+    if (length < 2) continue;
+    const auto last = static_cast<unsigned>(length - 1);
+    for (const std::string& word : words)
+      for (Mask links = 0; links < mask_count(last + 2); ++links) {
+        const ArcColoring alone = arc_coloring(word.substr(last), high_part(links, last));
+        if (!alone.sound) continue;
+        const ArcColoring arc = arc_coloring(std::string_view(word).substr(0, last), low_part(links, last + 1));
+        if (!arc.sound) continue;
+        ++observed.colorings;
+        const ArcColoring whole = arc_coloring(word, links);
+        const ArcJoint seen = whole.sound ? ArcJoint{true, whole.arc_case} : ArcJoint{};
+        std::optional<ArcJoint>& known = observed.joints[ArcJoints::place(arc.arc_case, alone.arc_case, word[last])];
+        const auto fail = [&](const char* what) {
+          observed.failures.add(fmt::format("the arc {} with the links {:x}: {}", word, links, what));
+        };
+        if (whole.sound && whole.cost != arc.cost + alone.cost) fail("its cost is not the sum of its parts' costs");
+        if (known && *known != seen) fail("the cases of its parts do not determine the case of the whole");
+        if (!known && length == longest_joint) fail("it has cases that shorter arcs do not have");
+        known = seen;
+      }
+  }
+  return observed;
+}
 
 /// They do not depend on any certificate.
 const ArcJoints& all_joints() {
-  static const ArcJoints joints(longest_joint);
+  static const ArcJoints joints = observed_joints();
   return joints;
 }
 
@@ -122,8 +111,8 @@ class ClassChecker {
   explicit ClassChecker(const AutomatonCertificate& certificate) : certificate_(certificate) {}
 
   ClassCheck run() {
-    claims_[joints].cases = all_joints().colorings();
-    claims_[joints].failures = all_joints().failures();
+    claims_[joints].cases = all_joints().colorings;
+    claims_[joints].failures = all_joints().failures;
     check_witnesses();
     explore();
     check_meetings();
@@ -209,7 +198,7 @@ class ClassChecker {
           if ((before == both_dashed) == !is_solid(links, 0)) result.offer(alone.arc_case, before, alone.cost);
           continue;
         }
-        const auto& joint = all_joints().at(before, alone.arc_case, letter);
+        const auto& joint = all_joints().joints[ArcJoints::place(before, alone.arc_case, letter)];
         if (!joint || !joint->sound) continue;
         result.offer(joint->arc_case, before, *arc.costs[before] + alone.cost);
       }

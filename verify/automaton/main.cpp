@@ -44,29 +44,6 @@ struct AutomatonTotals {
   std::uint64_t kinds = 0;  ///< of arcs, distinguished by the best cost of each case, ports and class
 };
 
-/// Reports claims one after the other, each with the time since the previous one.
-class ClaimReporter {
- public:
-  ClaimReporter(AutomatonTotals& totals, const ClaimListener& listener) : totals_(totals), listener_(listener) {}
-
-  void report(const std::string& claim, const std::string& method, std::uint64_t cases, const Failures& failures) {
-    ClaimResult result{"automaton", claim, method, cases, thread_seconds() - start_, failures.count, failures.first};
-    start_ = thread_seconds();
-    if (cases == 0 && result.held()) {
-      result.failures = 1;
-      result.counterexample = "nothing was compared";
-    }
-    ++totals_.claims;
-    totals_.failed += result.held() ? 0U : 1U;
-    listener_(result);
-  }
-
- private:
-  AutomatonTotals& totals_;
-  const ClaimListener& listener_;
-  double start_ = thread_seconds();
-};
-
 std::string certificate_of(const AutomatonOptions& options, const std::string& family) {
   return options.tables_dir + "/certificates/" + family + ".cert";
 }
@@ -74,7 +51,20 @@ std::string certificate_of(const AutomatonOptions& options, const std::string& f
 /// Checks the certificate; calls the listener for each claim. Throws files::FileError if a file cannot be read.
 AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener) {
   AutomatonTotals totals;
-  ClaimReporter reporter(totals, listener);
+  double start = thread_seconds();
+  // Each claim with the time since the previous one.
+  const auto report = [&](const std::string& claim, const std::string& method, std::uint64_t cases,
+                          const Failures& failures) {
+    ClaimResult result{"automaton", claim, method, cases, thread_seconds() - start, failures.count, failures.first};
+    start = thread_seconds();
+    if (cases == 0 && result.held()) {
+      result.failures = 1;
+      result.counterexample = "nothing was compared";
+    }
+    ++totals.claims;
+    totals.failed += result.held() ? 0U : 1U;
+    listener(result);
+  };
   const std::string path = certificate_of(options, "automaton");
   const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
   totals.read.certificates = true;
@@ -82,8 +72,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   totals.rows = certificate.rows;
   const ClassCheck classes = check_classes(certificate);
   totals.kinds = classes.kinds;
-  for (const AutomatonClaim& claim : classes.claims)
-    reporter.report(claim.claim, claim.method, claim.cases, claim.failures);
+  for (const AutomatonClaim& claim : classes.claims) report(claim.claim, claim.method, claim.cases, claim.failures);
   // Steps and meetings are consistent only if all claims above hold; answers rely on that.
   if (totals.failed != 0) return totals;
 
@@ -91,9 +80,9 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     AutomatonDumpCheck dump = check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k);
     totals.read.of_headers.emplace_back("compiled automaton");
     if (!dump.fault.empty()) dump.wrong_numbers.add(dump.fault);
-    reporter.report("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
-    reporter.report("every answer of the header is the certificate's",
-                    fmt::format("k <= {}, digests of its dump", options.tables_max_k), dump.keys, dump.wrong_answers);
+    report("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
+    report("every answer of the header is the certificate's",
+           fmt::format("k <= {}, digests of its dump", options.tables_max_k), dump.keys, dump.wrong_answers);
   }
 
   if (!options.digest_commands.empty()) {
@@ -102,8 +91,8 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
       totals.read.of_headers.emplace_back("digests of a look-up");
       DigestComparison found = compare_digests_of(command, digests);
       if (!found.fault.empty()) found.differences.add(found.fault);
-      reporter.report("a look-up answers as the certificate does",
-                      fmt::format("k <= {}, digests", options.digest_max_k), found.positions, found.differences);
+      report("a look-up answers as the certificate does", fmt::format("k <= {}, digests", options.digest_max_k),
+             found.positions, found.differences);
     }
   }
 
@@ -111,17 +100,17 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     if (family.sections.front().operations.front().may_give_up != 0) continue;
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
-    reporter.report(fmt::format("every answer costs the same as the rule of {}", family.name),
-                    fmt::format("k <= {}, {}, {} answers equal the rule", options.tables_max_k,
-                                counted(check.places, "position"), check.same),
-                    check.keys, check.failures);
+    report(fmt::format("every answer costs the same as the rule of {}", family.name),
+           fmt::format("k <= {}, {}, {} answers equal the rule", options.tables_max_k,
+                       counted(check.places, "position"), check.same),
+           check.keys, check.failures);
   }
   for (unsigned k = 1; k <= options.max_k; ++k) {
     const unsigned every = k > largest_fan ? options.every : 1;
     const FanCheck check = check_against_search(certificate, k, every);
-    reporter.report(fmt::format("every answer with k = {} is sound and best", k),
-                    fmt::format("all recolourings, {}{}", every == 1 ? "all " : "", counted(check.places, "place")),
-                    check.keys, check.failures);
+    report(fmt::format("every answer with k = {} is sound and best", k),
+           fmt::format("all recolourings, {}{}", every == 1 ? "all " : "", counted(check.places, "place")), check.keys,
+           check.failures);
   }
   return totals;
 }
