@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "certificate/sums.hpp"
+#include "certificate/certificate_form.hpp"
 
 namespace restrip::fuzz {
 

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "certificate/certificate.hpp"
-#include "certificate/sums.hpp"
+#include "certificate/certificate_form.hpp"
 #include "corpus.hpp"
 #include "linked/linked_certificate.hpp"
 #include "model/input.hpp"

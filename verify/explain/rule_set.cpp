@@ -44,9 +44,14 @@ class RuleReader {
           fmt::format("{}{}{}", fmt::join(one.numbers, ","), one.numbers.empty() ? "" : ",", color_columns(one.name));
       expected += fmt::format("\n  {}", begin);
       if (!header.starts_with(begin)) continue;
-      std::string rest = header.substr(begin.size());
-      has_kept_ = take(rest, ",ports_after");
-      has_change_ = take(rest, ",strips,isolated");
+      std::string_view rest = std::string_view(header).substr(begin.size());
+      const auto take = [&](std::string_view what) {
+        const bool found = rest.starts_with(what);
+        rest.remove_prefix(found ? what.size() : 0);
+        return found;
+      };
+      has_kept_ = take(",ports_after");
+      has_change_ = take(",strips,isolated");
       if (rest.empty()) description_ = &one;
     }
     if (description_ == nullptr)
@@ -86,11 +91,6 @@ class RuleReader {
     std::replace(text.begin(), text.end(), ',', ' ');
     return text;
   }
-  static bool take(std::string& text, std::string_view what) {
-    if (!text.starts_with(what)) return false;
-    text.erase(0, what.size());
-    return true;
-  }
   /// A decimal number below 2 to the number of bits.
   Mask mask(std::size_t column, unsigned bits) const {
     const std::int64_t value = lines_.number(column);
@@ -108,13 +108,10 @@ class RuleReader {
 };
 
 /// Worse rows first: by standing, then by strips lost.
-bool is_worse(const BadRow& one, const BadRow& other) {
-  return std::tuple(one.standing, -one.strips_lost, one.line) <
-         std::tuple(other.standing, -other.strips_lost, other.line);
-}
-
 void keep_worst(RuleSetReport& report, std::size_t worst) {
-  std::sort(report.worst.begin(), report.worst.end(), is_worse);
+  const auto rank = [](const BadRow& row) { return std::tuple(row.standing, -row.strips_lost, row.line); };
+  std::sort(report.worst.begin(), report.worst.end(),
+            [&](const BadRow& one, const BadRow& other) { return rank(one) < rank(other); });
   if (report.worst.size() > worst) report.worst.resize(worst);
 }
 

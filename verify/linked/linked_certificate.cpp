@@ -5,27 +5,6 @@
 #include <algorithm>
 
 namespace restrip::verify {
-namespace {
-
-constexpr std::array<const char*, 1> alternative_words = {"alternative"};
-
-/// Leaves the reader on the first line after the section.
-SectionLists parse_lists(LineReader& reader, const Section& section) {
-  SectionLists result;
-  parse_section_head(reader, section.position, linked_claim_words, result.claims, alternative_words);
-  for (; reader.starts_with(alternative_words[0]); reader.next("an alternative, a section or \"end\"")) {
-    reader.expect_words(3, "\"alternative\", 2 masks");
-    const Alternative row{reader.mask(1, section.ports), reader.mask(2, section.operations.front().after.inner_edges()),
-                          reader.line()};
-    if (!result.rows.empty() && row.ports < result.rows.back().ports)
-      reader.fail("expected lists in ascending order of ports");
-    result.rows.push_back(row);
-  }
-  return result;
-}
-
-}  // namespace
-
 std::string Alternative::text() const { return fmt::format("alternative {:x} {:x}", ports, inner); }
 
 List SectionLists::list(Mask ports) const {
@@ -37,10 +16,20 @@ List SectionLists::list(Mask ports) const {
 LinkedCertificate parse_linked_certificate(const std::string& file, std::string text, const LinkedFamily& family) {
   LinkedCertificate certificate;
   certificate.file = file;
+  const std::array<const char*, 1> row_words = {"alternative"};
   parse_form(file, std::move(text), {"restrip-certificate 3", "operation " + family.name}, [&](LineReader& reader) {
     for (const Section& section : family.local.sections) {
-      certificate.sections.push_back(parse_lists(reader, section));
-      certificate.rows += certificate.sections.back().rows.size();
+      SectionLists& result = certificate.sections.emplace_back();
+      parse_section_head(reader, section.position, linked_claim_words, result.claims, row_words);
+      for (; reader.starts_with("alternative"); reader.next("an alternative, a section or \"end\"")) {
+        reader.expect_words(3, "\"alternative\", 2 masks");
+        const Alternative row{reader.mask(1, section.ports),
+                              reader.mask(2, section.operations.front().after.inner_edges()), reader.line()};
+        if (!result.rows.empty() && row.ports < result.rows.back().ports)
+          reader.fail("expected lists in ascending order of ports");
+        result.rows.push_back(row);
+      }
+      certificate.rows += result.rows.size();
     }
     return certificate.rows;
   });

@@ -12,7 +12,7 @@
 
 #include "automaton/automaton_certificate.hpp"
 #include "automaton/class_check.hpp"
-#include "certificate/sums.hpp"
+#include "certificate/certificate_form.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify::test {
