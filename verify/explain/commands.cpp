@@ -44,20 +44,19 @@ Description named(const std::vector<Description>& all, const std::string& name) 
 /// The patch before, the recolouring if there is one, and the best. If the recolouring is invalid in some world, that
 /// world is drawn around it; otherwise the sets of edges follow which show that nothing is better.
 std::string picture_of(const Definition& definition, const Explanation& explanation,
-                       const std::optional<JudgedColors>& judged) {
+                       const std::optional<Judgement>& judged) {
   const Side& after = definition.operation().after;
   const auto marked = [](const Obstacle& obstacle) {
     return Colors{obstacle.edges.inner, obstacle.edges.ports | obstacle.ports};
   };
-  const Obstacle* const shown = judged && judged->judgement.obstacle ? &*judged->judgement.obstacle : nullptr;
+  const Obstacle* const shown = judged && judged->obstacle ? &*judged->obstacle : nullptr;
   const World world = shown != nullptr ? definition.world(shown->world) : World{};
   std::vector<Panel> panels{{"before", &definition.operation().before, explanation.configuration, world, {}}};
   if (judged) {
-    const Judgement& judgement = judged->judgement;
-    Panel yours{fmt::format("yours: {}", name_of(judgement.standing)), &after, judged->colors, world, {}};
+    Panel yours{fmt::format("yours: {}", name_of(judged->standing)), &after, judged->colors, world, {}};
     if (shown != nullptr) yours.marked = marked(*shown);
-    if (judgement.standing == Standing::worse) {  // what differs from the best
-      yours.title = "yours: " + judgement.because;
+    if (judged->standing == Standing::worse) {  // what differs from the best
+      yours.title = "yours: " + judged->because;
       yours.marked = {judged->colors.inner ^ explanation.best->colors.inner,
                       judged->colors.ports ^ explanation.best->colors.ports};
     }
@@ -118,17 +117,17 @@ int ExplainCommand::run() const {
     throw std::invalid_argument(
         fmt::format("not a valid configuration: {}",
                     invalid_because(operation.before, configuration, most_solid(operation.constraint))));
-  std::optional<JudgedColors> judged;
+  std::optional<Judgement> judged;
   if (!after_.empty()) {
     const Colors recoloring{
         mask_of("--after", after_, operation.after.inner_edges()),
         ports_after_.empty() ? configuration.ports : mask_of("--ports-after", ports_after_, operation.ports())};
-    judged = {recoloring, judgement_of(definition, configuration, recoloring)};
+    judged = judgement_of(definition, configuration, recoloring);
   }
   const Explanation explanation = explanation_of(definition, configuration);
   if (svg) svg->write(picture_of(definition, explanation, judged));
   out.print(text_of(definition, explanation, judged), text_of(json_of(definition, explanation, judged)));
-  return !judged || judged->judgement.standing >= Standing::equally_good ? all_claims_hold : some_claim_fails;
+  return !judged || judged->standing >= Standing::equally_good ? all_claims_hold : some_claim_fails;
 }
 
 RulesCommand::RulesCommand(CLI::App& app)

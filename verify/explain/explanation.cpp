@@ -51,10 +51,6 @@ Obstacle obstacle_in(const Definition& definition, Colors recoloring, unsigned w
   return obstacle;
 }
 
-bool has(Colors recoloring, const Obstacle& obstacle) {
-  return is_subset(obstacle.edges.inner, recoloring.inner) && is_subset(obstacle.edges.ports, recoloring.ports);
-}
-
 std::string listed_edges(const Side& side, const Obstacle& obstacle) {
   std::string text;
   for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
@@ -164,8 +160,9 @@ Explanation explanation_of(const Definition& definition, Colors configuration) {
   });
   found.cheaper = cheaper.size();
   for (const Colors recoloring : cheaper) {
-    auto known = std::find_if(found.obstacles.begin(), found.obstacles.end(),
-                              [&](const Obstacle& obstacle) { return has(recoloring, obstacle); });
+    auto known = std::find_if(found.obstacles.begin(), found.obstacles.end(), [&](const Obstacle& obstacle) {
+      return is_subset(obstacle.edges.inner, recoloring.inner) && is_subset(obstacle.edges.ports, recoloring.ports);
+    });
     if (known == found.obstacles.end()) {
       const std::optional<unsigned> world = definition.refuting_world(configuration, recoloring);
       if (!world) throw std::logic_error(operation.name() + ": a sound recolouring is better than the best");
@@ -180,8 +177,12 @@ Judgement judgement_of(const Definition& definition, Colors configuration, Color
   const Operation& operation = definition.operation();
   const Judged judged = definition.judged(configuration, recoloring);
   Judgement result;
-  if (judged.verdict == Verdict::wrong_ports)
-    return {Standing::not_valid, port_fault(operation, configuration.ports, recoloring.ports), {}, {}};
+  result.colors = recoloring;
+  if (judged.verdict == Verdict::wrong_ports) {
+    result.standing = Standing::not_valid;
+    result.because = port_fault(operation, configuration.ports, recoloring.ports);
+    return result;
+  }
   if (judged.verdict == Verdict::unsound) {
     const unsigned world = definition.refuting_world(configuration, recoloring).value();
     result.standing = world == 0 ? Standing::not_valid : Standing::unsound;
@@ -222,7 +223,7 @@ std::string arguments_of(const Operation& operation, Colors configuration, const
 }
 
 std::string text_of(const Definition& definition, const Explanation& explanation,
-                    const std::optional<JudgedColors>& judged) {
+                    const std::optional<Judgement>& judged) {
   const Operation& operation = definition.operation();
   std::string text =
       fmt::format("{}\nbefore    {}\n", operation.name(), drawn(operation.before, explanation.configuration));
@@ -247,15 +248,14 @@ std::string text_of(const Definition& definition, const Explanation& explanation
     text += fmt::format("{:>9} {:<{}}  {}\n", obstacle.excluded, listed_edges(operation.after, obstacle), width,
                         effect_of(definition, obstacle));
   if (!judged) return text;
-  const Judgement& judgement = judged->judgement;
   text += "yours     " +
-          line_of(operation, explanation.configuration, judged->colors, judgement.standing > Standing::not_valid);
-  return text + fmt::format("verdict   {}{}{}\n", name_of(judgement.standing), judgement.because.empty() ? "" : ": ",
-                            judgement.because);
+          line_of(operation, explanation.configuration, judged->colors, judged->standing > Standing::not_valid);
+  return text + fmt::format("verdict   {}{}{}\n", name_of(judged->standing), judged->because.empty() ? "" : ": ",
+                            judged->because);
 }
 
 nlohmann::ordered_json json_of(const Definition& definition, const Explanation& explanation,
-                               const std::optional<JudgedColors>& judged) {
+                               const std::optional<Judgement>& judged) {
   const Operation& operation = definition.operation();
   nlohmann::ordered_json json = {{"operation", operation.family},
                                  {"position", operation.numbers},
@@ -275,10 +275,10 @@ nlohmann::ordered_json json_of(const Definition& definition, const Explanation& 
   }
   if (!judged) return json;
   json["recolouring"] = json_of(operation, explanation.configuration, judged->colors);
-  json["verdict"] = name_of(judged->judgement.standing);
-  json["because"] = judged->judgement.because;
+  json["verdict"] = name_of(judged->standing);
+  json["because"] = judged->because;
   json["obstacle"] = nullptr;
-  if (judged->judgement.obstacle) json["obstacle"] = json_of(definition, *judged->judgement.obstacle);
+  if (judged->obstacle) json["obstacle"] = json_of(definition, *judged->obstacle);
   return json;
 }
 

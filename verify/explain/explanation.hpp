@@ -34,7 +34,9 @@ struct Explanation {
 enum class Standing { not_a_configuration, not_valid, unsound, worse, equally_good, best };
 std::string_view name_of(Standing standing);
 
+/// Of a recolouring.
 struct Judgement {
+  Colors colors;
   Standing standing = Standing::best;
   std::string because;               ///< a sentence without its full stop; empty if it is the best
   std::optional<Obstacle> obstacle;  ///< of those that are not valid or unsound, unless they take or give up a port
@@ -57,13 +59,9 @@ std::string text_of(const Definition& definition, const Obstacle& obstacle);
 std::string arguments_of(const Operation& operation, Colors configuration, const std::optional<Colors>& recoloring);
 
 /// Reports of an explanation and, if given, of a recolouring.
-struct JudgedColors {
-  Colors colors;
-  Judgement judgement;
-};
 std::string text_of(const Definition& definition, const Explanation& explanation,
-                    const std::optional<JudgedColors>& judged);
+                    const std::optional<Judgement>& judged);
 nlohmann::ordered_json json_of(const Definition& definition, const Explanation& explanation,
-                               const std::optional<JudgedColors>& judged);
+                               const std::optional<Judgement>& judged);
 
 }  // namespace restrip::verify
