@@ -69,7 +69,7 @@ class Verification {
       if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
       if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");
       listener_({"other languages", "the answers equal the headers' answers", "digests, " + command, found.positions,
-                 thread_seconds() - start, failures.count, failures.first});
+                 thread_seconds() - start, failures});
     }
     if (expected.with_digests) totals_.read.of_headers.emplace_back("digests of other languages");
     return totals_;
@@ -131,7 +131,7 @@ class Verification {
                             double seconds) {
       Failures failures;
       for (const std::string& fault : faults) failures.add(fault);
-      listener_({"files", claim, method, manifest.size(), seconds, failures.count, failures.first});
+      listener_({"files", claim, method, manifest.size(), seconds, failures});
     };
     const std::vector<std::string> faults = manifest_faults(options_.tables_dir, manifest);
     report("the files match the MANIFEST", "SHA-256, sizes, no file unlisted", faults, thread_seconds() - start);
@@ -232,7 +232,7 @@ class Verification {
       if (!comparison.fault.empty()) failures.add(comparison.fault);
       if (count.entries == 0 && failures.count == 0) return;
       listener_({subject, claim, fmt::format("{}, {}", method, counted(count.positions, "position")), count.entries,
-                 std::exchange(seconds, 0), failures.count, failures.first});
+                 std::exchange(seconds, 0), failures});
     };
     Failures differences = listed.differences;
     differences.add(listed.wrong);
@@ -266,7 +266,7 @@ class Verification {
     const HeaderCheck header =
         check_operation_header(options_.header, read_file(options_.header), description, options_.max_k);
     listener_({description.name, "the header is exactly the text of a table", "line by line, all but its entries",
-               header.lines, thread_seconds() - start, header.wrong.count, header.wrong.first});
+               header.lines, thread_seconds() - start, header.wrong});
     totals_.read.of_headers.emplace_back("header texts");
     if (header.wrong.count != 0) return false;
     check_dump(description.name, "the header's text", [&] { return compare_header(header, expected); });
@@ -283,7 +283,7 @@ class Verification {
     listener_(
         {"linked look-up", "the best in all outsides that fit the answers",
          fmt::format("{}, {}", counted(check.configurations, "configuration"), counted(check.positions, "position")),
-         check.leaves, thread_seconds() - start, failures.count, failures.first});
+         check.leaves, thread_seconds() - start, failures});
     if (check.holds()) totals_.answers["linked look-up"] = {check.positions, check.leaves};
     totals_.read.of_headers.emplace_back("compiled linked look-up");
   }

@@ -22,7 +22,7 @@ Verdict collected(const Check& check) {
     check([&](const ClaimResult& result) {
       if (result.held()) return;
       verdict.exit_code = 1;
-      verdict.crimes[result.claim] = result.failures;
+      verdict.crimes[result.claim] = result.failures.count;
       verdict.text += line_of(result);
     });
   } catch (const std::exception& error) {

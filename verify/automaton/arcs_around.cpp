@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace restrip::verify {
 namespace {
@@ -50,45 +51,37 @@ class SmallGraph {
 constexpr std::size_t node_a = 0;
 constexpr std::size_t node_d = 1;
 
-struct PortNode {
-  std::size_t node = 0;
-  ArcEnd end = first_left;
-};
-
-/// Adds the strands of a case between its left and its right neighbour.
-void add_arc(SmallGraph& graph, Case c, std::size_t left, std::size_t right, bool second,
-             std::vector<PortNode>& ports) {
-  if (c.left == 't') {
-    const std::size_t strand = graph.add_node();
-    graph.add_edge(left, strand);
-    graph.add_edge(strand, right);
-    return;
-  }
-  const auto add_strand = [&](char reach, std::size_t neighbor, ArcEnd end) {
-    if (reach == '-') return;
-    const std::size_t strand = graph.add_node();
-    graph.add_edge(neighbor, strand);
-    if (reach == 'p') ports.push_back({strand, end});
-  };
-  add_strand(c.left, left, second ? second_left : first_left);
-  add_strand(c.right, right, second ? second_right : first_right);
-}
-
 ArcWay way_around(std::size_t first, std::size_t second, bool chord) {
   const Case x = case_at(first);
   const Case y = case_at(second);
   SmallGraph graph;
-  std::vector<PortNode> ports;
-  add_arc(graph, x, node_a, node_d, false, ports);
-  add_arc(graph, y, node_d, node_a, true, ports);
+  std::vector<std::pair<std::size_t, ArcEnd>> ports;  // strands that leave by ports
+  const auto add_strand = [&](char reach, std::size_t neighbor, ArcEnd end) {
+    if (reach == '-') return;
+    const std::size_t strand = graph.add_node();
+    graph.add_edge(neighbor, strand);
+    if (reach == 'p') ports.emplace_back(strand, end);
+  };
+  const auto add_arc = [&](Case c, std::size_t left, std::size_t right, ArcEnd left_end, ArcEnd right_end) {
+    if (c.left != 't') {
+      add_strand(c.left, left, left_end);
+      add_strand(c.right, right, right_end);
+      return;
+    }
+    const std::size_t strand = graph.add_node();
+    graph.add_edge(left, strand);
+    graph.add_edge(strand, right);
+  };
+  add_arc(x, node_a, node_d, first_left, first_right);
+  add_arc(y, node_d, node_a, second_left, second_right);
   if (chord) graph.add_edge(node_a, node_d);
   ArcWay way;
   way.legal = graph.degree(node_a) <= 2 && graph.degree(node_d) <= 2 && !graph.has_cycle();
   for (std::size_t i = 0; way.legal && i < ports.size(); ++i) {
     std::vector<bool> visited(graph.size(), false);
-    const std::size_t other = graph.walk(ports[i].node, visited);
+    const std::size_t other = graph.walk(ports[i].first, visited);
     for (std::size_t j = i + 1; j < ports.size(); ++j)
-      if (ports[j].node == other) way.joined |= pair_of_ends(ports[i].end, ports[j].end);
+      if (ports[j].first == other) way.joined |= pair_of_ends(ports[i].second, ports[j].second);
   }
   const int edges = (x.right != '-' ? 1 : 0) + (y.right != '-' ? 1 : 0) + (chord ? 1 : 0);
   const int isolated = (graph.degree(node_a) == 0 ? 1 : 0) + (graph.degree(node_d) == 0 ? 1 : 0);

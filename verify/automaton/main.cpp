@@ -55,12 +55,9 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   // Each claim with the time since the previous one.
   const auto report = [&](const std::string& claim, const std::string& method, std::uint64_t cases,
                           const Failures& failures) {
-    ClaimResult result{"automaton", claim, method, cases, thread_seconds() - start, failures.count, failures.first};
+    ClaimResult result{"automaton", claim, method, cases, thread_seconds() - start, failures};
     start = thread_seconds();
-    if (cases == 0 && result.held()) {
-      result.failures = 1;
-      result.counterexample = "nothing was compared";
-    }
+    if (cases == 0 && result.held()) result.failures.add("nothing was compared");
     ++totals.claims;
     totals.failed += result.held() ? 0U : 1U;
     listener(result);

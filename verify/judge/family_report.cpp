@@ -118,7 +118,7 @@ class FamilyReport {
  private:
   void report(const std::string& claim, const std::string& method, std::uint64_t cases, double seconds,
               const Failures& failures) const {
-    listener_({family_.name, claim, method, cases, seconds, failures.count, failures.first});
+    listener_({family_.name, claim, method, cases, seconds, failures});
   }
   std::uint64_t sum(std::uint64_t PositionCheck::*count) const {
     std::uint64_t all = 0;

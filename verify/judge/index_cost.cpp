@@ -202,7 +202,7 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
                             found.at_most, *operation.most_indices));
   });
   listener({family.name, fmt::format("adds at most {} to 3 strips + swaps, a rule alone {}", all.at_most, all.by_rule),
-            "all configurations, all turns beyond the ports", all.configurations, seconds, wrong.count, wrong.first});
+            "all configurations, all turns beyond the ports", all.configurations, seconds, wrong});
 }
 
 }  // namespace restrip::verify

@@ -53,8 +53,8 @@ std::string line_of(const ClaimResult& result) {
   std::string text = fmt::format("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8.2f}\n", result.held() ? "holds" : "FAILS",
                                  result.subject, result.claim, result.method, grouped(result.cases), result.seconds);
   if (!result.held())
-    text +=
-        fmt::format("{}, the first:\n{}\n", counted_grouped(result.failures, "counterexample"), result.counterexample);
+    text += fmt::format("{}, the first:\n{}\n", counted_grouped(result.failures.count, "counterexample"),
+                        result.failures.first);
   return text;
 }
 
@@ -78,9 +78,9 @@ nlohmann::ordered_json json_of(const std::vector<ClaimResult>& claims) {
                     {"cases", claim.cases},
                     {"seconds", claim.seconds},
                     {"holds", claim.held()},
-                    {"failures", claim.failures},
+                    {"failures", claim.failures.count},
                     {"counterexample", nullptr}});
-    if (!claim.held()) json.back()["counterexample"] = claim.counterexample;
+    if (!claim.held()) json.back()["counterexample"] = claim.failures.first;
   }
   return json;
 }

@@ -37,10 +37,9 @@ struct ClaimResult {
   std::string method;
   std::uint64_t cases = 0;
   double seconds = 0;  ///< processor time
-  std::uint64_t failures = 0;
-  std::string counterexample;  ///< the first one
+  Failures failures;
 
-  bool held() const { return failures == 0; }
+  bool held() const { return failures.count == 0; }
 };
 
 /// The inputs of a result.

@@ -141,7 +141,7 @@ void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const Cla
   for (const Section& section : family.local.sections) lists += mask_count(section.ports);
   const auto report = [&](const std::string& claim, const std::string& method, std::uint64_t cases, double seconds,
                           const Failures& failures) {
-    listener({family.name, claim, method, cases, seconds, failures.count, failures.first});
+    listener({family.name, claim, method, cases, seconds, failures});
   };
 
   report("every port mask has its list", "all port masks", lists, 0, sum.lists.present);

@@ -68,13 +68,6 @@ std::string number_name_of(const JsonValue& value, const std::vector<std::string
   return name;
 }
 
-/// "k {k} a {a}"
-std::string every_number(const std::vector<std::string>& numbers) {
-  std::string text;
-  for (const std::string& number : numbers) text += fmt::format("{}{} {{{}}}", text.empty() ? "" : " ", number, number);
-  return text;
-}
-
 Conditions conditions_of(const JsonValue& description, const std::vector<std::string>& numbers, std::string_view name) {
   const std::optional<JsonValue> value = description.member(name);
   if (!value) return {};
@@ -186,7 +179,10 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
       numbers.push_back(number_name_of(number, numbers));
   where = conditions_of(value, numbers, "where");
   listed = conditions_of(value, numbers, "listed");
-  position = words_of(value, "position", numbers, every_number(numbers));
+  std::string every_number;  // "k {k} a {a}"
+  for (const std::string& number : numbers)
+    every_number += fmt::format("{}{} {{{}}}", every_number.empty() ? "" : " ", number, number);
+  position = words_of(value, "position", numbers, every_number);
   for (const std::string& number : numbers)
     if (position.find(fmt::format("{{{}}}", number)) == std::string::npos)
       value["position"].expected(fmt::format("each number in braces, also \"{{{}}}\"", number));
