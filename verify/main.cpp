@@ -97,15 +97,15 @@ int main(int argc, char** argv) {
                                                      name == "--digest-command" || name == "--headers" ||
                                                      name == "--family")
       operation->excludes(option);
-  const ExplainCommand explain(app);
-  const RulesCommand rules(app);
+  const auto explain = add_explain(app);
+  const auto rules = add_rules(app);
   const auto given = [&](const char* name) { return !app.get_option(name)->empty(); };
   return exit_code_of(app, argc, argv, [&] {
     for (const CLI::Option* option : app.get_options())
-      refuse_if((explain.chosen() || rules.chosen()) && !option->empty(),
+      refuse_if(!app.get_subcommands().empty() && !option->empty(),
                 fmt::format("{} cannot be used with a subcommand", option->get_name()));
-    if (explain.chosen()) return explain.run();
-    if (rules.chosen()) return rules.run();
+    if (app.got_subcommand("explain")) return explain();
+    if (app.got_subcommand("rules")) return rules();
     refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&
                   options.dump_command.empty(),
               "--operation needs --certificate, --header or, of a family, --dump-command");

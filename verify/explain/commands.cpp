@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "common/report_output.hpp"
@@ -70,12 +71,52 @@ std::string picture_of(const Definition& definition, const Explanation& explanat
   return picture_of(panels);
 }
 
+struct ExplainOptions {
+  std::string family, operation, before, ports, after, ports_after, svg, json;
+  unsigned k = 0;
+  Numbers at;
+};
+
+int explain(const CLI::App& command, const ExplainOptions& given) {
+  std::optional<files::Output> svg;
+  if (!given.svg.empty()) svg.emplace(given.svg, files::OutputRules{{".svg"}, {given.operation}});
+  const files::ReportOutput out(given.json, {given.operation});
+  const Description description = named(descriptions_of(given.operation), given.family);
+  Numbers numbers = given.at;
+  if (command.count("--k") != 0) numbers.insert(numbers.begin(), given.k);
+  const Operation operation = operation_at(description, numbers);
+  const Colors configuration{mask_of("--before", given.before, operation.before.inner_edges()),
+                             mask_of("--ports", given.ports, operation.ports())};
+  const Definition definition(operation);
+  if (!definition.valid(configuration))
+    throw std::invalid_argument(
+        fmt::format("not a valid configuration: {}",
+                    invalid_because(operation.before, configuration, most_solid(operation.constraint))));
+  std::optional<Judgement> judged;
+  if (!given.after.empty()) {
+    const Colors recoloring{mask_of("--after", given.after, operation.after.inner_edges()),
+                            given.ports_after.empty() ? configuration.ports
+                                                      : mask_of("--ports-after", given.ports_after, operation.ports())};
+    judged = judgement_of(definition, configuration, recoloring);
+  }
+  const Explanation explanation = explanation_of(definition, configuration);
+  if (svg) svg->write(picture_of(definition, explanation, judged));
+  out.print(text_of(definition, explanation, judged), text_of(json_of(definition, explanation, judged)));
+  return !judged || judged->standing >= Standing::equally_good ? all_claims_hold : some_claim_fails;
+}
+
+struct RulesOptions {
+  std::string file, operation, json;
+  std::size_t worst = 10;
+  unsigned threads = 2;
+};
+
 }  // namespace
 
-ExplainCommand::ExplainCommand(CLI::App& app)
-    : command_(app.add_subcommand(
-          "explain", "One configuration: the best recolouring, why nothing is better, or what is wrong with another")) {
-  command_->footer(
+std::function<int()> add_explain(CLI::App& app) {
+  CLI::App* const command = app.add_subcommand(
+      "explain", "One configuration: the best recolouring, why nothing is better, or what is wrong with another");
+  command->footer(
       "Masks are hexadecimal and numbered as in docs/reference/notation.md; dumps print the same in decimal.\n"
       "Verdicts:\n"
       "  not valid     a triangle has too many solid edges, the patch has a cycle, or a port changed that may not\n"
@@ -89,71 +130,49 @@ ExplainCommand::ExplainCommand(CLI::App& app)
       "Exit code: 0 if there is no recolouring to judge or it is as good as the best, 1 if it is not, 2 bad input.\n\n"
       "Example:\n"
       "  restrip-verify explain --family split --k 5 --at 2 --before 1a --ports 5 --after ff --svg why.svg");
-  command_->add_option("--family", family_, "A shipped family, such as split; or one of several in the operation file");
-  command_->add_option("--operation", operation_, "A custom operation or family: its file");
-  command_->add_option("--k", k_, "The first number of the position: triangles of the fan");
-  command_->add_option("--at", at_, "Its other numbers: a of split, i,j of open-split")->delimiter(',');
-  command_->add_option("--before", before_, "The inner edges before the operation")->required();
-  command_->add_option("--ports", ports_, "The solid ports before the operation")->required();
+  const auto given = std::make_shared<ExplainOptions>();
+  command->add_option("--family", given->family,
+                      "A shipped family, such as split; or one of several in the operation file");
+  command->add_option("--operation", given->operation, "A custom operation or family: its file");
+  command->add_option("--k", given->k, "The first number of the position: triangles of the fan");
+  command->add_option("--at", given->at, "Its other numbers: a of split, i,j of open-split")->delimiter(',');
+  command->add_option("--before", given->before, "The inner edges before the operation")->required();
+  command->add_option("--ports", given->ports, "The solid ports before the operation")->required();
   CLI::Option* const after =
-      command_->add_option("--after", after_, "The inner edges of a recolouring, which is judged as well");
-  command_->add_option("--ports-after", ports_after_, "The ports that it keeps, if it gives any up")->needs(after);
-  command_->add_option("--svg", svg_, "Draw the patch before, the patch after and the worlds that show why");
-  add_json_option(*command_, json_);
+      command->add_option("--after", given->after, "The inner edges of a recolouring, which is judged as well");
+  command->add_option("--ports-after", given->ports_after, "The ports that it keeps, if it gives any up")->needs(after);
+  command->add_option("--svg", given->svg, "Draw the patch before, the patch after and the worlds that show why");
+  add_json_option(*command, given->json);
+  return [command, given] { return explain(*command, *given); };
 }
 
-int ExplainCommand::run() const {
-  std::optional<files::Output> svg;
-  if (!svg_.empty()) svg.emplace(svg_, files::OutputRules{{".svg"}, {operation_}});
-  const files::ReportOutput out(json_, {operation_});
-  const Description description = named(descriptions_of(operation_), family_);
-  Numbers numbers = at_;
-  if (command_->count("--k") != 0) numbers.insert(numbers.begin(), k_);
-  const Operation operation = operation_at(description, numbers);
-  const Colors configuration{mask_of("--before", before_, operation.before.inner_edges()),
-                             mask_of("--ports", ports_, operation.ports())};
-  const Definition definition(operation);
-  if (!definition.valid(configuration))
-    throw std::invalid_argument(
-        fmt::format("not a valid configuration: {}",
-                    invalid_because(operation.before, configuration, most_solid(operation.constraint))));
-  std::optional<Judgement> judged;
-  if (!after_.empty()) {
-    const Colors recoloring{
-        mask_of("--after", after_, operation.after.inner_edges()),
-        ports_after_.empty() ? configuration.ports : mask_of("--ports-after", ports_after_, operation.ports())};
-    judged = judgement_of(definition, configuration, recoloring);
-  }
-  const Explanation explanation = explanation_of(definition, configuration);
-  if (svg) svg->write(picture_of(definition, explanation, judged));
-  out.print(text_of(definition, explanation, judged), text_of(json_of(definition, explanation, judged)));
-  return !judged || judged->standing >= Standing::equally_good ? all_claims_hold : some_claim_fails;
-}
-
-RulesCommand::RulesCommand(CLI::App& app)
-    : command_(app.add_subcommand("rules", "A rule set of any source: how many rows are valid, sound and best")) {
-  command_->footer(
+std::function<int()> add_rules(CLI::App& app) {
+  CLI::App* const command =
+      app.add_subcommand("rules", "A rule set of any source: how many rows are valid, sound and best");
+  command->footer(
       "The file has the columns of `restrip-generate dump`, with or without strips,isolated; other operations have\n"
       "their numbers, then inner,ports,inner_after, then perhaps ports_after.\n"
       "Several files may follow each other, with their headers. Configurations without a row are counted and allowed.\n"
       "Exit code: 0 every row is best, 1 some row is not or is no valid configuration, 2 bad input.\n\n"
       "Example:\n"
       "  restrip-generate dump --family split --k 5 > rules.csv && restrip-verify rules rules.csv");
-  command_->add_option("file", file_, "The rule set")->required();
-  command_->add_option("--operation", operation_, "The operation file that it is for; otherwise a shipped family");
-  command_->add_option("--worst", worst_, "How many bad rows are named")->capture_default_str();
-  command_->add_option("--threads", threads_, "How many threads; the result does not depend on it")
+  const auto given = std::make_shared<RulesOptions>();
+  command->add_option("file", given->file, "The rule set")->required();
+  command->add_option("--operation", given->operation, "The operation file that it is for; otherwise a shipped family");
+  command->add_option("--worst", given->worst, "How many bad rows are named")->capture_default_str();
+  command->add_option("--threads", given->threads, "How many threads; the result does not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  add_json_option(*command_, json_);
-}
-
-int RulesCommand::run() const {
-  const files::ReportOutput out(json_, {file_, operation_});
-  const RuleSetReport report = judge_rules(file_, read_file(file_), descriptions_of(operation_), worst_, threads_);
-  out.print(text_of(report, operation_.empty() ? "--family " + report.operation : "--operation " + operation_),
-            text_of(json_of(report)));
-  return report.best() ? all_claims_hold : some_claim_fails;
+  add_json_option(*command, given->json);
+  return [given] {
+    const files::ReportOutput out(given->json, {given->file, given->operation});
+    const RuleSetReport report = judge_rules(given->file, read_file(given->file), descriptions_of(given->operation),
+                                             given->worst, given->threads);
+    out.print(
+        text_of(report, given->operation.empty() ? "--family " + report.operation : "--operation " + given->operation),
+        text_of(json_of(report)));
+    return report.best() ? all_claims_hold : some_claim_fails;
+  };
 }
 
 }  // namespace restrip::verify

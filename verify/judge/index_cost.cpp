@@ -6,6 +6,7 @@
 #include <array>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/share.hpp"
@@ -175,14 +176,10 @@ class IndexCost {
 
 void report_index_cost(const Family& family, const Certificate& certificate, unsigned threads,
                        const ClaimListener& listener) {
-  struct Task {
-    const Operation* operation;
-    const SectionRows* rows;
-  };
-  std::vector<Task> tasks;
+  std::vector<std::pair<const Operation*, const SectionRows*>> tasks;
   for (std::size_t i = 0; i < family.sections.size(); ++i)
     for (const Operation& operation : family.sections[i].operations)
-      if (operation.most_indices) tasks.push_back({&operation, &certificate.sections[i]});
+      if (operation.most_indices) tasks.emplace_back(&operation, &certificate.sections[i]);
   if (tasks.empty()) return;
   std::mutex mutex;
   Failures wrong;
@@ -190,16 +187,16 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
   double seconds = 0;
   share(tasks.size(), threads, [&](std::size_t i) {
     const double start = thread_seconds();
-    const Operation& operation = *tasks[i].operation;
-    const IndexCost::AddedIndices found = IndexCost(operation, *tasks[i].rows).run();
+    const auto& [operation, rows] = tasks[i];
+    const IndexCost::AddedIndices found = IndexCost(*operation, *rows).run();
     const std::lock_guard lock(mutex);
     seconds += thread_seconds() - start;
     all.configurations += found.configurations;
     all.by_rule = std::max(all.by_rule, found.by_rule);
     all.at_most = std::max(all.at_most, found.at_most);
-    if (found.at_most > *operation.most_indices)
-      wrong.add(fmt::format("{}: adds {} to 3 strips + swaps, the family claims at most {}", operation.name(),
-                            found.at_most, *operation.most_indices));
+    if (found.at_most > *operation->most_indices)
+      wrong.add(fmt::format("{}: adds {} to 3 strips + swaps, the family claims at most {}", operation->name(),
+                            found.at_most, *operation->most_indices));
   });
   listener({family.name, fmt::format("adds at most {} to 3 strips + swaps, a rule alone {}", all.at_most, all.by_rule),
             "all configurations, all turns beyond the ports", all.configurations, seconds, wrong});
