@@ -173,9 +173,10 @@ class Verification {
     for (const Family& family : families_) {
       if (!chosen(family.name)) continue;
       const std::size_t count = tasks_of(family, nullptr).size();
-      report_family(family, rules_of(family), rest.first(count), listener_);
-      if (const Certificate* rules = rules_of(family))
+      if (const Certificate* rules = rules_of(family)) {
+        report_family(family, *rules, rest.first(count), listener_);
         report_index_cost(family, *rules, std::max(1U, options_.threads), listener_);
+      }
       rest = rest.subspan(count);
     }
     for (const LinkedFamily& family : linked_) {

@@ -87,27 +87,25 @@ std::vector<Key> smallest_keys(const SectionRows& rows, const Symmetries& symmet
 
 class FamilyReport {
  public:
-  FamilyReport(const Family& family, const Certificate* certificate, std::span<const PositionCheck> checks,
+  FamilyReport(const Family& family, const Certificate& certificate, std::span<const PositionCheck> checks,
                const ClaimListener& listener)
       : family_(family),
         operation_(family.sections.front().operations.front()),
         certificate_(certificate),
         checks_(checks),
         listener_(listener) {
-    for (const Section& section : family.sections)
-      for (const Operation& operation : section.operations)
-        if (!searched(operation)) limit_ = fmt::format(", k <= {}", most_searched_ports);
+    for (const PositionCheck& check : checks)
+      if (!searched(*check.operation)) limit_ = fmt::format(", k <= {}", most_searched_ports);
   }
 
   void run() {
-    if (certificate_ == nullptr) return;
     check_sections();
     report_rows();
     report_reasons();
     report("copies follow from rules by symmetry",
            fmt::format("{:.0f} {} at most, by backtracking", most_symmetries_,
                        most_symmetries_ == 1 ? "symmetry" : "symmetries"),
-           certificate_->rows, section_seconds_, copies_);
+           certificate_.rows, section_seconds_, copies_);
     report("the stated numbers", "recounted; orbits by merging images", stated_, sum(&PositionCheck::Seconds::merged),
            claims_);
     report_nauty();
@@ -135,20 +133,12 @@ class FamilyReport {
     for (const PositionCheck& check : checks_) all.add(check.*claim);
     return all;
   }
-  /// Calls back with each position and its results.
-  template <class Visit>
-  void for_each_position(const Visit& visit) const {
-    auto check = checks_.begin();
-    for (const Section& section : family_.sections)
-      for (const Operation& operation : section.operations) visit(operation, *check++);
-  }
-
   void check_sections() {
     const double start = thread_seconds();
     std::span<const PositionCheck> rest = checks_;
     for (std::size_t i = 0; i < family_.sections.size(); ++i) {
       const std::size_t count = family_.sections[i].operations.size();
-      check_section(family_.sections[i], certificate_->sections[i], rest.first(count));
+      check_section(family_.sections[i], certificate_.sections[i], rest.first(count));
       rest = rest.subspan(count);
     }
     section_seconds_ = thread_seconds() - start;
@@ -165,7 +155,7 @@ class FamilyReport {
     for (std::size_t i = 0; i < rows.rows.size(); ++i) {
       const Row& row = rows.rows[i];
       const auto add = [&](Failures& failures, const std::string& fault) {
-        failures.add(fmt::format("{}:{}: \"{}\"\n  section {}: {}\n", certificate_->file, row.line, row.text(),
+        failures.add(fmt::format("{}:{}: \"{}\"\n  section {}: {}\n", certificate_.file, row.line, row.text(),
                                  section.position, fault));
       };
       if (std::none_of(positions.begin(), positions.end(),
@@ -213,7 +203,7 @@ class FamilyReport {
     stated_ += claim_words.size();
     for (std::size_t i = 0; i < claim_words.size(); ++i)
       if (const StatedClaim& claim = rows.claims[i]; claim.number != counted[i])
-        claims_.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}\n", certificate_->file, claim.line,
+        claims_.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}\n", certificate_.file, claim.line,
                                 claim_words[i], claim.number, counted[i]));
   }
 
@@ -221,7 +211,7 @@ class FamilyReport {
     const std::string definition = "definition, " + counted_grouped(sum(&PositionCheck::graphs), "graph") + limit_;
     report("every valid configuration has a row", "definition" + limit_, sum(&PositionCheck::valid),
            sum(&PositionCheck::Seconds::judging), sum(&PositionCheck::missing));
-    report("every row has a valid configuration", "definition" + limit_, certificate_->rows, 0, extra_);
+    report("every row has a valid configuration", "definition" + limit_, certificate_.rows, 0, extra_);
     report("no port is taken, and ports that must stay are kept", "ports before and after compared",
            sum(&PositionCheck::with_row), 0, sum(&PositionCheck::wrong_ports));
     report("every row is sound", definition, sum(&PositionCheck::with_row), 0, sum(&PositionCheck::unsound));
@@ -247,29 +237,28 @@ class FamilyReport {
 
   void report_nauty() const {
     Failures orbits;
-    std::uint64_t counted = 0;
-    for_each_position([&](const Operation& operation, const PositionCheck& check) {
-      if (!check.nauty) return;
-      counted += check.configurations;
+    std::uint64_t compared = 0;
+    for (const PositionCheck& check : checks_) {
+      if (!check.nauty) continue;
+      compared += check.configurations;
       if (check.merged != *check.nauty)
-        orbits.add(fmt::format("{}: {} orbits, {} valid by merging images; {}, {} by canonical forms", operation.name(),
-                               check.merged.all, check.merged.valid, check.nauty->all, check.nauty->valid));
-    });
-    if (counted != 0)
-      report("the orbits, counted again", "nauty, canonical coloured graphs" + limit_, counted,
+        orbits.add(fmt::format("{}: {} orbits, {} valid by merging images; {}, {} by canonical forms",
+                               check.operation->name(), check.merged.all, check.merged.valid, check.nauty->all,
+                               check.nauty->valid));
+    }
+    if (compared != 0)
+      report("the orbits, counted again", "nauty, canonical coloured graphs" + limit_, compared,
              sum(&PositionCheck::Seconds::nauty), orbits);
   }
 
   void report_bounds() const {
     bool bounded = false;
-    for_each_position([&](const Operation& operation, const PositionCheck& /*check*/) {
-      bounded = bounded || operation.most_strips || operation.most_isolated;
-    });
-    if (!bounded) return;
     Failures wrong;
     int worst_strips = 0;
     int worst_isolated = 0;
-    for_each_position([&](const Operation& operation, const PositionCheck& check) {
+    for (const PositionCheck& check : checks_) {
+      const Operation& operation = *check.operation;
+      bounded = bounded || operation.most_strips || operation.most_isolated;
       const int strips = check.worst_strips.value_or(0);
       const int isolated = check.worst_isolated.value_or(0);
       worst_strips = std::max(worst_strips, strips);
@@ -280,23 +269,25 @@ class FamilyReport {
       if (operation.most_strips && strips > *operation.most_strips)
         wrong.add(fmt::format("{}: a rule costs {}, the family claims at most {}", operation.name(),
                               counted(static_cast<std::uint64_t>(strips), "strip"), *operation.most_strips));
-    });
-    report(fmt::format("no rule costs above {}, isolates above {}",
-                       counted(static_cast<std::uint64_t>(worst_strips), "strip"), worst_isolated),
-           "maximum; and what the family claims", sum(&PositionCheck::with_sound_row), 0, wrong);
+    }
+    if (bounded)
+      report(fmt::format("no rule costs above {}, isolates above {}",
+                         counted(static_cast<std::uint64_t>(worst_strips), "strip"), worst_isolated),
+             "maximum; and what the family claims", sum(&PositionCheck::with_sound_row), 0, wrong);
   }
 
   void report_published() const {
     Failures wrong;
     std::uint64_t cases = 0;
-    for_each_position([&](const Operation& operation, const PositionCheck& check) {
+    for (const PositionCheck& check : checks_)
       for (const ReferenceCount& reference : reference_counts) {
-        if (reference.operation != operation.name()) continue;
-        const auto compare = [&](const char* what, std::optional<std::uint64_t> published, std::uint64_t counted) {
+        if (reference.operation != check.operation->name()) continue;
+        const auto compare = [&](const char* what, std::optional<std::uint64_t> published, std::uint64_t found) {
           if (!published) return;
           ++cases;
-          if (*published != counted)
-            wrong.add(fmt::format("{}: {}: {} published, {} counted", operation.name(), what, *published, counted));
+          if (*published != found)
+            wrong.add(
+                fmt::format("{}: {}: {} published, {} counted", check.operation->name(), what, *published, found));
         };
         compare("configurations", reference.configurations, check.configurations);
         compare("valid", reference.valid, check.valid);
@@ -304,13 +295,12 @@ class FamilyReport {
         compare("orbits of valid", reference.valid_orbits, check.merged.valid);
         compare("costing", reference.costing, check.costing);
       }
-    });
     if (cases != 0) report("the published counts", "docs/explanation/theory.md, section 6", cases, 0, wrong);
   }
 
   const Family& family_;
   const Operation& operation_;
-  const Certificate* certificate_;
+  const Certificate& certificate_;
   std::span<const PositionCheck> checks_;
   const ClaimListener& listener_;
   std::string limit_;  ///< a note, if not all positions are searched
@@ -341,7 +331,7 @@ std::vector<PositionTask> tasks_of(const Family& family, const Certificate* cert
   return tasks;
 }
 
-void report_family(const Family& family, const Certificate* certificate, std::span<const PositionCheck> checks,
+void report_family(const Family& family, const Certificate& certificate, std::span<const PositionCheck> checks,
                    const ClaimListener& listener) {
   FamilyReport(family, certificate, checks, listener).run();
 }

@@ -13,7 +13,7 @@ namespace restrip::verify {
 std::vector<PositionTask> tasks_of(const Family& family, const Certificate* certificate);
 
 /// `checks` has one entry for each of these tasks, in order.
-void report_family(const Family& family, const Certificate* certificate, std::span<const PositionCheck> checks,
+void report_family(const Family& family, const Certificate& certificate, std::span<const PositionCheck> checks,
                    const ClaimListener& listener);
 
 }  // namespace restrip::verify

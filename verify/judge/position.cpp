@@ -21,6 +21,7 @@ PositionCheck check_position(const PositionTask& task) {
     stage += now - last;
     last = now;
   };
+  check.operation = task.operation;
   const Operation& operation = *task.operation;
   const OperationJudge judge(operation);
   if (task.rows != nullptr) {

@@ -12,6 +12,7 @@
 namespace restrip::verify {
 
 struct PositionCheck {
+  const Operation* operation = nullptr;
   std::uint64_t configurations = 0;
   std::uint64_t valid = 0;
   std::uint64_t with_row = 0;        ///< valid ones that have a row
