@@ -104,73 +104,58 @@ std::optional<std::vector<Carried>> carried(const Side& fan, const Side& with) {
   return all;
 }
 
+struct AddedIndices {
+  std::uint64_t configurations = 0;
+  int by_rule = 0;
+  int at_most = 0;
+};
+
 /// One operation at one position.
-class IndexCost {
- public:
-  IndexCost(const Operation& operation, const SectionRows& rows)
-      : operation_(operation),
-        rows_(rows),
-        keys_(operation),
-        turns_before_(operation.before),
-        turns_after_(operation.after),
-        inserts_(carried(operation.before, operation.after)),
-        removes_(carried(operation.after, operation.before)) {}
-
-  struct AddedIndices {
-    std::uint64_t configurations = 0;
-    int by_rule = 0;
-    int at_most = 0;
-  };
-  AddedIndices run() const {
-    AddedIndices found;
-    for (Mask ports = 0; ports < mask_count(operation_.ports()); ++ports)
-      for (Mask inner = 0; inner < mask_count(operation_.before.inner_edges()); ++inner) {
-        const Colors before{inner, ports};
-        const std::optional<Key> key = keys_.key_of(before);
-        const Row* const row = key ? rows_.row_of(*key) : nullptr;
-        if (row == nullptr) continue;
-        ++found.configurations;
-        const int by_rule = added(before, row->after);
-        found.by_rule = std::max(found.by_rule, by_rule);
-        if (inserts_ || removes_)
-          found.at_most = std::max(found.at_most, std::min(by_rule, added(before, {passed_on(inner), ports})));
-        else
-          found.at_most = found.by_rule;
-      }
-    return found;
-  }
-
- private:
-  Mask passed_on(Mask inner) const {
+AddedIndices added_indices(const Operation& operation, const SectionRows& rows) {
+  const Keys keys(operation);
+  const Turns turns_before(operation.before);
+  const Turns turns_after(operation.after);
+  const std::optional<std::vector<Carried>> inserts = carried(operation.before, operation.after);
+  const std::optional<std::vector<Carried>> removes = carried(operation.after, operation.before);
+  const auto passed_on = [&](Mask inner) {
     Mask passed = 0;
-    for (const auto& [fan, in] : inserts_ ? *inserts_ : *removes_) {
-      if (inserts_ && is_solid(inner, fan)) passed |= single(in[0]) | single(in[1]);
-      if (!inserts_ && is_solid(inner, in[0]) && is_solid(inner, in[1])) passed |= single(fan);
+    for (const auto& [fan, in] : inserts ? *inserts : *removes) {
+      if (inserts && is_solid(inner, fan)) passed |= single(in[0]) | single(in[1]);
+      if (!inserts && is_solid(inner, in[0]) && is_solid(inner, in[1])) passed |= single(fan);
     }
     return passed;
-  }
-  /// The most that the recolouring adds, over all turns beyond the ports.
-  int added(Colors before, Colors after) const {
-    const Mask old = concatenated(before.ports, before.inner, operation_.before.inner_edges());
-    const Mask now = concatenated(after.ports, after.inner, operation_.after.inner_edges());
-    int added = 3 * (strips_of(operation_.after, after) - strips_of(operation_.before, before)) +
-                turns_after_.inner_swaps(now) - turns_before_.inner_swaps(old);
-    for (unsigned port = 0; port < operation_.ports(); ++port) {
+  };
+  // The most that the recolouring adds, over all turns beyond the ports.
+  const auto added = [&](Colors before, Colors after) {
+    const Mask old = concatenated(before.ports, before.inner, operation.before.inner_edges());
+    const Mask now = concatenated(after.ports, after.inner, operation.after.inner_edges());
+    int sum = 3 * (strips_of(operation.after, after) - strips_of(operation.before, before)) +
+              turns_after.inner_swaps(now) - turns_before.inner_swaps(old);
+    for (unsigned port = 0; port < operation.ports(); ++port) {
       if (!is_solid(after.ports, port)) continue;  // a port that is given up is not a swap any more
-      const unsigned turn = turns_after_.at_port(port, now);
-      if (turn != 0 && turn != turns_before_.at_port(port, old)) ++added;  // beyond it the strip turns the other way
+      const unsigned turn = turns_after.at_port(port, now);
+      if (turn != 0 && turn != turns_before.at_port(port, old)) ++sum;  // beyond it the strip turns the other way
     }
-    return added;
-  }
+    return sum;
+  };
 
-  const Operation& operation_;
-  const SectionRows& rows_;
-  Keys keys_;
-  Turns turns_before_;
-  Turns turns_after_;
-  std::optional<std::vector<Carried>> inserts_;
-  std::optional<std::vector<Carried>> removes_;
-};
+  AddedIndices found;
+  for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports)
+    for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner) {
+      const Colors before{inner, ports};
+      const std::optional<Key> key = keys.key_of(before);
+      const Row* const row = key ? rows.row_of(*key) : nullptr;
+      if (row == nullptr) continue;
+      ++found.configurations;
+      const int by_rule = added(before, row->after);
+      found.by_rule = std::max(found.by_rule, by_rule);
+      if (inserts || removes)
+        found.at_most = std::max(found.at_most, std::min(by_rule, added(before, {passed_on(inner), ports})));
+      else
+        found.at_most = found.by_rule;
+    }
+  return found;
+}
 
 }  // namespace
 
@@ -183,12 +168,12 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
   if (tasks.empty()) return;
   std::mutex mutex;
   Failures wrong;
-  IndexCost::AddedIndices all;
+  AddedIndices all;
   double seconds = 0;
   share(tasks.size(), threads, [&](std::size_t i) {
     const double start = thread_seconds();
     const auto& [operation, rows] = tasks[i];
-    const IndexCost::AddedIndices found = IndexCost(*operation, *rows).run();
+    const AddedIndices found = added_indices(*operation, *rows);
     const std::lock_guard lock(mutex);
     seconds += thread_seconds() - start;
     all.configurations += found.configurations;

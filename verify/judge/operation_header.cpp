@@ -221,25 +221,22 @@ class HeaderReader {
     });
   }
 
+  /// The number of vertices and, of a family, the start of the triangles, for each position; then the triangles.
   bool take_surface() {
-    return expect("    }},") &&
-           (is_family() ? expect_all(triangles_of_positions())
-                        : expect(fmt::format("    {},", operations_.front().vertices))) &&
-           take_triangles(&Operation::placed_before) && take_triangles(&Operation::placed_after) && expect("};");
-  }
-
-  /// For each position, the number of vertices and the start of its triangles.
-  [[nodiscard]] std::vector<std::string> triangles_of_positions() const {
-    std::vector<std::string> lines{"    {{"};
-    unsigned before = 0;
-    unsigned after = 0;
-    for (const Operation& operation : operations_) {
-      lines.push_back(fmt::format("    {{{}, {}, {}}},", operation.vertices, before, after));
-      before += operation.before.triangles;
-      after += operation.after.triangles;
+    std::vector<std::string> lines{"    }},", fmt::format("    {},", operations_.front().vertices)};
+    if (is_family()) {
+      lines = {"    }},", "    {{"};
+      unsigned before = 0;
+      unsigned after = 0;
+      for (const Operation& operation : operations_) {
+        lines.push_back(fmt::format("    {{{}, {}, {}}},", operation.vertices, before, after));
+        before += operation.before.triangles;
+        after += operation.after.triangles;
+      }
+      lines.emplace_back("    }},");
     }
-    lines.emplace_back("    }},");
-    return lines;
+    return expect_all(lines) && take_triangles(&Operation::placed_before) && take_triangles(&Operation::placed_after) &&
+           expect("};");
   }
 
   bool take_triangles(std::vector<PlacedTriangle> Operation::*of) {

@@ -31,14 +31,6 @@ std::string name_of(const JsonValue& value, Author author) {
   return name;
 }
 
-/// A sentence that becomes a comment of the table.
-std::string sentence_of(const JsonValue& value) {
-  std::string text = value.text("a sentence in quotes");
-  if (const std::optional<std::string> forbidden = no_comment(text))
-    value.refuse(fmt::format("expected words that can stand in a comment, found {}; remove it", *forbidden));
-  return text;
-}
-
 /// A position in the form of certificates and reports.
 std::string words_of(const JsonValue& description, std::string_view name, const std::vector<std::string>& numbers,
                      const std::string& otherwise) {
@@ -56,16 +48,6 @@ std::string words_of(const JsonValue& description, std::string_view name, const 
   if (rest.find_first_of("{}") != std::string::npos)
     value->expected("braces only around numbers, around each once at most");
   return text;
-}
-
-/// The name of a number, which must differ from the earlier ones.
-std::string number_name_of(const JsonValue& value, const std::vector<std::string>& others) {
-  std::string name = value.text();
-  if (name.empty() || name.size() > longest_word || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz") < name.size())
-    value.expected(fmt::format("1 to {} lower-case letters", longest_word));
-  if (std::find(others.begin(), others.end(), name) != others.end())
-    value.refuse(fmt::format("expected each number once, \"{}\" is listed above", name));
-  return name;
 }
 
 Conditions conditions_of(const JsonValue& description, const std::vector<std::string>& numbers, std::string_view name) {
@@ -171,12 +153,23 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
         "expected a name that is free, \"{0}\" is an operation of restrip, tables/operations/{0}.json, and this "
         "is another one; \"my-{0}\" would do",
         name));
-  if (const std::optional<JsonValue> sentence = value.member("about")) about = sentence_of(*sentence);
+  if (const std::optional<JsonValue> sentence = value.member("about")) {  // becomes a comment of the table
+    about = sentence->text("a sentence in quotes");
+    if (const std::optional<std::string> forbidden = no_comment(about))
+      sentence->refuse(fmt::format("expected words that can stand in a comment, found {}; remove it", *forbidden));
+  }
   const std::optional<JsonValue> other_name = value.member("certificate");
   certificate = other_name ? name_of(*other_name, author) : name;
   if (const auto names = value.member("numbers"))
-    for (const JsonValue& number : names->elements("names", 0, most_numbers))
-      numbers.push_back(number_name_of(number, numbers));
+    for (const JsonValue& number : names->elements("names", 0, most_numbers)) {
+      const std::string word = number.text();
+      if (word.empty() || word.size() > longest_word ||
+          word.find_first_not_of("abcdefghijklmnopqrstuvwxyz") < word.size())
+        number.expected(fmt::format("1 to {} lower-case letters", longest_word));
+      if (std::find(numbers.begin(), numbers.end(), word) != numbers.end())
+        number.refuse(fmt::format("expected each number once, \"{}\" is listed above", word));
+      numbers.push_back(word);
+    }
   where = conditions_of(value, numbers, "where");
   listed = conditions_of(value, numbers, "listed");
   std::string every_number;  // "k {k} a {a}"
