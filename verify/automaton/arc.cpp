@@ -1,6 +1,7 @@
 #include "automaton/arc.hpp"
 
 namespace restrip::verify {
+
 std::optional<std::size_t> number_of(Case c) {
   if (c == Case{'t', 't'}) return through;
   const std::size_t left = reaches.find(c.left);
@@ -26,12 +27,6 @@ int least_of(const Costs& costs) {
   for (const auto& cost : costs)
     if (cost && (!least || *cost < *least)) least = cost;
   return least.value();
-}
-
-Costs shifted(Costs costs, int by) {
-  for (auto& cost : costs)
-    if (cost) *cost += by;
-  return costs;
 }
 
 ArcColoring arc_coloring(std::string_view word, Mask links) {

@@ -56,7 +56,6 @@ std::optional<std::size_t> number_of(Case c);
 using Costs = std::array<std::optional<int>, case_count>;
 /// The least cost; at least one must exist.
 int least_of(const Costs& costs);
-Costs shifted(Costs costs, int by);
 
 /// A colouring of an arc. Its links are bits 0 … of `links`, from left to right, one more than the letters of the arc.
 struct ArcColoring {

@@ -63,14 +63,10 @@ class Parser {
   }
 
   /// A number from `least` to `most`; `what` is its name in the error.
-  std::int64_t wide_number_at(std::size_t word, std::int64_t least, std::int64_t most,
-                              const char* what = "a number") const {
+  std::int64_t number_at(std::size_t word, std::int64_t least, std::int64_t most, const char* what = "a number") const {
     const std::int64_t n = reader_.number(word);
     if (n < least || n > most) reader_.fail(fmt::format("expected {} from {} to {}, found {}", what, least, most, n));
     return n;
-  }
-  int number_at(std::size_t word, std::int64_t least, std::int64_t most) const {
-    return static_cast<int>(wide_number_at(word, least, most));
   }
   void expect_number(std::size_t word, std::size_t n) const {
     if (reader_.number(word) != static_cast<std::int64_t>(n))
@@ -94,7 +90,7 @@ class Parser {
       if (reader_.words()[word] != "-") reader_.fail(fmt::format("expected -, found \"{}\"", reader_.words()[word]));
       return {};
     }
-    const auto line = static_cast<std::size_t>(wide_number_at(word, 0, static_cast<std::int64_t>(lines)));
+    const auto line = static_cast<std::size_t>(number_at(word, 0, static_cast<std::int64_t>(lines)));
     lines = std::max(lines, line + 1);
     return line;
   }
@@ -120,7 +116,7 @@ class Parser {
       const std::size_t number = case_at(2);
       if (last && number <= *last) reader_.fail("expected values in the order of cases");
       last = number;
-      made.costs[number] = number_at(3, 0, most_cost);
+      made.costs[number] = static_cast<int>(number_at(3, 0, most_cost));
     }
     if (!last) reader_.fail(fmt::format("expected a value of class {}", c));
     for (const char letter : letters) {
@@ -138,8 +134,8 @@ class Parser {
     expect_letter(2, letter);
     AutomatonStep& step = result_.classes[c].steps.back().emplace();
     step.line = reader_.line();
-    step.to = static_cast<std::size_t>(wide_number_at(3, 0, most_classes - 1, "a class"));
-    step.cost = number_at(4, -most_cost, most_cost);
+    step.to = static_cast<std::size_t>(number_at(3, 0, most_classes - 1, "a class"));
+    step.cost = static_cast<int>(number_at(4, -most_cost, most_cost));
     next();
     for (; reader_.starts_with("from"); next()) {
       reader_.expect_words(5, "\"from\" class letter case case");

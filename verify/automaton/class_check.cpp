@@ -155,7 +155,10 @@ class ClassChecker {
 
   /// The index of an arc's kind; it is new if no equal one was seen.
   std::size_t place_of(const std::string& word, const Costs& absolute, std::size_t arc_class) {
-    const Costs relative = shifted(absolute, -least_of(absolute));
+    const int least = least_of(absolute);
+    Costs relative = absolute;
+    for (auto& cost : relative)
+      if (cost) *cost -= least;
     const std::string ports = end_ports(word);
     const auto [place, is_new] =
         places_.emplace(std::tuple{arc_class, has_boundary(word), ports, relative}, arcs_.size());
