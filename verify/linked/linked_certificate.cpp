@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace restrip::verify {
+
 std::string Alternative::text() const { return fmt::format("alternative {:x} {:x}", ports, inner); }
 
 List SectionLists::list(Mask ports) const {
