@@ -133,6 +133,7 @@ class FamilyReport {
     for (const PositionCheck& check : checks_) all.add(check.*claim);
     return all;
   }
+
   void check_sections() {
     const double start = thread_seconds();
     std::span<const PositionCheck> rest = checks_;
