@@ -65,22 +65,6 @@ std::string FanPlace::text() const {
   return fmt::format("{} k {}", family, k);
 }
 
-Side patch_after(const FanPlace& place) { return patch_after(place.family, {place.k, place.a, place.b}); }
-
-FanKey fan_key(const Key& key, const FanPlace& place) {
-  Mask joined = 0;
-  for (unsigned port = 0; port < place.k; ++port) {
-    if (!is_solid(key.ports, port)) continue;
-    for (unsigned step = 1; step < place.k && (place.closed() || step <= port); ++step) {
-      const unsigned before = (port + place.k - step) % place.k;
-      if (!is_solid(key.ports, before)) continue;
-      if (key.joined.has(before, port)) joined |= single(port);
-      break;
-    }
-  }
-  return {key.ports, joined};
-}
-
 FanKey written_key(unsigned k, std::uint64_t n) {
   FanKey key;
   for (unsigned port = k; port-- > 0; n /= 3) {

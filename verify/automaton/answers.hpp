@@ -23,9 +23,6 @@ struct FanPlace {
   bool closed() const { return family == "split" || family == "collapse"; }
 };
 
-/// The patch after the operation.
-Side patch_after(const FanPlace& place);
-
 /// All places of valence k, including the places that notation.md leaves to symmetry.
 std::vector<FanPlace> all_places(unsigned k);
 
@@ -35,9 +32,6 @@ struct FanKey {
   Mask joined = 0;  ///< to the solid port before it; with two in a closed fan both bits or none
   std::string text() const;
 };
-
-/// The key of a row of a table of fans: bit i of `joined` is set if port i is joined to the solid port before it.
-FanKey fan_key(const Key& key, const FanPlace& place);
 
 /// The number n in base 3, a digit for each port, the last one the lowest: 1 solid, 2 also joined.
 FanKey written_key(unsigned k, std::uint64_t n);

@@ -48,6 +48,11 @@ class SmallGraph {
   std::vector<std::vector<std::size_t>> neighbors_;
 };
 
+/// Pairs of links as bits.
+Mask pair_of_ends(ArcEnd one, ArcEnd other) {
+  return static_cast<Mask>(PortPairs::of(one, other).bits);  // of four ends
+}
+
 constexpr std::size_t node_a = 0;
 constexpr std::size_t node_d = 1;
 
@@ -100,10 +105,6 @@ ArcWay way_closed(std::size_t c) {
 }
 
 }  // namespace
-
-Mask pair_of_ends(unsigned one, unsigned other) {
-  return static_cast<Mask>(PortPairs::of(one, other).bits);  // of four ends
-}
 
 ArcWays::ArcWays() {
   for (std::size_t x = 0; x < case_count; ++x)

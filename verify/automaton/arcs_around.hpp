@@ -12,9 +12,6 @@ namespace restrip::verify {
 /// The links of two arcs in ring order A, first arc, D, second arc.
 enum ArcEnd : unsigned { first_left, first_right, second_left, second_right };
 
-/// Pairs of links as bits.
-Mask pair_of_ends(unsigned one, unsigned other);
-
 /// A combination of two cases.
 struct ArcWay {
   bool legal = false;  ///< degrees at most two, no cycle

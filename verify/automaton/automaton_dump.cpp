@@ -104,7 +104,7 @@ class AutomatonDumpReader {
     std::string head = fmt::format("answers {} {}", place.family, place.k);
     if (place.family.ends_with("split")) head += fmt::format(" {}", place.a);
     if (place.family == "open-split") head += fmt::format(" {}", place.b);
-    const Side patch = patch_after(place);
+    const Side patch = patch_after(place.family, {place.k, place.a, place.b});
     std::uint64_t keys = 1;
     for (unsigned i = 0; i < place.k; ++i) keys *= 3;
     head += fmt::format(" keys {} digest ", keys);

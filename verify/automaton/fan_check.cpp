@@ -23,6 +23,21 @@ FanPlace place_of(const Family& family, const Section& section) {
   throw std::logic_error("no place " + family.name + ' ' + section.position);
 }
 
+/// The key of a row of a table of fans: bit i of `joined` is set if port i is joined to the solid port before it.
+FanKey fan_key(const Key& key, const FanPlace& place) {
+  Mask joined = 0;
+  for (unsigned port = 0; port < place.k; ++port) {
+    if (!is_solid(key.ports, port)) continue;
+    for (unsigned step = 1; step < place.k && (place.closed() || step <= port); ++step) {
+      const unsigned before = (port + place.k - step) % place.k;
+      if (!is_solid(key.ports, before)) continue;
+      if (key.joined.has(before, port)) joined |= single(port);
+      break;
+    }
+  }
+  return {key.ports, joined};
+}
+
 /// The patch after the operation, by docs/reference/notation.md.
 Side patch_by_notation(const FanPlace& place) {
   const bool has_d = place.family == "split" || place.family == "open-split";
@@ -159,7 +174,7 @@ FanCheck check_against_rows(const AutomatonCertificate& certificate, const Famil
   const AutomatonReader reader(certificate);
   for (std::size_t s = 0; s < family.sections.size(); ++s) {
     const FanPlace place = place_of(family, family.sections[s]);
-    const Side after = patch_after(place);
+    const Side after = patch_after(place.family, {place.k, place.a, place.b});
     ++check.places;
     for (const Row& row : rows.sections[s].rows) {
       ++check.keys;

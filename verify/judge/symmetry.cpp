@@ -26,14 +26,6 @@ enum EdgeColor : unsigned { owner_before = 1, owner_after, inner_before, end_of_
 /// A term of the cost, with the index of its criterion.
 using PlacedTerm = std::pair<std::size_t, Term>;
 
-/// How often each term occurs in its criterion.
-std::map<PlacedTerm, unsigned> counted_terms(const Operation& operation) {
-  std::map<PlacedTerm, unsigned> terms;
-  for (std::size_t i = 0; i < operation.cost.size(); ++i)
-    for (const Term& term : operation.cost[i]) ++terms[{i, term}];
-  return terms;
-}
-
 /// Nodes may be mapped to nodes of the same colour.
 using ColoredGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
                                            boost::property<boost::vertex_color_t, unsigned>,
@@ -62,9 +54,12 @@ ColoredGraph graph_of(const Operation& operation, bool before_too, Colors after)
     for (const unsigned triangle : operation.after.edges[edge])
       add_edge(first_edge + edge, first_after + triangle, end_of_inner_after, graph);
 
+  std::map<PlacedTerm, unsigned> counted_terms;  // how often each term occurs in its criterion
+  for (std::size_t i = 0; i < operation.cost.size(); ++i)
+    for (const Term& term : operation.cost[i]) ++counted_terms[{i, term}];
   // A term is joined to all that it counts. Terms that differ in nothing else have one colour.
   std::map<std::pair<PlacedTerm, unsigned>, unsigned> colors;
-  for (const auto& [placed, times] : counted_terms(operation)) {
+  for (const auto& [placed, times] : counted_terms) {
     PlacedTerm kind = placed;
     kind.second.among = 0;
     const unsigned color = first_term + static_cast<unsigned>(colors.size());

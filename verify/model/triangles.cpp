@@ -13,11 +13,6 @@ namespace {
 
 using Name = std::string;
 
-bool is_vertex(const Name& name) {
-  const std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
-  return !name.empty() && name.size() <= longest_word && name.find_first_not_of(allowed) == Name::npos;
-}
-
 /// A triangle at an edge, along which it runs from `from` to `to`, as its side number `side`.
 struct Along {
   std::size_t triangle;
@@ -75,8 +70,10 @@ class Complex {
  private:
   void add(std::size_t t) {
     const auto& corners = triangles_[t];
+    const std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
     for (const Name& name : corners)
-      if (!is_vertex(name)) fail(t, "expected three vertices, each of 1 to 20 letters, digits and underscores");
+      if (name.empty() || name.size() > longest_word || name.find_first_not_of(allowed) != Name::npos)
+        fail(t, "expected three vertices, each of 1 to 20 letters, digits and underscores");
     if (std::set<Name>(corners.begin(), corners.end()).size() != 3)
       fail(t, fmt::format("expected three different vertices, found {} {} {}", corners[0], corners[1], corners[2]));
     for (std::size_t side = 0; side < 3; ++side) {
