@@ -2,7 +2,6 @@
 // simplification.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

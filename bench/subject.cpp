@@ -2,7 +2,6 @@
 
 #include <map>
 #include <tuple>
-#include <utility>
 
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"

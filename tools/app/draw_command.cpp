@@ -23,7 +23,6 @@
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
-#include "common/reading.hpp"
 #include "common/report_output.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"

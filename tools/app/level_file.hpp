@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "lod/mesh_formats.hpp"
 #include "replay/ways.hpp"

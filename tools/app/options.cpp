@@ -7,7 +7,6 @@
 #include <array>
 #include <numeric>
 
-#include "common/reading.hpp"
 #include "lod/mesh_formats.hpp"
 #include "meshes/text_cursor.hpp"
 

@@ -1,6 +1,4 @@
 // `restrip paper`: reproduces the figures and experiments of the paper.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,4 @@
 // `restrip stats`: counts the parts of a mesh and reports its faults.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>

@@ -1,7 +1,5 @@
 #include "lod/bake.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <limits>

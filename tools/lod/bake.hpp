@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "lod/progressive_mesh.hpp"
 #include "restrip/formats/baked_file.hpp"

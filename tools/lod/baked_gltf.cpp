@@ -10,7 +10,6 @@
 
 #include "common/bad_input.hpp"
 #include "lod/baked_file.hpp"
-#include "lod/coloring_check.hpp"
 #include "meshes/gltf_file.hpp"
 #include "meshes/write_glb.hpp"
 #include "restrip/output/strips.hpp"

@@ -2,7 +2,6 @@
 // the two. Everything here works on bytes; mesh_files.hpp opens files.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>

@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "common/bad_input.hpp"
 #include "common/progress.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"

@@ -8,10 +8,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
-#include <new>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "common/bad_input.hpp"
