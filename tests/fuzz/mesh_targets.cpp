@@ -188,7 +188,7 @@ std::string ply_of_strips() {
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
   stripify(mesh, Effort::fast, Cost::strips());
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
-  return strip_bytes(shape.points, indices, ".ply");
+  return written_strips(*format_named(".ply"), shape.points, indices).bytes;
 }
 
 Soup textured_sheet() {
@@ -209,7 +209,7 @@ std::string glb_of_strips(StripForm form) {
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
   stripify(mesh, Effort::fast, Cost::strips());
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
-  return strip_bytes(shape.points, indices, ".glb", {form}, shape.attributes);
+  return written_strips(*format_named(".glb"), shape.points, indices, {form}, shape.attributes).bytes;
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ std::vector<Target> mesh_targets() {
     return refusing([read](std::string_view bytes) {
       Soup found = read(bytes, "f", ReadAttributes::yes);
       for (const char* extension : {".obj", ".ply"}) {
-        const std::string written = mesh_bytes(found, extension);
+        const std::string written = format_named(extension)->write_mesh(found);
         const Soup again = extension == std::string_view(".obj") ? read_obj(written, "g", ReadAttributes::yes)
                                                                  : read_ply(written, "g", ReadAttributes::yes);
         promise(again.attributes.size() == found.attributes.size() && again.left_out_attributes.empty(),
@@ -249,25 +249,25 @@ std::vector<Target> mesh_targets() {
   };
   return {
       {"obj",
-       {mesh_bytes(shape, ".obj"),
+       {obj_bytes(shape),
         "# c\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 1 1 0.5e-1\nvt 0 1\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1/2/3 2//1 "
         "\\\n3\nf -1 -2 -3\nf 1 2 3 4\nl 1 2\n",
-        mesh_bytes(textured, ".obj"),
+        obj_bytes(textured),
         "v 0 0 0 1 0 0.5\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nvt 0 1\nvt .5\nvn 0 0 1\nf 1/1/1 2/-1/-1 3/1/1\nf 2/1/1 1/1/1 "
         "3/2/1\n"},
        with_attributes(read_obj),
        10000},
       {"off",
-       {mesh_bytes(shape, ".off"), "COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n\n1 1 0.5\n3 0 1 2 9\n4 0 1 3 2\n",
+       {off_bytes(shape), "COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n\n1 1 0.5\n3 0 1 2 9\n4 0 1 3 2\n",
         "STN4nOFF 3 3 1 0 0 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 1 0 0 1 0 1 0 0 1 0 1 3 0 1 2"},
        soup(read_off),
        10000},
       {"ply",
-       {mesh_bytes(shape, ".ply"), big_endian_ply(),
+       {ply_bytes(shape), big_endian_ply(),
         "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element edge 1\nproperty int a\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 "
         "0 0\n0 1 0\n7\n3 0 1 2\n",
-        ply_of_strips(), mesh_bytes(textured, ".ply"),
+        ply_of_strips(), ply_bytes(textured),
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
         "double "
         "u\nproperty double v\nproperty ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort "

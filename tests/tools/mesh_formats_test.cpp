@@ -167,9 +167,9 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
         "property list uchar int vertex_index\nend_header\n0.1 0 0\n1 0.2 0\n0 1 0.3\n3 0 1 2\n",
         type);
   };
-  EXPECT_EQ(read_ply(mesh_bytes(read_ply(ply("double"), "f"), ".ply"), "f").points[0], (Point{0.1, 0, 0}));
-  EXPECT_EQ(read_ply(mesh_bytes(read_ply(ply("float"), "f"), ".ply"), "f").points[0], (Point{0.1F, 0, 0}));
-  EXPECT_EQ(read_obj(mesh_bytes(read_ply(ply("float"), "f"), ".obj"), "f").points[0], (Point{0.1, 0, 0}));
+  EXPECT_EQ(read_ply(ply_bytes(read_ply(ply("double"), "f")), "f").points[0], (Point{0.1, 0, 0}));
+  EXPECT_EQ(read_ply(ply_bytes(read_ply(ply("float"), "f")), "f").points[0], (Point{0.1F, 0, 0}));
+  EXPECT_EQ(read_obj(obj_bytes(read_ply(ply("float"), "f")), "f").points[0], (Point{0.1, 0, 0}));
 }
 
 using FormatsInFolder = ScratchFolder;

@@ -21,16 +21,14 @@
 namespace restrip::tools {
 namespace {
 
+/// A reader that needs no other file, and perhaps reads no attributes.
 template <auto read>
-ReadMesh with_attributes(std::string_view bytes, const std::string& name, const ReadSibling& /*sibling*/,
-                         ReadAttributes attributes) {
-  return read(bytes, name, attributes);
-}
-
-template <auto read>
-ReadMesh without_attributes(std::string_view bytes, const std::string& name, const ReadSibling& /*sibling*/,
-                            ReadAttributes /*attributes*/) {
-  return read(bytes, name);
+ReadMesh read_alone(std::string_view bytes, const std::string& name, const ReadSibling& /*sibling*/,
+                    [[maybe_unused]] ReadAttributes attributes) {
+  if constexpr (requires { read(bytes, name, attributes); })
+    return read(bytes, name, attributes);
+  else
+    return read(bytes, name);
 }
 
 ReadMesh read_any_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling,
@@ -43,12 +41,6 @@ ReadMesh read_any_gltf(std::string_view bytes, const std::string& name, const Re
 BakedBytes read_baked_mesh(std::string_view bytes, const std::string& name) {
   return {std::string(bytes), parse_baked(bytes, name), {}};
 }
-
-WrittenStrips baked_as_it_is(std::string_view baked, const StripOptions& /*options*/) {
-  return {.bytes = std::string(baked)};
-}
-
-std::string ply_of_mesh(const Soup& mesh) { return ply_bytes(mesh); }
 
 Soup soup_of(const StripFile& file) {
   Soup soup;
@@ -66,32 +58,26 @@ std::string ply_of_strips(const StripFile& file) {
   return ply_bytes(soup_of(file));
 }
 
-std::string glb_of_strips(const StripFile& file) { return glb_bytes(file); }
-
-std::string bare_indices(const StripFile& file) { return bin_bytes(file.buffer, file.in_batches); }
-
-std::string obj_in_order(const StripFile& file) { return obj_bytes(soup_of(file)); }
-
 constexpr std::array all_formats{
     MeshFormat{.extension = ".obj",
-               .read = with_attributes<read_obj>,
+               .read = read_alone<read_obj>,
                .write_mesh = obj_bytes,
-               .write_strips = obj_in_order,
+               .write_strips = [](const StripFile& file) { return obj_bytes(soup_of(file)); },
                .attributes = MeshFormat::Attributes::usual,
                .strips_as = "triangles in their order"},
-    MeshFormat{.extension = ".off", .read = without_attributes<read_off>, .write_mesh = off_bytes},
+    MeshFormat{.extension = ".off", .read = read_alone<read_off>, .write_mesh = off_bytes},
     MeshFormat{.extension = ".ply",
-               .read = with_attributes<read_ply>,
-               .write_mesh = ply_of_mesh,
+               .read = read_alone<read_ply>,
+               .write_mesh = ply_bytes,
                .write_strips = ply_of_strips,
                .attributes = MeshFormat::Attributes::usual,
                .strips_as = "tristrips",
                .holds_strips = true},
-    MeshFormat{.extension = ".stl", .read = without_attributes<read_stl>, .write_mesh = stl_bytes, .rounds = true},
+    MeshFormat{.extension = ".stl", .read = read_alone<read_stl>, .write_mesh = stl_bytes, .rounds = true},
     MeshFormat{.extension = ".gltf", .read = read_any_gltf},
     MeshFormat{.extension = ".glb",
                .read = read_any_gltf,
-               .write_strips = glb_of_strips,
+               .write_strips = [](const StripFile& file) { return glb_bytes(file); },
                .write_progressive = progressive_glb_bytes,
                .write_baked = baked_glb_bytes,
                .attributes = MeshFormat::Attributes::all,
@@ -99,24 +85,19 @@ constexpr std::array all_formats{
                .usual_form = StripForm::stitched,
                .forms = true,
                .rounds = true},
-    MeshFormat{.extension = ".pm", .read = without_attributes<parse_pm>, .write_progressive = pm_bytes, .rounds = true},
+    MeshFormat{.extension = ".pm", .read = read_alone<parse_pm>, .write_progressive = pm_bytes, .rounds = true},
     MeshFormat{.extension = ".baked",
-               .read = without_attributes<read_baked_mesh>,
-               .write_baked = baked_as_it_is,
+               .read = read_alone<read_baked_mesh>,
+               .write_baked = [](std::string_view baked, const StripOptions&) -> WrittenStrips {
+                 return {.bytes = std::string(baked)};
+               },
                .rounds = true},
     MeshFormat{.extension = ".bin",
-               .write_strips = bare_indices,
+               .write_strips = [](const StripFile& file) { return bin_bytes(file.buffer, file.in_batches); },
                .strips_as = "the index buffer alone",
                .holds_strips = true,
                .forms = true},
 };
-
-const MeshFormat& format_that(FormatCan can, std::string_view extension, std::string_view what) {
-  const MeshFormat* format = format_named(extension);
-  if (format == nullptr || !can(*format))
-    throw BadInput(fmt::format("unknown extension '{}'; {} {}", extension, what, fmt::join(extensions_of(can), ", ")));
-  return *format;
-}
 
 /// The finest level with its strips. The triangles are in strip order.
 Soup finest_level(const BakedBytes& found) {
@@ -207,18 +188,6 @@ Soup finest_level(ReadMesh mesh) {
   if (auto* soup = std::get_if<Soup>(&mesh)) return std::move(*soup);
   if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) return finest_level(*progressive);
   return finest_level(std::get<BakedBytes>(mesh));
-}
-
-std::string mesh_bytes(const Soup& soup, std::string_view extension) {
-  return format_that(writes_mesh, extension, "meshes are written as").write_mesh(soup);
-}
-
-std::string strip_bytes(std::span<const Point> points, std::span<const std::uint32_t> indices,
-                        std::string_view extension, const StripOptions& options,
-                        std::span<const Attribute> attributes) {
-  return written_strips(format_that(writes_strips, extension, "strips are written as"), points, indices, options,
-                        attributes)
-      .bytes;
 }
 
 WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> points,

@@ -76,11 +76,6 @@ inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& f
 [[nodiscard]] Soup finest_level(ReadMesh mesh);
 [[nodiscard]] Soup finest_level(const ProgressiveMesh& mesh);
 
-/// The bytes of a mesh, or of strips, in the format with this extension. Throws BadInput if the format is unknown.
-[[nodiscard]] std::string mesh_bytes(const Soup& soup, std::string_view extension);
-[[nodiscard]] std::string strip_bytes(std::span<const Point> points, std::span<const std::uint32_t> indices,
-                                      std::string_view extension, const StripOptions& options = {},
-                                      std::span<const Attribute> attributes = {});
 /// The file for strips with strip_end between them. A list is written instead if it has fewer indices. Throws BadInput
 /// as the format does, and if 16-bit indices are requested and do not suffice.
 [[nodiscard]] WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> points,
