@@ -9,9 +9,9 @@
 
 #include "common/bad_input.hpp"
 #include "lod/coloring_check.hpp"
-#include "meshes/file_strips.hpp"
 #include "meshes/made_mesh.hpp"
 #include "meshes/mesh_report.hpp"
+#include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
 #include "shapes.hpp"
 

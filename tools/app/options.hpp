@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/named_file.hpp"
+#include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/mesh_file.hpp"

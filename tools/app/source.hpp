@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/named_file.hpp"
 #include "lod/bake.hpp"
+#include "lod/mesh_files.hpp"
 #include "lod/mesh_formats.hpp"
 #include "lod/progressive_mesh.hpp"
 #include "lod/simplify.hpp"

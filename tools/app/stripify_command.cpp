@@ -16,7 +16,7 @@
 #include "common/stopwatch.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
-#include "meshes/file_strips.hpp"
+#include "meshes/strip_file.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_order.hpp"

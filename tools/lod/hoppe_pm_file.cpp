@@ -1,5 +1,3 @@
-#include "lod/hoppe_pm_file.hpp"
-
 #include <fmt/format.h>
 
 #include <bit>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "common/bad_input.hpp"
+#include "lod/pm_file.hpp"
 #include "meshes/text_cursor.hpp"
 #include "restrip/mesh/checks.hpp"
 

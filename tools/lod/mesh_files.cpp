@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "common/bad_input.hpp"
-#include "common/reading.hpp"
 
 namespace restrip::tools {
 

@@ -10,7 +10,6 @@
 #include "common/bad_input.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
-#include "lod/hoppe_pm_file.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/progressive_gltf.hpp"
 #include "meshes/text_cursor.hpp"

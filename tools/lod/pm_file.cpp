@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "common/bad_input.hpp"
-#include "lod/hoppe_pm_file.hpp"
 #include "restrip/mesh/checks.hpp"
 
 namespace restrip::tools {

@@ -11,7 +11,7 @@
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "meshes/alike.hpp"
+#include "meshes/positions.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "meshes/rounding.hpp"
+#include "meshes/positions.hpp"
 #include "meshes/soup.hpp"
 
 namespace restrip::tools {

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "meshes/little_endian.hpp"
-#include "meshes/rounding.hpp"
+#include "meshes/positions.hpp"
 
 namespace restrip::tools {
 

@@ -11,8 +11,8 @@
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "meshes/alike.hpp"
 #include "meshes/mesh_file.hpp"
+#include "meshes/positions.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
 

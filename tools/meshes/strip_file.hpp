@@ -1,4 +1,4 @@
-// Writes strips to a file: PLY with a `tristrips` element, binary glTF, OBJ, or the bare index buffer.
+// Strips in files: PLY with a `tristrips` element, binary glTF, OBJ, or the bare index buffer.
 //
 //   .ply  binary; one list of indices, -1 between strips, as Stanford's scans have it (Cyberware's `tristrips`); faces
 //         if a list has fewer indices
@@ -8,6 +8,7 @@
 //         StripForm::lengths the number of strips and their lengths, 32 bits each; then the indices alone
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "meshes/soup.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strip_format.hpp"
 
 namespace restrip::tools {
@@ -63,5 +65,16 @@ struct WrittenStrips {
 /// Report lines about the file of this name.
 [[nodiscard]] std::string as_text(const WrittenStrips& written, const std::string& name);
 void add_to(nlohmann::ordered_json& json, const WrittenStrips& written);
+
+struct FileStrips {
+  std::size_t solid = 0;  ///< dual edges that became solid
+  std::size_t cut = 0;    ///< places within a strip at which consecutive triangles share no dual edge
+};
+
+/// Colours a mesh built from the soup according to the strips of its file: consecutive triangles of a strip are joined
+/// if they share a dual edge. They do not if the mesh is not manifold or not oriented there. Two or more degenerate
+/// triangles in a row stitch strips together, so another strip begins. `origin` is the array from StripMesh::build. All
+/// dual edges must be dashed; the colouring is valid afterwards. Linear time.
+FileStrips color_as_in_file(StripMesh& mesh, const Soup& soup, std::span<const std::uint32_t> origin);
 
 }  // namespace restrip::tools

@@ -4,9 +4,8 @@
 #include <iterator>
 #include <vector>
 
-#include "meshes/alike.hpp"
 #include "meshes/mesh_file.hpp"
-#include "meshes/rounding.hpp"
+#include "meshes/positions.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/mesh_file.hpp"
-#include "meshes/rounding.hpp"
+#include "meshes/positions.hpp"
 
 namespace restrip::tools {
 namespace {

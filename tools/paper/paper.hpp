@@ -13,7 +13,7 @@
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/mesh_report.hpp"
-#include "replay/levels.hpp"
+#include "replay/replay.hpp"
 
 namespace restrip::tools {
 

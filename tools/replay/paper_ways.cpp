@@ -1,10 +1,16 @@
-#include "replay/paper_ways.hpp"
-
+// The method of the paper: handmade rules for the 4-vertex and none for other vertices.
+//
+// A split without a rule leaves the strips as they are. If it cuts a dual edge in two, both halves inherit its colour:
+// a cut strip passes through the new triangle, and a new triangle on a dashed edge stays isolated. The paper does not
+// say whether two isolated new triangles form a strip, nor how the share of splits that it counts depends on its
+// tunnelling, so both are switches. Its 4-vertex rules are assumed to be the optimal ones, as it claims. It does not
+// describe collapses and flips in enough detail to reproduce them: they use the rules of the tables.
 #include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "lod/coloring_check.hpp"
+#include "replay/ways.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/strip_locator.hpp"
@@ -31,6 +37,22 @@ void inherit(StripMesh& mesh, Halfedge inner, bool solid) {
   if (!solid) return;  // a new triangle's edges are dashed, and one may be a boundary edge
   mesh.set_solid(StripMesh::next(inner), true);
   mesh.set_solid(StripMesh::next(StripMesh::next(inner)), true);
+}
+
+/// Splits a vertex as the paper would. `join`: the two new triangles form a strip if both cut edges were dashed.
+/// Preconditions and result as for restrip::split.
+Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, bool join) {
+  if (where.spokes == Spokes::both && around_four_triangles(mesh, where.left))
+    return restrip::split(mesh, where, v_t).halfedge;
+  const bool has_left = where.spokes != Spokes::right_only;
+  const bool has_right = where.spokes != Spokes::left_only;
+  const bool left = has_left && mesh.solid(where.left);
+  const bool right = has_right && mesh.solid(where.right);
+  const Halfedge chord = mesh.insert_vertex(where, v_t);
+  inherit(mesh, chord, left);
+  inherit(mesh, mesh.opposite(chord), right);
+  if (join && has_left && has_right && !left && !right) mesh.set_solid(chord, true);
+  return chord;
 }
 
 /// With `tunnel`, tunnels from isolated triangles while they exceed a tenth of the strips, the threshold in Porcu,
@@ -132,20 +154,6 @@ Way way(const char* name, const char* says, bool join, bool tunnel) {
 }
 
 }  // namespace
-
-Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, bool join) {
-  if (where.spokes == Spokes::both && around_four_triangles(mesh, where.left))
-    return restrip::split(mesh, where, v_t).halfedge;
-  const bool has_left = where.spokes != Spokes::right_only;
-  const bool has_right = where.spokes != Spokes::left_only;
-  const bool left = has_left && mesh.solid(where.left);
-  const bool right = has_right && mesh.solid(where.right);
-  const Halfedge chord = mesh.insert_vertex(where, v_t);
-  inherit(mesh, chord, left);
-  inherit(mesh, mesh.opposite(chord), right);
-  if (join && has_left && has_right && !left && !right) mesh.set_solid(chord, true);
-  return chord;
-}
 
 std::vector<Way> paper_ways() {
   return {way("paper", "4-vertex rules; elsewhere colours are inherited, two isolated triangles join", true, false),

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "lod/coloring_check.hpp"
-#include "replay/paper_ways.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 

@@ -29,7 +29,7 @@ struct Way {
     mesh,   ///< the mesh alone, for comparison: keeps no strips, and after flips not even valid colours
     rules,  ///< the rules of the tables alone
     ours,
-    paper  ///< as in the paper (paper_ways.hpp)
+    paper  ///< as in the paper (paper_ways.cpp)
   };
   std::string name;  ///< on the command line and in every report
   std::string says;  ///< a description
@@ -53,6 +53,9 @@ struct Way {
 
 /// All of them: the mesh alone, the rules alone, ours from the least to the most costly, the paper's.
 [[nodiscard]] const std::vector<Way>& ways();
+/// The paper's: the four settings of two switches, named paper, paper-alone, paper-tunnel, paper-alone-tunnel
+/// (paper_ways.cpp).
+[[nodiscard]] std::vector<Way> paper_ways();
 /// Throws std::invalid_argument if the name is unknown.
 [[nodiscard]] const Way& way_named(const std::string& name);
 /// The default way.

@@ -1,9 +1,13 @@
-#include "meshes/alike.hpp"
+#include "meshes/positions.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace restrip::tools {
 namespace {
@@ -11,6 +15,14 @@ namespace {
 std::array<std::uint64_t, 3> bits(const Point& p) {
   return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0),
           std::bit_cast<std::uint64_t>(p.z + 0.0)};
+}
+
+std::size_t repeated(std::span<const Point> points) {
+  const std::vector<std::uint32_t> first = first_alike(points.size(), points);
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < first.size(); ++v)
+    if (first[v] != v) ++count;
+  return count;
 }
 
 }  // namespace
@@ -48,6 +60,38 @@ std::vector<std::uint32_t> first_alike(std::size_t count, std::span<const Point>
     first[v] = same ? first[order[i - 1].vertex] : v;
   }
   return first;
+}
+
+void put_coordinates(std::string& text, const Point& p) {
+  const char* between = "";
+  for (const double c : {p.x, p.y, p.z}) {
+    text += between;
+    if (const auto brief = static_cast<float>(c); static_cast<double>(brief) == c)
+      fmt::format_to(std::back_inserter(text), "{}", brief);
+    else
+      fmt::format_to(std::back_inserter(text), "{}", c);
+    between = " ";
+  }
+}
+
+Rounding rounding_of(std::span<const Point> points) {
+  Rounding found;
+  if (points.empty()) return found;
+  std::vector<Point> rounded;
+  rounded.reserve(points.size());
+  Point low = points.front();
+  Point high = low;
+  for (const Point& p : points) {
+    const Point& r = rounded.emplace_back(in_32_bits(p));
+    found.largest = std::max({found.largest, std::abs(p.x - r.x), std::abs(p.y - r.y), std::abs(p.z - r.z)});
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  if (found.largest == 0) return found;
+  found.coinciding = repeated(rounded) - repeated(points);
+  const double size = std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  found.matters = found.coinciding != 0 || found.largest > 1e-6 * size;
+  return found;
 }
 
 }  // namespace restrip::tools

@@ -1,13 +1,22 @@
-// Coordinates have 64 bits here. Formats with 32 bits round them, which matters far from the origin.
+// Positions of vertices: which coincide, and what is lost when they are rounded. Coordinates have 64 bits here; formats
+// with 32 bits round them, which matters far from the origin.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "meshes/soup.hpp"
 
 namespace restrip::tools {
+
+/// For each of `count` vertices, the first vertex with the same point and the same attributes. Values are compared bit
+/// by bit, except that both zeros are equal. Without points, only the attributes are compared. Sorting bounds the time
+/// for any input: O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> first_alike(std::size_t count, std::span<const Point> points,
+                                                     std::span<const Attribute> attributes = {});
 
 /// The effect of rounding a mesh to 32 bits.
 struct Rounding {
