@@ -18,7 +18,6 @@
 #include "meshes/little_endian.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/mesh_file.hpp"
-#include "pictures/picture_file.hpp"
 #include "pictures/scene.hpp"
 #include "replay/replay.hpp"
 #include "replay/ways.hpp"

@@ -30,7 +30,6 @@
 #include "meshes/soup_builder.hpp"
 #include "meshes/strip_file.hpp"
 #include "meshes/text_cursor.hpp"
-#include "pictures/picture_file.hpp"
 #include "pictures/scene.hpp"
 #include "replay/ways.hpp"
 #include "restrip/output/strips.hpp"
@@ -77,13 +76,6 @@ void smooth(Soup& soup, int rounds) {
   }
 }
 
-Source built_in_source(const DrawCommand& command) {
-  constexpr std::size_t triangles_in_a_picture = 2400;
-  Soup soup = make_mesh(triangles_in_a_picture);
-  smooth(soup, 4);
-  return simplified("built-in torus", std::move(soup), command.simplify);
-}
-
 /// A mesh and its strips.
 struct Colored {
   StripMesh mesh;
@@ -92,15 +84,26 @@ struct Colored {
   std::string policy;  ///< how the strips were kept; file: they come from the file
 };
 
-Colored colored_as_in_file(Soup soup, const DrawCommand& command) {
-  const Mended mended = mend(soup, command.mesh.string(), command.mending);
-  std::vector<std::uint32_t> origin;
-  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), nullptr, &origin);
-  color_as_in_file(mesh, soup, origin);
-  return {std::move(mesh), std::move(soup.points), mended, "file"};
-}
-
-Colored colored_by_policy(const Source& source, const DrawCommand& command) {
+/// The named mesh, or the built-in one. Uses the strips of the file unless the command asks for others.
+Colored colored(const DrawCommand& command) {
+  Source source;
+  if (command.mesh.empty()) {
+    constexpr std::size_t triangles_in_a_picture = 2400;
+    Soup soup = make_mesh(triangles_in_a_picture);
+    smooth(soup, 4);
+    source = simplified("built-in torus", std::move(soup), command.simplify);
+  } else {
+    const bool others = command.triangles != 0 || command.simplify_given || !command.way.empty() || command.cost;
+    ReadMesh read = read_mesh_file(command.mesh);
+    if (auto* soup = std::get_if<Soup>(&read); soup != nullptr && !others && !soup->strips.empty()) {
+      const Mended mended = mend(*soup, command.mesh.string(), command.mending);
+      std::vector<std::uint32_t> origin;
+      StripMesh mesh = StripMesh::build(soup->triangles, soup->points.size(), nullptr, &origin);
+      color_as_in_file(mesh, *soup, origin);
+      return {std::move(mesh), std::move(soup->points), mended, "file"};
+    }
+    source = source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given);
+  }
   Plan::Given given;
   given.cost = command.cost;
   if (source.baked) given.baked = &*source.baked;
@@ -108,17 +111,6 @@ Colored colored_by_policy(const Source& source, const DrawCommand& command) {
                   given);
   return {level_mesh(plan, command.triangles == 0 ? source.mesh.fine_triangles() : command.triangles),
           source.mesh.points, source.subject.mended, plan.way().name};
-}
-
-/// The named mesh, or the built-in one. Uses the strips of the file unless the command asks for others.
-Colored colored(const DrawCommand& command) {
-  if (command.mesh.empty()) return colored_by_policy(built_in_source(command), command);
-  const bool others = command.triangles != 0 || command.simplify_given || !command.way.empty() || command.cost;
-  ReadMesh read = read_mesh_file(command.mesh);
-  if (auto* soup = std::get_if<Soup>(&read); soup != nullptr && !others && !soup->strips.empty())
-    return colored_as_in_file(std::move(*soup), command);
-  return colored_by_policy(
-      source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given), command);
 }
 
 /// The data that scripts/pictures.py draws: the mesh, its strips, and the rule of one split.
@@ -136,19 +128,15 @@ std::string facts_of(std::span<const Point> points, const std::vector<StripCorne
   return picture.dump() + "\n";
 }
 
-std::vector<std::string> drawn_extensions() {
-  std::vector<std::string> all = picture_extensions();
-  all.emplace_back(".json");
-  return all;
-}
+const std::vector<std::string> drawn_extensions{".svg", ".png", ".json"};
 
 int run(const DrawCommand& command) {
-  const files::Output out = open_output(command.out, drawn_extensions());
+  const files::Output out = open_output(command.out, drawn_extensions);
   const files::ReportOutput report(command.json);
   const std::string format = command.out.extension();
   if (format.empty())  // a device
     throw BadInput(fmt::format("{}: its format is not known; name it by --to, or a file that ends in {}",
-                               command.out.string(), fmt::join(drawn_extensions(), ", ")));
+                               command.out.string(), fmt::join(drawn_extensions, ", ")));
   const auto [mesh, points, mended, policy] = colored(command);
   if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
     for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
@@ -166,8 +154,10 @@ int run(const DrawCommand& command) {
   if (format == ".json") {
     out.write(facts_of(points, strips));
   } else {
+    if (format != ".svg" && format != ".png")  // a pipe of any name
+      throw BadInput(fmt::format("unknown extension '{}'; pictures are written as .svg, .png", format));
     const Scene scene = scene_of(points, strips, command.camera, command.size, command.style);
-    const Picture picture = picture_of(scene, format);
+    const Picture picture = format == ".svg" ? svg_of(scene) : png_of(scene);
     out.write(picture.bytes);
     json["policy"] = policy;
     json["width"] = command.size.width;
@@ -194,42 +184,6 @@ std::optional<std::array<Number, 2>> two_numbers(const std::string& word) {
   return std::array<Number, 2>{*first, *second};
 }
 
-/// Adds --camera, --size and --lines and returns them.
-std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command) {
-  const Camera camera;
-  const PictureSize size;
-  return {app.add_option_function<std::string>(
-                 "--camera",
-                 [&command](const std::string& word) {
-                   const auto angles = two_numbers<double>(word);
-                   if (!angles || !(std::abs((*angles)[0]) <= 360) || !(std::abs((*angles)[1]) <= 90))
-                     throw CLI::ValidationError(
-                         "--camera",
-                         fmt::format("{} is not an azimuth from -360 to 360 and elevation from -90 to 90, in "
-                                     "degrees, with a comma between",
-                                     word));
-                   command.camera = {(*angles)[0], (*angles)[1]};
-                 },
-                 "in degrees: 0,0 looks along -z, 90,0 along -x, 0,90 down along -y")
-              ->option_text(fmt::format("AZIMUTH,ELEVATION (default: {},{})", camera.azimuth, camera.elevation)),
-          app.add_option_function<std::string>(
-                 "--size",
-                 [&command](const std::string& word) {
-                   const auto sides = two_numbers<std::uint32_t>(word);
-                   if (!sides || std::min((*sides)[0], (*sides)[1]) < least_picture_side ||
-                       std::max((*sides)[0], (*sides)[1]) > most_picture_side)
-                     throw CLI::ValidationError(
-                         "--size", fmt::format("{} is not a width and height from {} to {}, with a comma between", word,
-                                               least_picture_side, most_picture_side));
-                   command.size = {(*sides)[0], (*sides)[1]};
-                 },
-                 "of the picture, in pixels")
-              ->option_text(fmt::format("WIDTH,HEIGHT (default: {},{})", size.width, size.height)),
-          app.add_flag_callback(
-              "--lines", [&command] { command.style = StripStyle::lines; },
-              "draw strips as lines through the centres of their triangles, in place of coloured triangles")};
-}
-
 }  // namespace
 
 Subcommand add_draw(CLI::App& app) {
@@ -238,7 +192,7 @@ Subcommand add_draw(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips maintained as by replay");
   add_mesh_option(*sub, command.mesh, help_of_mesh(levels_kept) + "; without one a torus");
-  add_output_option(*sub, command.out, drawn_extensions(),
+  add_output_option(*sub, command.out, drawn_extensions,
                     ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
       ->required();
   sub->add_option("--triangles", command.triangles,
@@ -247,7 +201,37 @@ Subcommand add_draw(CLI::App& app) {
   add_simplify_options(*sub, command.simplify);
   add_policy_option(*sub, command.way);
   add_cost_option(*sub, command.cost);
-  const std::vector<const CLI::Option*> only_pictures = add_picture_options(*sub, command);
+  const std::vector<const CLI::Option*> only_pictures{
+      sub->add_option_function<std::string>(
+             "--camera",
+             [&command](const std::string& word) {
+               const auto angles = two_numbers<double>(word);
+               if (!angles || !(std::abs((*angles)[0]) <= 360) || !(std::abs((*angles)[1]) <= 90))
+                 throw CLI::ValidationError(
+                     "--camera", fmt::format("{} is not an azimuth from -360 to 360 and elevation from -90 to 90, in "
+                                             "degrees, with a comma between",
+                                             word));
+               command.camera = {(*angles)[0], (*angles)[1]};
+             },
+             "in degrees: 0,0 looks along -z, 90,0 along -x, 0,90 down along -y")
+          ->option_text(
+              fmt::format("AZIMUTH,ELEVATION (default: {},{})", command.camera.azimuth, command.camera.elevation)),
+      sub->add_option_function<std::string>(
+             "--size",
+             [&command](const std::string& word) {
+               const auto sides = two_numbers<std::uint32_t>(word);
+               if (!sides || std::min((*sides)[0], (*sides)[1]) < least_picture_side ||
+                   std::max((*sides)[0], (*sides)[1]) > most_picture_side)
+                 throw CLI::ValidationError(
+                     "--size", fmt::format("{} is not a width and height from {} to {}, with a comma between", word,
+                                           least_picture_side, most_picture_side));
+               command.size = {(*sides)[0], (*sides)[1]};
+             },
+             "of the picture, in pixels")
+          ->option_text(fmt::format("WIDTH,HEIGHT (default: {},{})", command.size.width, command.size.height)),
+      sub->add_flag_callback(
+          "--lines", [&command] { command.style = StripStyle::lines; },
+          "draw strips as lines through the centres of their triangles, in place of coloured triangles")};
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, only_pictures, &command] {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "pictures/picture_file.hpp"
+#include "pictures/scene.hpp"
 
 namespace restrip::tools {
 namespace {

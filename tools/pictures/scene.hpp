@@ -1,10 +1,11 @@
-// A mesh and its strips as seen by a camera: the input of all picture formats (picture_file.hpp).
+// A mesh and its strips as seen by a camera, and the pictures of it: SVG and PNG.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "meshes/soup.hpp"
@@ -72,5 +73,18 @@ struct Scene {
 /// that face away are left out. O(n log n) for n triangles. At most 2^23 strips.
 [[nodiscard]] Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
                              const PictureSize& size, StripStyle style);
+
+struct Picture {
+  std::string bytes;
+  std::size_t strips = 0;  ///< number of strips visible by colour
+};
+
+/// One polygon per face, far ones first, so that near ones cover them. Correct unless triangles of very different size
+/// overlap. Lines are drawn with their triangles.
+[[nodiscard]] Picture svg_of(const Scene& scene);
+
+/// Uses a depth buffer; 15 bytes a pixel. Without antialiasing: every pixel has the colour of the background, of an
+/// edge, of the surface, or of a strip. Throws std::runtime_error if libpng fails.
+[[nodiscard]] Picture png_of(const Scene& scene);
 
 }  // namespace restrip::tools

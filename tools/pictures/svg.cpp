@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "pictures/picture_file.hpp"
+#include "pictures/scene.hpp"
 
 namespace restrip::tools {
 namespace {
