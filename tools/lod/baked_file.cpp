@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "common/bad_input.hpp"
 #include "lod/pm_file.hpp"
+#include "meshes/little_endian.hpp"
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/formats/baked_format.hpp"
 #include "restrip/formats/dual_order.hpp"
@@ -34,30 +34,24 @@ class Writer {
     const std::size_t base_points = mesh_.points.size() - mesh_.splits.size();
     const bool has_payload = baked_.payload.bytes != 0;
     bytes_ = baked_format::magic;
-    put(has_payload ? baked_format::version_with_payload : baked_format::version);
-    put(static_cast<std::uint32_t>(base_points));
-    put(static_cast<std::uint32_t>(mesh_.base.size()));
-    put(static_cast<std::uint32_t>(mesh_.splits.size()));
-    if (has_payload) put(static_cast<std::uint32_t>(baked_.payload.bytes));
-    for (std::size_t v = 0; v < base_points; ++v) put(mesh_.points[v]);
+    put(bytes_, has_payload ? baked_format::version_with_payload : baked_format::version);
+    put(bytes_, static_cast<std::uint32_t>(base_points));
+    put(bytes_, static_cast<std::uint32_t>(mesh_.base.size()));
+    put(bytes_, static_cast<std::uint32_t>(mesh_.splits.size()));
+    if (has_payload) put(bytes_, static_cast<std::uint32_t>(baked_.payload.bytes));
+    for (std::size_t v = 0; v < base_points; ++v) put(bytes_, mesh_.points[v]);
     for (const Corners& triangle : mesh_.base)
-      for (const Vertex v : triangle) put(v);
+      for (const Vertex v : triangle) put(bytes_, v);
     for (Triangle t = 0; t < mesh_.base.size(); ++t) bytes_.push_back(static_cast<char>(colors(baked_.base, t)));
     for (std::size_t i = 0; i < mesh_.splits.size(); ++i) put_record(i);
     for (const std::byte b : baked_.payload.all) bytes_.push_back(std::to_integer<char>(b));
     const std::uint64_t hash = fnv1a(bytes_);
-    put(static_cast<std::uint32_t>(hash));
-    put(static_cast<std::uint32_t>(hash >> 32));
+    put(bytes_, static_cast<std::uint32_t>(hash));
+    put(bytes_, static_cast<std::uint32_t>(hash >> 32));
     return std::move(bytes_);
   }
 
  private:
-  void put(std::uint32_t value) {
-    for (unsigned i = 0; i < 4; ++i) bytes_.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-  }
-  void put(const Point& p) {
-    for (const double coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
-  }
   void put_number(std::uint64_t value) {
     for (; value >= 128; value >>= 7) bytes_.push_back(static_cast<char>((value & 127U) | 128U));
     bytes_.push_back(static_cast<char>(value));
@@ -73,7 +67,7 @@ class Writer {
 
   void put_record(std::size_t i) {
     const Record& record = mesh_.splits[i];
-    put(mesh_.points[record.v_t]);
+    put(bytes_, mesh_.points[record.v_t]);
     put_number(record.v_s);
     baked_format::neighbors_of(now_, record.v_s, neighbors_);
     const auto place = [this](Vertex v) -> std::uint64_t {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "common/bad_input.hpp"
+#include "meshes/little_endian.hpp"
 #include "restrip/mesh/checks.hpp"
 
 namespace restrip::tools {
@@ -18,25 +20,6 @@ constexpr std::size_t vertex_bytes = 12;
 constexpr std::size_t face_bytes = 12;
 constexpr std::size_t split_bytes = 24;
 
-class Bytes {
- public:
-  explicit Bytes(std::string_view rest) : rest_(rest) {}
-  std::uint32_t u32() {
-    std::uint32_t value = 0;
-    for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<unsigned char>(rest_[i])} << (8 * i);
-    rest_.remove_prefix(4);
-    return value;
-  }
-  Point point() {
-    Point p;
-    for (double* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(u32());
-    return p;
-  }
-
- private:
-  std::string_view rest_;
-};
-
 }  // namespace
 
 ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
@@ -47,10 +30,11 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
                     "Hoppe's do",
                     name, pm_magic));
   if (bytes.size() < pm_header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));
-  Bytes in(bytes.substr(pm_magic.size()));
-  const std::size_t vertices = in.u32();
-  const std::size_t faces = in.u32();
-  const std::size_t splits = in.u32();
+  std::size_t at = pm_magic.size();
+  const auto next = [&bytes, &at] { return little_endian(bytes, std::exchange(at, at + 4)); };
+  const std::size_t vertices = next();
+  const std::size_t faces = next();
+  const std::size_t splits = next();
   const std::size_t expected = pm_header_bytes + vertices * vertex_bytes + faces * face_bytes + splits * split_bytes;
   if (bytes.size() != expected)
     throw BadInput(
@@ -67,7 +51,9 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   mesh.points.reserve(vertices + splits);
   mesh.base.resize(faces);
   mesh.splits.reserve(splits);
-  const auto add_point = [&](const Point& p) {
+  const auto add_point = [&] {
+    Point p;
+    for (double* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(next());
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       throw BadInput(
           fmt::format("{}: vertex {} has a coordinate that is infinite or not a number; write it again from the mesh "
@@ -75,10 +61,10 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
                       name, mesh.points.size()));
     mesh.points.push_back(p);
   };
-  for (std::size_t v = 0; v < vertices; ++v) add_point(in.point());
+  for (std::size_t v = 0; v < vertices; ++v) add_point();
   for (Corners& triangle : mesh.base)
     for (Vertex& corner : triangle) {
-      corner = in.u32();
+      corner = next();
       if (corner >= vertices)
         throw BadInput(fmt::format("{}: a face refers to vertex {} of {}", name, corner, vertices));
     }
@@ -89,10 +75,10 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
                     name));
   for (std::size_t i = 0; i < splits; ++i) {
     const auto v_t = static_cast<Vertex>(vertices + i);
-    add_point(in.point());
-    const Vertex v_s = in.u32();
-    const Vertex v_r = in.u32();
-    const Vertex v_l = in.u32();
+    add_point();
+    const Vertex v_s = next();
+    const Vertex v_r = next();
+    const Vertex v_l = next();
     const auto known = [v_t](Vertex v) { return v == none || v < v_t; };
     if (v_s >= v_t || !known(v_l) || !known(v_r) || v_l == v_r)
       throw BadInput(fmt::format("{}: split {} refers to vertices {}, {}, {}, of which there are {}", name, i, v_s, v_r,
@@ -137,24 +123,18 @@ ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh) {
 std::string pm_bytes(const ProgressiveMesh& any) {
   const ProgressiveMesh mesh = numbered_by_appearance(any);
   std::string bytes(pm_magic);
-  const auto put = [&bytes](std::uint32_t value) {
-    for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-  };
-  const auto put_point = [&](const Point& p) {
-    for (const double coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
-  };
   const std::size_t base_points = mesh.points.size() - mesh.splits.size();
-  put(static_cast<std::uint32_t>(base_points));
-  put(static_cast<std::uint32_t>(mesh.base.size()));
-  put(static_cast<std::uint32_t>(mesh.splits.size()));
-  for (std::size_t v = 0; v < base_points; ++v) put_point(mesh.points[v]);
+  put(bytes, static_cast<std::uint32_t>(base_points));
+  put(bytes, static_cast<std::uint32_t>(mesh.base.size()));
+  put(bytes, static_cast<std::uint32_t>(mesh.splits.size()));
+  for (std::size_t v = 0; v < base_points; ++v) put(bytes, mesh.points[v]);
   for (const Corners& triangle : mesh.base)
-    for (const Vertex v : triangle) put(v);
+    for (const Vertex v : triangle) put(bytes, v);
   for (const Record& record : mesh.splits) {
-    put_point(mesh.points[record.v_t]);
-    put(record.v_s);
-    put(record.v_r);
-    put(record.v_l);
+    put(bytes, mesh.points[record.v_t]);
+    put(bytes, record.v_s);
+    put(bytes, record.v_r);
+    put(bytes, record.v_l);
   }
   return bytes;
 }

@@ -7,10 +7,12 @@
 #include <bit>
 #include <cctype>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
+#include "meshes/little_endian.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/positions.hpp"
 #include "meshes/soup_builder.hpp"
@@ -22,51 +24,33 @@ namespace {
 constexpr std::size_t stl_header_bytes = 84;
 constexpr std::size_t facet_bytes = 50;
 
-std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-  return value;
+/// The mesh of these facets, three corners each; corners at the same position are merged.
+Soup welded(SoupBuilder soup, const std::vector<Point>& corners) {
+  std::vector<std::uint32_t> vertex = first_alike(corners.size(), corners);
+  for (std::uint32_t corner = 0; corner < vertex.size(); ++corner) {
+    const bool is_first = vertex[corner] == corner;
+    vertex[corner] = is_first ? static_cast<std::uint32_t>(soup.point_count()) : vertex[vertex[corner]];
+    if (is_first) soup.add_point(corners[corner].x, corners[corner].y, corners[corner].z);
+  }
+  for (std::size_t corner = 0; corner < vertex.size(); corner += 3) soup.add_face(std::span(vertex).subspan(corner, 3));
+  return std::move(soup).finish();
 }
 
-/// Merges corners at the same position.
-class Welder {
- public:
-  explicit Welder(const std::string& name) : soup_(name) {}
-
-  void add_corner(double x, double y, double z) { corners_.push_back({x, y, z}); }
-  void leave_out(const std::string& what) { soup_.leave_out(what); }
-  [[nodiscard]] bool between_facets() const noexcept { return corners_.size() % 3 == 0; }
-  [[nodiscard]] Soup finish() && {
-    std::vector<std::uint32_t> vertex = first_alike(corners_.size(), corners_);
-    for (std::uint32_t corner = 0; corner < vertex.size(); ++corner) {
-      const bool is_first = vertex[corner] == corner;
-      vertex[corner] = is_first ? static_cast<std::uint32_t>(soup_.point_count()) : vertex[vertex[corner]];
-      if (is_first) soup_.add_point(corners_[corner].x, corners_[corner].y, corners_[corner].z);
-    }
-    for (std::size_t corner = 0; corner < vertex.size(); corner += 3)
-      soup_.add_face(std::span(vertex).subspan(corner, 3));
-    return std::move(soup_).finish();
-  }
-
- private:
-  SoupBuilder soup_;
-  std::vector<Point> corners_;
-};
-
 Soup read_binary(std::string_view bytes, const std::string& name, std::size_t facets) {
-  Welder welder(name);
+  SoupBuilder soup(name);
+  std::vector<Point> corners;
   const std::size_t end = stl_header_bytes + facets * facet_bytes;
   for (std::size_t at = stl_header_bytes; at < end; at += facet_bytes) {
-    if (bytes.substr(at + facet_bytes - 2, 2) != std::string_view("\0\0", 2)) welder.leave_out("COLOR_0");
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      std::array<float, 3> xyz{};
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        xyz[axis] = std::bit_cast<float>(read_u32(bytes, at + 12 + 12 * corner + 4 * axis));
-      welder.add_corner(xyz[0], xyz[1], xyz[2]);
+    if (bytes.substr(at + facet_bytes - 2, 2) != std::string_view("\0\0", 2)) soup.leave_out("COLOR_0");
+    for (std::size_t corner = at + 12; corner < at + 48; corner += 12) {
+      const auto coordinate = [&](std::size_t axis) {
+        return std::bit_cast<float>(little_endian(bytes, corner + 4 * axis));
+      };
+      corners.push_back({coordinate(0), coordinate(1), coordinate(2)});
     }
   }
-  if (end != bytes.size()) welder.leave_out(fmt::format("{} after the facets", counted(bytes.size() - end, "byte")));
-  return std::move(welder).finish();
+  if (end != bytes.size()) soup.leave_out(fmt::format("{} after the facets", counted(bytes.size() - end, "byte")));
+  return welded(std::move(soup), corners);
 }
 
 bool same_letters(std::string_view word, std::string_view lower_case) {
@@ -76,40 +60,40 @@ bool same_letters(std::string_view word, std::string_view lower_case) {
 
 Soup read_text(std::string_view bytes, const std::string& name) {
   refuse_long_lines(bytes, name);
-  Welder welder(name);
+  SoupBuilder soup(name);
+  std::vector<Point> corners;
   TextCursor cursor(bytes);
   for (; !cursor.at_end(); cursor.next_line()) {
     const std::string_view keyword = cursor.word();
     const bool facet_begins_or_ends =
         same_letters(keyword, "facet") || same_letters(keyword, "endfacet") || same_letters(keyword, "endsolid");
-    if (facet_begins_or_ends && !welder.between_facets())
+    if (facet_begins_or_ends && corners.size() % 3 != 0)
       throw BadInput(fmt::format("{}:{}: a facet whose number of vertices is not three", name, cursor.line()));
     if (!same_letters(keyword, "vertex")) continue;
-    std::array<double, 3> xyz{};
-    for (double& coordinate : xyz) {
+    Point& p = corners.emplace_back();
+    for (double* coordinate : {&p.x, &p.y, &p.z}) {
       const std::string_view word = cursor.word();
       const auto number = parse<double>(word);
       if (!number)
         throw BadInput(fmt::format("{}:{}: a vertex needs three numbers, {}", name, cursor.line(),
                                    word.empty() ? "but the line ends" : fmt::format("found '{}'", word.substr(0, 40))));
-      coordinate = *number;
+      *coordinate = *number;
     }
-    welder.add_corner(xyz[0], xyz[1], xyz[2]);
   }
-  if (!welder.between_facets()) throw BadInput(fmt::format("{}: ends inside a facet; is it complete?", name));
-  return std::move(welder).finish();
+  if (corners.size() % 3 != 0) throw BadInput(fmt::format("{}: ends inside a facet; is it complete?", name));
+  return welded(std::move(soup), corners);
 }
 
 }  // namespace
 
 bool is_binary_stl(std::string_view bytes) {
   return bytes.size() > stl_header_bytes &&
-         bytes.size() == stl_header_bytes + std::size_t{read_u32(bytes, stl_header_bytes - 4)} * facet_bytes;
+         bytes.size() == stl_header_bytes + std::size_t{little_endian(bytes, stl_header_bytes - 4)} * facet_bytes;
 }
 
 Soup read_stl(std::string_view bytes, const std::string& name) {
   const bool may_be_binary = bytes.size() >= stl_header_bytes;
-  const std::size_t facets = may_be_binary ? read_u32(bytes, stl_header_bytes - 4) : 0;
+  const std::size_t facets = may_be_binary ? little_endian(bytes, stl_header_bytes - 4) : 0;
   const std::size_t size = stl_header_bytes + facets * facet_bytes;
   if (may_be_binary && bytes.size() == size) return read_binary(bytes, name, facets);
   // A count below 2^24 contains a zero byte, which text does not.
