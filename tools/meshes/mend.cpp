@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -11,103 +10,44 @@
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
+#include "common/disjoint_sets.hpp"
+#include "meshes/edges.hpp"
 #include "meshes/positions.hpp"
 
 namespace restrip::tools {
 namespace {
 
-/// A triangle at an edge.
-struct EdgeSide {
-  std::uint32_t low = 0;  ///< the vertices of the edge
-  std::uint32_t high = 0;
-  std::uint32_t triangle = 0;
-  bool upward = false;  ///< the triangle runs from low to high
-};
-
-std::vector<EdgeSide> sorted_sides(const Soup& soup) {
-  std::vector<EdgeSide> sides;
-  sides.reserve(3 * soup.triangles.size());
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    const Corners& corners = soup.triangles[t];
-    if (degenerate(corners)) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = corners[i];
-      const std::uint32_t to = corners[(i + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(t), from < to});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
-    return std::array{a.low, a.high, a.triangle} < std::array{b.low, b.high, b.triangle};
-  });
-  return sides;
-}
-
-/// Disjoint sets of triangles; for each triangle it is known whether it is turned relative to the root.
-class TurnedSets {
- public:
-  explicit TurnedSets(std::size_t size) : parent_(size), turned_(size, 0) {
-    for (std::size_t i = 0; i < size; ++i) parent_[i] = static_cast<std::uint32_t>(i);
-  }
-
-  struct Root {
-    std::uint32_t triangle = 0;
-    bool turned = false;
-  };
-  Root find(std::uint32_t x) {
-    bool turned = false;
-    while (parent_[x] != x) {
-      const std::uint32_t up = parent_[x];  // path halving
-      turned_[x] = static_cast<std::uint8_t>(turned_[x] ^ turned_[up]);
-      parent_[x] = parent_[up];
-      if (turned_[x] != 0) turned = !turned;
-      x = parent_[x];
-    }
-    return {x, turned};
-  }
-  /// False if the opposite relation is already known.
-  bool relate(std::uint32_t x, std::uint32_t y, bool differ) {
-    const Root a = find(x);
-    const Root b = find(y);
-    const bool turn = (a.turned != b.turned) != differ;
-    if (a.triangle == b.triangle) return !turn;
-    const auto [root, child] = std::minmax(a.triangle, b.triangle);
-    parent_[child] = root;
-    turned_[child] = static_cast<std::uint8_t>(turn);
-    return true;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> turned_;  // relative to the parent
-};
-
 /// The triangles to turn. Throws if the surface cannot be oriented.
 std::vector<bool> to_be_turned(const Soup& soup, const std::string& name) {
-  TurnedSets sets(soup.triangles.size());
-  const std::vector<EdgeSide> sides = sorted_sides(soup);
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-    // At an edge of three triangles, it is unknown which two belong together.
-    if (end == i + 2 && !sets.relate(sides[i].triangle, sides[i + 1].triangle, sides[i].upward == sides[i + 1].upward))
+  // Disjoint sets of triangles t as they are, and turned: t + triangles. What is in one set goes together.
+  const auto triangles = static_cast<std::uint32_t>(soup.triangles.size());
+  DisjointSets sets(2 * std::size_t{triangles});
+  for_each_edge(soup, [&](std::span<const Side> edge) {
+    if (edge.size() != 2) return;  // at an edge of three triangles, it is unknown which two belong together
+    const std::uint32_t from = vertex_at(soup, edge[0].corner);
+    const std::uint32_t one = edge[0].corner / 3;
+    const std::uint32_t other = edge[1].corner / 3;
+    const bool differ = from == vertex_at(soup, edge[1].corner);
+    sets.unite(one, differ ? other + triangles : other);
+    sets.unite(one + triangles, differ ? other : other + triangles);
+    if (sets.find(one) == sets.find(one + triangles))
       throw BadInput(fmt::format(
           "{}: --orient: the surface of triangle {} (its edge from vertex {} to {}, counted from 0) has only one "
           "side, like a Moebius strip, and no orientation; leave the option out, or cut it there",
-          name, sides[i + 1].triangle, sides[i].low, sides[i].high));
-    i = end;
-  }
-  const auto triangles = static_cast<std::uint32_t>(soup.triangles.size());
-  std::vector<std::uint32_t> all(triangles, 0);  // per root
+          name, other, std::min(from, vertex_at(soup, next_corner(edge[0].corner))), edge[0].high));
+  });
+  // A part of the surface is named by its first triangle, the smallest of its two sets.
+  std::vector<std::uint32_t> all(triangles, 0);
   std::vector<std::uint32_t> turned(triangles, 0);
   for (std::uint32_t t = 0; t < triangles; ++t) {
-    const TurnedSets::Root root = sets.find(t);
-    ++all[root.triangle];
-    if (root.turned) ++turned[root.triangle];
+    const std::uint32_t part = std::min(sets.find(t), sets.find(t + triangles));
+    ++all[part];
+    if (part != sets.find(t)) ++turned[part];
   }
   std::vector<bool> turn(triangles);
   for (std::uint32_t t = 0; t < triangles; ++t) {
-    const TurnedSets::Root root = sets.find(t);
-    turn[t] = root.turned == (2 * std::uint64_t{turned[root.triangle]} <= all[root.triangle]);
+    const std::uint32_t part = std::min(sets.find(t), sets.find(t + triangles));
+    turn[t] = (part != sets.find(t)) == (2 * std::uint64_t{turned[part]} <= all[part]);
   }
   return turn;
 }

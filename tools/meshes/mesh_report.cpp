@@ -9,16 +9,11 @@
 
 #include "common/counted.hpp"
 #include "common/disjoint_sets.hpp"
+#include "meshes/edges.hpp"
 #include "meshes/strip_file.hpp"
 
 namespace restrip::tools {
 namespace {
-
-/// A side of a triangle: corner `side` and the next one. Corners are numbered 3 * triangle + side.
-struct Side {
-  std::uint32_t high;    ///< the larger vertex
-  std::uint32_t corner;  ///< the corner where the side begins
-};
 
 class Surveyor {
  public:
@@ -31,9 +26,8 @@ class Surveyor {
 
   MeshReport survey() {
     count_triangles();
-    sort_sides();
     std::vector<std::uint32_t> boundary;
-    each_edge([&](std::span<const Side> edge) { meet(edge, boundary); });
+    for_each_edge(soup_, [&](std::span<const Side> edge) { meet(edge, boundary); });
     count_fans();
     count_loops(boundary);
     count_duplicates();
@@ -50,8 +44,7 @@ class Surveyor {
   }
 
  private:
-  [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return soup_.triangles[corner / 3][corner % 3]; }
-  static std::uint32_t next(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+  [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return vertex_at(soup_, corner); }
 
   void count_triangles() {
     std::vector<std::uint32_t> around(soup_.points.size(), 0);
@@ -75,39 +68,6 @@ class Surveyor {
     }
   }
 
-  /// Sorts sides by the smaller vertex (counting sort), then by the larger one.
-  void sort_sides() {
-    const auto low = [&](std::uint32_t corner) { return std::min(vertex(corner), vertex(next(corner))); };
-    const auto each_corner = [&](auto&& visit) {
-      for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
-        if (!degenerate(soup_.triangles[t]))
-          for (std::uint32_t side = 0; side < 3; ++side) visit(3 * t + side);
-    };
-    first_.assign(soup_.points.size() + 1, 0);
-    each_corner([&](std::uint32_t corner) { ++first_[low(corner) + std::size_t{1}]; });
-    for (std::size_t v = 0; v < soup_.points.size(); ++v) first_[v + 1] += first_[v];
-    sides_.resize(first_.back());
-    std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
-    each_corner([&](std::uint32_t corner) {
-      sides_[fill[low(corner)]++] = {std::max(vertex(corner), vertex(next(corner))), corner};
-    });
-  }
-
-  template <class Visit>
-  void each_edge(Visit&& visit) {
-    for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
-      const auto begin = sides_.begin() + first_[v];
-      const auto end = sides_.begin() + first_[v + 1];
-      std::sort(begin, end,
-                [](const Side& a, const Side& b) { return a.high != b.high ? a.high < b.high : a.corner < b.corner; });
-      for (auto group = begin; group != end;) {
-        const auto stop = std::find_if(group, end, [&](const Side& side) { return side.high != group->high; });
-        visit(std::span<const Side>(group, stop));
-        group = stop;
-      }
-    }
-  }
-
   void meet(std::span<const Side> edge, std::vector<std::uint32_t>& boundary) {
     ++report_.edges;
     if (edge.size() == 1) {
@@ -119,8 +79,8 @@ class Surveyor {
     // Around both ends, the triangles of the edge belong to one group.
     for (const Side& side : edge.subspan(1)) {
       const bool same_way = vertex(side.corner) == vertex(edge[0].corner);
-      fans_.unite(edge[0].corner, same_way ? side.corner : next(side.corner));
-      fans_.unite(next(edge[0].corner), same_way ? next(side.corner) : side.corner);
+      fans_.unite(edge[0].corner, same_way ? side.corner : next_corner(side.corner));
+      fans_.unite(next_corner(edge[0].corner), same_way ? next_corner(side.corner) : side.corner);
     }
   }
 
@@ -135,7 +95,7 @@ class Surveyor {
   /// but stay separate.
   void count_loops(const std::vector<std::uint32_t>& boundary) {
     DisjointSets loops(3 * soup_.triangles.size());
-    for (const std::uint32_t corner : boundary) loops.unite(fans_.find(corner), fans_.find(next(corner)));
+    for (const std::uint32_t corner : boundary) loops.unite(fans_.find(corner), fans_.find(next_corner(corner)));
     std::vector<std::uint32_t> roots;
     roots.reserve(boundary.size());
     for (const std::uint32_t corner : boundary) roots.push_back(loops.find(fans_.find(corner)));
@@ -166,8 +126,6 @@ class Surveyor {
   const Soup& soup_;
   MeshReport report_;
   DisjointSets fans_;  ///< corners at one vertex whose triangles are connected by edges
-  std::vector<std::uint32_t> first_;
-  std::vector<Side> sides_;
 };
 
 }  // namespace
