@@ -38,7 +38,8 @@ int run(const BakeCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_baked));
   const files::ReportOutput report_output(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_baked, ".baked");
-  Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
+  Source source =
+      source_of(read_mesh_file(command.mesh), command.mesh, command.mending, command.simplify, command.simplify_given);
   source.subject.mended.rounding = rounding_of(source.mesh.points);
   BakeReport report;
   BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);

@@ -40,8 +40,4 @@ StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
   return mesh;
 }
 
-LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format, const StripOptions& options) {
-  return level_file(level_mesh(plan, triangles), plan.mesh().points, format, options);
-}
-
 }  // namespace restrip::tools

@@ -22,8 +22,5 @@ struct LevelFile {
 /// The coarsest level with at least `triangles` triangles, or the finest level if all are smaller. Its strips are kept
 /// from the base up as the plan says. Throws BadInput at a split that is not possible.
 [[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);
-/// The level as a file.
-[[nodiscard]] LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format,
-                                   const StripOptions& options);
 
 }  // namespace restrip::tools

@@ -49,7 +49,8 @@ struct ReplayCommand {
 };
 
 /// Walks as the plan says. Baked strips continue by the rules once the mesh leaves its records. `trace` may be null.
-WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan, std::optional<Trace>* trace) {
+WalkReport take_walk(const Source& source, const ReplayCommand& command, const Plan& plan,
+                     std::optional<Trace>* trace) {
   StripMesh mesh;
   if (source.original.empty()) {
     mesh = StripMesh::build(source.mesh.base, source.mesh.points.size());
@@ -58,12 +59,10 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
     mesh = StripMesh::build(source.original, source.mesh.points.size());
   }
   stripify(mesh, default_effort, plan.cost());
-  WalkTaken taken{{command.walk_steps, command.seed}, {}};
   // A walk that fails is repeated on copies without its trace.
-  taken.report = walk(mesh, taken.options, [&](StripMesh& on) {
+  return walk(mesh, {command.walk_steps, command.seed}, [&](StripMesh& on) {
     return trace != nullptr && &on == &mesh ? traced(on, plan.begin(on), claim_of(plan), *trace) : plan.begin(on);
   });
-  return taken;
 }
 
 int run(const ReplayCommand& command) {
@@ -75,7 +74,8 @@ int run(const ReplayCommand& command) {
   const MeshFormat* format = level ? &format_to_write(command.out, writes_strips) : nullptr;
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
-                      : source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
+                      : source_of(read_mesh_file(command.mesh), command.mesh, command.mending, command.simplify,
+                                  command.simplify_given);
   if (format != nullptr && format->rounds) source.subject.mended.rounding = rounding_of(source.mesh.points);
   const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
   Plan::Given given;
@@ -91,7 +91,7 @@ int run(const ReplayCommand& command) {
   ReplayOptions options = command.replay;
   if (trace && command.walk_steps == 0) options.trace = &text_of_trace;
   const ReplayReport report = replay(plan, source.original, options);
-  std::optional<WalkTaken> walk;
+  std::optional<WalkReport> walk;
   std::optional<Trace> trace_of_walk;
   if (command.walk_steps != 0 && report.operations_without_rule == 0)
     walk = take_walk(source, command, plan, trace ? &trace_of_walk : nullptr);
@@ -99,7 +99,7 @@ int run(const ReplayCommand& command) {
   std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
   if (level && report.valid()) {
     const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
-    const LevelFile file = level_file(plan, triangles, *format, command.strips);
+    const LevelFile file = level_file(level_mesh(plan, triangles), source.mesh.points, *format, command.strips);
     level->write(file.written.bytes);
     text += fmt::format("\n  {}: {} in {}\n", command.out.string(), counted(file.triangles, "triangle"),
                         counted(file.strips, "strip")) +
@@ -109,7 +109,7 @@ int run(const ReplayCommand& command) {
     trace_of_walk->end();
     text_of_trace = std::move(trace_of_walk->text());
   }
-  const bool valid = report.valid() && (!walk || walk->report.fault.empty());
+  const bool valid = report.valid() && (!walk || walk->fault.empty());
   if (trace && valid) {
     trace->write(text_of_trace);
     text += fmt::format("\n  {}: to be checked by restrip-check\n", command.trace.string());

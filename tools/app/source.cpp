@@ -7,21 +7,9 @@
 
 #include "common/bad_input.hpp"
 #include "lod/baked_file.hpp"
-#include "lod/mesh_files.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::tools {
-namespace {
-
-void refuse_simplifying(const NamedFile& file, bool given) {
-  if (given)
-    throw BadInput(
-        fmt::format("{}: is progressive already and not simplified, so --base and --boundary do not apply; leave them "
-                    "out, or give the mesh that it was made from",
-                    file.string()));
-}
-
-}  // namespace
 
 BakedCosts costs_of(const BakedMesh& baked, double seconds) {
   if (baked.mesh.splits.empty()) return {};
@@ -43,11 +31,6 @@ Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
   return source;
 }
 
-Source source_of(const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
-                 bool options_given) {
-  return source_of(read_mesh_file(file), file, mending, options, options_given);
-}
-
 Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
                  bool options_given) {
   if (auto* soup = std::get_if<Soup>(&read)) {
@@ -56,7 +39,11 @@ Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& men
     source.subject.mended = mended;
     return source;
   }
-  refuse_simplifying(file, options_given);
+  if (options_given)
+    throw BadInput(
+        fmt::format("{}: is progressive already and not simplified, so --base and --boundary do not apply; leave them "
+                    "out, or give the mesh that it was made from",
+                    file.string()));
   refuse_mending(file.string(), mending);
   Source source;
   source.subject.name = file.string();

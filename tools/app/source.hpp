@@ -28,11 +28,8 @@ struct Source {
 [[nodiscard]] BakedCosts costs_of(const BakedMesh& baked, double seconds);
 
 [[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
-/// Throws BadInput if the file cannot be read, or if a progressive mesh is to be simplified (`options_given`) or
-/// mended.
-[[nodiscard]] Source source_of(const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
-                               bool options_given);
-/// The same, for a mesh that has been read.
+/// Of a mesh that has been read from the file. Throws BadInput if a progressive mesh is to be simplified
+/// (`options_given`) or mended.
 [[nodiscard]] Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending,
                                const SimplifyOptions& options, bool options_given);
 

@@ -12,9 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const WalkTaken& walk) {
-  const WalkReport& report = walk.report;
-  return {{"steps", walk.options.steps},     {"seed", walk.options.seed},
+Json json_of(const WalkReport& report) {
+  return {{"steps", report.options.steps},   {"seed", report.options.seed},
           {"splits", report.splits},         {"collapses", report.collapses},
           {"flips", report.flips},           {"refused", report.refused},
           {"isolating", report.isolating},   {"flips_isolating", report.flips_isolating},
@@ -122,12 +121,11 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   return text;
 }
 
-std::string as_text(const WalkTaken& walk) {
-  const WalkReport& report = walk.report;
+std::string as_text(const WalkReport& report) {
   std::string text = fmt::format(
       "\n  walk of {}, seed {}: {}, {}, {}, {} refused\n"
       "  isolated ones introduced: {} by splits and collapses, {} by flips\n",
-      counted(walk.options.steps, "step"), walk.options.seed, counted(report.splits, "split"),
+      counted(report.options.steps, "step"), report.options.seed, counted(report.splits, "split"),
       counted(report.collapses, "collapse"), counted(report.flips, "flip"), report.refused, report.isolating,
       report.flips_isolating);
   if (report.fault.empty())
@@ -139,7 +137,7 @@ std::string as_text(const WalkTaken& walk) {
   return text;
 }
 
-std::string as_json(const ReplayReport& report, const Subject& subject, const std::optional<WalkTaken>& walk) {
+std::string as_json(const ReplayReport& report, const Subject& subject, const std::optional<WalkReport>& walk) {
   Json by_valence = Json::object();
   for (std::size_t k = 0; k < report.by_valence.size(); ++k)
     if (report.by_valence[k] != 0) by_valence[std::to_string(k)] = report.by_valence[k];
@@ -189,7 +187,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
         {"non_manifold_vertices", subject.left_out.non_manifold_vertices},
         {"frozen_vertices", subject.left_out.frozen_vertices},
         {"large_vertices", subject.left_out.large_vertices}}},
-      {"valid", report.valid() && (!walk || walk->report.fault.empty())},
+      {"valid", report.valid() && (!walk || walk->fault.empty())},
       {"faults", report.faults},
   };
   add_to(json, subject.mended);

@@ -62,15 +62,9 @@ struct Subject {
   std::optional<BakedCosts> baked;
 };
 
-/// A walk and its options.
-struct WalkTaken {
-  WalkOptions options;
-  WalkReport report;
-};
-
 [[nodiscard]] std::string as_text(const ReplayReport& report, const Subject& subject);
-[[nodiscard]] std::string as_text(const WalkTaken& walk);
+[[nodiscard]] std::string as_text(const WalkReport& walk);
 [[nodiscard]] std::string as_json(const ReplayReport& report, const Subject& subject,
-                                  const std::optional<WalkTaken>& walk);
+                                  const std::optional<WalkReport>& walk);
 
 }  // namespace restrip::tools

@@ -187,6 +187,7 @@ std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_ste
 WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& begin) {
   if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
     WalkReport report;
+    report.options = options;
     report.fault = faults.front();
     return report;
   }
@@ -206,6 +207,7 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& 
     if (whole) camp = {mesh, start + walker.reported, step + 1};
   }
   WalkReport report = walker.report;
+  report.options = options;
   report.fault = fault;
   if (!fault.empty()) {
     report.fault_step = step;

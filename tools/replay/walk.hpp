@@ -23,6 +23,7 @@ struct WalkOptions {
 };
 
 struct WalkReport {
+  WalkOptions options;
   std::uint64_t splits = 0;
   std::uint64_t collapses = 0;
   std::uint64_t flips = 0;
