@@ -18,7 +18,6 @@
 #include "common/output.hpp"
 #include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"
-#include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 namespace {

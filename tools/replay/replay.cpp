@@ -62,28 +62,63 @@ class Replay {
  private:
   using Halfedge = StripMesh::Halfedge;
 
-  // ---- one operation
+  // ---- ways up and down
   void start_from_base() {
     mesh_ = plan_.base();
     upkeep_->restart(0);
   }
-  Rewrite<Halfedge> split_one(std::size_t i) { return with_rest(upkeep_->split(where(i), splits_[i].v_t, i)); }
-  Rewrite<Halfedge> collapse_one(std::size_t i) {
-    return with_rest(upkeep_->collapse(mesh_.spoke(splits_[i].v_s, splits_[i].v_t), i));
+  Rewrite<Halfedge> split_one(std::size_t i) {
+    const auto done = upkeep_->split(spokes_of(mesh_, splits_[i]), splits_[i].v_t, i);
+    return detail::with(done, upkeep_->between());
   }
-  Rewrite<Halfedge> with_rest(const Rewrite<Halfedge>& done) { return detail::with(done, upkeep_->between()); }
-  [[nodiscard]] VertexSplit<Halfedge> where(std::size_t i) const { return spokes_of(mesh_, splits_[i]); }
+
+  /// Plays all splits. Calls at_level(n) where the mesh is the reported level n, and after(i, done) after split i.
+  template <class AtLevel, class After>
+  void go_up(AtLevel&& at_level, After&& after) {
+    std::size_t next = 0;
+    for (std::size_t i = 0;; ++i) {
+      for (; next < report_.levels.size() && mesh_.triangle_count() == report_.levels[next].triangles; ++next)
+        at_level(next);
+      if (i == splits_.size()) return;
+      after(i, split_one(i));
+    }
+  }
+  /// The same with collapses, the last record first.
+  template <class AtLevel, class After>
+  void go_down(AtLevel&& at_level, After&& after) {
+    std::size_t next = report_.levels.size();
+    for (std::size_t i = splits_.size();; --i) {
+      for (; next > 0 && mesh_.triangle_count() == report_.levels[next - 1].triangles; --next) at_level(next - 1);
+      if (i == 0) return;
+      const Record& record = splits_[i - 1];
+      const auto done = upkeep_->collapse(mesh_.spoke(record.v_s, record.v_t), i - 1);
+      after(i - 1, detail::with(done, upkeep_->between()));
+    }
+  }
 
   // ---- the way up, with all counts
   void watch_the_way_up() {
     start_from_base();
     LevelStops stops(report_.base_triangles, plan_.mesh().fine_triangles(), options_.levels);
     Progress progress("replaying", splits_.size());
-    strips_now_ = report_.most_strips = count_strips(mesh_);
-    for (std::size_t i = 0; i < splits_.size(); ++i) {
+    std::size_t strips = report_.most_strips = count_strips(mesh_);
+    for (std::size_t i = 0; i < splits_.size(); progress.at(i++)) {
       if (stops.reached(mesh_.triangle_count())) record_level();
-      split_and_count(i);
-      progress.at(i);
+      const Record& record = splits_[i];
+      const Refusal refusal = check_split(mesh_, spokes_of(mesh_, record), record.v_t);
+      if (refusal != Refusal::granted) {
+        if (report_.operations_without_rule++ == 0)
+          report_.faults.push_back(
+              fmt::format("split {} ({} -> {}) is not possible: {}", i, record.v_s, record.v_t, describe(refusal)));
+        continue;
+      }
+      const auto done = split_one(i);
+      strips += static_cast<std::size_t>(done.strips);
+      report_.most_strips = std::max(report_.most_strips, strips);
+      if (done.valence >= report_.by_valence.size()) report_.by_valence.resize(done.valence + std::size_t{1}, 0);
+      ++report_.by_valence[done.valence];
+      report_.operations_isolating += done.isolated > 0 ? 1 : 0;
+      report_.operations_adding_strip += done.strips > 0 ? 1 : 0;
     }
     record_level();
     report_.triangles = mesh_.triangle_count();
@@ -91,17 +126,9 @@ class Replay {
 
   // ---- the way back, with counts at the same levels
   void watch_the_way_down() {
-    std::size_t next = report_.levels.size();
-    const auto look = [&] {
-      for (; next > 0 && mesh_.triangle_count() == report_.levels[next - 1].triangles; --next)
-        report_.levels_down.push_back(level());
-    };
     Progress progress("replaying backward", splits_.size());
-    look();
-    for (std::size_t i = splits_.size(); i-- > 0; look()) {
-      collapse_one(i);
-      progress.at(splits_.size() - i);
-    }
+    go_down([&](std::size_t) { report_.levels_down.push_back(level()); },
+            [&](std::size_t i, const auto&) { progress.at(splits_.size() - i); });
     std::reverse(report_.levels_down.begin(), report_.levels_down.end());
   }
 
@@ -131,33 +158,25 @@ class Replay {
       for (const auto& range : buffer.update(mesh_, changed)) written += range.count;
       changed.clear();
     };
-    const auto look = [&](std::vector<Level>& levels, std::size_t at) {
-      levels[at].buffer_indices = buffer.indices().size();
-      levels[at].acmr = acmr(buffer.indices(), 16, mesh_.triangle_count());
+    const auto look = [&](Level& here) {
+      here.buffer_indices = buffer.indices().size();
+      here.acmr = acmr(buffer.indices(), 16, mesh_.triangle_count());
       if (!check_buffer(buffer, mesh_).right())
         report_.faults.push_back(fmt::format(
             "at {} triangles the index buffer that was kept in step does not draw the mesh", mesh_.triangle_count()));
     };
     Progress progress("keeping an index buffer", 2 * splits_.size());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i <= splits_.size(); ++i) {
-      for (; next < report_.levels.size() && mesh_.triangle_count() == report_.levels[next].triangles; ++next)
-        look(report_.levels, next);
-      if (i == splits_.size()) break;
-      split_one(i);
-      update();
-      progress.at(i);
-    }
+    go_up([&](std::size_t at) { look(report_.levels[at]); },
+          [&](std::size_t i, const auto&) {
+            update();
+            progress.at(i);
+          });
     report_.buffer_bytes = buffer.indices().size_bytes();
-    next = report_.levels_down.size();
-    for (std::size_t i = splits_.size();; --i) {
-      for (; next > 0 && mesh_.triangle_count() == report_.levels_down[next - 1].triangles; --next)
-        look(report_.levels_down, next - 1);
-      if (i == 0) break;
-      collapse_one(i - 1);
-      update();
-      progress.at(2 * splits_.size() - i);
-    }
+    go_down([&](std::size_t at) { look(report_.levels_down[at]); },
+            [&](std::size_t i, const auto&) {
+              update();
+              progress.at(2 * splits_.size() - 1 - i);
+            });
     mesh_.watch(nullptr);
     constexpr auto bytes_each = static_cast<double>(sizeof(std::uint32_t));
     const auto operations = 2 * static_cast<double>(splits_.size());
@@ -198,24 +217,6 @@ class Replay {
     }
     report_.ns_per_buffer_update =
         (with.nanoseconds() - without.nanoseconds()) / (2 * static_cast<double>(splits_.size()));
-  }
-
-  void split_and_count(std::size_t index) {
-    const Record& record = splits_[index];
-    const Refusal refusal = check_split(mesh_, where(index), record.v_t);
-    if (refusal != Refusal::granted) {
-      if (report_.operations_without_rule++ == 0)
-        report_.faults.push_back(
-            fmt::format("split {} ({} -> {}) is not possible: {}", index, record.v_s, record.v_t, describe(refusal)));
-      return;
-    }
-    const auto done = split_one(index);
-    strips_now_ += static_cast<std::size_t>(done.strips);
-    report_.most_strips = std::max(report_.most_strips, strips_now_);
-    if (done.valence >= report_.by_valence.size()) report_.by_valence.resize(done.valence + std::size_t{1}, 0);
-    ++report_.by_valence[done.valence];
-    report_.operations_isolating += done.isolated > 0 ? 1 : 0;
-    report_.operations_adding_strip += done.strips > 0 ? 1 : 0;
   }
 
   Level level() {
@@ -279,22 +280,14 @@ class Replay {
   void cycle(std::size_t number) {
     Cycle cycle;
     cycle.number = cycle_ = number;
-    const auto count = [&cycle](const auto& done) {
+    const auto compare = [this](std::size_t at) { compare_level(at); };
+    const auto count = [&cycle](std::size_t, const auto& done) {
       cycle.isolating += done.isolated > 0 ? 1 : 0;
       cycle.adding_strip += done.strips > 0 ? 1 : 0;
     };
-    std::size_t next = report_.levels.size();
-    while (next > 0 && compare_level(next - 1)) --next;
-    for (std::size_t i = splits_.size(); i-- > 0;) {
-      count(collapse_one(i));
-      while (next > 0 && compare_level(next - 1)) --next;
-    }
+    go_down(compare, count);
     cycle.base = checked_level();
-    while (next < report_.levels.size() && compare_level(next)) ++next;
-    for (std::size_t i = 0; i < splits_.size(); ++i) {
-      count(split_one(i));
-      while (next < report_.levels.size() && compare_level(next)) ++next;
-    }
+    go_up(compare, count);
     cycle.top = checked_level();
     report_.cycles.push_back(cycle);
   }
@@ -309,13 +302,12 @@ class Replay {
     return fnv1a({reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(std::uint32_t)});
   }
   /// Compares the strips at a reported level with the earlier ones.
-  bool compare_level(std::size_t i) {
-    if (!plan_.way().bakes || mesh_.triangle_count() != report_.levels[i].triangles) return false;
+  void compare_level(std::size_t i) {
+    if (!plan_.way().bakes) return;
     ++report_.levels_compared;
     if (hash_of_strips() != hashes_[i])
       report_.faults.push_back(
           fmt::format("cycle {}: at {} triangles the strips have changed", cycle_, report_.levels[i].triangles));
-    return true;
   }
 
   const Plan& plan_;
@@ -324,8 +316,7 @@ class Replay {
   StripMesh mesh_;
   std::optional<Trace> trace_;  // written by the upkeep
   std::unique_ptr<Upkeep> upkeep_;
-  std::unique_ptr<Upkeep> bare_;  // on the same mesh
-  std::size_t strips_now_ = 0;
+  std::unique_ptr<Upkeep> bare_;       // on the same mesh
   std::size_t cycle_ = 0;              // the number of the current one
   std::vector<std::uint64_t> hashes_;  // of the strips at each reported level, if baked
   ReplayReport report_;
