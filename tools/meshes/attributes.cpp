@@ -25,13 +25,6 @@ std::string attribute_in_words(std::string_view name) {
   return std::string(name);
 }
 
-double as_number(std::uint32_t bits, ComponentType type) {
-  if (type == ComponentType::real) return std::bit_cast<float>(bits);
-  if (type == ComponentType::signed_byte) return static_cast<std::int8_t>(bits);
-  if (type == ComponentType::signed_short) return static_cast<std::int16_t>(bits);
-  return bits;
-}
-
 }  // namespace
 
 Attribute::Value Attribute::value(std::size_t vertex) const {
@@ -39,7 +32,7 @@ Attribute::Value Attribute::value(std::size_t vertex) const {
   for (unsigned c = 0; c < components; ++c) {
     const std::uint32_t bits =
         little_endian(bytes, vertex * value_bytes() + std::size_t{c} * width_of(type), width_of(type));
-    found[c] = as_number(bits, type);
+    found[c] = decoded(bits, type);
   }
   return found;
 }

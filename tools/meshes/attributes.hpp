@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,6 +27,14 @@ enum class ComponentType : unsigned {
 [[nodiscard]] constexpr unsigned width_of(ComponentType type) noexcept {
   if (type == ComponentType::signed_byte || type == ComponentType::unsigned_byte) return 1;
   return type == ComponentType::signed_short || type == ComponentType::unsigned_short ? 2 : 4;
+}
+
+/// The number that these bits encode.
+[[nodiscard]] inline double decoded(std::uint32_t bits, ComponentType type) {
+  if (type == ComponentType::real) return std::bit_cast<float>(bits);
+  if (type == ComponentType::signed_byte) return static_cast<std::int8_t>(bits);
+  if (type == ComponentType::signed_short) return static_cast<std::int16_t>(bits);
+  return bits;
 }
 
 /// One value for each vertex.

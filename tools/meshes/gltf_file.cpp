@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <limits>
 
@@ -18,26 +17,22 @@ constexpr std::size_t glb_header_bytes = 12;
 constexpr std::uint32_t json_chunk = 0x4E4F534A;
 constexpr std::uint32_t binary_chunk = 0x004E4942;
 
-constexpr unsigned type_float = 5126;
+constexpr bool is_index_type(std::uint64_t type) { return type == 5121 || type == 5123 || type == 5125; }
 
-/// Bytes of a component; 0 for unknown types.
-constexpr unsigned width_of(std::uint64_t type) {
-  switch (type) {
-    case 5120:
-    case 5121:
-      return 1;
-    case 5122:
-    case 5123:
-      return 2;
-    case 5125:
-    case type_float:
-      return 4;
-    default:
-      return 0;
-  }
+/// The type of the components of an accessor of positions, or of an attribute.
+ComponentType type_of_values(const JsonPlace& accessor, const char* what) {
+  const std::uint64_t type = accessor["componentType"].whole();
+  if (type < 5120 || type > 5126 || type == 5124 || type == 5125)
+    accessor["componentType"].refuse(fmt::format("is {}, which is not a type of {}", type, what));
+  return ComponentType{static_cast<unsigned>(type)};
 }
 
-constexpr bool is_index_type(std::uint64_t type) { return type == 5121 || type == 5123 || type == 5125; }
+ComponentType type_of_indices(const JsonPlace& accessor) {
+  const std::uint64_t type = accessor["componentType"].whole();
+  if (!is_index_type(type))
+    accessor["componentType"].refuse(fmt::format("is {}, which is not a type of an index (5121, 5123 or 5125)", type));
+  return ComponentType{static_cast<unsigned>(type)};
+}
 
 /// How a stored component maps to its value.
 struct Scale {
@@ -46,8 +41,8 @@ struct Scale {
   double operator()(double value) const { return normalized ? std::max(value * factor, -1.0) : value; }
 };
 
-Scale scale_of(std::uint64_t type, bool normalized) {
-  const bool is_signed = type == 5120 || type == 5122;
+Scale scale_of(ComponentType type, bool normalized) {
+  const bool is_signed = type == ComponentType::signed_byte || type == ComponentType::signed_short;
   const unsigned bits = 8 * width_of(type) - (is_signed ? 1U : 0U);
   return {1.0 / static_cast<double>((std::uint64_t{1} << bits) - 1), normalized};
 }
@@ -205,11 +200,7 @@ void GltfFile::charge(std::uint64_t values) {
 
 double GltfFile::Elements::value(std::size_t element, std::size_t component) const {
   const unsigned width = width_of(type);
-  const std::uint32_t bits = little_endian(bytes, element * stride + component * width, width);
-  if (type == type_float) return std::bit_cast<float>(bits);
-  if (type == 5120) return static_cast<std::int8_t>(bits);
-  if (type == 5122) return static_cast<std::int16_t>(bits);
-  return bits;
+  return decoded(little_endian(bytes, element * stride + component * width, width), type);
 }
 
 std::string_view GltfFile::view(std::uint64_t number) {
@@ -222,7 +213,8 @@ std::string_view GltfFile::view(std::uint64_t number) {
   return all.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(length));
 }
 
-GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std::size_t components, std::size_t count) {
+GltfFile::Elements GltfFile::elements(const JsonPlace& from, ComponentType type, std::size_t components,
+                                      std::size_t count) {
   const std::uint64_t number = from["bufferView"].whole();
   const JsonPlace about = root()["bufferViews"].at(number);
   const std::string_view all = view(number);
@@ -249,7 +241,7 @@ std::size_t GltfFile::count_of(const JsonPlace& accessor) const {
 }
 
 template <class Value, class Read>
-void GltfFile::fill(const JsonPlace& accessor, unsigned type, std::size_t components, std::vector<Value>& values,
+void GltfFile::fill(const JsonPlace& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
                     Read&& read) {
   const std::size_t count = count_of(accessor);
   charge(count);
@@ -268,7 +260,7 @@ void GltfFile::fill(const JsonPlace& accessor, unsigned type, std::size_t compon
   const JsonPlace places = sparse["indices"];
   const std::uint64_t place_type = places["componentType"].whole();
   if (!is_index_type(place_type)) places["componentType"].refuse("is not a type of an index (5121, 5123 or 5125)");
-  const Elements at = elements(places, static_cast<unsigned>(place_type), 1, replaced);
+  const Elements at = elements(places, ComponentType{static_cast<unsigned>(place_type)}, 1, replaced);
   const Elements others = elements(sparse["values"], type, components, replaced);
   std::size_t least = 0;
   for (std::size_t i = 0; i < replaced; ++i) {
@@ -283,14 +275,12 @@ void GltfFile::fill(const JsonPlace& accessor, unsigned type, std::size_t compon
 std::vector<Point> GltfFile::positions(std::uint64_t number) {
   const JsonPlace about = accessor(number);
   if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as positions are");
-  const std::uint64_t type = about["componentType"].whole();
-  if (width_of(type) == 0 || type == 5125)
-    about["componentType"].refuse(fmt::format("is {}, which is not a type of positions", type));
+  const ComponentType type = type_of_values(about, "positions");
   // KHR_mesh_quantization: integers, normalised or not.
-  const bool normalized = about["normalized"].boolean_or(false) && type != type_float;
+  const bool normalized = about["normalized"].boolean_or(false) && type != ComponentType::real;
   const Scale scale = scale_of(type, normalized);
   std::vector<Point> points;
-  fill(about, static_cast<unsigned>(type), 3, points, [&](const Elements& from, std::size_t at) {
+  fill(about, type, 3, points, [&](const Elements& from, std::size_t at) {
     const auto coordinate = [&](std::size_t axis) { return static_cast<float>(scale(from.value(at, axis))); };
     return Point{coordinate(0), coordinate(1), coordinate(2)};
   });
@@ -312,17 +302,15 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
   if (name.starts_with("TEXCOORD_") && components != 2) about["type"].refuse("is not VEC2, as texture coordinates are");
   if (name.starts_with("COLOR_") && components != 3 && components != 4)
     about["type"].refuse("is neither VEC3 nor VEC4, as colours are");
-  const std::uint64_t type = about["componentType"].whole();
-  if (width_of(type) == 0 || type == 5125)
-    about["componentType"].refuse(fmt::format("is {}, which is not a type of an attribute", type));
-  const bool normalized = about["normalized"].boolean_or(false) && type != type_float;
-  const bool has_fractions = (type == 5121 || type == 5123) && normalized && name != "NORMAL" && name != "TANGENT";
-  const bool as_it_is = type == type_float || is_own || has_fractions;
+  const ComponentType type = type_of_values(about, "an attribute");
+  const bool normalized = about["normalized"].boolean_or(false) && type != ComponentType::real;
+  const bool has_fractions = (type == ComponentType::unsigned_byte || type == ComponentType::unsigned_short) &&
+                             normalized && name != "NORMAL" && name != "TANGENT";
+  const bool as_it_is = type == ComponentType::real || is_own || has_fractions;
   const Scale scale = scale_of(type, normalized && !as_it_is);
-  Attribute made{name, as_it_is ? ComponentType{static_cast<unsigned>(type)} : ComponentType::real, components,
-                 normalized && as_it_is};
+  Attribute made{name, as_it_is ? type : ComponentType::real, components, normalized && as_it_is};
   std::vector<Attribute::Value> values;
-  fill(about, static_cast<unsigned>(type), components, values, [&](const Elements& from, std::size_t at) {
+  fill(about, type, components, values, [&](const Elements& from, std::size_t at) {
     Attribute::Value value{};
     for (unsigned c = 0; c < components; ++c) value[c] = scale(from.value(at, c));
     return value;
@@ -335,12 +323,10 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
 std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number) {
   const JsonPlace about = accessor(number);
   if (about["type"].text() != "SCALAR") about["type"].refuse("is not SCALAR, as indices are");
-  const std::uint64_t type = about["componentType"].whole();
-  if (!is_index_type(type))
-    about["componentType"].refuse(fmt::format("is {}, which is not a type of an index (5121, 5123 or 5125)", type));
+  const ComponentType type = type_of_indices(about);
   const std::uint32_t restart = 0xFFFF'FFFFU >> (32 - 8 * width_of(type));
   std::vector<std::uint32_t> indices;
-  fill(about, static_cast<unsigned>(type), 1, indices, [restart](const Elements& from, std::size_t at) {
+  fill(about, type, 1, indices, [restart](const Elements& from, std::size_t at) {
     const auto index = static_cast<std::uint32_t>(from.value(at, 0));
     return index == restart ? strip_end : index;
   });
@@ -350,11 +336,9 @@ std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number) {
 std::vector<Corners> GltfFile::triples(std::uint64_t number) {
   const JsonPlace about = accessor(number);
   if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as three indices are");
-  const std::uint64_t type = about["componentType"].whole();
-  if (!is_index_type(type))
-    about["componentType"].refuse(fmt::format("is {}, which is not a type of an index (5121, 5123 or 5125)", type));
+  const ComponentType type = type_of_indices(about);
   std::vector<Corners> triples;
-  fill(about, static_cast<unsigned>(type), 3, triples, [](const Elements& from, std::size_t at) {
+  fill(about, type, 3, triples, [](const Elements& from, std::size_t at) {
     const auto index = [&](std::size_t component) { return static_cast<std::uint32_t>(from.value(at, component)); };
     return Corners{index(0), index(1), index(2)};
   });

@@ -50,7 +50,7 @@ class GltfFile {
   struct Elements {
     std::string_view bytes;  // from the first to the end of the last
     std::size_t stride = 0;
-    unsigned type = 0;  // component type, as glTF numbers it
+    ComponentType type = ComponentType::real;
 
     /// The stored number, not normalised.
     [[nodiscard]] double value(std::size_t element, std::size_t component) const;
@@ -62,10 +62,11 @@ class GltfFile {
   [[nodiscard]] std::string load(const JsonPlace& uri) const;
   /// `count` elements with this number of components at the place given by `from`: bufferView, byteOffset,
   /// componentType.
-  [[nodiscard]] Elements elements(const JsonPlace& from, unsigned type, std::size_t components, std::size_t count);
+  [[nodiscard]] Elements elements(const JsonPlace& from, ComponentType type, std::size_t components, std::size_t count);
   /// Fills `values` with read(elements, number) for each element of the accessor. Elements without a buffer are zero.
   template <class Value, class Read>
-  void fill(const JsonPlace& accessor, unsigned type, std::size_t components, std::vector<Value>& values, Read&& read);
+  void fill(const JsonPlace& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
+            Read&& read);
   /// The count of the accessor; refuses counts too large for the file.
   [[nodiscard]] std::size_t count_of(const JsonPlace& accessor) const;
 

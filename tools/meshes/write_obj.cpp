@@ -18,92 +18,68 @@ std::string turned_place(double v) {
   return fmt::format("{}", 1 - v);
 }
 
-class ObjWriter {
- public:
-  explicit ObjWriter(const Soup& soup)
-      : soup_(soup),
-        normals_(named(soup.attributes, "NORMAL")),
-        places_(named(soup.attributes, "TEXCOORD_0")),
-        colors_(named(soup.attributes, "COLOR_0")) {}
-
-  std::string run() && {
-    const std::vector<std::uint32_t> v = put_points();
-    const std::vector<std::uint32_t> vt = places_ == nullptr ? v : put_places();
-    const std::vector<std::uint32_t> vn = normals_ == nullptr ? v : put_normals();
-    auto out = std::back_inserter(text_);
-    for (const Corners& t : soup_.triangles) {
-      text_ += 'f';
-      for (const std::uint32_t corner : t) {
-        fmt::format_to(out, " {}", v[corner]);
-        if (places_ != nullptr) fmt::format_to(out, "/{}", vt[corner]);
-        if (normals_ != nullptr) fmt::format_to(out, "{}{}", places_ == nullptr ? "//" : "/", vn[corner]);
-      }
-      text_ += '\n';
-    }
-    return std::move(text_);
-  }
-
- private:
-  /// Returns the number of the `v` of each vertex, counted from 1.
-  std::vector<std::uint32_t> put_points() {
-    std::vector<Attribute> all;
-    for (const Attribute* attribute : {normals_, places_, colors_})
-      if (attribute != nullptr) all.push_back(*attribute);
-    const std::size_t size = soup_.points.size();
-    const std::vector<std::uint32_t> first = first_alike(size, soup_.points, all);
-    std::vector<std::uint32_t> number =
-        first_alike(size, soup_.points, colors_ == nullptr ? std::span<const Attribute>() : std::span(colors_, 1));
-    std::uint32_t count = 0;
-    auto out = std::back_inserter(text_);
-    for (std::uint32_t v = 0; v < number.size(); ++v) {
-      // Identical vertices stay separate.
-      if (first[v] == v && number[v] != v) {
-        number[v] = number[number[v]];
-        continue;
-      }
-      number[v] = ++count;
-      text_ += "v ";
-      put_coordinates(text_, soup_.points[v]);
-      for (unsigned c = 0; colors_ != nullptr && c < colors_->components; ++c)
-        fmt::format_to(out, " {}", static_cast<float>(colors_->meant(v)[c]));
-      text_ += '\n';
-    }
-    return number;
-  }
-  std::vector<std::uint32_t> put_places() {
-    return put_values(*places_, [this](const Attribute::Value& value) {
-      fmt::format_to(std::back_inserter(text_), "vt {} {}\n", static_cast<float>(value[0]), turned_place(value[1]));
-    });
-  }
-  std::vector<std::uint32_t> put_normals() {
-    return put_values(*normals_, [this](const Attribute::Value& value) {
-      fmt::format_to(std::back_inserter(text_), "vn {} {} {}\n", static_cast<float>(value[0]),
-                     static_cast<float>(value[1]), static_cast<float>(value[2]));
-    });
-  }
-
-  /// Writes each value once; returns the number of each vertex's value, counted from 1.
-  template <class Put>
-  std::vector<std::uint32_t> put_values(const Attribute& attribute, Put&& put) {
-    std::vector<std::uint32_t> number = first_alike(soup_.points.size(), {}, std::span(&attribute, 1));
-    std::uint32_t count = 0;
-    for (std::uint32_t v = 0; v < number.size(); ++v) {
-      const bool is_first = number[v] == v;
-      number[v] = is_first ? ++count : number[number[v]];
-      if (is_first) put(attribute.meant(v));
-    }
-    return number;
-  }
-
-  const Soup& soup_;
-  const Attribute* normals_;
-  const Attribute* places_;  // texture coordinates
-  const Attribute* colors_;
-  std::string text_;
-};
-
 }  // namespace
 
-std::string obj_bytes(const Soup& soup) { return ObjWriter(soup).run(); }
+std::string obj_bytes(const Soup& soup) {
+  const Attribute* normals = named(soup.attributes, "NORMAL");
+  const Attribute* places = named(soup.attributes, "TEXCOORD_0");
+  const Attribute* colors = named(soup.attributes, "COLOR_0");
+  const std::size_t size = soup.points.size();
+  std::string text;
+  auto out = std::back_inserter(text);
+
+  // The number of the `v` of each vertex, counted from 1.
+  std::vector<Attribute> all;
+  for (const Attribute* attribute : {normals, places, colors})
+    if (attribute != nullptr) all.push_back(*attribute);
+  const std::vector<std::uint32_t> first = first_alike(size, soup.points, all);
+  std::vector<std::uint32_t> v_of =
+      first_alike(size, soup.points, colors == nullptr ? std::span<const Attribute>() : std::span(colors, 1));
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < size; ++v) {
+    // Identical vertices stay separate.
+    if (first[v] == v && v_of[v] != v) {
+      v_of[v] = v_of[v_of[v]];
+      continue;
+    }
+    v_of[v] = ++count;
+    text += "v ";
+    put_coordinates(text, soup.points[v]);
+    for (unsigned c = 0; colors != nullptr && c < colors->components; ++c)
+      fmt::format_to(out, " {}", static_cast<float>(colors->meant(v)[c]));
+    text += '\n';
+  }
+
+  // Writes each value once; returns the number of each vertex's value, counted from 1.
+  const auto put_values = [&](const Attribute* attribute, auto&& put) {
+    if (attribute == nullptr) return std::vector<std::uint32_t>();
+    std::vector<std::uint32_t> number = first_alike(size, {}, std::span(attribute, 1));
+    std::uint32_t values = 0;
+    for (std::uint32_t v = 0; v < size; ++v) {
+      const bool is_first = number[v] == v;
+      number[v] = is_first ? ++values : number[number[v]];
+      if (is_first) put(attribute->meant(v));
+    }
+    return number;
+  };
+  const std::vector<std::uint32_t> vt = put_values(places, [&](const Attribute::Value& value) {
+    fmt::format_to(out, "vt {} {}\n", static_cast<float>(value[0]), turned_place(value[1]));
+  });
+  const std::vector<std::uint32_t> vn = put_values(normals, [&](const Attribute::Value& value) {
+    fmt::format_to(out, "vn {} {} {}\n", static_cast<float>(value[0]), static_cast<float>(value[1]),
+                   static_cast<float>(value[2]));
+  });
+
+  for (const Corners& t : soup.triangles) {
+    text += 'f';
+    for (const std::uint32_t corner : t) {
+      fmt::format_to(out, " {}", v_of[corner]);
+      if (places != nullptr) fmt::format_to(out, "/{}", vt[corner]);
+      if (normals != nullptr) fmt::format_to(out, "{}{}", places == nullptr ? "//" : "/", vn[corner]);
+    }
+    text += '\n';
+  }
+  return text;
+}
 
 }  // namespace restrip::tools
