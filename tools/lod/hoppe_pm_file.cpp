@@ -209,23 +209,19 @@ class HoppeReader {
     first_side_.push_back(chord);
     if (has_right) first_side_.push_back(StripMesh::next(strip_mesh_.opposite(chord)));
     mesh_.splits.push_back(record);
-    move(record, code.centre(), large, small);
-  }
-
-  /// Sets the positions of both vertices.
-  void move(const Record& record, unsigned centre, const Point& large, const Point& small) {
+    // The positions of both vertices.
     const auto sum = [](const Point& a, const Point& b, double factor) {
       return Point{a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
     };
     const Point old = mesh_.points[record.v_s];
     mesh_.points.emplace_back();
-    if (centre == 1) {
+    if (code.centre() == 1) {
       const Point middle = sum(old, small, 1);
       set_point(record.v_t, sum(middle, large, 1));
       set_point(record.v_s, sum(middle, large, -1));
     } else {
-      set_point(record.v_t, sum(old, centre == 2 ? large : small, 1));
-      set_point(record.v_s, sum(old, centre == 2 ? small : large, 1));
+      set_point(record.v_t, sum(old, code.centre() == 2 ? large : small, 1));
+      set_point(record.v_s, sum(old, code.centre() == 2 ? small : large, 1));
     }
   }
 

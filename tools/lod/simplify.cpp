@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/progress.hpp"
+#include "lod/coloring_check.hpp"
 #include "lod/recorded_mesh.hpp"
 
 namespace restrip::tools {
@@ -53,9 +54,7 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
   if (mesh.strips().triangle_count() > result.wanted_triangles) result.left_out.obstacles = mesh.obstacles();
 
   result.mesh.points = soup.points;
-  result.mesh.base.reserve(mesh.strips().triangle_count());
-  for (Triangle t = 0; t < mesh.strips().triangle_bound(); ++t)
-    if (mesh.strips().alive(t)) result.mesh.base.push_back(mesh.strips().corners(t));
+  result.mesh.base = triangles_of(mesh.strips());
   result.mesh.splits.assign(mesh.collapses().rbegin(), mesh.collapses().rend());
   return result;
 }

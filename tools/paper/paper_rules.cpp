@@ -27,21 +27,13 @@ std::vector<Symmetry> symmetries(SplitPosition at) {
   return all;
 }
 
-std::size_t image(const Symmetry& s, std::size_t i, std::size_t k) {
-  return (s.mirror ? s.shift + k - i : s.shift + i) % k;
-}
-
-Word ports_image(const Symmetry& s, Word ports, std::size_t k) {
+/// Of loop colours, or of ports. Edge i joins triangles i and i + 1; a mirror exchanges the two.
+Word image(const Symmetry& s, Word colors, std::size_t k, bool of_loop) {
   Word result = 0;
-  for (std::size_t i = 0; i < k; ++i)
-    if (has(ports, i)) result |= bit(image(s, i, k));
-  return result;
-}
-Word loop_image(const Symmetry& s, Word loop, std::size_t k) {
-  Word result = 0;
-  // Edge i joins triangles i and i + 1; a mirror exchanges the two.
-  for (std::size_t i = 0; i < k; ++i)
-    if (has(loop, i)) result |= bit(image(s, s.mirror ? (i + 1) % k : i, k));
+  for (std::size_t i = 0; i < k; ++i) {
+    const std::size_t from = of_loop && s.mirror ? (i + 1) % k : i;
+    if (has(colors, i)) result |= bit((s.mirror ? s.shift + k - from : s.shift + from) % k);
+  }
   return result;
 }
 
@@ -49,7 +41,7 @@ using Colors = std::pair<Word, Word>;  // loop, ports
 
 std::vector<Colors> orbit_of(SplitPosition at, Word loop, Word ports) {
   std::vector<Colors> orbit;
-  for (const Symmetry& s : symmetries(at)) orbit.emplace_back(loop_image(s, loop, at.k), ports_image(s, ports, at.k));
+  for (const Symmetry& s : symmetries(at)) orbit.emplace_back(image(s, loop, at.k, true), image(s, ports, at.k, false));
   std::sort(orbit.begin(), orbit.end());
   orbit.erase(std::unique(orbit.begin(), orbit.end()), orbit.end());
   return orbit;
@@ -132,15 +124,6 @@ RuleOfOrbit rule_of(SplitPosition at, Word loop, Word ports) {
           orbit_of(at, loop, ports).size()};
 }
 
-/// Calls visit(loop, ports) for each valid configuration that is the first of its orbit.
-template <class Visit>
-void each_orbit(SplitPosition at, Visit&& visit) {
-  for (Word loop = 0; loop < bit(at.k); ++loop)
-    for (Word ports = 0; ports < bit(at.k); ++ports)
-      if (valid_closed(at.k, loop, ports) && orbit_of(at, loop, ports).front() == Colors(loop, ports))
-        visit(loop, ports);
-}
-
 }  // namespace
 
 std::vector<SplitPosition> split_positions(std::size_t most_k) {
@@ -152,7 +135,10 @@ std::vector<SplitPosition> split_positions(std::size_t most_k) {
 
 std::vector<RuleOfOrbit> reduced_rules(SplitPosition at) {
   std::vector<RuleOfOrbit> rules;
-  each_orbit(at, [&](Word loop, Word ports) { rules.push_back(rule_of(at, loop, ports)); });
+  for (Word loop = 0; loop < bit(at.k); ++loop)
+    for (Word ports = 0; ports < bit(at.k); ++ports)
+      if (valid_closed(at.k, loop, ports) && orbit_of(at, loop, ports).front() == Colors(loop, ports))
+        rules.push_back(rule_of(at, loop, ports));
   return rules;
 }
 
