@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "common/stopwatch.hpp"
-#include "level_list.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/output/triangle_list_buffer.hpp"

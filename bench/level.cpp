@@ -13,8 +13,6 @@
 #include <map>
 
 #include "common/stopwatch.hpp"
-#include "count.hpp"
-#include "level_list.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "timed.hpp"
@@ -91,12 +89,6 @@ void move(benchmark::State& state, const std::string& name, const Way& way, int 
   if (keeps_strips) state.counters["up_with_buffer_ns"] = with_buffer.nanoseconds();
 }
 
-void count_indices(benchmark::State& state, std::size_t triangles, std::size_t strips, std::size_t indices) {
-  state.counters["triangles"] = static_cast<double>(triangles);
-  state.counters["strips"] = static_cast<double>(strips);
-  state.counters["indices_per_triangle"] = static_cast<double>(indices) / static_cast<double>(triangles);
-}
-
 /// As it is, after the order that makes good strips was found under the clock, or before.
 enum class Order { as_it_is, found, given };
 
@@ -119,7 +111,7 @@ void run_meshoptimizer(benchmark::State& state, const std::string& name, int per
   }
   state.counters["up_ns"] = time.nanoseconds();
   const auto restarts = std::count(strips.begin(), strips.begin() + static_cast<std::ptrdiff_t>(count), restart_index);
-  count_indices(state, list.indices.size() / 3, static_cast<std::size_t>(restarts) + 1, count);
+  count_strips(state, list.indices.size() / 3, static_cast<std::size_t>(restarts) + 1, count);
 }
 
 void run_openmesh(benchmark::State& state, const std::string& name, int percent) {
@@ -139,7 +131,7 @@ void run_openmesh(benchmark::State& state, const std::string& name, int percent)
   std::size_t indices = stripifier.n_strips() - 1;
   for (const auto& strip : stripifier) indices += strip.size();
   state.counters["up_ns"] = time.nanoseconds();
-  count_indices(state, mesh.n_faces(), stripifier.n_strips(), indices);
+  count_strips(state, mesh.n_faces(), stripifier.n_strips(), indices);
 }
 
 void run_from_scratch(benchmark::State& state, const std::string& name, int percent) {

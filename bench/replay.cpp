@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "common/stopwatch.hpp"
-#include "count.hpp"
 #include "settings.hpp"
+#include "timed.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {

@@ -1,9 +1,12 @@
-// Players: a progressive mesh played up and down in one way of keeping strips (replay/ways.hpp).
+// Players: a progressive mesh played up and down in one way of keeping strips (replay/ways.hpp), and its levels as
+// lists.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "replay/ways.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
@@ -11,7 +14,6 @@
 
 namespace restrip::bench {
 
-using Halfedge = StripMesh::Halfedge;
 using tools::Way;
 using tools::way_named;
 
@@ -21,8 +23,6 @@ class Player {
  public:
   Player(const std::string& name, const Way& way, const Cost& cost = Cost::strips());
 
-  /// The number of records played so far.
-  [[nodiscard]] std::size_t level() const noexcept { return level_; }
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] StripMesh& mesh() noexcept { return mesh_; }
   /// The first record after which the mesh has at least this share of its finest triangles.
@@ -37,9 +37,19 @@ class Player {
  private:
   const Subject* subject_;
   const tools::Plan* plan_;
-  std::size_t level_ = 0;
+  std::size_t level_ = 0;  // the number of records played so far
   StripMesh mesh_;
   std::unique_ptr<tools::Upkeep> upkeep_;
 };
+
+/// The triangles of one level as a list: the input for making strips, or an order, from scratch.
+struct LevelList {
+  std::vector<std::uint32_t> indices;  ///< three a triangle; vertices are numbered by appearance
+  std::size_t vertices = 0;
+  StripMesh mesh;  ///< the same triangles
+};
+
+/// The list of the level with `percent` of the finest triangles. Made on first use, and kept.
+[[nodiscard]] const LevelList& level_list(const std::string& name, int percent);
 
 }  // namespace restrip::bench
