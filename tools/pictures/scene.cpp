@@ -34,45 +34,32 @@ std::uint32_t number_of(const Color& c) noexcept {
   return std::uint32_t{c.red} << 16U | std::uint32_t{c.green} << 8U | std::uint32_t{c.blue};
 }
 
-/// The used colours, by number. Each entry leads towards the next free one and is shortened on access, so that many
-/// strips do not search all colours one by one.
-class TakenColors {
- public:
-  static constexpr std::uint32_t all = 1U << 24U;
-
-  /// The colour or the next free one, which must exist.
-  std::uint32_t take(std::uint32_t number) {
-    std::uint32_t free = number;
-    for (auto next = next_.find(free); next != next_.end(); next = next_.find(free)) free = next->second;
-    const std::uint32_t next = (free + 1) % all;
-    while (number != free) number = std::exchange(next_.at(number), next);
-    next_.emplace(free, next);
-    return free;
-  }
-
- private:
-  std::unordered_map<std::uint32_t, std::uint32_t> next_;
-};
-
 /// If two strips would have the same colour, the later one takes the next free one, as long as one is free.
 std::vector<Color> distinct_colors(std::size_t count) {
   constexpr std::array others{background_color, edge_color, surface_color};
-  TakenColors taken;
-  for (const Color& color : others) taken.take(number_of(color));
+  constexpr std::uint32_t all = 1U << 24U;
+  // Each used colour, by number, leads towards the next free one and is shortened on access, so that many strips do not
+  // search all colours one by one.
+  std::unordered_map<std::uint32_t, std::uint32_t> next_of;
+  // The colour or the next free one, which must exist.
+  const auto take = [&next_of](std::uint32_t number) {
+    std::uint32_t free = number;
+    for (auto next = next_of.find(free); next != next_of.end(); next = next_of.find(free)) free = next->second;
+    const std::uint32_t next = (free + 1) % all;
+    while (number != free) number = std::exchange(next_of.at(number), next);
+    next_of.emplace(free, next);
+    return free;
+  };
+  for (const Color& color : others) take(number_of(color));
   std::vector<Color> colors;
   colors.reserve(count);
   for (std::size_t strip = 0; strip < count; ++strip) {
     const std::uint32_t usual = number_of(usual_color(strip));
-    const std::uint32_t number = strip + others.size() < TakenColors::all ? taken.take(usual) : usual;
+    const std::uint32_t number = strip + others.size() < all ? take(usual) : usual;
     colors.push_back({static_cast<std::uint8_t>(number >> 16U), static_cast<std::uint8_t>(number >> 8U),
                       static_cast<std::uint8_t>(number)});
   }
   return colors;
-}
-
-/// Twice the area, positive if the corners are counter-clockwise as seen: y points down.
-double doubled_area(const std::array<Spot, 3>& t) noexcept {
-  return (t[2].x - t[0].x) * (t[1].y - t[0].y) - (t[1].x - t[0].x) * (t[2].y - t[0].y);
 }
 
 /// Projects the mesh into the picture.
@@ -138,17 +125,6 @@ Spot door_between(const Projection& project, std::span<const Point> points, cons
   return middle(project(points[ends[0]]), project(points[ends[1]]));
 }
 
-double mean_edge(std::span<const Face> faces) {
-  double sum = 0;
-  for (const Face& face : faces)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Spot& p = face.corners[i];
-      const Spot& q = face.corners[(i + 1) % 3];
-      sum += std::hypot(p.x - q.x, p.y - q.y);
-    }
-  return sum / (3 * static_cast<double>(std::max<std::size_t>(faces.size(), 1)));
-}
-
 }  // namespace
 
 Spot center_of(const Face& face) noexcept {
@@ -165,7 +141,9 @@ Scene scene_of(std::span<const Point> points, std::span<const StripCorners> stri
     for (std::size_t i = 0; i < strip.size(); ++i) {
       const Corners& t = strip[i];
       Face face{{project(points[t[0]]), project(points[t[1]]), project(points[t[2]])}, s};
-      if (!(doubled_area(face.corners) > 0)) continue;
+      // Twice the area, positive if the corners are counter-clockwise as seen: y points down.
+      const auto& [p, q, r] = face.corners;
+      if (!((r.x - p.x) * (q.y - p.y) - (q.x - p.x) * (r.y - p.y) > 0)) continue;
       if (i != 0) face.doors[face.door_count++] = door_between(project, points, t, strip[i - 1]);
       if (i + 1 != strip.size()) face.doors[face.door_count++] = door_between(project, points, t, strip[i + 1]);
       scene.faces.push_back(face);
@@ -173,7 +151,14 @@ Scene scene_of(std::span<const Point> points, std::span<const StripCorners> stri
   }
   std::stable_sort(scene.faces.begin(), scene.faces.end(),
                    [](const Face& a, const Face& b) { return center_of(a).depth < center_of(b).depth; });
-  const double edge = mean_edge(scene.faces);
+  double edges = 0;
+  for (const Face& face : scene.faces)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Spot& p = face.corners[i];
+      const Spot& q = face.corners[(i + 1) % 3];
+      edges += std::hypot(p.x - q.x, p.y - q.y);
+    }
+  const double edge = edges / (3 * static_cast<double>(std::max<std::size_t>(scene.faces.size(), 1)));
   constexpr double shows_edges = 5;
   scene.edge_width = edge < shows_edges ? 0 : std::clamp(0.03 * edge, 0.6, 1.5);
   scene.line_width = std::clamp(0.16 * edge, 1.0, 8.0);

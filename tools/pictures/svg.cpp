@@ -6,13 +6,9 @@
 #include "pictures/scene.hpp"
 
 namespace restrip::tools {
-namespace {
-
-std::string hex(const Color& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
-
-}  // namespace
 
 Picture svg_of(const Scene& scene) {
+  const auto hex = [](const Color& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); };
   constexpr double seam = 0.6;  // covers the gaps that antialiasing leaves between polygons
   const bool edges = scene.edge_width > 0;
   std::string svg = fmt::format(
