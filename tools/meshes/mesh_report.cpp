@@ -13,124 +13,94 @@
 #include "meshes/strip_file.hpp"
 
 namespace restrip::tools {
-namespace {
 
-class Surveyor {
- public:
-  explicit Surveyor(const Soup& soup) : soup_(soup), fans_(3 * soup.triangles.size()) {
-    report_.vertices = soup.points.size();
-    report_.triangles = soup.triangles.size();
-    report_.polygons = soup.polygons;
-    report_.stubs = soup.stubs;
-  }
+MeshReport report_on(const Soup& soup) {
+  MeshReport report;
+  report.vertices = soup.points.size();
+  report.triangles = soup.triangles.size();
+  report.polygons = soup.polygons;
+  report.stubs = soup.stubs;
+  report.coincident_vertices = coincident_vertices(soup);
 
-  MeshReport survey() {
-    count_triangles();
-    std::vector<std::uint32_t> boundary;
-    for_each_edge(soup_, [&](std::span<const Side> edge) { meet(edge, boundary); });
-    count_fans();
-    count_loops(boundary);
-    count_duplicates();
-    report_.coincident_vertices = coincident_vertices(soup_);
-    if (!soup_.strips.empty()) count_strips_in_file();
-    const MeshReport& r = report_;
-    report_.euler_characteristic = static_cast<std::int64_t>(r.used_vertices) - static_cast<std::int64_t>(r.edges) +
-                                   static_cast<std::int64_t>(r.triangles - r.degenerate_faces);
-    if (r.degenerate_faces + r.duplicate_faces + r.non_manifold_edges + r.inconsistent_edges + r.bow_tie_vertices == 0)
-      report_.genus = (2 * static_cast<std::int64_t>(r.components) - static_cast<std::int64_t>(r.boundary_loops) -
-                       r.euler_characteristic) /
-                      2;
-    return std::move(report_);
-  }
-
- private:
-  [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return vertex_at(soup_, corner); }
-
-  void count_triangles() {
-    std::vector<std::uint32_t> around(soup_.points.size(), 0);
-    DisjointSets pieces(soup_.points.size());
-    for (const Corners& t : soup_.triangles) {
-      if (degenerate(t)) {
-        ++report_.degenerate_faces;
-        continue;
-      }
-      for (const std::uint32_t v : t) ++around[v];
-      pieces.unite(t[0], t[1]);
-      pieces.unite(t[0], t[2]);
+  // Triangles around each vertex, and connected pieces of vertices.
+  std::vector<std::uint32_t> around(soup.points.size(), 0);
+  DisjointSets pieces(soup.points.size());
+  for (const Corners& t : soup.triangles) {
+    if (degenerate(t)) {
+      ++report.degenerate_faces;
+      continue;
     }
-    for (std::uint32_t v = 0; v < around.size(); ++v) {
-      if (around[v] == 0) continue;
-      ++report_.used_vertices;
-      report_.components += static_cast<std::size_t>(pieces.find(v) == v);
-      if (around[v] >= report_.triangles_per_vertex.size())
-        report_.triangles_per_vertex.resize(around[v] + std::size_t{1}, 0);
-      ++report_.triangles_per_vertex[around[v]];
-    }
+    for (const std::uint32_t v : t) ++around[v];
+    pieces.unite(t[0], t[1]);
+    pieces.unite(t[0], t[2]);
+  }
+  for (std::uint32_t v = 0; v < around.size(); ++v) {
+    if (around[v] == 0) continue;
+    ++report.used_vertices;
+    report.components += static_cast<std::size_t>(pieces.find(v) == v);
+    if (around[v] >= report.triangles_per_vertex.size())
+      report.triangles_per_vertex.resize(around[v] + std::size_t{1}, 0);
+    ++report.triangles_per_vertex[around[v]];
   }
 
-  void meet(std::span<const Side> edge, std::vector<std::uint32_t>& boundary) {
-    ++report_.edges;
+  // Edges. Around both ends, the triangles of an edge belong to one group.
+  DisjointSets fans(3 * soup.triangles.size());  // corners at one vertex whose triangles are connected by edges
+  std::vector<std::uint32_t> boundary;
+  for_each_edge(soup, [&](std::span<const Side> edge) {
+    ++report.edges;
     if (edge.size() == 1) {
-      ++report_.boundary_edges;
+      ++report.boundary_edges;
       boundary.push_back(edge[0].corner);
     }
-    if (edge.size() == 2 && vertex(edge[0].corner) == vertex(edge[1].corner)) ++report_.inconsistent_edges;
-    if (edge.size() > 2) ++report_.non_manifold_edges;
-    // Around both ends, the triangles of the edge belong to one group.
+    const auto same_way = [&](const Side& side) {
+      return vertex_at(soup, side.corner) == vertex_at(soup, edge[0].corner);
+    };
+    if (edge.size() == 2 && same_way(edge[1])) ++report.inconsistent_edges;
+    if (edge.size() > 2) ++report.non_manifold_edges;
     for (const Side& side : edge.subspan(1)) {
-      const bool same_way = vertex(side.corner) == vertex(edge[0].corner);
-      fans_.unite(edge[0].corner, same_way ? side.corner : next_corner(side.corner));
-      fans_.unite(next_corner(edge[0].corner), same_way ? next_corner(side.corner) : side.corner);
+      fans.unite(edge[0].corner, same_way(side) ? side.corner : next_corner(side.corner));
+      fans.unite(next_corner(edge[0].corner), same_way(side) ? next_corner(side.corner) : side.corner);
     }
-  }
+  });
+  std::vector<std::uint8_t> groups(soup.points.size(), 0);
+  for (std::uint32_t corner = 0; corner < 3 * soup.triangles.size(); ++corner)
+    if (!degenerate(soup.triangles[corner / 3]) && fans.find(corner) == corner)
+      if (std::uint8_t& n = groups[vertex_at(soup, corner)]; n < 2 && ++n == 2) ++report.bow_tie_vertices;
 
-  void count_fans() {
-    std::vector<std::uint8_t> groups(soup_.points.size(), 0);
-    for (std::uint32_t corner = 0; corner < 3 * soup_.triangles.size(); ++corner)
-      if (!degenerate(soup_.triangles[corner / 3]) && fans_.find(corner) == corner)
-        if (std::uint8_t& n = groups[vertex(corner)]; n < 2 && ++n == 2) ++report_.bow_tie_vertices;
-  }
+  // Boundary edges follow each other if they end at the same group of triangles. At a bow-tie vertex two loops touch
+  // but stay separate.
+  DisjointSets loops(3 * soup.triangles.size());
+  for (const std::uint32_t corner : boundary) loops.unite(fans.find(corner), fans.find(next_corner(corner)));
+  for (std::uint32_t& corner : boundary) corner = loops.find(fans.find(corner));
+  std::sort(boundary.begin(), boundary.end());
+  report.boundary_loops = static_cast<std::size_t>(std::unique(boundary.begin(), boundary.end()) - boundary.begin());
 
-  /// Boundary edges follow each other if they end at the same group of triangles. At a bow-tie vertex two loops touch
-  /// but stay separate.
-  void count_loops(const std::vector<std::uint32_t>& boundary) {
-    DisjointSets loops(3 * soup_.triangles.size());
-    for (const std::uint32_t corner : boundary) loops.unite(fans_.find(corner), fans_.find(next_corner(corner)));
-    std::vector<std::uint32_t> roots;
-    roots.reserve(boundary.size());
-    for (const std::uint32_t corner : boundary) roots.push_back(loops.find(fans_.find(corner)));
-    std::sort(roots.begin(), roots.end());
-    report_.boundary_loops = static_cast<std::size_t>(std::unique(roots.begin(), roots.end()) - roots.begin());
+  std::vector<Corners> faces;
+  faces.reserve(soup.triangles.size());
+  for (Corners t : soup.triangles) {
+    if (degenerate(t)) continue;
+    std::sort(t.begin(), t.end());
+    faces.push_back(t);
   }
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    report.duplicate_faces += static_cast<std::size_t>(faces[i] == faces[i - 1]);
 
-  void count_duplicates() {
-    std::vector<Corners> faces;
-    faces.reserve(soup_.triangles.size());
-    for (Corners t : soup_.triangles) {
-      if (degenerate(t)) continue;
-      std::sort(t.begin(), t.end());
-      faces.push_back(t);
-    }
-    std::sort(faces.begin(), faces.end());
-    for (std::size_t i = 1; i < faces.size(); ++i)
-      report_.duplicate_faces += static_cast<std::size_t>(faces[i] == faces[i - 1]);
-  }
-
-  void count_strips_in_file() {
+  if (!soup.strips.empty()) {
     std::vector<std::uint32_t> origin;
-    StripMesh mesh = StripMesh::build(soup_.triangles, soup_.points.size(), nullptr, &origin);
-    const FileStrips colored = color_as_in_file(mesh, soup_, origin);
-    report_.strips = {mesh.triangle_count() - colored.solid, colored.cut, soup_.strips.size()};
+    StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), nullptr, &origin);
+    const FileStrips colored = color_as_in_file(mesh, soup, origin);
+    report.strips = {mesh.triangle_count() - colored.solid, colored.cut, soup.strips.size()};
   }
-
-  const Soup& soup_;
-  MeshReport report_;
-  DisjointSets fans_;  ///< corners at one vertex whose triangles are connected by edges
-};
-
-}  // namespace
-
-MeshReport report_on(const Soup& soup) { return Surveyor(soup).survey(); }
+  const MeshReport& r = report;
+  report.euler_characteristic = static_cast<std::int64_t>(r.used_vertices) - static_cast<std::int64_t>(r.edges) +
+                                static_cast<std::int64_t>(r.triangles - r.degenerate_faces);
+  if (r.degenerate_faces + r.duplicate_faces + r.non_manifold_edges + r.inconsistent_edges + r.bow_tie_vertices == 0)
+    report.genus = (2 * static_cast<std::int64_t>(r.components) - static_cast<std::int64_t>(r.boundary_loops) -
+                    r.euler_characteristic) /
+                   2;
+  return report;
+}
 
 std::string as_text(const MeshReport& report, const std::string& name, const Mended& mended) {
   std::string text = name + "\n" + as_text(mended);
