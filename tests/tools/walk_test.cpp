@@ -32,7 +32,7 @@ BeginUpkeep by(const std::string& way) {
 }
 
 /// The rules, for tests to spoil.
-struct Operations {
+struct Operations : PlainOperations {
   StripMesh& mesh;
   explicit Operations(StripMesh& on) : mesh(on) {}
   Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return split_and_join(mesh, where, v_t); }

@@ -57,7 +57,7 @@ Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, boo
 
 /// With `tunnel`, tunnels from isolated triangles while they exceed a tenth of the strips, the threshold in Porcu,
 /// Sanna, Scateni, "Efficiently keeping an optimal stripification over a CLOD mesh", 2005.
-class Paper {
+class Paper : public PlainOperations {
  public:
   Paper(StripMesh& mesh, bool join, bool tunnel) : mesh_(mesh), join_(join) {
     if (tunnel) {

@@ -8,7 +8,7 @@ namespace restrip::tools {
 namespace {
 
 /// For UpkeepBy.
-class TracedOperations {
+class TracedOperations : public PlainOperations {
  public:
   using Halfedge = StripMesh::Halfedge;
 

@@ -87,11 +87,17 @@ class Witness {
   Count before_;
 };
 
-/// An upkeep by a class of operations on a mesh, which has
+/// An upkeep by a class of operations on a mesh, which is derived from PlainOperations and has
 ///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite or a Halfedge only. For a
 ///   Halfedge, a witness reports the rest. If the Rewrite is incomplete, split_and_report and collapse_and_report are
 ///   called instead.
-/// and, if needed, between(), restart(level), fault() and rule_counts().
+/// and, where they differ from these, between(), restart(level), fault() and rule_counts().
+struct PlainOperations {
+  Repair between() { return {}; }
+  void restart(std::size_t /*level*/) {}
+  [[nodiscard]] std::string fault() const { return {}; }
+  [[nodiscard]] RuleCounts rule_counts() const { return {}; }
+};
 template <class Operations>
 class UpkeepBy final : public Upkeep {
  public:
@@ -132,12 +138,7 @@ class UpkeepBy final : public Upkeep {
       return witness_.after_flip(*mesh_, operations_.flip(h));
     }
   }
-  Repair between() override {
-    if constexpr (requires { operations_.between(); })
-      return operations_.between();
-    else
-      return {};
-  }
+  Repair between() override { return operations_.between(); }
 
   void play_up(std::span<const Record> records, std::size_t first) override {
     for (const Record& record : records) {
@@ -152,21 +153,9 @@ class UpkeepBy final : public Upkeep {
     }
   }
 
-  void restart(std::size_t level) override {
-    if constexpr (requires { operations_.restart(level); }) operations_.restart(level);
-  }
-  [[nodiscard]] std::string fault() const override {
-    if constexpr (requires { operations_.fault(); })
-      return operations_.fault();
-    else
-      return {};
-  }
-  [[nodiscard]] RuleCounts rule_counts() const override {
-    if constexpr (requires { operations_.rule_counts(); })
-      return operations_.rule_counts();
-    else
-      return {};
-  }
+  void restart(std::size_t level) override { operations_.restart(level); }
+  [[nodiscard]] std::string fault() const override { return operations_.fault(); }
+  [[nodiscard]] RuleCounts rule_counts() const override { return operations_.rule_counts(); }
 
  private:
   static constexpr bool reports =

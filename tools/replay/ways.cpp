@@ -16,7 +16,7 @@ using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 
 /// The mesh alone: new and joined dual edges are dashed.
-struct Bare {
+struct Bare : PlainOperations {
   StripMesh& mesh;
   explicit Bare(StripMesh& on) : mesh(on) {}
   Halfedge split(const Where& where, Vertex v_t, std::size_t) { return mesh.insert_vertex(where, v_t); }
@@ -25,7 +25,7 @@ struct Bare {
 };
 
 /// Keeps strips by the library, under a policy or with baked strips.
-struct LibraryOperations {
+struct LibraryOperations : PlainOperations {
   Keeper<StripMesh> keeper;
   const BakedRecords<Halfedge>* records = nullptr;
   Witness witness;
