@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -89,12 +88,12 @@ int run(const ConvertCommand& command) {
         throw BadInput(fmt::format("{}: has no strips; restrip stripify makes some and writes them", in));
       options.form = StripForm::list;
     }
-    std::vector<Corners> drawn;
-    std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
-                 [](const Corners& t) { return !degenerate(t); });
-    written = written_strips(format, soup.points, soup.strips.empty() ? each_a_strip(drawn) : soup.strips, options,
-                             soup.attributes, soup.is_64_bits);
-    left_out = soup.triangles.size() - drawn.size();
+    left_out = static_cast<std::size_t>(std::count_if(soup.triangles.begin(), soup.triangles.end(), degenerate));
+    std::vector<std::uint32_t> strips = soup.strips;
+    if (strips.empty())  // each triangle is one
+      for (const Corners& t : soup.triangles)
+        if (!degenerate(t)) strips.insert(strips.end(), {t[0], t[1], t[2], strip_end});
+    written = written_strips(format, soup.points, strips, options, soup.attributes, soup.is_64_bits);
   }
   out.write(written.bytes);
   nlohmann::ordered_json json{{"vertices", soup.points.size()},

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/level_file.hpp"
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/commands.hpp"
-#include "app/level_file.hpp"
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"
@@ -20,7 +19,6 @@
 #include "meshes/soup_builder.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/replay_text.hpp"
-#include "replay/traced.hpp"
 #include "replay/walk.hpp"
 #include "replay/ways.hpp"
 #include "restrip/search/stripify.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/commands.hpp"
-#include "app/level_file.hpp"
 #include "app/options.hpp"
+#include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "common/printable.hpp"
@@ -36,8 +36,8 @@ int run(const SimplifyCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_strips_or_progressive));
   const files::ReportOutput report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
-  Mended mended;
-  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
+  Soup soup = read_mesh(command.mesh, command.attributes);
+  Mended mended = mend(soup, command.mesh.string(), command.mending);
   note_losses(soup, format, mended);
   const Simplification result = simplify(soup, command.simplify);
   const ProgressiveMesh& made = result.mesh;

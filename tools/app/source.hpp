@@ -1,7 +1,10 @@
-// The mesh to be replayed: read and simplified, or taken from a progressive or baked file.
+// The mesh to be replayed: read and simplified, or taken from a progressive or baked file. And one level of it, as a
+// file with its strips.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +16,7 @@
 #include "meshes/mend.hpp"
 #include "meshes/soup.hpp"
 #include "replay/replay_text.hpp"
+#include "replay/ways.hpp"
 
 namespace restrip::tools {
 
@@ -32,5 +36,19 @@ struct Source {
 /// (`options_given`) or mended.
 [[nodiscard]] Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending,
                                const SimplifyOptions& options, bool options_given);
+
+struct LevelFile {
+  WrittenStrips written;
+  std::size_t triangles = 0;
+  std::size_t strips = 0;
+};
+
+/// The mesh and its strips in a format that has strips. Vertices are numbered in the order in which the strips use
+/// them; unused ones are left out. Throws what the format throws.
+[[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
+                                   const StripOptions& options, std::span<const Attribute> attributes = {});
+/// The coarsest level with at least `triangles` triangles, or the finest level if all are smaller. Its strips are kept
+/// from the base up as the plan says. Throws BadInput at a split that is not possible.
+[[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);
 
 }  // namespace restrip::tools

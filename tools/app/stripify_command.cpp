@@ -49,8 +49,8 @@ int run(const StripifyCommand& command) {
   if (!command.out.empty()) strip_file = open_output(command.out, extensions_of(writes_strips));
   const files::ReportOutput out(command.json);
   const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
-  Mended mended;
-  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
+  Soup soup = read_mesh(command.mesh, command.attributes);
+  Mended mended = mend(soup, command.mesh.string(), command.mending);
   if (format != nullptr) note_losses(soup, *format, mended);
   if (command.as_in_file && soup.strips.empty())
     throw BadInput(

@@ -128,39 +128,31 @@ std::string find_fault(const StripMesh& mesh, const StripLocator& locator) {
   return {};
 }
 
-namespace {
-
-// Triangles i - 1, i and i + 1 of a strip share a vertex, around which the strip turns at i. Two consecutive turns
-// around the same vertex are a swap.
-std::size_t count_swaps(const StripMesh& mesh, std::span<const Triangle> strip) {
-  const auto edge_after = [&](std::size_t i) {
-    for (unsigned side = 0;; ++side) {
-      const StripMesh::Halfedge h = StripMesh::halfedge(strip[i], side);
-      if (mesh.solid(h) && StripMesh::triangle(mesh.opposite(h)) == strip[i + 1])
-        return std::pair{mesh.from(h), mesh.to(h)};
-    }
-  };
-  std::size_t swaps = 0;
-  Vertex last = none;
-  for (std::size_t i = 1; i + 1 < strip.size(); ++i) {
-    const auto in = edge_after(i - 1);
-    const auto out = edge_after(i);
-    const Vertex around = in.first == out.first || in.first == out.second ? in.first : in.second;
-    swaps += static_cast<std::size_t>(around == last);
-    last = around;
-  }
-  return swaps;
-}
-
-}  // namespace
-
 std::string find_fault(const Keeper<StripMesh>& keeper) {
-  const Strips strips = extract_strips(keeper.mesh());
+  const StripMesh& mesh = keeper.mesh();
+  const Strips strips = extract_strips(mesh);
   std::size_t swaps = 0;
   std::size_t isolated = 0;
   for (std::size_t s = 0; s < strips.size(); ++s) {
-    swaps += count_swaps(keeper.mesh(), strips[s]);
-    isolated += static_cast<std::size_t>(strips[s].size() == 1);
+    const auto strip = strips[s];
+    isolated += static_cast<std::size_t>(strip.size() == 1);
+    const auto edge_after = [&](std::size_t i) {
+      for (unsigned side = 0;; ++side) {
+        const StripMesh::Halfedge h = StripMesh::halfedge(strip[i], side);
+        if (mesh.solid(h) && StripMesh::triangle(mesh.opposite(h)) == strip[i + 1])
+          return std::pair{mesh.from(h), mesh.to(h)};
+      }
+    };
+    // Triangles i - 1, i and i + 1 of a strip share a vertex, around which the strip turns at i. Two consecutive turns
+    // around the same vertex are a swap.
+    Vertex last = none;
+    for (std::size_t i = 1; i + 1 < strip.size(); ++i) {
+      const auto in = edge_after(i - 1);
+      const auto out = edge_after(i);
+      const Vertex around = in.first == out.first || in.first == out.second ? in.first : in.second;
+      swaps += static_cast<std::size_t>(around == last);
+      last = around;
+    }
   }
   const auto differ = [](const char* what, std::size_t counted, std::size_t kept) {
     return counted == kept ? std::string() : fmt::format("{} {}, but the keeper says {}", counted, what, kept);

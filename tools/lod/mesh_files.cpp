@@ -28,12 +28,6 @@ Soup read_mesh(const NamedFile& file, ReadAttributes attributes) {
   return finest_level(read_mesh_file(file, attributes));
 }
 
-Soup read_mesh(const NamedFile& file, const MendingOptions& options, Mended& mended, ReadAttributes attributes) {
-  Soup soup = read_mesh(file, attributes);
-  mended = mend(soup, file.string(), options);
-  return soup;
-}
-
 files::Output open_output(const NamedFile& file, const std::vector<std::string>& extensions) {
   if (file.format.empty()) return files::Output(file.path, {extensions});
   const bool has_extension = !files::extension_of(file.path).empty();

@@ -33,9 +33,6 @@ struct NamedFile {
 [[nodiscard]] ReadMesh read_mesh_file(const NamedFile& file, ReadAttributes attributes = ReadAttributes::no);
 /// The mesh in the file; for a progressive or baked one its finest level.
 [[nodiscard]] Soup read_mesh(const NamedFile& file, ReadAttributes attributes = ReadAttributes::no);
-/// Reads a mesh and mends it. Every program that takes a mesh reads it here.
-[[nodiscard]] Soup read_mesh(const NamedFile& file, const MendingOptions& options, Mended& mended,
-                             ReadAttributes attributes = ReadAttributes::no);
 
 /// Tests whether the output can be written, before the work. Throws BadInput if its name has an extension of another
 /// format.

@@ -98,6 +98,23 @@ constexpr std::array all_formats{
                .forms = true},
 };
 
+/// The extension of the format, detected from the first bytes; empty if unknown. Binary STL is detected by its size.
+std::string_view extension_of_bytes(std::string_view bytes) {
+  if (bytes.starts_with("glTF")) return ".glb";
+  if (bytes.starts_with("ProgMesh") || is_hoppe_pm(bytes)) return ".pm";
+  if (bytes.starts_with(baked_format::magic)) return ".baked";
+  if (is_binary_stl(bytes)) return ".stl";
+  const std::string_view word = TextCursor(bytes).word_on_any_line();
+  if (word == "ply") return ".ply";
+  if (word.starts_with('{')) return ".gltf";
+  if (word == "solid" || word == "SOLID") return ".stl";
+  if (const std::size_t off = word.find("OFF");
+      off != std::string_view::npos && word.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos)
+    return ".off";
+  constexpr std::array obj_lines{"v", "vt", "vn", "vp", "f", "fo", "o", "g", "s", "l", "p", "mtllib", "usemtl"};
+  return std::find(obj_lines.begin(), obj_lines.end(), word) != obj_lines.end() ? ".obj" : "";
+}
+
 /// The finest level with its strips. The triangles are in strip order.
 Soup finest_level(const BakedBytes& found) {
   const BakedMesh& baked = found.baked;
@@ -129,22 +146,6 @@ const MeshFormat* format_named(std::string_view extension) {
   const auto found = std::find_if(all_formats.begin(), all_formats.end(),
                                   [&](const MeshFormat& format) { return format.extension == extension; });
   return found == all_formats.end() ? nullptr : &*found;
-}
-
-std::string_view extension_of_bytes(std::string_view bytes) {
-  if (bytes.starts_with("glTF")) return ".glb";
-  if (bytes.starts_with("ProgMesh") || is_hoppe_pm(bytes)) return ".pm";
-  if (bytes.starts_with(baked_format::magic)) return ".baked";
-  if (is_binary_stl(bytes)) return ".stl";
-  const std::string_view word = TextCursor(bytes).word_on_any_line();
-  if (word == "ply") return ".ply";
-  if (word.starts_with('{')) return ".gltf";
-  if (word == "solid" || word == "SOLID") return ".stl";
-  if (const std::size_t off = word.find("OFF");
-      off != std::string_view::npos && word.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos)
-    return ".off";
-  constexpr std::array obj_lines{"v", "vt", "vn", "vp", "f", "fo", "o", "g", "s", "l", "p", "mtllib", "usemtl"};
-  return std::find(obj_lines.begin(), obj_lines.end(), word) != obj_lines.end() ? ".obj" : "";
 }
 
 std::vector<std::string> extensions_of(FormatCan can) {
@@ -203,13 +204,6 @@ WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> po
   if (format.usual_form == StripForm::stitched && restarts(buffer))
     written.required_extensions = {std::string(restart_extension)};
   return written;
-}
-
-std::vector<std::uint32_t> each_a_strip(std::span<const Corners> triangles) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(4 * triangles.size());
-  for (const auto& [a, b, c] : triangles) indices.insert(indices.end(), {a, b, c, strip_end});
-  return indices;
 }
 
 }  // namespace restrip::tools

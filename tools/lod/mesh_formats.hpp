@@ -47,9 +47,6 @@ struct MeshFormat {
 /// The format of this extension (in lower case), or nullptr.
 [[nodiscard]] const MeshFormat* format_named(std::string_view extension);
 
-/// The extension of the format, detected from the first bytes; empty if unknown. Binary STL is detected by its size.
-[[nodiscard]] std::string_view extension_of_bytes(std::string_view bytes);
-
 /// A predicate on what a format supports.
 using FormatCan = bool (*)(const MeshFormat&);
 inline constexpr FormatCan reads = [](const MeshFormat& format) { return format.read != nullptr; };
@@ -81,7 +78,5 @@ inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& f
 [[nodiscard]] WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> points,
                                            std::span<const std::uint32_t> indices, const StripOptions& options = {},
                                            std::span<const Attribute> attributes = {}, bool is_64_bits = false);
-/// A triangle list as strips of one triangle each.
-[[nodiscard]] std::vector<std::uint32_t> each_a_strip(std::span<const Corners> triangles);
 
 }  // namespace restrip::tools

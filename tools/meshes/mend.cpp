@@ -179,16 +179,13 @@ std::string as_text(const Mended& mended) {
   return text;
 }
 
-nlohmann::ordered_json json_of(const Mended& mended) {
-  return {{"welded_vertices", mended.welded_vertices},
-          {"vanished_triangles", mended.vanished_triangles},
-          {"turned_triangles", mended.turned_triangles}};
-}
-
 void add_to(nlohmann::ordered_json& report, const Mended& mended) {
   if (mended.rounding.matters)
     report["rounded"] = {{"largest", mended.rounding.largest}, {"coinciding_vertices", mended.rounding.coinciding}};
-  if (mended.any_asked()) report["mended"] = json_of(mended);
+  if (mended.asked.weld || mended.asked.orient)
+    report["mended"] = {{"welded_vertices", mended.welded_vertices},
+                        {"vanished_triangles", mended.vanished_triangles},
+                        {"turned_triangles", mended.turned_triangles}};
   if (!mended.left_out_attributes.empty()) report["left_out_attributes"] = mended.left_out_attributes;
 }
 

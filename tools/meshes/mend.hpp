@@ -20,7 +20,6 @@ struct MendingOptions {
 /// What was changed.
 struct Mended {
   MendingOptions asked;
-  [[nodiscard]] bool any_asked() const noexcept { return asked.weld || asked.orient; }
   std::size_t welded_vertices = 0;     ///< merged into an earlier vertex
   std::size_t vanished_triangles = 0;  ///< had two corners that were merged
   std::size_t turned_triangles = 0;
@@ -52,7 +51,6 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 
 /// One line for each thing done or left out; empty if nothing was.
 [[nodiscard]] std::string as_text(const Mended& mended);
-[[nodiscard]] nlohmann::ordered_json json_of(const Mended& mended);
 /// Adds `mended`, if mending was requested, `left_out_attributes`, if there are any, and `rounded`, if it matters, to a
 /// report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);

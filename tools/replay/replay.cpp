@@ -13,7 +13,7 @@
 #include "common/stopwatch.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
-#include "replay/traced.hpp"
+#include "replay/ways.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strip_buffer.hpp"

@@ -1,8 +1,8 @@
-#include "replay/traced.hpp"
-
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "replay/ways.hpp"
 
 namespace restrip::tools {
 namespace {

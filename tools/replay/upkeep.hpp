@@ -87,17 +87,19 @@ class Witness {
   Count before_;
 };
 
-/// An upkeep by a class of operations on a mesh, which is derived from PlainOperations and has
-///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite or a Halfedge only. For a
-///   Halfedge, a witness reports the rest. If the Rewrite is incomplete, split_and_report and collapse_and_report are
-///   called instead.
-/// and, where they differ from these, between(), restart(level), fault() and rule_counts().
+/// What operations on a mesh need not define.
 struct PlainOperations {
   Repair between() { return {}; }
   void restart(std::size_t /*level*/) {}
   [[nodiscard]] std::string fault() const { return {}; }
   [[nodiscard]] RuleCounts rule_counts() const { return {}; }
 };
+
+/// An upkeep by a class of operations on a mesh, which is derived from PlainOperations and has
+///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite or a Halfedge only. For a
+///   Halfedge, a witness reports the rest. If the Rewrite is incomplete, split_and_report and collapse_and_report are
+///   called instead.
+/// and, where they differ, between(), restart(level), fault() and rule_counts().
 template <class Operations>
 class UpkeepBy final : public Upkeep {
  public:
