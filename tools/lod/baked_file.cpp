@@ -17,106 +17,19 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 using baked_format::canonical;
 
-std::uint8_t colors(const StripMesh& mesh, Triangle t) {
-  unsigned bits = 0;
-  for (unsigned side = 0; side < 3; ++side) bits |= unsigned{mesh.solid(StripMesh::halfedge(t, side))} << side;
-  return static_cast<std::uint8_t>(bits);
+void put_number(std::string& bytes, std::uint64_t value) {
+  for (; value >= 128; value >>= 7) bytes.push_back(static_cast<char>((value & 127U) | 128U));
+  bytes.push_back(static_cast<char>(value));
 }
 
-class Writer {
- public:
-  explicit Writer(const BakedMesh& baked)
-      : baked_(baked),
-        mesh_(numbered_by_appearance(baked.mesh)),
-        now_(StripMesh::build(mesh_.base, mesh_.points.size())) {}
-
-  std::string run() {
-    const std::size_t base_points = mesh_.points.size() - mesh_.splits.size();
-    const bool has_payload = baked_.payload.bytes != 0;
-    bytes_ = baked_format::magic;
-    put(bytes_, has_payload ? baked_format::version_with_payload : baked_format::version);
-    put(bytes_, static_cast<std::uint32_t>(base_points));
-    put(bytes_, static_cast<std::uint32_t>(mesh_.base.size()));
-    put(bytes_, static_cast<std::uint32_t>(mesh_.splits.size()));
-    if (has_payload) put(bytes_, static_cast<std::uint32_t>(baked_.payload.bytes));
-    for (std::size_t v = 0; v < base_points; ++v) put(bytes_, mesh_.points[v]);
-    for (const Corners& triangle : mesh_.base)
-      for (const Vertex v : triangle) put(bytes_, v);
-    for (Triangle t = 0; t < mesh_.base.size(); ++t) bytes_.push_back(static_cast<char>(colors(baked_.base, t)));
-    for (std::size_t i = 0; i < mesh_.splits.size(); ++i) put_record(i);
-    for (const std::byte b : baked_.payload.all) bytes_.push_back(std::to_integer<char>(b));
-    const std::uint64_t hash = fnv1a(bytes_);
-    put(bytes_, static_cast<std::uint32_t>(hash));
-    put(bytes_, static_cast<std::uint32_t>(hash >> 32));
-    return std::move(bytes_);
+/// Writes ascending numbers, each as its difference from the smallest possible value.
+void put_ascending(std::string& bytes, const std::vector<std::uint64_t>& numbers) {
+  std::uint64_t least = 0;
+  for (const std::uint64_t n : numbers) {
+    put_number(bytes, n - least);
+    least = n + 1;
   }
-
- private:
-  void put_number(std::uint64_t value) {
-    for (; value >= 128; value >>= 7) bytes_.push_back(static_cast<char>((value & 127U) | 128U));
-    bytes_.push_back(static_cast<char>(value));
-  }
-  /// Writes ascending numbers, each as its difference from the smallest possible value.
-  void put_ascending(const std::vector<std::uint64_t>& numbers) {
-    std::uint64_t least = 0;
-    for (const std::uint64_t n : numbers) {
-      put_number(n - least);
-      least = n + 1;
-    }
-  }
-
-  void put_record(std::size_t i) {
-    const Record& record = mesh_.splits[i];
-    put(bytes_, mesh_.points[record.v_t]);
-    put_number(record.v_s);
-    baked_format::neighbors_of(now_, record.v_s, neighbors_);
-    const auto place = [this](Vertex v) -> std::uint64_t {
-      if (v == none) return 0;
-      return static_cast<std::uint64_t>(std::lower_bound(neighbors_.begin(), neighbors_.end(), v) -
-                                        neighbors_.begin()) +
-             1;
-    };
-    put_number(place(record.v_l) * (neighbors_.size() + 1) + place(record.v_r));
-    put_flips(now_.insert_vertex(spokes_of(now_, record), record.v_t), baked_.records[i]);
-  }
-
-  void put_flips(Halfedge chord, std::span<const Halfedge> flips) {
-    wanted_.clear();
-    for (const Halfedge h : flips) wanted_.push_back(canonical(now_, h).id);
-    std::sort(wanted_.begin(), wanted_.end());
-    near_.clear();
-    far_.clear();
-    order_.start(now_, chord);
-    for (std::size_t n = 0; n < baked_format::near_edges && near_.size() < wanted_.size(); ++n) {
-      const Halfedge h = order_.edge(n);
-      if (h.id == none) break;
-      if (std::binary_search(wanted_.begin(), wanted_.end(), canonical(now_, h).id)) {
-        near_.push_back(n);
-        met_.push_back(canonical(now_, h).id);
-      }
-    }
-    std::sort(met_.begin(), met_.end());
-    for (const std::uint32_t id : wanted_)
-      if (!std::binary_search(met_.begin(), met_.end(), id)) far_.push_back(std::uint64_t{id >> 2} * 3 + (id & 3U));
-    met_.clear();
-    put_number(near_.size() * 2 + (far_.empty() ? 0 : 1));
-    put_ascending(near_);
-    if (far_.empty()) return;
-    put_number(far_.size());
-    put_ascending(far_);
-  }
-
-  const BakedMesh& baked_;
-  const ProgressiveMesh mesh_;
-  StripMesh now_;
-  DualOrder order_;
-  std::string bytes_;
-  std::vector<Vertex> neighbors_;
-  std::vector<std::uint32_t> wanted_;
-  std::vector<std::uint32_t> met_;
-  std::vector<std::uint64_t> near_;
-  std::vector<std::uint64_t> far_;
-};
+}
 
 }  // namespace
 
@@ -136,6 +49,71 @@ BakedMesh parse_baked(std::string_view bytes, const std::string& name) {
   return baked;
 }
 
-std::string baked_bytes(const BakedMesh& baked) { return Writer(baked).run(); }
+std::string baked_bytes(const BakedMesh& baked) {
+  const ProgressiveMesh mesh = numbered_by_appearance(baked.mesh);
+  const std::size_t base_points = mesh.points.size() - mesh.splits.size();
+  const bool has_payload = baked.payload.bytes != 0;
+  std::string bytes(baked_format::magic);
+  put(bytes, has_payload ? baked_format::version_with_payload : baked_format::version);
+  put(bytes, static_cast<std::uint32_t>(base_points));
+  put(bytes, static_cast<std::uint32_t>(mesh.base.size()));
+  put(bytes, static_cast<std::uint32_t>(mesh.splits.size()));
+  if (has_payload) put(bytes, static_cast<std::uint32_t>(baked.payload.bytes));
+  for (std::size_t v = 0; v < base_points; ++v) put(bytes, mesh.points[v]);
+  for (const Corners& triangle : mesh.base)
+    for (const Vertex v : triangle) put(bytes, v);
+  for (Triangle t = 0; t < mesh.base.size(); ++t) bytes.push_back(static_cast<char>(baked.base.solid_sides(t)));
+
+  StripMesh now = StripMesh::build(mesh.base, mesh.points.size());
+  DualOrder order;
+  std::vector<Vertex> neighbors;
+  std::vector<std::uint32_t> wanted;
+  std::vector<std::uint32_t> met;
+  std::vector<std::uint64_t> near;
+  std::vector<std::uint64_t> far;
+  for (std::size_t i = 0; i < mesh.splits.size(); ++i) {
+    const Record& record = mesh.splits[i];
+    put(bytes, mesh.points[record.v_t]);
+    put_number(bytes, record.v_s);
+    baked_format::neighbors_of(now, record.v_s, neighbors);
+    const auto place = [&neighbors](Vertex v) -> std::uint64_t {
+      if (v == none) return 0;
+      const auto at = std::lower_bound(neighbors.begin(), neighbors.end(), v);
+      return static_cast<std::uint64_t>(at - neighbors.begin()) + 1;
+    };
+    put_number(bytes, place(record.v_l) * (neighbors.size() + 1) + place(record.v_r));
+
+    // The flips: those that the order from the new edge reaches soon, by their places in it, then all others.
+    const Halfedge chord = now.insert_vertex(spokes_of(now, record), record.v_t);
+    wanted.clear();
+    for (const Halfedge h : baked.records[i]) wanted.push_back(canonical(now, h).id);
+    std::sort(wanted.begin(), wanted.end());
+    met.clear();
+    near.clear();
+    far.clear();
+    order.start(now, chord);
+    for (std::size_t n = 0; n < baked_format::near_edges && near.size() < wanted.size(); ++n) {
+      const Halfedge h = order.edge(n);
+      if (h.id == none) break;
+      if (std::binary_search(wanted.begin(), wanted.end(), canonical(now, h).id)) {
+        near.push_back(n);
+        met.push_back(canonical(now, h).id);
+      }
+    }
+    std::sort(met.begin(), met.end());
+    for (const std::uint32_t id : wanted)
+      if (!std::binary_search(met.begin(), met.end(), id)) far.push_back(std::uint64_t{id >> 2} * 3 + (id & 3U));
+    put_number(bytes, near.size() * 2 + (far.empty() ? 0 : 1));
+    put_ascending(bytes, near);
+    if (far.empty()) continue;
+    put_number(bytes, far.size());
+    put_ascending(bytes, far);
+  }
+  for (const std::byte b : baked.payload.all) bytes.push_back(std::to_integer<char>(b));
+  const std::uint64_t hash = fnv1a(bytes);
+  put(bytes, static_cast<std::uint32_t>(hash));
+  put(bytes, static_cast<std::uint32_t>(hash >> 32));
+  return bytes;
+}
 
 }  // namespace restrip::tools

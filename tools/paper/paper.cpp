@@ -17,115 +17,10 @@
 namespace restrip::tools {
 namespace {
 
-using Halfedge = StripMesh::Halfedge;
-
 std::size_t isolated_in(const StripMesh& mesh, const std::vector<Triangle>& patch) {
   return static_cast<std::size_t>(
       std::count_if(patch.begin(), patch.end(), [&](Triangle t) { return mesh.solid_degree(t) == 0; }));
 }
-
-class Measurement {
- public:
-  Measurement(const PaperSubject& subject, const PaperOptions& options) : options_(options) {
-    result_.name = subject.name;
-    result_.survey = report_on(subject.soup);
-    result_.mended = subject.mended;
-    result_.triangles = subject.soup.triangles.size();
-    result_.paper = paper_row(result_.triangles);
-    source_ = subject.progressive ? *subject.progressive : simplify(subject.soup, options.simplify).mesh;
-    base_ = StripMesh::build(source_.base, source_.points.size());
-    stripify(base_, Effort::full, Cost::strips());
-    result_.base_triangles = base_.triangle_count();
-  }
-
-  PaperMesh run() {
-    for (const Way::Kind kind : {Way::Kind::paper, Way::Kind::ours})
-      for (const Way& way : ways())
-        if (way.kind == kind) watch(way);
-    make_from_scratch();
-    return std::move(result_);
-  }
-
- private:
-  void watch(const Way& way) {
-    Plan::Given given;
-    given.cost = Cost::strips();
-    given.base = &base_;
-    const Plan plan(way, source_, given);
-    StripMesh mesh = plan.base();
-    const auto upkeep = plan.begin(mesh);
-    PolicyRun run{way.name, way.says, way.kind == Way::Kind::paper, 0, 0, {}};
-    std::vector<Triangle> patch;
-    std::vector<std::size_t> by_valence;
-    const auto step = [&](const Record& record) {
-      const auto where = spokes_of(mesh, record);
-      fan_triangles(mesh, record.v_l == none ? where.right : where.left, patch);
-      if (patch.size() >= by_valence.size()) by_valence.resize(patch.size() + 1);
-      ++by_valence[patch.size()];
-      const std::size_t before = isolated_in(mesh, patch);
-      const Halfedge chord = upkeep->split(where, record.v_t, run.splits).halfedge;
-      edge_triangles(mesh, chord, patch);
-      run.isolating += static_cast<std::size_t>(isolated_in(mesh, patch) > before);
-      ++run.splits;
-      upkeep->between();
-    };
-    climb(way.name, mesh, step, [&] { run.levels.push_back(count(mesh, way.name)); });
-    if (sorted_triangles(triangles_of(mesh)) != fine_triangles())
-      result_.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", way.name));
-    result_.splits_by_valence = std::move(by_valence);
-    result_.runs.push_back(std::move(run));
-  }
-
-  void make_from_scratch() {
-    ScratchRun fast{"scratch-fast", "strips from scratch at each level, one pass", {}};
-    ScratchRun full{"scratch-full", "strips from scratch at each level, with tunnelling", {}};
-    StripMesh mesh = base_;
-    climb(
-        "from scratch", mesh, [&](const Record& record) { mesh.insert_vertex(spokes_of(mesh, record), record.v_t); },
-        [&] {
-          stripify(mesh, Effort::fast, Cost::strips());
-          fast.levels.push_back(count(mesh, fast.name));
-          stripify(mesh, Effort::full, Cost::strips());
-          full.levels.push_back(count(mesh, full.name));
-        });
-    result_.scratch = {std::move(fast), std::move(full)};
-  }
-
-  /// Plays all splits and measures each level.
-  template <class Step, class AtLevel>
-  void climb(const std::string& label, const StripMesh& mesh, Step&& step, AtLevel&& at_level) {
-    Progress progress(result_.name + ": " + label, source_.splits.size());
-    LevelStops stops(result_.base_triangles, source_.fine_triangles(), options_.levels);
-    for (std::size_t i = 0; i < source_.splits.size(); ++i) {
-      if (stops.reached(mesh.triangle_count())) at_level();
-      step(source_.splits[i]);
-      progress.at(i);
-    }
-    at_level();
-  }
-
-  Level count(const StripMesh& mesh, const std::string& label) {
-    const ColoringReport report = check_coloring(mesh);
-    if (!report.valid)
-      result_.faults.push_back(fmt::format("{}: invalid strips at {} triangles", label, report.triangles));
-    return level_of(mesh, result_.faults);
-  }
-
-  const std::vector<Corners>& fine_triangles() {
-    if (fine_.empty()) {
-      StripMesh mesh = base_;
-      for (const Record& record : source_.splits) mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
-      fine_ = sorted_triangles(triangles_of(mesh));
-    }
-    return fine_;
-  }
-
-  PaperOptions options_;
-  PaperMesh result_;
-  ProgressiveMesh source_;
-  StripMesh base_;
-  std::vector<Corners> fine_;
-};
 
 }  // namespace
 
@@ -171,7 +66,88 @@ PaperSubject read_subject(const std::filesystem::path& file, const MendingOption
 }
 
 PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
-  return Measurement(subject, options).run();
+  PaperMesh result;
+  result.name = subject.name;
+  result.survey = report_on(subject.soup);
+  result.mended = subject.mended;
+  result.triangles = subject.soup.triangles.size();
+  result.paper = paper_row(result.triangles);
+  const ProgressiveMesh source =
+      subject.progressive ? *subject.progressive : simplify(subject.soup, options.simplify).mesh;
+  StripMesh base = StripMesh::build(source.base, source.points.size());
+  stripify(base, Effort::full, Cost::strips());
+  result.base_triangles = base.triangle_count();
+
+  // Plays all splits and measures each level.
+  const auto climb = [&](const std::string& label, const StripMesh& mesh, auto&& step, auto&& at_level) {
+    Progress progress(result.name + ": " + label, source.splits.size());
+    LevelStops stops(result.base_triangles, source.fine_triangles(), options.levels);
+    for (std::size_t i = 0; i < source.splits.size(); ++i) {
+      if (stops.reached(mesh.triangle_count())) at_level();
+      step(source.splits[i]);
+      progress.at(i);
+    }
+    at_level();
+  };
+  const auto count = [&result](const StripMesh& mesh, const std::string& label) {
+    const ColoringReport report = check_coloring(mesh);
+    if (!report.valid)
+      result.faults.push_back(fmt::format("{}: invalid strips at {} triangles", label, report.triangles));
+    return level_of(mesh, result.faults);
+  };
+  const auto insert = [](StripMesh& mesh, const Record& record) {
+    mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
+  };
+  StripMesh finest = base;
+  for (const Record& record : source.splits) insert(finest, record);
+  const std::vector<Corners> fine_triangles = sorted_triangles(triangles_of(finest));
+
+  // Under each way of keeping strips.
+  for (const Way::Kind kind : {Way::Kind::paper, Way::Kind::ours})
+    for (const Way& way : ways()) {
+      if (way.kind != kind) continue;
+      Plan::Given given;
+      given.cost = Cost::strips();
+      given.base = &base;
+      const Plan plan(way, source, given);
+      StripMesh mesh = plan.base();
+      const auto upkeep = plan.begin(mesh);
+      PolicyRun run{way.name, way.says, way.kind == Way::Kind::paper, 0, 0, {}};
+      std::vector<Triangle> patch;
+      std::vector<std::size_t> by_valence;
+      const auto step = [&](const Record& record) {
+        const auto where = spokes_of(mesh, record);
+        fan_triangles(mesh, record.v_l == none ? where.right : where.left, patch);
+        if (patch.size() >= by_valence.size()) by_valence.resize(patch.size() + 1);
+        ++by_valence[patch.size()];
+        const std::size_t before = isolated_in(mesh, patch);
+        const StripMesh::Halfedge chord = upkeep->split(where, record.v_t, run.splits).halfedge;
+        edge_triangles(mesh, chord, patch);
+        run.isolating += static_cast<std::size_t>(isolated_in(mesh, patch) > before);
+        ++run.splits;
+        upkeep->between();
+      };
+      climb(way.name, mesh, step, [&] { run.levels.push_back(count(mesh, way.name)); });
+      if (sorted_triangles(triangles_of(mesh)) != fine_triangles)
+        result.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", way.name));
+      result.splits_by_valence = std::move(by_valence);
+      result.runs.push_back(std::move(run));
+    }
+
+  // From scratch.
+  ScratchRun fast{"scratch-fast", "strips from scratch at each level, one pass", {}};
+  ScratchRun full{"scratch-full", "strips from scratch at each level, with tunnelling", {}};
+  StripMesh mesh = base;
+  climb(
+      "from scratch", mesh, [&](const Record& record) { insert(mesh, record); },
+      [&] {
+        stripify(mesh, Effort::fast, Cost::strips());
+        fast.levels.push_back(count(mesh, fast.name));
+        stripify(mesh, Effort::full, Cost::strips());
+        full.levels.push_back(count(mesh, full.name));
+      });
+  result.scratch = {std::move(fast), std::move(full)};
+  return result;
 }
 
 }  // namespace restrip::tools
