@@ -6,15 +6,28 @@
 
 #include <chrono>
 
+#include "meshes/made_mesh.hpp"
+#include "restrip/search/stripify.hpp"
 #include "settings.hpp"
 #include "spread.hpp"
 
 namespace restrip::bench {
 namespace {
 
+/// A made mesh with strips, and collapses all over it.
+struct Ground {
+  StripMesh mesh;
+  Sites sites;
+};
+
 const Ground& large_ground() {
-  static const Ground made =
-      settings().quick ? make_ground(2'000, Effort::fast, 64) : make_ground(1'000'000, Effort::fast, 20'000);
+  static const Ground made = [] {
+    const tools::Soup soup = tools::make_mesh(settings().quick ? 2'000 : 1'000'000);
+    Ground ground{StripMesh::build(soup.triangles, soup.points.size()), {}};
+    stripify(ground.mesh, Effort::fast, Cost::strips());
+    ground.sites = spread_out_sites(ground.mesh, settings().quick ? 64 : 20'000);
+    return ground;
+  }();
   return made;
 }
 

@@ -7,12 +7,10 @@
 
 #include "common/random.hpp"
 #include "lod/progressive_mesh.hpp"
-#include "meshes/made_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/batch.hpp"
 #include "restrip/rules/rules.hpp"
-#include "restrip/search/stripify.hpp"
 
 namespace restrip::bench {
 
@@ -57,19 +55,6 @@ inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Half
   for (Triangle t = 0; t < mesh.triangle_bound() && sites.size() < count; ++t)
     add_site(mesh, claims, StripMesh::halfedge(t, 0), sites);
   return sites;
-}
-
-/// A made mesh with strips and such collapses.
-struct Ground {
-  StripMesh mesh;
-  Sites sites;
-};
-[[nodiscard]] inline Ground make_ground(std::size_t triangles, Effort effort, std::size_t sites) {
-  const tools::Soup soup = tools::make_mesh(triangles);
-  Ground ground{StripMesh::build(soup.triangles, soup.points.size()), {}};
-  stripify(ground.mesh, effort, Cost::strips());
-  ground.sites = spread_out_sites(ground.mesh, sites);
-  return ground;
 }
 
 }  // namespace restrip::bench

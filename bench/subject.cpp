@@ -16,20 +16,6 @@ std::filesystem::path file_of(const std::string& name) {
   return settings().meshes / (name == "dragon" ? "dragon_vrip.ply" : name + ".obj");
 }
 
-tools::Soup read(const std::string& name) {
-  if (name == "made") return tools::make_mesh(settings().quick ? 2'000 : tools::default_made_triangles);
-  return tools::read_mesh(file_of(name));
-}
-
-Subject make(const std::string& name) {
-  Subject made;
-  made.mesh = tools::simplify(read(name)).mesh;
-  made.base = StripMesh::build(made.mesh.base, made.mesh.points.size());
-  stripify(made.base, Effort::full, Cost::strips());
-  made.triangles = made.mesh.fine_triangles();
-  return made;
-}
-
 }  // namespace
 
 std::vector<std::string> subject_names() {
@@ -41,9 +27,18 @@ std::vector<std::string> subject_names() {
 }
 
 const Subject& subject(const std::string& name) {
-  static std::map<std::string, Subject> made;
-  const auto found = made.find(name);
-  return found != made.end() ? found->second : made.emplace(name, make(name)).first->second;
+  static std::map<std::string, Subject> all;
+  const auto [place, is_new] = all.try_emplace(name);
+  Subject& made = place->second;
+  if (!is_new) return made;
+  made.mesh =
+      tools::simplify(name == "made" ? tools::make_mesh(settings().quick ? 2'000 : tools::default_made_triangles)
+                                     : tools::read_mesh(file_of(name)))
+          .mesh;
+  made.base = StripMesh::build(made.mesh.base, made.mesh.points.size());
+  stripify(made.base, Effort::full, Cost::strips());
+  made.triangles = made.mesh.fine_triangles();
+  return made;
 }
 
 bool has_plan(const std::string& name, const tools::Way& way) { return name != "dragon" || !way.bakes; }

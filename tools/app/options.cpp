@@ -60,6 +60,9 @@ std::vector<std::string> without_points(std::vector<std::string> extensions) {
   return extensions;
 }
 
+constexpr std::array strip_options{"--gltf",           "--form",          "--index",
+                                   "--batch-vertices", "--batch-indices", "--keep-strips"};
+
 std::string names_of(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
   names.reserve(options.size());
@@ -194,14 +197,6 @@ void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& w
                                                      way, fmt::join(names_of_ways(&Way::weighs), ", ")));
 }
 
-namespace {
-constexpr std::array strip_options{"--gltf",           "--form",          "--index",
-                                   "--batch-vertices", "--batch-indices", "--keep-strips"};
-
-/// The value of --gltf for a value of --form.
-std::string gltf_form(const std::string& form) { return form == "lengths" ? "strips" : form; }
-}  // namespace
-
 void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output, bool* progressive) {
   const auto set_form = [&options, progressive](const std::string& word) {
     if (word == "progressive") *progressive = true;
@@ -264,9 +259,11 @@ void check_strip_options(const CLI::App& app, const NamedFile& out, StripOptions
     if (name == "--gltf") throw CLI::ValidationError(name, "only an output that ends in .glb has primitives");
     if (name == "--keep-strips")
       throw CLI::ValidationError(name, "only an output that ends in .bin, .glb or .ply has strips");
-    if (name == "--form" && forms)
+    if (name == "--form" && forms) {
+      const auto form = app.get_option(name)->as<std::string>();
       throw CLI::ValidationError(name, fmt::format("only an output that ends in .bin has it; for .glb use --gltf {}",
-                                                   gltf_form(app.get_option(name)->as<std::string>())));
+                                                   form == "lengths" ? "strips" : form));
+    }
     throw CLI::ValidationError(
         name, fmt::format("only an output that ends in .bin{} has it", name == "--form" ? "" : " or .glb"));
   }

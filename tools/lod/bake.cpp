@@ -50,7 +50,6 @@ class Baker {
   [[nodiscard]] virtual std::size_t strips() const = 0;
   [[nodiscard]] virtual std::size_t states() const = 0;
 
-  [[nodiscard]] std::size_t components() const { return report_.components; }
   [[nodiscard]] StripMesh& mesh() { return mesh_; }
 
   Rewrite<Halfedge> split_plainly(const VertexSplit<Halfedge>& where, Vertex v_t) {
@@ -162,12 +161,6 @@ class StripBaker final : public Baker {
 
   void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) override {
     const std::size_t before = strips();
-    split_patch(where, v_t);
-    add_strips_since(before);
-    if (counts_->can_spare(patch_.front()) && !join_around(strips() > before)) join_from_afar();
-  }
-
-  void split_patch(const VertexSplit<Halfedge>& where, Vertex v_t) {
     fan_triangles(mesh(), where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
     locator_.before_patch(mesh(), patch_);
     counts_->before_split(mesh(), patch_);
@@ -184,6 +177,8 @@ class StripBaker final : public Baker {
     if (where.spokes == VertexSplit<Halfedge>::Spokes::both && mesh().solid_degree(patch_[0]) == 0 &&
         mesh().solid_degree(patch_[1]) == 0)
       locator_.link(mesh(), chord);
+    add_strips_since(before);
+    if (counts_->can_spare(patch_.front()) && !join_around(strips() > before)) join_from_afar();
   }
 
   /// In the component that contains the patch.
@@ -201,21 +196,16 @@ class StripBaker final : public Baker {
         if (mesh().solid_degree(t) < 2) ends_.push_back(t);
       // Excess strips of earlier splits get a short search only: they were searched for already.
       constexpr std::size_t short_look = 20'000;
-      if (ends_.empty() || !join(saved ? std::min(effort_, short_look) : effort_)) break;
+      if (ends_.empty()) break;
+      watch(false);  // the search tries many more colours than it keeps
+      const bool joined = trails_.join(mesh(), locator_, ends_, saved ? std::min(effort_, short_look) : effort_);
+      watch(true);
+      if (!joined) break;
+      for (const Halfedge h : trails_.flips()) changed(h);
       counts_->add(patch_.front(), -1);
       saved = true;
     }
     return saved && (!counts_->can_spare(patch_.front()) || ++waited_ < wait_);
-  }
-
-  /// Does not watch, because the search tries many more colours than it keeps.
-  bool join(std::size_t most_states) {
-    watch(false);
-    const bool joined = trails_.join(mesh(), locator_, ends_, most_states);
-    watch(true);
-    if (joined)
-      for (const Halfedge h : trails_.flips()) changed(h);
-    return joined;
   }
 
   /// Tunnels from the patch first, then from every strip end of the mesh.
