@@ -39,13 +39,10 @@ const LargeGround& ground(std::size_t triangles) {
   if (g.triangles == triangles) return g;
   g = {};
   const tools::Soup soup = tools::make_mesh(triangles);
-  tools::Medians build;
-  build.time([&] { g.mesh = StripMesh::build(soup.triangles, soup.points.size()); });
-  tools::Medians greedy;
-  greedy.time([&] { stripify_fast(g.mesh); });
-  const auto each = static_cast<double>(g.mesh.triangle_count());
-  g.build_ns = build.nanoseconds() / each;
-  g.stripify_ns = greedy.nanoseconds() / each;
+  g.build_ns = tools::nanoseconds_of([&] { g.mesh = StripMesh::build(soup.triangles, soup.points.size()); });
+  g.stripify_ns = tools::nanoseconds_of([&] { stripify_fast(g.mesh); });
+  g.build_ns /= static_cast<double>(g.mesh.triangle_count());
+  g.stripify_ns /= static_cast<double>(g.mesh.triangle_count());
   // More than a cache can hold, so that the way up does not hit data of the way down.
   const std::size_t count = std::min<std::size_t>(triangles / 25, settings().quick ? 100 : 100'000);
   g.spread = spread_out_sites(g.mesh, count);
@@ -88,13 +85,12 @@ void buffer_memory(benchmark::State& state, std::size_t triangles) {
   const LargeGround& g = ground(triangles);
   for ([[maybe_unused]] auto _ : state) {
     const double before = allocated_bytes();
-    tools::Medians time;
     std::optional<StripBuffer> buffer;
-    time.time([&] { buffer.emplace(g.mesh); });
+    const double time = tools::nanoseconds_of([&] { buffer.emplace(g.mesh); });
     const auto all = static_cast<double>(g.mesh.triangle_count());
     state.counters["triangles"] = all;
     state.counters["buffer_bytes"] = (allocated_bytes() - before) / all;
-    state.SetIterationTime(1e-9 * time.nanoseconds());
+    state.SetIterationTime(1e-9 * time);
   }
 }
 

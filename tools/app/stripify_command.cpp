@@ -60,28 +60,26 @@ int run(const StripifyCommand& command) {
   BuildReport report;
   StripMesh mesh;
   std::vector<std::uint32_t> origin;
-  Medians building;
-  building.time([&] { mesh = StripMesh::build(soup.triangles, soup.points.size(), &report, &origin); });
+  const double seconds_to_build =
+      1e-9 * nanoseconds_of([&] { mesh = StripMesh::build(soup.triangles, soup.points.size(), &report, &origin); });
   FileStrips in_file;
-  Medians clock;
-  clock.time([&] {
-    if (command.as_in_file)
-      in_file = color_as_in_file(mesh, soup, origin);
-    else
-      stripify(mesh, command.effort, command.cost.value_or(default_cost), command.limit * mesh.triangle_count(),
-               command.seed);
-  });
+  const double seconds = 1e-9 * nanoseconds_of([&] {
+                           if (command.as_in_file)
+                             in_file = color_as_in_file(mesh, soup, origin);
+                           else
+                             stripify(mesh, command.effort, command.cost.value_or(default_cost),
+                                      command.limit * mesh.triangle_count(), command.seed);
+                         });
   Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices;
-  Medians writing;
-  writing.time([&] {
-    if (command.order_for_cache) {
-      strips = order_for_vertex_cache(mesh, strips);
-      indices = strip_indices(mesh, strips);
-    } else {
-      indices = strip_indices(mesh);
-    }
-  });
+  const double seconds_to_write = 1e-9 * nanoseconds_of([&] {
+                                    if (command.order_for_cache) {
+                                      strips = order_for_vertex_cache(mesh, strips);
+                                      indices = strip_indices(mesh, strips);
+                                    } else {
+                                      indices = strip_indices(mesh);
+                                    }
+                                  });
   WrittenStrips written;
   if (strip_file) {
     written = written_strips(*format, soup.points, indices, command.strips, soup.attributes, soup.is_64_bits);
@@ -89,9 +87,6 @@ int run(const StripifyCommand& command) {
   }
   const std::vector<std::string> faults = find_faults(mesh);
   const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
-  const double seconds = clock.nanoseconds() * 1e-9;
-  const double seconds_to_build = building.nanoseconds() * 1e-9;
-  const double seconds_to_write = writing.nanoseconds() * 1e-9;
   const std::size_t triangles = mesh.triangle_count();
   // Repeated indices, within a strip or at its beginning.
   const std::size_t swaps = triangles == 0 ? 0 : indices.size() + 1 - triangles - 3 * strips.size();

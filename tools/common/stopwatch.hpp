@@ -1,4 +1,4 @@
-// Medians of repeated timings, in processor time of this thread. Other load on the machine is not counted.
+// Timings in processor time of this thread, and their medians. Other load on the machine is not counted.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,24 @@
 
 namespace restrip::tools {
 
+/// The nanoseconds that work() takes.
+template <class Work>
+double nanoseconds_of(Work&& work) {
+  const auto now = [] {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+  };
+  const double start = now();
+  work();
+  return now() - start;
+}
+
 class Medians {
  public:
   template <class Work>
   void time(Work&& work) {
-    const double start = now();
-    work();
-    runs_.push_back(now() - start);
+    runs_.push_back(nanoseconds_of(work));
   }
   /// The median of all runs so far; 0 before the first run.
   [[nodiscard]] double nanoseconds() const {
@@ -26,12 +37,6 @@ class Medians {
   }
 
  private:
-  static double now() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-  }
-
   std::vector<double> runs_;
 };
 

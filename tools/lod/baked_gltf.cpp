@@ -54,10 +54,13 @@ WrittenStrips baked_glb_bytes(std::string_view baked, const StripOptions& option
   return written;
 }
 
-BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
+std::optional<BakedBytes> parse_baked_gltf(std::string_view bytes, const std::string& name,
+                                           const ReadSibling& sibling) {
+  // If the name does not occur, the file has no extension and need not be parsed.
+  if (bytes.find(baked_strips_extension) == std::string_view::npos) return std::nullopt;
   GltfFile file(bytes, name, sibling);
   const auto extension = extension_in(file);
-  if (!extension) throw BadInput(fmt::format("{}: no mesh in it has {}", name, baked_strips_extension));
+  if (!extension) return std::nullopt;
   BakedBytes found{std::string(file.view((*extension)["bufferView"].whole())), {}, {}};
   found.baked = parse_baked(found.bytes, fmt::format("{}: the {} in it", name, baked_strips_extension));
   Soup drawn = read_gltf(bytes, name, sibling);
@@ -71,12 +74,6 @@ BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, con
         name, baked_strips_extension));
   found.left_out_attributes = std::move(drawn.left_out_attributes);
   return found;
-}
-
-bool is_baked_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
-  // If the name does not occur, the file has no extension and need not be parsed.
-  return bytes.find(baked_strips_extension) != std::string_view::npos &&
-         extension_in(GltfFile(bytes, name, sibling)).has_value();
 }
 
 }  // namespace restrip::tools

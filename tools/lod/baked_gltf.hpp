@@ -2,6 +2,7 @@
 // docs/reference/file-formats.md specifies the extension.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,11 +25,9 @@ struct BakedBytes {
 /// Throws BadInput if the bytes are damaged or exceed what a GLB can hold.
 [[nodiscard]] WrittenStrips baked_glb_bytes(std::string_view baked, const StripOptions& options);
 
-/// Reads the extension of a glTF file. Throws BadInput if the file is damaged, if the number of meshes with the
-/// extension is not one, or if the file draws something other than the base. `name` is for messages.
-[[nodiscard]] BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling);
-
-/// Whether the bytes are a glTF file with a mesh that has the extension. Throws BadInput if it is damaged.
-[[nodiscard]] bool is_baked_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling);
+/// Reads the extension of a glTF file; empty if no mesh has it. Throws BadInput if the file is damaged, if several
+/// meshes have it, or if the file draws something other than the base. `name` is for messages.
+[[nodiscard]] std::optional<BakedBytes> parse_baked_gltf(std::string_view bytes, const std::string& name,
+                                                         const ReadSibling& sibling);
 
 }  // namespace restrip::tools

@@ -11,21 +11,20 @@
 namespace restrip::tools {
 namespace {
 
-/// The fault of one side of a triangle, if any.
-const char* fault_of_side(const StripMesh& mesh, StripMesh::Halfedge h) {
-  const StripMesh::Halfedge opposite = mesh.opposite(h);
-  if (StripMesh::on_boundary(opposite)) return mesh.solid(h) ? "a boundary edge is solid" : nullptr;
-  if (!mesh.alive(opposite)) return "a triangle is linked to a triangle that is not there";
-  if (!(mesh.opposite(opposite) == h)) return "a link does not lead back";
-  if (mesh.from(opposite) != mesh.to(h) || mesh.to(opposite) != mesh.from(h))
-    return "neighbours disagree on the vertices of their edge";
-  if (mesh.solid(opposite) != mesh.solid(h)) return "neighbours disagree on the colour of their edge";
-  return nullptr;
-}
-
 const char* fault_of_triangle(const StripMesh& mesh, Triangle t) {
-  for (unsigned side = 0; side < 3; ++side)
-    if (const char* fault = fault_of_side(mesh, StripMesh::halfedge(t, side))) return fault;
+  for (unsigned side = 0; side < 3; ++side) {
+    const StripMesh::Halfedge h = StripMesh::halfedge(t, side);
+    const StripMesh::Halfedge opposite = mesh.opposite(h);
+    if (StripMesh::on_boundary(opposite)) {
+      if (mesh.solid(h)) return "a boundary edge is solid";
+      continue;
+    }
+    if (!mesh.alive(opposite)) return "a triangle is linked to a triangle that is not there";
+    if (!(mesh.opposite(opposite) == h)) return "a link does not lead back";
+    if (mesh.from(opposite) != mesh.to(h) || mesh.to(opposite) != mesh.from(h))
+      return "neighbours disagree on the vertices of their edge";
+    if (mesh.solid(opposite) != mesh.solid(h)) return "neighbours disagree on the colour of their edge";
+  }
   return mesh.solid_degree(t) > 2 ? "a triangle has three solid edges" : nullptr;
 }
 
@@ -55,7 +54,7 @@ std::vector<Corners> triangles_of(const StripMesh& mesh) {
 }
 
 std::vector<Corners> sorted_triangles(std::vector<Corners> triangles) {
-  std::erase_if(triangles, [](const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  std::erase_if(triangles, degenerate);
   for (Corners& t : triangles) t = rotated(t);
   std::sort(triangles.begin(), triangles.end());
   return triangles;
@@ -72,7 +71,7 @@ std::vector<Corners> decode_strips(std::span<const std::uint32_t> indices) {
     if (i - begin < 2) continue;
     Corners t{indices[i - 2], indices[i - 1], indices[i]};
     if ((i - begin) % 2 == 1) std::swap(t[0], t[1]);
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
+    if (!degenerate(t)) triangles.push_back(t);
   }
   return triangles;
 }

@@ -32,8 +32,8 @@ ReadMesh read_alone(std::string_view bytes, const std::string& name, const ReadS
 
 ReadMesh read_any_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling,
                        ReadAttributes attributes) {
-  if (is_baked_gltf(bytes, name, sibling)) return parse_baked_gltf(bytes, name, sibling);
-  if (is_progressive_gltf(bytes, name, sibling)) return parse_progressive_gltf(bytes, name, sibling);
+  if (auto baked = parse_baked_gltf(bytes, name, sibling)) return *std::move(baked);
+  if (auto progressive = parse_progressive_gltf(bytes, name, sibling)) return *std::move(progressive);
   return read_gltf(bytes, name, sibling, attributes);
 }
 

@@ -106,10 +106,12 @@ std::string progressive_glb_bytes(const ProgressiveMesh& any) {
   return glb_of_chunks(std::move(json), std::move(binary));
 }
 
-ProgressiveMesh parse_progressive_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
+std::optional<ProgressiveMesh> parse_progressive_gltf(std::string_view bytes, const std::string& name,
+                                                      const ReadSibling& sibling) {
+  if (bytes.find(progressive_extension) == std::string_view::npos) return std::nullopt;
   GltfFile file(bytes, name, sibling);
   const auto found = place_of_extension(file);
-  if (!found) throw BadInput(fmt::format("{}: no mesh in it has {}", name, progressive_extension));
+  if (!found) return std::nullopt;
   const auto& [extension, primitive] = *found;
   for (const std::string& attribute : extension["attributes"].members())
     if (attribute != "POSITION")
@@ -148,11 +150,6 @@ ProgressiveMesh parse_progressive_gltf(std::string_view bytes, const std::string
       throw BadInput(fmt::format("{}: vertex {} moves to a position that is infinite or not a number", name, v));
   }
   return mesh;
-}
-
-bool is_progressive_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling) {
-  return bytes.find(progressive_extension) != std::string_view::npos &&
-         place_of_extension(GltfFile(bytes, name, sibling)).has_value();
 }
 
 }  // namespace restrip::tools

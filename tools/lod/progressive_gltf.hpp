@@ -11,6 +11,7 @@
 // Only positions are read and written, and only splits with both v_l and v_r: the proposal has no other records.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,12 +26,10 @@ inline constexpr std::string_view progressive_extension = "MANYFOLD_mesh_progres
 /// is not possible or at a boundary.
 [[nodiscard]] std::string progressive_glb_bytes(const ProgressiveMesh& mesh);
 
-/// Every vertex has its position in the finest mesh, rounded to 32 bits. Throws BadInput if the file is damaged, has
-/// other attributes in its records, or draws anything but one base.
-[[nodiscard]] ProgressiveMesh parse_progressive_gltf(std::string_view bytes, const std::string& name,
-                                                     const ReadSibling& sibling);
-
-/// Whether a mesh or primitive of the file has the extension. Throws BadInput if the file is damaged.
-[[nodiscard]] bool is_progressive_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling);
+/// Empty if no mesh or primitive of the file has the extension. Every vertex has its position in the finest mesh,
+/// rounded to 32 bits. Throws BadInput if the file is damaged, has other attributes in its records, or draws anything
+/// but one base.
+[[nodiscard]] std::optional<ProgressiveMesh> parse_progressive_gltf(std::string_view bytes, const std::string& name,
+                                                                    const ReadSibling& sibling);
 
 }  // namespace restrip::tools

@@ -229,21 +229,18 @@ GltfFile::Elements GltfFile::elements(const JsonPlace& from, ComponentType type,
           static_cast<std::size_t>(stride), type};
 }
 
-std::size_t GltfFile::count_of(const JsonPlace& accessor) const {
-  const std::uint64_t count = accessor["count"].whole();
-  // Elements without a buffer are zero and take no bytes.
-  if (!accessor["bufferView"].there() && count > file_bytes_)
-    accessor.refuse(fmt::format("has {} elements, more than the {} bytes of the file can mean", count, file_bytes_));
-  constexpr std::uint64_t most =
-      std::min<std::uint64_t>(std::uint64_t{1} << 40U, std::numeric_limits<std::ptrdiff_t>::max());
-  if (count > most) accessor["count"].refuse("is too large");
-  return static_cast<std::size_t>(count);
-}
-
 template <class Value, class Read>
 void GltfFile::fill(const JsonPlace& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
                     Read&& read) {
-  const std::size_t count = count_of(accessor);
+  const std::uint64_t announced = accessor["count"].whole();
+  // Elements without a buffer are zero and take no bytes.
+  if (!accessor["bufferView"].there() && announced > file_bytes_)
+    accessor.refuse(
+        fmt::format("has {} elements, more than the {} bytes of the file can mean", announced, file_bytes_));
+  constexpr std::uint64_t most =
+      std::min<std::uint64_t>(std::uint64_t{1} << 40U, std::numeric_limits<std::ptrdiff_t>::max());
+  if (announced > most) accessor["count"].refuse("is too large");
+  const auto count = static_cast<std::size_t>(announced);
   charge(count);
   if (accessor["bufferView"].there()) {
     const Elements all = elements(accessor, type, components, count);

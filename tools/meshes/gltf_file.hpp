@@ -67,8 +67,6 @@ class GltfFile {
   template <class Value, class Read>
   void fill(const JsonPlace& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
             Read&& read);
-  /// The count of the accessor; refuses counts too large for the file.
-  [[nodiscard]] std::size_t count_of(const JsonPlace& accessor) const;
 
   const std::string& name_;
   const ReadSibling& sibling_;

@@ -11,8 +11,6 @@
 namespace restrip::tools {
 namespace {
 
-bool by_name(const JsonMember& a, const JsonMember& b) { return a.name < b.name; }
-
 /// Builds the tree from the events of nlohmann-json's parser. (Its tree ends the program if memory runs out during
 /// destruction.)
 class TreeBuilder {
@@ -31,7 +29,8 @@ class TreeBuilder {
   bool start_array(std::size_t /*size*/) { return open({std::vector<JsonValue>()}); }
   bool end_object() {
     auto& members = std::get<std::vector<JsonMember>>(open_.back()->is);
-    std::stable_sort(members.begin(), members.end(), by_name);
+    std::stable_sort(members.begin(), members.end(),
+                     [](const JsonMember& a, const JsonMember& b) { return a.name < b.name; });
     return close();
   }
   bool end_array() { return close(); }

@@ -58,13 +58,6 @@ class ObjReader {
   [[noreturn]] void refuse(const std::string& why) const {
     throw BadInput(fmt::format("{}:{}: {}", name_, cursor_.line(), why));
   }
-  double number(const char* what) {
-    const std::string_view word = cursor_.word();
-    const auto found = parse<double>(word);
-    if (word.empty()) refuse(fmt::format("a {}, but the line ends", what));
-    if (!found) refuse(fmt::format("a {}, found '{}'", what, word.substr(0, 40)));
-    return *found;
-  }
   /// Reads a value other than a coordinate.
   double value(std::string_view word) const {
     const auto found = parse<double>(word);
@@ -77,7 +70,13 @@ class ObjReader {
 
   void read_point() {
     std::array<double, 3> p{};
-    for (double& coordinate : p) coordinate = number("vertex needs three numbers");
+    for (double& coordinate : p) {
+      const std::string_view word = cursor_.word();
+      const auto number = parse<double>(word);
+      if (word.empty()) refuse("a vertex needs three numbers, but the line ends");
+      if (!number) refuse(fmt::format("a vertex needs three numbers, found '{}'", word.substr(0, 40)));
+      coordinate = *number;
+    }
     soup_.add_point(p[0], p[1], p[2]);
     Attribute::Value color{};
     unsigned components = 0;
@@ -197,7 +196,20 @@ class ObjReader {
         ObjCorner corner = corners_[at];
         if (!has_places) corner.place = 0;
         if (!has_normals) corner.normal = 0;
-        face_.push_back(vertex_of(corner, drawn, others));
+        ObjCorner& first = drawn[corner.point];
+        if (first.point == no_value) first = corner;
+        if (first.place == corner.place && first.normal == corner.normal) {
+          face_.push_back(corner.point);
+          continue;
+        }
+        const auto [found, is_new] = others.try_emplace(std::array{corner.point, corner.place, corner.normal},
+                                                        static_cast<std::uint32_t>(drawn.size()));
+        if (is_new) {
+          const Point p = soup_.point(corner.point);
+          soup_.add_point(p.x, p.y, p.z);
+          drawn.push_back(corner);
+        }
+        face_.push_back(found->second);
       }
       soup_.add_face(face_);
     }
@@ -206,21 +218,6 @@ class ObjReader {
     if (colors_.components == 0) return;
     for (std::size_t v = points; v < drawn.size(); ++v) colors_.append(colors_.value(drawn[v].point));
     soup_.attributes().push_back(std::move(colors_));
-  }
-
-  std::uint32_t vertex_of(const ObjCorner& corner, std::vector<ObjCorner>& drawn,
-                          std::map<std::array<std::uint32_t, 3>, std::uint32_t>& others) {
-    ObjCorner& first = drawn[corner.point];
-    if (first.point == no_value) first = corner;
-    if (first.place == corner.place && first.normal == corner.normal) return corner.point;
-    const auto [found, is_new] = others.try_emplace(std::array{corner.point, corner.place, corner.normal},
-                                                    static_cast<std::uint32_t>(drawn.size()));
-    if (is_new) {
-      const Point p = soup_.point(corner.point);
-      soup_.add_point(p.x, p.y, p.z);
-      drawn.push_back(corner);
-    }
-    return found->second;
   }
 
   void add_values(const char* name, unsigned components, const std::vector<Attribute::Value>& values,

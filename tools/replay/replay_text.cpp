@@ -12,16 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const WalkReport& report) {
-  return {{"steps", report.options.steps},   {"seed", report.options.seed},
-          {"splits", report.splits},         {"collapses", report.collapses},
-          {"flips", report.flips},           {"refused", report.refused},
-          {"isolating", report.isolating},   {"flips_isolating", report.flips_isolating},
-          {"triangles", report.triangles},   {"strips", report.strips},
-          {"isolated", report.isolated},     {"fault", report.fault},
-          {"fault_step", report.fault_step}, {"trace", report.trace}};
-}
-
 Json json_of(const std::vector<Level>& levels) {
   Json json = Json::array();
   for (const Level& level : levels)
@@ -196,7 +186,14 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
                      {"bytes_per_record", subject.baked->bytes_per_record},
                      {"bake_seconds", subject.baked->seconds},
                      {"levels_compared", report.levels_compared}};
-  if (walk) json["walk"] = json_of(*walk);
+  if (walk)
+    json["walk"] = {{"steps", walk->options.steps},   {"seed", walk->options.seed},
+                    {"splits", walk->splits},         {"collapses", walk->collapses},
+                    {"flips", walk->flips},           {"refused", walk->refused},
+                    {"isolating", walk->isolating},   {"flips_isolating", walk->flips_isolating},
+                    {"triangles", walk->triangles},   {"strips", walk->strips},
+                    {"isolated", walk->isolated},     {"fault", walk->fault},
+                    {"fault_step", walk->fault_step}, {"trace", walk->trace}};
   // Names may contain bytes that are not UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
