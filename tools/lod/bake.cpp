@@ -95,17 +95,22 @@ class Baker {
     report_.components = connected_components(mesh_);
     report_.base_strips = strips();
     count_level();
+    BakedRecords<Halfedge>& records = baked_.records;
     Progress progress("baking", baked_.mesh.splits.size());
     for (std::size_t i = 0; i < baked_.mesh.splits.size(); ++i) {
       bake_split(possible_split(mesh_, baked_.mesh, i), baked_.mesh.splits[i].v_t);
-      add_record();
+      const std::vector<Halfedge> more = flips();
+      records.flips.insert(records.flips.end(), more.begin(), more.end());
+      if (records.flips.size() > std::numeric_limits<std::uint32_t>::max())
+        throw BadInput("the mesh is too large: its records flip more than 2^32 colours");
+      records.first.push_back(static_cast<std::uint32_t>(records.flips.size()));
       count_level();
       progress.at(i);
     }
     report_.top_strips = strips();
     report_.top_indices = strip_indices(mesh_).size();
     report_.top_at_least = strips_at_least(mesh_);
-    report_.flips = baked_.records.flips.size();
+    report_.flips = records.flips.size();
     report_.states = states();
   }
 
@@ -119,15 +124,6 @@ class Baker {
     noted_.resize(mesh_.triangle_bound());
     for (const Triangle t : changed_) noted_[t] = static_cast<std::uint8_t>(mesh_.solid_sides(t));
     changed_.clear();
-  }
-
-  void add_record() {
-    BakedRecords<Halfedge>& records = baked_.records;
-    const std::vector<Halfedge> more = flips();
-    records.flips.insert(records.flips.end(), more.begin(), more.end());
-    if (records.flips.size() > std::numeric_limits<std::uint32_t>::max())
-      throw BadInput("the mesh is too large: its records flip more than 2^32 colours");
-    records.first.push_back(static_cast<std::uint32_t>(records.flips.size()));
   }
 
   BakedMesh& baked_;

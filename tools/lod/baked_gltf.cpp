@@ -29,19 +29,6 @@ std::vector<Corners> in_order(std::span<const Corners> triangles) {
   return made;
 }
 
-/// The extension object of the only mesh that has one.
-std::optional<JsonPlace> extension_in(const GltfFile& file) {
-  std::optional<JsonPlace> found;
-  const JsonPlace meshes = file.root()["meshes"];
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const JsonPlace extension = meshes.at(i)["extensions"][baked_strips_extension];
-    if (!extension.there()) continue;
-    if (found) extension.refuse("is the second one; a file has one baked mesh");
-    found = extension;
-  }
-  return found;
-}
-
 }  // namespace
 
 WrittenStrips baked_glb_bytes(std::string_view baked, const StripOptions& options) {
@@ -59,9 +46,16 @@ std::optional<BakedBytes> parse_baked_gltf(std::string_view bytes, const std::st
   // If the name does not occur, the file has no extension and need not be parsed.
   if (bytes.find(baked_strips_extension) == std::string_view::npos) return std::nullopt;
   GltfFile file(bytes, name, sibling);
-  const auto extension = extension_in(file);
-  if (!extension) return std::nullopt;
-  BakedBytes found{std::string(file.view((*extension)["bufferView"].whole())), {}, {}};
+  std::optional<JsonPlace> only;
+  const JsonPlace meshes = file.root()["meshes"];
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const JsonPlace extension = meshes.at(i)["extensions"][baked_strips_extension];
+    if (!extension.there()) continue;
+    if (only) extension.refuse("is the second one; a file has one baked mesh");
+    only = extension;
+  }
+  if (!only) return std::nullopt;
+  BakedBytes found{std::string(file.view((*only)["bufferView"].whole())), {}, {}};
   found.baked = parse_baked(found.bytes, fmt::format("{}: the {} in it", name, baked_strips_extension));
   Soup drawn = read_gltf(bytes, name, sibling);
   const ProgressiveMesh& mesh = found.baked.mesh;

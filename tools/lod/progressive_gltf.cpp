@@ -14,34 +14,6 @@
 #include "meshes/write_glb.hpp"
 
 namespace restrip::tools {
-namespace {
-
-/// The extension, which the proposal puts in a primitive and its author's program in the mesh; and the primitive.
-struct ExtensionPlace {
-  JsonPlace extension;
-  JsonPlace primitive;
-};
-
-std::optional<ExtensionPlace> place_of_extension(const GltfFile& file) {
-  std::optional<ExtensionPlace> found;
-  const JsonPlace meshes = file.root()["meshes"];
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    const JsonPlace mesh = meshes.at(m);
-    for (std::size_t p = 0; p < mesh["primitives"].size(); ++p) {
-      const JsonPlace primitive = mesh["primitives"].at(p);
-      for (const JsonPlace& at : {primitive, mesh}) {
-        const JsonPlace extension = at["extensions"][progressive_extension];
-        if (!extension.there()) continue;
-        if (found) extension.refuse("is the second one; a file has one progressive mesh");
-        found = ExtensionPlace{extension, primitive};
-        break;
-      }
-    }
-  }
-  return found;
-}
-
-}  // namespace
 
 std::string progressive_glb_bytes(const ProgressiveMesh& any) {
   StripMesh now = StripMesh::build(any.base, any.points.size());
@@ -110,7 +82,20 @@ std::optional<ProgressiveMesh> parse_progressive_gltf(std::string_view bytes, co
                                                       const ReadSibling& sibling) {
   if (bytes.find(progressive_extension) == std::string_view::npos) return std::nullopt;
   GltfFile file(bytes, name, sibling);
-  const auto found = place_of_extension(file);
+  // The extension, which the proposal puts in a primitive and its author's program in the mesh; and the primitive.
+  std::optional<std::pair<JsonPlace, JsonPlace>> found;
+  const JsonPlace meshes = file.root()["meshes"];
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    for (std::size_t p = 0; p < meshes.at(m)["primitives"].size(); ++p) {
+      const JsonPlace primitive = meshes.at(m)["primitives"].at(p);
+      for (const JsonPlace& at : {primitive, meshes.at(m)}) {
+        const JsonPlace extension = at["extensions"][progressive_extension];
+        if (!extension.there()) continue;
+        if (found) extension.refuse("is the second one; a file has one progressive mesh");
+        found.emplace(extension, primitive);
+        break;
+      }
+    }
   if (!found) return std::nullopt;
   const auto& [extension, primitive] = *found;
   for (const std::string& attribute : extension["attributes"].members())

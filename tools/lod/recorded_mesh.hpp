@@ -72,7 +72,9 @@ class RecordedMesh : public KernelMesh {
       const auto& [x, y, z] = soup.points[v];
       add_vertex(Point(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
     }
-    if (has_large_fan(fans))
+    std::vector<std::size_t> triangles(vertex_.size(), 0);  // of each fan
+    for (const std::uint32_t fan : fans.of_corner) ++triangles[fan];
+    if (std::any_of(triangles.begin(), triangles.end(), [](std::size_t n) { return n > most_neighbors; }))
       add_faces_at_once(fans);
     else
       add_faces(fans);
@@ -208,12 +210,6 @@ class RecordedMesh : public KernelMesh {
     return VertexHandle(static_cast<int>(fans.of_corner[3 * StripMesh::triangle(h) + StripMesh::side(h)]));
   }
 
-  [[nodiscard]] bool has_large_fan(const Fans& fans) const {
-    std::vector<std::size_t> triangles(vertex_.size(), 0);
-    for (const std::uint32_t fan : fans.of_corner) ++triangles[fan];
-    return std::any_of(triangles.begin(), triangles.end(), [](std::size_t n) { return n > most_neighbors; });
-  }
-
   void add_faces(const Fans& fans) {
     // OpenMesh prints each face that it cannot hold; we count them.
     omerr().disable();
@@ -288,10 +284,20 @@ class RecordedMesh : public KernelMesh {
            (strips_.leaves_boundary(chord) || strips_.leaves_boundary(strips_.opposite(chord)));
   }
   [[nodiscard]] Refusal check(StripMesh::Halfedge chord) {
-    const auto shared = [this](Vertex head_vertex, Vertex tail_vertex, Vertex v_l, Vertex v_r) {
-      return share_neighbor(head_vertex, tail_vertex, v_l, v_r);
+    const auto share_neighbor = [this](Vertex head, Vertex tail, Vertex v_l, Vertex v_r) {
+      if (tail != marked_tail_) {  // marks its neighbours once, for all its edges
+        marked_tail_ = tail;
+        ++mark_;
+        for_each_spoke(strips_, tail, [this](StripMesh::Halfedge h) { marked_[strips_.to(h)] = mark_; });
+      }
+      bool shared = false;
+      for_each_spoke(strips_, head, [&](StripMesh::Halfedge h) {
+        const Vertex w = strips_.to(h);
+        shared = shared || (marked_[w] == mark_ && w != v_l && w != v_r);
+      });
+      return shared;
     };
-    return restrip::detail::check_collapse_with(strips_, chord, shared);
+    return restrip::detail::check_collapse_with(strips_, chord, share_neighbor);
   }
   void count_triangles_around() {
     around_.assign(strips_.vertex_bound(), 0);
@@ -329,21 +335,6 @@ class RecordedMesh : public KernelMesh {
     if (valence(head) <= valence(tail)) return strips_.spoke(v_s, v_t);
     const StripMesh::Halfedge back = strips_.spoke(v_t, v_s);
     return back.id == none ? back : strips_.opposite(back);
-  }
-
-  /// Marks the neighbours of the tail once, for all its edges.
-  bool share_neighbor(Vertex head, Vertex tail, Vertex v_l, Vertex v_r) {
-    if (tail != marked_tail_) {
-      marked_tail_ = tail;
-      ++mark_;
-      for_each_spoke(strips_, tail, [this](StripMesh::Halfedge h) { marked_[strips_.to(h)] = mark_; });
-    }
-    bool shared = false;
-    for_each_spoke(strips_, head, [&](StripMesh::Halfedge h) {
-      const Vertex w = strips_.to(h);
-      shared = shared || (marked_[w] == mark_ && w != v_l && w != v_r);
-    });
-    return shared;
   }
 
   /// KernelMesh::collapse(h), without its turn around each large apex to see whether that lies on the boundary.

@@ -83,7 +83,11 @@ class PlyReader {
     if (encoding_ == Encoding::text) refuse_long_lines(bytes_, name_);
     for (const Element& element : elements_) {
       if (element.properties.empty()) continue;
-      check_room(element);
+      std::size_t least = 0;
+      for (const Property& property : element.properties) least += least_bytes(property.length.value_or(property.type));
+      if (element.count > room() / std::max<std::size_t>(least, 1))
+        refuse(fmt::format("announces {} elements `{}`, more than its remaining {} bytes can hold; is it complete?",
+                           element.count, element.name, room()));
       if (element.name == "vertex")
         read_vertices(element);
       else if (element.name == "face")
@@ -173,14 +177,6 @@ class PlyReader {
   /// The number of remaining bytes.
   [[nodiscard]] std::size_t room() const {
     return encoding_ == Encoding::text ? cursor_.rest().size() + 1 : bytes_.size();
-  }
-
-  void check_room(const Element& element) const {
-    std::size_t least = 0;
-    for (const Property& property : element.properties) least += least_bytes(property.length.value_or(property.type));
-    if (element.count > room() / std::max<std::size_t>(least, 1))
-      refuse(fmt::format("announces {} elements `{}`, more than its remaining {} bytes can hold; is it complete?",
-                         element.count, element.name, room()));
   }
 
   double value(const Type& type, const std::string& where) {
@@ -313,10 +309,6 @@ class PlyReader {
     attribute.append(value);
   }
 
-  static bool lists_corners(const Property& property) {
-    return property.length && (property.name == "vertex_indices" || property.name == "vertex_index");
-  }
-
   std::uint32_t corner_of(double index, const char* kind, std::size_t number) const {
     if (!(index >= 0) || index > static_cast<double>(max_vertices) || index != std::floor(index))
       refuse(fmt::format("{} {} has a corner {}, which is not a vertex", kind, number, index));
@@ -328,7 +320,7 @@ class PlyReader {
   void for_each_list(const Element& element, Read&& read) {
     for (std::size_t i = 0; i < element.count; ++i)
       for (const Property& property : element.properties)
-        if (lists_corners(property))
+        if (property.length && (property.name == "vertex_indices" || property.name == "vertex_index"))
           read(i, property);
         else
           skip(property);

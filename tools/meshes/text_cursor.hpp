@@ -54,7 +54,18 @@ class TextCursor {
   /// The next word of this line; empty at its end. A # begins a comment that lasts to the end of the line. A backslash
   /// at the end of a line ends the word and continues the line.
   std::string_view word() {
-    skip_blanks();
+    while (!rest_.empty()) {
+      if (is_blank(rest_.front())) {
+        rest_.remove_prefix(1);
+      } else if (rest_.front() == '#') {
+        rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
+      } else if (continues(0)) {
+        rest_.remove_prefix(1);
+        skip_line_end();
+      } else {
+        break;
+      }
+    }
     std::size_t size = 0;
     while (size < rest_.size() && !is_blank(rest_[size]) && !ends_line(rest_[size]) && !continues(size)) ++size;
     const std::string_view found = rest_.substr(0, size);
@@ -89,21 +100,6 @@ class TextCursor {
   void skip_line_end() {
     rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(rest_.size(), 1));
     ++line_;
-  }
-
-  void skip_blanks() {
-    while (!rest_.empty()) {
-      if (is_blank(rest_.front())) {
-        rest_.remove_prefix(1);
-      } else if (rest_.front() == '#') {
-        rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
-      } else if (continues(0)) {
-        rest_.remove_prefix(1);
-        skip_line_end();
-      } else {
-        return;
-      }
-    }
   }
 
   std::string_view rest_;

@@ -17,16 +17,6 @@ struct Symmetry {
   std::size_t shift = 0;
 };
 
-std::vector<Symmetry> symmetries(SplitPosition at) {
-  const std::size_t flip = at.a + at.k - 1;
-  std::vector<Symmetry> all{{false, 0}, {true, flip}};
-  if (2 * at.a == at.k) {
-    all.push_back({false, at.a});
-    all.push_back({true, flip + at.a});
-  }
-  return all;
-}
-
 /// Of loop colours, or of ports. Edge i joins triangles i and i + 1; a mirror exchanges the two.
 Word image(const Symmetry& s, Word colors, std::size_t k, bool of_loop) {
   Word result = 0;
@@ -40,8 +30,14 @@ Word image(const Symmetry& s, Word colors, std::size_t k, bool of_loop) {
 using Colors = std::pair<Word, Word>;  // loop, ports
 
 std::vector<Colors> orbit_of(SplitPosition at, Word loop, Word ports) {
+  const std::size_t flip = at.a + at.k - 1;
+  std::vector<Symmetry> symmetries{{false, 0}, {true, flip}};
+  if (2 * at.a == at.k) {
+    symmetries.push_back({false, at.a});
+    symmetries.push_back({true, flip + at.a});
+  }
   std::vector<Colors> orbit;
-  for (const Symmetry& s : symmetries(at)) orbit.emplace_back(image(s, loop, at.k, true), image(s, ports, at.k, false));
+  for (const Symmetry& s : symmetries) orbit.emplace_back(image(s, loop, at.k, true), image(s, ports, at.k, false));
   std::sort(orbit.begin(), orbit.end());
   orbit.erase(std::unique(orbit.begin(), orbit.end()), orbit.end());
   return orbit;

@@ -42,7 +42,11 @@ class Replay {
     if (report_.operations_without_rule == 0) {
       watch_the_way_down();
       report_.rules = upkeep_->rule_counts();
-      if (trace_) take_trace();
+      if (trace_) {
+        trace_->end();
+        *options_.trace = std::move(trace_->text());
+        upkeep_ = plan_.begin(mesh_);
+      }
       measure_buffer();
       measure();
       check_top(original.empty() ? bare_triangles() : original);
@@ -130,12 +134,6 @@ class Replay {
     go_down([&](std::size_t) { report_.levels_down.push_back(level()); },
             [&](std::size_t i, const auto&) { progress.at(splits_.size() - i); });
     std::reverse(report_.levels_down.begin(), report_.levels_down.end());
-  }
-
-  void take_trace() {
-    trace_->end();
-    *options_.trace = std::move(trace_->text());
-    upkeep_ = plan_.begin(mesh_);
   }
 
   // ---- the bytes that a renderer must upload, updated after every operation
@@ -280,7 +278,13 @@ class Replay {
   void cycle(std::size_t number) {
     Cycle cycle;
     cycle.number = cycle_ = number;
-    const auto compare = [this](std::size_t at) { compare_level(at); };
+    const auto compare = [this](std::size_t at) {  // with the strips that a baked mesh had there before
+      if (!plan_.way().bakes) return;
+      ++report_.levels_compared;
+      if (hash_of_strips() != hashes_[at])
+        report_.faults.push_back(
+            fmt::format("cycle {}: at {} triangles the strips have changed", cycle_, report_.levels[at].triangles));
+    };
     const auto count = [&cycle](std::size_t, const auto& done) {
       cycle.isolating += done.isolated > 0 ? 1 : 0;
       cycle.adding_strip += done.strips > 0 ? 1 : 0;
@@ -300,14 +304,6 @@ class Replay {
   [[nodiscard]] std::uint64_t hash_of_strips() const {
     const std::vector<std::uint32_t> indices = strip_indices(mesh_, extract_strips(mesh_));
     return fnv1a({reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(std::uint32_t)});
-  }
-  /// Compares the strips at a reported level with the earlier ones.
-  void compare_level(std::size_t i) {
-    if (!plan_.way().bakes) return;
-    ++report_.levels_compared;
-    if (hash_of_strips() != hashes_[i])
-      report_.faults.push_back(
-          fmt::format("cycle {}: at {} triangles the strips have changed", cycle_, report_.levels[i].triangles));
   }
 
   const Plan& plan_;

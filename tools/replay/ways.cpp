@@ -93,24 +93,22 @@ Way baked() {
   return way;
 }
 
-std::vector<Way> all_ways() {
-  std::vector<Way> all;
-  for (const PolicyRow& row : policies)
-    if (row.policy == Policy::bare)
-      all.push_back({row.name, row.says, Way::Kind::mesh,
-                     [](StripMesh& mesh, const Beginning&) { return begin_by<Bare>(mesh); }});
-    else
-      all.push_back(kept(row));
-  all.push_back(baked());
-  for (Way& way : paper_ways()) all.push_back(std::move(way));
-  return all;
-}
-
 }  // namespace
 
 const std::vector<Way>& ways() {
-  static const std::vector<Way> all = all_ways();
-  return all;
+  static const std::vector<Way> listed = [] {
+    std::vector<Way> all;
+    for (const PolicyRow& row : policies)
+      if (row.policy == Policy::bare)
+        all.push_back({row.name, row.says, Way::Kind::mesh,
+                       [](StripMesh& mesh, const Beginning&) { return begin_by<Bare>(mesh); }});
+      else
+        all.push_back(kept(row));
+    all.push_back(baked());
+    for (Way& way : paper_ways()) all.push_back(std::move(way));
+    return all;
+  }();
+  return listed;
 }
 
 const Way& way_named(const std::string& name) {
