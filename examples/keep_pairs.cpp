@@ -35,29 +35,20 @@ Halfedge rewrite(StripMesh& mesh, const Table& table, Halfedge h) {
   return first;
 }
 
-struct Counts {
+void print(const char* what, const StripMesh& mesh) {
   std::size_t alone = 0;
   bool paired = true;   // no triangle has two partners
   bool maximal = true;  // no two neighbours are unpaired
-};
-Counts count(const StripMesh& mesh) {
-  Counts counts;
   for (restrip::Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.alive(t)) continue;
-    if (mesh.solid_degree(t) > 1) counts.paired = false;
+    if (mesh.solid_degree(t) > 1) paired = false;
     if (mesh.solid_degree(t) != 0) continue;
-    ++counts.alone;
+    ++alone;
     for (unsigned side = 0; side < 3; ++side)
-      if (mesh.solid_degree(StripMesh::triangle(mesh.opposite(StripMesh::halfedge(t, side)))) == 0)
-        counts.maximal = false;
+      if (mesh.solid_degree(StripMesh::triangle(mesh.opposite(StripMesh::halfedge(t, side)))) == 0) maximal = false;
   }
-  return counts;
-}
-
-void print(const char* what, const StripMesh& mesh) {
-  const Counts counts = count(mesh);
-  std::printf("%s: %zu triangles, %zu alone%s%s\n", what, mesh.triangle_count(), counts.alone,
-              counts.paired ? "" : ", NOT IN PAIRS", counts.maximal ? "" : ", NOT MAXIMAL");
+  std::printf("%s: %zu triangles, %zu alone%s%s\n", what, mesh.triangle_count(), alone, paired ? "" : ", NOT IN PAIRS",
+              maximal ? "" : ", NOT MAXIMAL");
 }
 
 }  // namespace

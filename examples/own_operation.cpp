@@ -16,15 +16,13 @@ int main(int argc, char** argv) {
   std::size_t vertices = 0;
   if (argc > 1) {
     std::ifstream file(argv[1]);
-    for (std::string word; file >> word;) {
+    for (std::string word; file >> word; file.ignore(4096, '\n')) {
       if (word == "v") ++vertices;
       for (int corner = 0; word == "f" && corner < 3; ++corner) {
         std::string index;
         file >> index;
         indices.push_back(static_cast<std::uint32_t>(std::stoul(index)) - 1);
-        if (corner == 2) word.clear();
       }
-      file.ignore(4096, '\n');
     }
   } else {
     constexpr std::uint32_t columns = 80, rows = 30;

@@ -171,8 +171,7 @@ Surface ellipsoid(std::size_t triangles) {
     restrip::bisect(mesh, longest);
     made.points.push_back(p * (1 / std::sqrt(p.x * p.x / 16 + p.y * p.y + p.z * p.z / 4)));
   }
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)  // strips come later
-    for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(t, side), false);
+  mesh.clear_colors();  // strips come later
   return made;
 }
 

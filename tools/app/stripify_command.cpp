@@ -131,10 +131,17 @@ int run(const StripifyCommand& command) {
                         counted(in_file.cut, "place"));
   if (indices.size() > 3 * triangles) text += fmt::format("a triangle list has fewer indices: {}\n", 3 * triangles);
   text += as_text(written, command.out.string());
-  // A closed mesh has no seams.
+  // Recommends mending, if it would help. A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;
-  text += hints(has_seams ? coincident_vertices(soup) : 0, has_seams ? vertices_at_seams(soup) : 0,
-                report.inconsistent_edges);
+  if (const std::size_t n = has_seams ? coincident_vertices(soup) : 0; n != 0)
+    text += counted(n, "vertex lies", "vertices lie") +
+            " where others do; strips end at such seams: --weld makes them one\n";
+  if (const std::size_t n = has_seams ? vertices_at_seams(soup) : 0; n != 0)
+    text += counted(n, "vertex lies where others do and has", "vertices lie where others do and have") +
+            " other attributes; strips end at such seams: --no-attributes --weld makes them one\n";
+  if (report.inconsistent_edges != 0)
+    text += counted(report.inconsistent_edges, "edge lies", "edges lie") +
+            " between triangles of opposite orientation, where strips end: --orient turns some\n";
   out.print(text, json.dump(2) + "\n");
   for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
   return faults.empty() ? 0 : 1;

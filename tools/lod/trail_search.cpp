@@ -36,8 +36,14 @@ bool TrailSearch::join(StripMesh& mesh, StripLocator& locator, const std::vector
     }
   }
   forget_distances();
-  if (joined) commit();
-  return joined;
+  if (!joined) return false;
+  // Flips the trail in both colours and locator. Cuts come first, since any part of a valid colouring is valid.
+  const std::vector<Halfedge> trail = trail_;
+  while (!trail_.empty()) take_back();
+  trail_ = trail;
+  for (std::size_t i = 1; i < trail_.size(); i += 2) locator_->cut(mesh, trail_[i]);
+  for (std::size_t i = 0; i < trail_.size(); i += 2) locator_->link(mesh, trail_[i]);
+  return true;
 }
 
 // ---- distances to the ends
@@ -180,15 +186,6 @@ bool TrailSearch::closes_no_cycle() {
     pieces_[a].joined = b;
   }
   return true;
-}
-
-// Flips the trail in both colours and locator. Cuts come first, since any part of a valid colouring is valid.
-void TrailSearch::commit() {
-  const std::vector<Halfedge> trail = trail_;
-  while (!trail_.empty()) take_back();
-  trail_ = trail;
-  for (std::size_t i = 1; i < trail_.size(); i += 2) locator_->cut(*mesh_, trail_[i]);
-  for (std::size_t i = 0; i < trail_.size(); i += 2) locator_->link(*mesh_, trail_[i]);
 }
 
 }  // namespace restrip::tools

@@ -58,7 +58,6 @@ class TrailSearch {
   [[nodiscard]] bool closes_no_cycle();
   void toggle(Halfedge h);
   void take_back();
-  void commit();
 
   StripMesh* mesh_ = nullptr;
   StripLocator* locator_ = nullptr;

@@ -189,18 +189,4 @@ void add_to(nlohmann::ordered_json& report, const Mended& mended) {
   if (!mended.left_out_attributes.empty()) report["left_out_attributes"] = mended.left_out_attributes;
 }
 
-std::string hints(std::size_t coincident, std::size_t at_seams, std::size_t inconsistent_edges) {
-  std::string text;
-  if (coincident != 0)
-    text += counted(coincident, "vertex lies", "vertices lie") +
-            " where others do; strips end at such seams: --weld makes them one\n";
-  if (at_seams != 0)
-    text += counted(at_seams, "vertex lies where others do and has", "vertices lie where others do and have") +
-            " other attributes; strips end at such seams: --no-attributes --weld makes them one\n";
-  if (inconsistent_edges != 0)
-    text += counted(inconsistent_edges, "edge lies", "edges lie") +
-            " between triangles of opposite orientation, where strips end: --orient turns some\n";
-  return text;
-}
-
 }  // namespace restrip::tools

@@ -54,8 +54,5 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 /// Adds `mended`, if mending was requested, `left_out_attributes`, if there are any, and `rounded`, if it matters, to a
 /// report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);
-/// Lines that recommend mending, if it would help.
-[[nodiscard]] std::string hints(std::size_t coincident_vertices, std::size_t vertices_at_seams,
-                                std::size_t inconsistent_edges);
 
 }  // namespace restrip::tools

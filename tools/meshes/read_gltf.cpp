@@ -281,30 +281,25 @@ class GltfReader {
         primitive["indices"].refuse(fmt::format("have {}, and there are {} positions", index, first.count));
       index += static_cast<std::uint32_t>(first.point);
     }
+    std::vector<std::uint32_t> run;  // of indices between restarts
     for (auto from = indices.begin();; ++from) {
       const auto to = std::find(from, indices.end(), strip_end);
       const std::size_t size = static_cast<std::size_t>(to - from);
       if (mode == 4 && size % 3 != 0)
         primitive["indices"].refuse(fmt::format("are {}, which is not a multiple of three", size));
-      run_.assign(from, to);
-      add_run(mode, mirrored);
+      run.assign(from, to);
+      if (mode == 5) {
+        // One more index in front turns all triangles.
+        if (mirrored && !run.empty()) run.insert(run.begin(), run.front());
+        soup_.add_strip(run);
+      }
+      for (std::size_t i = 2; i < run.size() && mode != 5; i += mode == 4 ? 3 : 1) {
+        Corners corners{mode == 4 ? run[i - 2] : run.front(), run[i - 1], run[i]};
+        if (mirrored) std::swap(corners[1], corners[2]);
+        soup_.add_face(corners);
+      }
       if (to == indices.end()) return;
       from = to;
-    }
-  }
-
-  /// Adds the triangles of one run of indices between restarts.
-  void add_run(unsigned mode, bool mirrored) {
-    if (mode == 5) {
-      // One more index in front turns all triangles.
-      if (mirrored && !run_.empty()) run_.insert(run_.begin(), run_.front());
-      soup_.add_strip(run_);
-      return;
-    }
-    for (std::size_t i = 2; i < run_.size(); i += mode == 4 ? 3 : 1) {
-      Corners corners{mode == 4 ? run_[i - 2] : run_.front(), run_[i - 1], run_[i]};
-      if (mirrored) std::swap(corners[1], corners[2]);
-      soup_.add_face(corners);
     }
   }
 
@@ -312,7 +307,6 @@ class GltfReader {
   SoupBuilder soup_;
   bool carry_;
   std::vector<bool> visited_;
-  std::vector<std::uint32_t> run_;
 };
 
 }  // namespace

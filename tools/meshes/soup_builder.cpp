@@ -10,12 +10,12 @@
 
 namespace restrip::tools {
 
-void refuse_long_lines(std::string_view text, const std::string& name, std::size_t limit) {
-  for (std::size_t line = 1; text.size() > limit; ++line) {
+void refuse_long_lines(std::string_view text, const std::string& name) {
+  for (std::size_t line = 1; text.size() > longest_line; ++line) {
     const std::size_t stop = std::min(text.find_first_of("\n\r"), text.size());
-    if (stop > limit)
+    if (stop > longest_line)
       throw BadInput(fmt::format("{}:{}: a line of more than {}, the limit; write a line for each vertex and face",
-                                 name, line, size_in_words(limit)));
+                                 name, line, size_in_words(longest_line)));
     text.remove_prefix(stop + 1);
   }
 }

@@ -16,10 +16,10 @@ namespace restrip::tools {
 inline constexpr std::size_t max_triangles = (std::size_t{1} << 29) - 1;
 inline constexpr std::uint64_t max_vertices = (std::uint64_t{1} << 32) - 2;
 
-/// Throws BadInput if a line of a text file is longer than `limit` bytes. No real mesh has such a line, and parsing it
-/// would take many times its size. `name` is the file.
+/// Throws BadInput if a line of a text file is longer than this. No real mesh has such a line, and parsing it would
+/// take many times its size. `name` is the file.
 inline constexpr std::size_t longest_line = std::size_t{64} << 20;
-void refuse_long_lines(std::string_view text, const std::string& name, std::size_t limit = longest_line);
+void refuse_long_lines(std::string_view text, const std::string& name);
 
 class SoupBuilder {
  public:

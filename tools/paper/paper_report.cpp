@@ -92,107 +92,84 @@ std::string as_text(const std::vector<PaperMesh>& meshes) {
   return text;
 }
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json json_of(const RuleOfOrbit& rule) {
-  return {{"loop", rule.loop},     {"ports", rule.ports},       {"inner", rule.inner},
-          {"strips", rule.strips}, {"isolated", rule.isolated}, {"orbit", rule.orbit}};
-}
-
-Json json_of(const LonelyRule& lonely) {
-  Json json = json_of(lonely.rule);
-  json["whole"] = lonely.whole;
-  json["isolated_if_whole"] = lonely.isolated_if_whole;
-  return json;
-}
-
-Json json_of(const Level& level) {
-  return {{"triangles", level.triangles}, {"strips", level.strips}, {"isolated", level.isolated}};
-}
-
-Json json_of(const ValenceRow& row) {
-  return {{"triangles", row.triangles},
-          {"vertices", row.vertices},
-          {"percent", row.percent},
-          {"paper", row.paper ? Json(*row.paper) : Json(nullptr)}};
-}
-
-Json json_of(const SplitPosition& at) { return {{"k", at.k}, {"a", at.a}}; }
-Json json_of(const PolicyRun& run);
-Json json_of(const ScratchRun& run);
-Json json_of(const LonelyCount& count);
-Json json_of(const RuleFigures::FourVertex& four);
-Json json_of(const PaperMesh& mesh);
-
-template <class Item>
-Json list_of(const std::vector<Item>& items) {
-  Json json = Json::array();
-  for (const Item& item : items) json.push_back(json_of(item));
-  return json;
-}
-
-Json json_of(const PolicyRun& run) {
-  return {{"policy", run.name},   {"says", run.says},           {"of_paper", run.of_paper},
-          {"splits", run.splits}, {"isolating", run.isolating}, {"levels", list_of(run.levels)}};
-}
-
-Json json_of(const ScratchRun& run) {
-  return {{"name", run.name}, {"says", run.says}, {"levels", list_of(run.levels)}};
-}
-
-Json json_of(const LonelyCount& count) {
-  return {{"k", count.at.k},
-          {"a", count.at.a},
-          {"valid", count.valid},
-          {"lonely", count.lonely},
-          {"rule_isolates", count.isolated},
-          {"rule_adds_strip", count.adding_strip},
-          {"orbits", list_of(count.orbits)}};
-}
-
-Json json_of(const RuleFigures::FourVertex& four) {
-  return {
-      {"a", four.at.a}, {"loop_orbits", four.loops}, {"by_loop", list_of(four.by_loop)}, {"all", list_of(four.all)}};
-}
-
-Json json_of(const PaperRow& row) {
-  return {{"mesh", row.mesh},
-          {"isolating_percent", row.isolating_percent ? Json(*row.isolating_percent) : Json(nullptr)}};
-}
-
-Json json_of(const PaperMesh& mesh) {
-  Json by_valence = Json::object();
-  for (std::size_t k = 0; k < mesh.splits_by_valence.size(); ++k)
-    if (mesh.splits_by_valence[k] != 0) by_valence[std::to_string(k)] = mesh.splits_by_valence[k];
-  Json json{{"mesh", mesh.name},
-            {"triangles", mesh.triangles},
-            {"base_triangles", mesh.base_triangles},
-            {"used_vertices", mesh.survey.used_vertices},
-            {"paper", mesh.paper ? json_of(*mesh.paper) : Json(nullptr)},
-            {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
-            {"valence", list_of(valence_rows(mesh))},
-            {"splits_by_valence", std::move(by_valence)},
-            {"policies", list_of(mesh.runs)},
-            {"scratch", list_of(mesh.scratch)},
-            {"faults", mesh.faults}};
-  add_to(json, mesh.mended);
-  return json;
-}
-
-}  // namespace
-
 std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes, const PaperOptions& options) {
+  using Json = nlohmann::ordered_json;
+  const auto list_of = [](const auto& items, auto&& json_of) {
+    Json json = Json::array();
+    for (const auto& item : items) json.push_back(json_of(item));
+    return json;
+  };
+  const auto rule = [](const RuleOfOrbit& r) -> Json {
+    return {{"loop", r.loop},     {"ports", r.ports},       {"inner", r.inner},
+            {"strips", r.strips}, {"isolated", r.isolated}, {"orbit", r.orbit}};
+  };
+  const auto lonely_rule = [&](const LonelyRule& one) {
+    Json json = rule(one.rule);
+    json["whole"] = one.whole;
+    json["isolated_if_whole"] = one.isolated_if_whole;
+    return json;
+  };
+  const auto lonely = [&](const LonelyCount& count) -> Json {
+    return {{"k", count.at.k},
+            {"a", count.at.a},
+            {"valid", count.valid},
+            {"lonely", count.lonely},
+            {"rule_isolates", count.isolated},
+            {"rule_adds_strip", count.adding_strip},
+            {"orbits", list_of(count.orbits, lonely_rule)}};
+  };
+  const auto four = [&](const RuleFigures::FourVertex& f) -> Json {
+    return {
+        {"a", f.at.a}, {"loop_orbits", f.loops}, {"by_loop", list_of(f.by_loop, rule)}, {"all", list_of(f.all, rule)}};
+  };
+  const auto level = [](const Level& l) -> Json {
+    return {{"triangles", l.triangles}, {"strips", l.strips}, {"isolated", l.isolated}};
+  };
+  const auto policy = [&](const PolicyRun& run) -> Json {
+    return {{"policy", run.name},   {"says", run.says},           {"of_paper", run.of_paper},
+            {"splits", run.splits}, {"isolating", run.isolating}, {"levels", list_of(run.levels, level)}};
+  };
+  const auto scratch = [&](const ScratchRun& run) -> Json {
+    return {{"name", run.name}, {"says", run.says}, {"levels", list_of(run.levels, level)}};
+  };
+  const auto valence = [](const ValenceRow& row) -> Json {
+    return {{"triangles", row.triangles},
+            {"vertices", row.vertices},
+            {"percent", row.percent},
+            {"paper", row.paper ? Json(*row.paper) : Json(nullptr)}};
+  };
+  const auto paper = [](const PaperRow& row) -> Json {
+    return {{"mesh", row.mesh},
+            {"isolating_percent", row.isolating_percent ? Json(*row.isolating_percent) : Json(nullptr)}};
+  };
+  const auto mesh_of = [&](const PaperMesh& mesh) {
+    Json by_valence = Json::object();
+    for (std::size_t k = 0; k < mesh.splits_by_valence.size(); ++k)
+      if (mesh.splits_by_valence[k] != 0) by_valence[std::to_string(k)] = mesh.splits_by_valence[k];
+    Json json{{"mesh", mesh.name},
+              {"triangles", mesh.triangles},
+              {"base_triangles", mesh.base_triangles},
+              {"used_vertices", mesh.survey.used_vertices},
+              {"paper", mesh.paper ? paper(*mesh.paper) : Json(nullptr)},
+              {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
+              {"valence", list_of(valence_rows(mesh), valence)},
+              {"splits_by_valence", std::move(by_valence)},
+              {"policies", list_of(mesh.runs, policy)},
+              {"scratch", list_of(mesh.scratch, scratch)},
+              {"faults", mesh.faults}};
+    add_to(json, mesh.mended);
+    return json;
+  };
+  const auto position = [](const SplitPosition& at) -> Json { return {{"k", at.k}, {"a", at.a}}; };
   const Json json{{"base", options.simplify.base},
                   {"boundary", options.simplify.boundary == BoundaryPolicy::lock ? "lock" : "move"},
                   {"levels", options.levels},
                   {"table_max_k", table_max_k},
                   {"split_positions", figures.positions.size()},
-                  {"positions", list_of(figures.positions)},
-                  {"four_vertex", list_of(figures.four)},
-                  {"lonely", list_of(figures.lonely)},
-                  {"meshes", list_of(meshes)}};
+                  {"positions", list_of(figures.positions, position)},
+                  {"four_vertex", list_of(figures.four, four)},
+                  {"lonely", list_of(figures.lonely, lonely)},
+                  {"meshes", list_of(meshes, mesh_of)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
