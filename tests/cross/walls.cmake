@@ -163,7 +163,7 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "runtime/include/restrip/precondition.hpp|\"restrip/mesh/refusal.hpp\""
                        "tools/common/any.cpp|\"meshes/soup.hpp\"" "tools/meshes/any.cpp|\"lod/simplify.hpp\""
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
-                       "tools/paper/any.cpp|\"app/commands.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
+                       "tools/paper/any.cpp|\"app/options.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
                        "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "bindings/js/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
                        "bindings/js/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
                        "bindings/c/any.cpp|\"lod/simplify.hpp\"" "bindings/c/any.cpp|<fmt/format.h>" "bindings/c/any.cpp|\"restrip/search/impl/tunnel.hpp\""

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"

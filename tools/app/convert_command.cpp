@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"

@@ -16,7 +16,6 @@
 #include <variant>
 #include <vector>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"

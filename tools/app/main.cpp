@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"

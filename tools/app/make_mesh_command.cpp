@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"

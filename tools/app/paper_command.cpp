@@ -4,7 +4,6 @@
 #include <iterator>
 #include <memory>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/output.hpp"
 #include "common/report_output.hpp"

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"

@@ -5,7 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"

@@ -23,36 +23,6 @@ namespace restrip::tools {
 
 using KernelMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The fans of a mesh as separate vertices: a vertex with several fans becomes one vertex for each. Returns the fan of
-/// each corner 3 t + s, and the vertex of each fan.
-struct Fans {
-  std::vector<std::uint32_t> of_corner;
-  std::vector<Vertex> vertex;
-};
-
-inline Fans fans_of(const StripMesh& mesh) {
-  Fans fans;
-  fans.of_corner.assign(3 * mesh.triangle_bound(), none);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3; ++side) {
-      if (fans.of_corner[3 * t + side] != none) continue;
-      const auto fan = static_cast<std::uint32_t>(fans.vertex.size());
-      StripMesh::Halfedge first = StripMesh::halfedge(t, side);
-      fans.vertex.push_back(mesh.from(first));
-      const StripMesh::Halfedge start = first;
-      while (!StripMesh::on_boundary(mesh.opposite(first))) {
-        first = turn_cw(mesh, first);
-        if (first == start) break;
-      }
-      StripMesh::Halfedge h = first;
-      do {
-        fans.of_corner[3 * StripMesh::triangle(h) + StripMesh::side(h)] = fan;
-        h = turn_ccw(mesh, h);
-      } while (!(h == first) && !StripMesh::on_boundary(h));
-    }
-  return fans;
-}
-
 /// OpenMesh's mesh with some members hidden by ours. The decimater is a template and calls them by name. So it never
 /// considers an edge that StripMesh refuses, every collapse is done on both meshes and recorded, and no loop runs
 /// around a vertex with more than most_neighbors neighbours.
@@ -65,19 +35,36 @@ class RecordedMesh : public KernelMesh {
         strips_(StripMesh::build(soup.triangles, soup.points.size(), &report_)),
         frozen_(soup.points.size(), 0),
         marked_(soup.points.size(), 0) {
-    const Fans fans = fans_of(strips_);
-    vertex_ = fans.vertex;
+    // A vertex with several fans becomes one vertex for each.
+    std::vector<std::uint32_t> fan_of(3 * strips_.triangle_bound(), none);  // by corners 3 t + side
+    for (Triangle t = 0; t < strips_.triangle_bound(); ++t)
+      for (unsigned side = 0; side < 3; ++side) {
+        if (fan_of[3 * t + side] != none) continue;
+        const auto fan = static_cast<std::uint32_t>(vertex_.size());
+        StripMesh::Halfedge first = StripMesh::halfedge(t, side);
+        vertex_.push_back(strips_.from(first));
+        const StripMesh::Halfedge start = first;
+        while (!StripMesh::on_boundary(strips_.opposite(first))) {
+          first = turn_cw(strips_, first);
+          if (first == start) break;
+        }
+        StripMesh::Halfedge h = first;
+        do {
+          fan_of[3 * StripMesh::triangle(h) + StripMesh::side(h)] = fan;
+          h = turn_ccw(strips_, h);
+        } while (!(h == first) && !StripMesh::on_boundary(h));
+      }
     reserve(vertex_.size(), 3 * strips_.triangle_count() / 2, strips_.triangle_count());
     for (const Vertex v : vertex_) {
       const auto& [x, y, z] = soup.points[v];
       add_vertex(Point(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
     }
     std::vector<std::size_t> triangles(vertex_.size(), 0);  // of each fan
-    for (const std::uint32_t fan : fans.of_corner) ++triangles[fan];
+    for (const std::uint32_t fan : fan_of) ++triangles[fan];
     if (std::any_of(triangles.begin(), triangles.end(), [](std::size_t n) { return n > most_neighbors; }))
-      add_faces_at_once(fans);
+      add_faces_at_once(fan_of);
     else
-      add_faces(fans);
+      add_faces(fan_of);
     neighbors_.reserve(vertex_.size());
     for (const VertexHandle v : vertices()) neighbors_.push_back(KernelMesh::valence(v));
   }
@@ -206,15 +193,15 @@ class RecordedMesh : public KernelMesh {
  private:
   static std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
-  [[nodiscard]] VertexHandle vertex_at(const Fans& fans, StripMesh::Halfedge h) const {
-    return VertexHandle(static_cast<int>(fans.of_corner[3 * StripMesh::triangle(h) + StripMesh::side(h)]));
+  [[nodiscard]] VertexHandle vertex_at(const std::vector<std::uint32_t>& fan_of, StripMesh::Halfedge h) const {
+    return VertexHandle(static_cast<int>(fan_of[3 * StripMesh::triangle(h) + StripMesh::side(h)]));
   }
 
-  void add_faces(const Fans& fans) {
+  void add_faces(const std::vector<std::uint32_t>& fan_of) {
     // OpenMesh prints each face that it cannot hold; we count them.
     omerr().disable();
     for (Triangle t = 0; t < strips_.triangle_bound(); ++t) {
-      const auto corner = [&](unsigned side) { return vertex_at(fans, StripMesh::halfedge(t, side)); };
+      const auto corner = [&](unsigned side) { return vertex_at(fan_of, StripMesh::halfedge(t, side)); };
       if (add_face(corner(0), corner(1), corner(2)).is_valid()) continue;
       for (const Vertex v : strips_.corners(t)) frozen_[v] = 1;
     }
@@ -223,7 +210,7 @@ class RecordedMesh : public KernelMesh {
 
   /// Adds all faces at once. add_face would turn around each corner to find the edges there, which are known here. Each
   /// vertex here is one fan, so every face can be held.
-  void add_faces_at_once(const Fans& fans) {
+  void add_faces_at_once(const std::vector<std::uint32_t>& fan_of) {
     std::vector<HalfedgeHandle> ours(3 * strips_.triangle_bound());
     const auto of = [&ours](StripMesh::Halfedge h) -> HalfedgeHandle& {
       return ours[3 * StripMesh::triangle(h) + StripMesh::side(h)];
@@ -235,7 +222,7 @@ class RecordedMesh : public KernelMesh {
         const StripMesh::Halfedge back = strips_.opposite(h);
         const bool known = !StripMesh::on_boundary(back) && of(back).is_valid();
         of(h) = known ? opposite_halfedge_handle(of(back))
-                      : new_edge(vertex_at(fans, h), vertex_at(fans, StripMesh::next(h)));
+                      : new_edge(vertex_at(fan_of, h), vertex_at(fan_of, StripMesh::next(h)));
         set_face_handle(of(h), face);
       }
       for (unsigned side = 0; side < 3; ++side) {
