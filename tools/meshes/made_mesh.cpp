@@ -21,20 +21,12 @@ struct OnCircle {
 /// Point i of n on the unit circle, by the rational parametrisation of each quarter. It uses only +, -, * and /, which
 /// IEEE arithmetic rounds the same everywhere; sines from different libraries differ in the last bit.
 OnCircle on_circle(std::size_t i, std::size_t n) {
-  const std::size_t quarter = 4 * i / n;
+  std::size_t quarter = 4 * i / n;
   const double t = (4.0 * static_cast<double>(i) - static_cast<double>(quarter * n)) / static_cast<double>(n);
   const double length = 1.0 + t * t;
-  const OnCircle p{(1.0 - t * t) / length, 2.0 * t / length};
-  switch (quarter) {
-    case 0:
-      return p;
-    case 1:
-      return {-p.y, p.x};
-    case 2:
-      return {-p.x, -p.y};
-    default:
-      return {p.y, -p.x};
-  }
+  OnCircle p{(1.0 - t * t) / length, 2.0 * t / length};
+  for (; quarter > 0; --quarter) p = {-p.y, p.x};
+  return p;
 }
 
 }  // namespace

@@ -81,9 +81,13 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
   // Plays all splits and measures each level.
   const auto climb = [&](const std::string& label, const StripMesh& mesh, auto&& step, auto&& at_level) {
     Progress progress(result.name + ": " + label, source.splits.size());
-    LevelStops stops(result.base_triangles, source.fine_triangles(), options.levels);
+    const auto sizes = level_sizes(result.base_triangles, source.fine_triangles(), options.levels);
+    std::size_t next = 0;
     for (std::size_t i = 0; i < source.splits.size(); ++i) {
-      if (stops.reached(mesh.triangle_count())) at_level();
+      if (next != sizes.size() && mesh.triangle_count() >= sizes[next]) {
+        ++next;
+        at_level();
+      }
       step(source.splits[i]);
       progress.at(i);
     }

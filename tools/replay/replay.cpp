@@ -103,11 +103,16 @@ class Replay {
   // ---- the way up, with all counts
   void watch_the_way_up() {
     start_from_base();
-    LevelStops stops(report_.base_triangles, plan_.mesh().fine_triangles(), options_.levels);
+    const std::vector<std::size_t> sizes =
+        level_sizes(report_.base_triangles, plan_.mesh().fine_triangles(), options_.levels);
+    std::size_t next = 0;
     Progress progress("replaying", splits_.size());
     std::size_t strips = report_.most_strips = count_strips(mesh_);
     for (std::size_t i = 0; i < splits_.size(); progress.at(i++)) {
-      if (stops.reached(mesh_.triangle_count())) record_level();
+      if (next != sizes.size() && mesh_.triangle_count() >= sizes[next]) {
+        ++next;
+        record_level();
+      }
       const Record& record = splits_[i];
       const Refusal refusal = check_split(mesh_, spokes_of(mesh_, record), record.v_t);
       if (refusal != Refusal::granted) {
@@ -331,12 +336,14 @@ Level level_of(const StripMesh& mesh, std::vector<std::string>& faults) {
   return level;
 }
 
-LevelStops::LevelStops(std::size_t base_triangles, std::size_t fine_triangles, std::size_t count) {
+std::vector<std::size_t> level_sizes(std::size_t base_triangles, std::size_t fine_triangles, std::size_t count) {
+  std::vector<std::size_t> sizes;
   const auto first = static_cast<double>(base_triangles);
   const double ratio = static_cast<double>(fine_triangles) / first;
   for (std::size_t i = 0; i + 1 < count; ++i)
-    sizes_.push_back(static_cast<std::size_t>(
+    sizes.push_back(static_cast<std::size_t>(
         std::ceil(first * std::pow(ratio, static_cast<double>(i) / static_cast<double>(count - 1)))));
+  return sizes;
 }
 
 ReplayReport replay(const Plan& plan, const std::vector<Corners>& original, const ReplayOptions& options) {

@@ -26,24 +26,10 @@ struct Level {
 /// Counts the strips of a mesh. Adds a sentence to `faults` if a triangle is in no strip. Linear time.
 [[nodiscard]] Level level_of(const StripMesh& mesh, std::vector<std::string>& faults);
 
-/// Decides where to stop on the way up.
-class LevelStops {
- public:
-  /// `count` levels, including base and finest level; at least 2.
-  LevelStops(std::size_t base_triangles, std::size_t fine_triangles, std::size_t count);
-
-  /// Call it before each split: whether the current mesh is the next level. The finest level follows the last split
-  /// without a call.
-  [[nodiscard]] bool reached(std::size_t triangles) noexcept {
-    if (next_ == sizes_.size() || triangles < sizes_[next_]) return false;
-    ++next_;
-    return true;
-  }
-
- private:
-  std::vector<std::size_t> sizes_;
-  std::size_t next_ = 0;
-};
+/// The numbers of triangles of the levels to report, in geometric steps from the base up, without the finest level,
+/// which follows the last split. `count` levels in all, at least 2.
+[[nodiscard]] std::vector<std::size_t> level_sizes(std::size_t base_triangles, std::size_t fine_triangles,
+                                                   std::size_t count);
 
 struct ReplayOptions {
   std::size_t levels = 12;  ///< at which strips are counted, including base and finest level; at least 2
