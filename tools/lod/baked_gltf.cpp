@@ -1,5 +1,4 @@
-#include "lod/baked_gltf.hpp"
-
+// Baked meshes in glTF files (baked_file.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>

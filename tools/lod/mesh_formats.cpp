@@ -11,7 +11,6 @@
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
-#include "lod/progressive_gltf.hpp"
 #include "meshes/text_cursor.hpp"
 #include "meshes/write_glb.hpp"
 #include "restrip/formats/baked_format.hpp"

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "lod/baked_gltf.hpp"
+#include "lod/baked_file.hpp"
 #include "lod/progressive_mesh.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup.hpp"

@@ -1,5 +1,4 @@
-#include "lod/progressive_gltf.hpp"
-
+// Progressive meshes in glTF files (pm_file.hpp).
 #include <fmt/format.h>
 
 #include <cmath>

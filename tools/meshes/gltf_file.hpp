@@ -19,7 +19,7 @@ namespace restrip::tools {
 inline constexpr std::uint64_t most_gltf_values_per_byte = 16;
 inline constexpr std::uint64_t most_gltf_values = std::uint64_t{1} << 23U;
 
-/// The extension of a mesh that holds its levels of detail with their strips (lod/baked_gltf.hpp).
+/// The extension of a mesh that holds its levels of detail with their strips (lod/baked_file.hpp).
 inline constexpr std::string_view baked_strips_extension = "RESTRIP_baked_strips";
 
 class GltfFile {
