@@ -110,7 +110,6 @@ class Baker {
     report_.top_strips = strips();
     report_.top_indices = strip_indices(mesh_).size();
     report_.top_at_least = strips_at_least(mesh_);
-    report_.flips = records.flips.size();
     report_.states = states();
   }
 

@@ -1,3 +1,4 @@
+// Progressive meshes in Hoppe's format (pm_file.hpp).
 #include <fmt/format.h>
 
 #include <bit>
@@ -114,21 +115,21 @@ class HoppeReader {
   }
 
   // ---- numbers
-  std::uint32_t whole(unsigned bytes) {
+  std::string_view take(std::size_t bytes) {
     if (bytes_.size() < bytes) refuse("ends among its records; is it complete?");
-    std::uint32_t value = 0;
-    for (unsigned i = 0; i < bytes; ++i) value = value << 8U | static_cast<unsigned char>(bytes_[i]);
+    const std::string_view taken = bytes_.substr(0, bytes);
     bytes_.remove_prefix(bytes);
+    return taken;
+  }
+  std::uint32_t whole(unsigned bytes) {
+    std::uint32_t value = 0;
+    for (const char c : take(bytes)) value = value << 8U | static_cast<unsigned char>(c);
     return value;
   }
   Point vector() {
     Point p;
     for (double* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(whole(4));
     return p;
-  }
-  void skip(std::size_t bytes) {
-    if (bytes_.size() < bytes) refuse("ends among its records; is it complete?");
-    bytes_.remove_prefix(bytes);
   }
   void set_point(Vertex v, const Point& p) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -152,7 +153,7 @@ class HoppeReader {
     for (Vertex& v : vertex_of) {
       v = whole(4);
       if (v >= vertices) refuse(fmt::format("a wedge of its base is at vertex {} of {}", v, vertices));
-      skip(wedge_bytes_);
+      take(wedge_bytes_);
     }
     need(faces, hoppe_face_bytes, "faces");
     mesh_.base.resize(faces);
@@ -163,7 +164,7 @@ class HoppeReader {
         corner = vertex_of[wedge];
       }
       if (degenerate(face)) refuse("a face of its base has a corner twice; remove it");
-      skip(2);
+      take(2);
     }
     if (faces == 0) refuse("its base has no triangles, so there is nothing to replay");
     strip_mesh_ = StripMesh::build(mesh_.base, vertices);
@@ -180,10 +181,10 @@ class HoppeReader {
     const std::uint32_t turn = whole(2);
     const HoppeCode code{whole(2)};
     const bool has_right = turn > 1;
-    if (code.has_materials()) skip(4);
+    if (code.has_materials()) take(4);
     const Point large = vector();
     const Point small = vector();
-    skip((always_two_ ? 2 : code.wedges(has_right)) * wedge_bytes_ + residual_bytes_);
+    take((always_two_ ? 2 : code.wedges(has_right)) * wedge_bytes_ + residual_bytes_);
     if (face >= first_side_.size() || code.corner() > 2 || code.centre() > 2 || turn > 0x7FFFU)
       refuse_split(number, "names no corner of a face");
 

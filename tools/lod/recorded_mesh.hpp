@@ -86,7 +86,28 @@ class RecordedMesh : public KernelMesh {
 
   void collapse(HalfedgeHandle h) {
     const StripMesh::Halfedge chord = chord_of(h);
-    collapse_kernel(h);
+    const HalfedgeHandle back = opposite_halfedge_handle(h);
+    unsigned merged = 0;
+    bool at_large = false;
+    for (const HalfedgeHandle side : {h, back}) {
+      if (is_boundary(side)) continue;
+      const VertexHandle apex = to_vertex_handle(next_halfedge_handle(side));
+      at_large = at_large || large(apex);
+      --neighbors_[index(apex)];
+      ++merged;
+    }
+    neighbors_[index(to_vertex_handle(h))] += neighbors_[index(from_vertex_handle(h))] - 2 - merged;
+    if (at_large) {
+      // KernelMesh::collapse(h), without its turn around each large apex to see whether that lies on the boundary.
+      const std::array<HalfedgeHandle, 2> loops{is_boundary(h) ? HalfedgeHandle() : next_halfedge_handle(h),
+                                                is_boundary(back) ? HalfedgeHandle() : next_halfedge_handle(back)};
+      collapse_edge(h);
+      // One of the two edges between the head and each apex is removed; the same one as in KernelMesh::collapse.
+      if (loops[0].is_valid()) remove_loop(next_halfedge_handle(loops[0]));
+      if (loops[1].is_valid()) remove_loop(loops[1]);
+    } else {
+      KernelMesh::collapse(h);
+    }
     record(chord);
   }
 
@@ -141,10 +162,24 @@ class RecordedMesh : public KernelMesh {
     for (std::size_t next = 0; next < waiting.size() && strips_.triangle_count() > wanted_triangles; ++next) {
       const Vertex v_t = waiting[next];
       waits[v_t] = false;
-      const StripMesh::Halfedge chord = shortest_legal(points, v_t);
-      if (chord.id == none) continue;
-      const Vertex v_s = strips_.from(chord);
-      record(chord);
+      if (strips_.spoke(v_t).id == none || strips_.non_manifold(v_t) || is_crowded(v_t)) continue;
+      // The chord of the shortest edge by which v_t may be removed. A boundary vertex stays on the boundary.
+      StripMesh::Halfedge best;
+      double least = 0;
+      for_each_spoke(strips_, v_t, [&](StripMesh::Halfedge h) {
+        const StripMesh::Halfedge chord = strips_.opposite(h);
+        if (strips_.non_manifold(strips_.to(h)) || is_crowded(strips_.to(h)) || is_kept(chord)) return;
+        if (strips_.leaves_boundary(h) && !strips_.leaves_boundary(chord)) return;
+        const auto& from = points[v_t];
+        const auto& to = points[strips_.to(h)];
+        const double length = std::hypot(from.x - to.x, from.y - to.y, from.z - to.z);
+        if ((best.id != none && !(length < least)) || check(chord) != Refusal::granted) return;
+        best = chord;
+        least = length;
+      });
+      if (best.id == none) continue;
+      const Vertex v_s = strips_.from(best);
+      record(best);
       wait(v_s);
       for_each_spoke(strips_, v_s, [&](StripMesh::Halfedge h) { wait(strips_.to(h)); });
     }
@@ -294,25 +329,6 @@ class RecordedMesh : public KernelMesh {
   }
   [[nodiscard]] bool is_crowded(Vertex v) const { return around_[v] > most_neighbors; }
 
-  /// The chord of the shortest edge by which v_t may be removed, or {none}. A boundary vertex stays on the boundary.
-  StripMesh::Halfedge shortest_legal(const std::vector<restrip::tools::Point>& points, Vertex v_t) {
-    StripMesh::Halfedge best;
-    double least = 0;
-    if (strips_.spoke(v_t).id == none || strips_.non_manifold(v_t) || is_crowded(v_t)) return best;
-    for_each_spoke(strips_, v_t, [&](StripMesh::Halfedge h) {
-      const StripMesh::Halfedge chord = strips_.opposite(h);
-      if (strips_.non_manifold(strips_.to(h)) || is_crowded(strips_.to(h)) || is_kept(chord)) return;
-      if (strips_.leaves_boundary(h) && !strips_.leaves_boundary(chord)) return;
-      const auto& from = points[v_t];
-      const auto& to = points[strips_.to(h)];
-      const double length = std::hypot(from.x - to.x, from.y - to.y, from.z - to.z);
-      if ((best.id != none && !(length < least)) || check(chord) != Refusal::granted) return;
-      best = chord;
-      least = length;
-    });
-    return best;
-  }
-
   /// The halfedge of our mesh from h's head to its tail, searched for around the end with fewer neighbours.
   StripMesh::Halfedge chord_of(HalfedgeHandle h) {
     const VertexHandle tail = from_vertex_handle(h);
@@ -322,30 +338,6 @@ class RecordedMesh : public KernelMesh {
     if (valence(head) <= valence(tail)) return strips_.spoke(v_s, v_t);
     const StripMesh::Halfedge back = strips_.spoke(v_t, v_s);
     return back.id == none ? back : strips_.opposite(back);
-  }
-
-  /// KernelMesh::collapse(h), without its turn around each large apex to see whether that lies on the boundary.
-  void collapse_kernel(HalfedgeHandle h) {
-    const HalfedgeHandle back = opposite_halfedge_handle(h);
-    const VertexHandle tail = from_vertex_handle(h);
-    const VertexHandle head = to_vertex_handle(h);
-    unsigned merged = 0;
-    bool at_large = false;
-    for (const HalfedgeHandle side : {h, back}) {
-      if (is_boundary(side)) continue;
-      const VertexHandle apex = to_vertex_handle(next_halfedge_handle(side));
-      at_large = at_large || large(apex);
-      --neighbors_[index(apex)];
-      ++merged;
-    }
-    neighbors_[index(head)] += neighbors_[index(tail)] - 2 - merged;
-    if (!at_large) return KernelMesh::collapse(h);
-    const std::array<HalfedgeHandle, 2> loops{is_boundary(h) ? HalfedgeHandle() : next_halfedge_handle(h),
-                                              is_boundary(back) ? HalfedgeHandle() : next_halfedge_handle(back)};
-    collapse_edge(h);
-    // One of the two edges between the head and each apex is removed; the same one as in KernelMesh::collapse.
-    if (loops[0].is_valid()) remove_loop(next_halfedge_handle(loops[0]));
-    if (loops[1].is_valid()) remove_loop(loops[1]);
   }
 
   /// KernelMesh::collapse_loop. `gone` and the halfedge after it bound a face of two corners.

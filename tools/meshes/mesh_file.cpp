@@ -24,13 +24,6 @@ std::string turned_place(double v) {
   return fmt::format("{}", 1 - v);
 }
 
-constexpr std::size_t most_values = std::numeric_limits<std::int32_t>::max();
-
-const char* name_of(ComponentType type) {
-  if (type == ComponentType::unsigned_byte) return "uchar";
-  return type == ComponentType::unsigned_short ? "ushort" : "float";
-}
-
 /// The whole file, except `elements`, the rest of its header, and the bytes that follow the vertices.
 std::string ply_of_vertices(std::span<const Point> points, bool is_64_bits, std::span<const Attribute> attributes,
                             const std::string& elements) {
@@ -45,7 +38,11 @@ std::string ply_of_vertices(std::span<const Point> points, bool is_64_bits, std:
   if (places != nullptr) bytes += "property float s\nproperty float t\n";
   constexpr const char* channels[] = {"red", "green", "blue", "alpha"};
   for (unsigned c = 0; colors != nullptr && c < colors->components; ++c)
-    fmt::format_to(std::back_inserter(bytes), "property {} {}\n", name_of(colors->type), channels[c]);
+    fmt::format_to(std::back_inserter(bytes), "property {} {}\n",
+                   colors->type == ComponentType::unsigned_byte    ? "uchar"
+                   : colors->type == ComponentType::unsigned_short ? "ushort"
+                                                                   : "float",
+                   channels[c]);
   bytes += elements + "end_header\n";
   bytes.reserve(bytes.size() + 52 * points.size());
   const auto put_real = [&bytes](double value) { put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value))); };
@@ -147,6 +144,7 @@ std::string ply_bytes(const Soup& soup) {
 
 std::string ply_bytes(std::span<const Point> points, bool is_64_bits, std::span<const Attribute> attributes,
                       std::span<const std::uint32_t> strips) {
+  constexpr std::size_t most_values = std::numeric_limits<std::int32_t>::max();
   if (strips.size() > most_values || points.size() > most_values)
     throw BadInput(fmt::format("a PLY list holds {} indices at most; write .bin", most_values));
   std::string bytes =

@@ -47,7 +47,12 @@ class Replay {
         *options_.trace = std::move(trace_->text());
         upkeep_ = plan_.begin(mesh_);
       }
-      measure_buffer();
+      if (!splits_.empty() && report_.faults.empty()) {
+        if (options_.buffer == ReplayOptions::Buffer::list)
+          measure_buffer<TriangleListBuffer>();
+        else
+          measure_buffer<StripBuffer>();
+      }
       measure();
       check_top(original.empty() ? bare_triangles() : original);
       const std::size_t cycles = std::max<std::size_t>(options_.cycles, plan_.way().bakes ? 1 : 0);
@@ -142,16 +147,8 @@ class Replay {
   }
 
   // ---- the bytes that a renderer must upload, updated after every operation
-  void measure_buffer() {
-    if (splits_.empty() || !report_.faults.empty()) return;
-    if (options_.buffer == ReplayOptions::Buffer::list)
-      measure_buffer_of<TriangleListBuffer>();
-    else
-      measure_buffer_of<StripBuffer>();
-  }
-
   template <class Buffer>
-  void measure_buffer_of() {
+  void measure_buffer() {
     start_from_base();
     std::vector<Triangle> changed;
     mesh_.watch(&changed);
@@ -184,12 +181,12 @@ class Replay {
     constexpr auto bytes_each = static_cast<double>(sizeof(std::uint32_t));
     const auto operations = 2 * static_cast<double>(splits_.size());
     report_.bytes_written_per_operation = static_cast<double>(written) * bytes_each / operations;
-    if (options_.repeats != 0) time_buffer_of<Buffer>();
+    if (options_.repeats != 0) time_buffer<Buffer>();
   }
 
   // Runs up and down with and without the buffer in turn and takes the difference per operation.
   template <class Buffer>
-  void time_buffer_of() {
+  void time_buffer() {
     Medians with;
     Medians without;
     std::vector<Triangle> changed;
