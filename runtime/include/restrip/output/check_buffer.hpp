@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -53,22 +54,12 @@ constexpr DrawnTriangle lowest_first(DrawnTriangle t) noexcept {
 }
 
 inline BufferReport compare_drawn(const std::vector<DrawnTriangle>& drawn, const std::vector<DrawnTriangle>& wanted) {
-  BufferReport report;
-  std::size_t d = 0;
-  std::size_t w = 0;
-  while (d < drawn.size() || w < wanted.size()) {
-    if (w == wanted.size() || (d < drawn.size() && drawn[d] < wanted[w])) {
-      ++report.extra;
-      ++d;
-    } else if (d == drawn.size() || wanted[w] < drawn[d]) {
-      ++report.missing;
-      ++w;
-    } else {
-      ++d;
-      ++w;
-    }
-  }
-  return report;
+  const auto count_beyond = [](const auto& all, const auto& known) {
+    std::vector<DrawnTriangle> beyond;
+    std::set_difference(all.begin(), all.end(), known.begin(), known.end(), std::back_inserter(beyond));
+    return beyond.size();
+  };
+  return {count_beyond(wanted, drawn), count_beyond(drawn, wanted)};
 }
 
 }  // namespace detail
@@ -100,14 +91,8 @@ std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices) {
 template <NumberedMesh Mesh>
 std::vector<DrawnTriangle> triangles_of(const Mesh& mesh) {
   std::vector<DrawnTriangle> all;
-  for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.has_triangle(t)) continue;
-    const auto h = mesh.halfedge(t);
-    const auto second = mesh.next(h);
-    all.push_back(
-        detail::lowest_first({static_cast<std::uint32_t>(mesh.from(h)), static_cast<std::uint32_t>(mesh.from(second)),
-                              static_cast<std::uint32_t>(mesh.from(mesh.next(second)))}));
-  }
+  for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.has_triangle(t)) all.push_back(detail::lowest_first(detail::corners_from(mesh, mesh.halfedge(t))));
   std::sort(all.begin(), all.end());
   return all;
 }

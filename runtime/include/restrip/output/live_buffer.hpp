@@ -157,10 +157,8 @@ class LiveBuffer {
   template <class Mesh>
   [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::uint32_t t) {
     if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return true;
-    auto h = mesh.halfedge(t);
-    for (int corner = 0; corner < 3; ++corner, h = mesh.next(h))
-      if (static_cast<std::uint32_t>(mesh.from(h)) > highest_index16) return false;
-    return true;
+    const auto [a, b, c] = detail::corners_from(mesh, mesh.halfedge(t));
+    return std::max({a, b, c}) <= highest_index16;
   }
   template <class Mesh>
   [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::span<const std::uint32_t> triangles) {

@@ -73,12 +73,12 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips);
 
-/// The same as strip_indices(mesh, extract_strips(mesh)), in half the time. The colouring must be valid; debug builds
-/// check that.
+/// The same as strip_indices(mesh, extract_strips(mesh)); for a StripMesh in half the time. The colouring must be
+/// valid; debug builds check that.
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh);
 
-/// strip_indices(mesh, strips).size() without writing it.
+/// strip_indices(mesh, strips).size().
 template <NumberedMesh Mesh>
 [[nodiscard]] std::size_t strip_index_count(const Mesh& mesh, const Strips& strips);
 

@@ -145,11 +145,7 @@ class BasicTriangleListBuffer {
 
   template <class Mesh>
   static std::array<Index, 3> corners_of(const Mesh& mesh, std::uint32_t t) {
-    const auto h = mesh.halfedge(t);
-    const auto second = mesh.next(h);
-    const std::array<std::uint32_t, 3> corner{static_cast<std::uint32_t>(mesh.from(h)),
-                                              static_cast<std::uint32_t>(mesh.from(second)),
-                                              static_cast<std::uint32_t>(mesh.from(mesh.next(second)))};
+    const std::array<std::uint32_t, 3> corner = detail::corners_from(mesh, mesh.halfedge(t));
     for (const std::uint32_t v : corner)
       if (v >= std::numeric_limits<Index>::max())
         RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");

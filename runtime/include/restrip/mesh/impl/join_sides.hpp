@@ -16,6 +16,12 @@ namespace restrip {
 
 namespace detail {
 
+/// The root of t in a forest in which a root is its own parent. Shortens the way to it.
+inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept {
+  while (parent[t] != t) t = parent[t] = parent[parent[t]];
+  return t;
+}
+
 /// Finds the neighbour's side for each side. Sides are named like halfedges, 4 * triangle + side. Each side is put on
 /// the list of the smaller of its two vertices; the links of the list are stored where the neighbours go later. A
 /// vertex then reads its list, and the larger vertex identifies an edge. Which side comes second at its edge is as good
@@ -128,23 +134,19 @@ class JoinSides {
   void connect(SidesOf&& sides_of) {
     std::vector<std::uint32_t> parent(odd_edges_ == 0 ? 0 : sides_.triangle_bound());
     std::iota(parent.begin(), parent.end(), 0U);
-    const auto root = [&parent](std::uint32_t t) {
-      while (parent[t] != t) t = parent[t] = parent[parent[t]];
-      return t;
-    };
     for (std::uint32_t t = 0; t < parent.size(); ++t)
       for (std::uint32_t h = t << 2; h < (t << 2 | 3U); ++h)
-        if (is_joined(h)) parent[root(t)] = root(sides_.across(h) >> 2);
+        if (is_joined(h)) parent[find_root(parent, t)] = find_root(parent, sides_.across(h) >> 2);
     for (std::size_t e = 0; e < odd_edges_; ++e) {
       std::uint32_t one = end;
       for (const std::uint32_t h : sides_of(e)) {
         if (!is_joined(h) || sides_.corner(h) > sides_.corner(next(h))) continue;
         const std::uint32_t before = std::exchange(one, h);
-        if (before == end || root(before >> 2) == root(h >> 2)) continue;
+        if (before == end || find_root(parent, before >> 2) == find_root(parent, h >> 2)) continue;
         const std::uint32_t g = sides_.across(h);
         join(h, sides_.across(before));
         join(before, g);
-        parent[root(before >> 2)] = root(h >> 2);
+        parent[find_root(parent, before >> 2)] = find_root(parent, h >> 2);
       }
     }
   }

@@ -64,28 +64,6 @@ class ArrowGraph {
   /// The number missing at v, modulo 3.
   [[nodiscard]] unsigned lacking(Vertex v) const noexcept { return lacking_[v]; }
 
-  /// Connected components, single vertices without triangles left out.
-  [[nodiscard]] std::size_t components() const {
-    std::vector<bool> met(vertices(), false);
-    std::vector<Vertex> open;
-    std::size_t found = 0;
-    for (Vertex start = 0; start < vertices(); ++start) {
-      if (met[start] || from(start).empty()) continue;
-      ++found;
-      met[start] = true;
-      open.push_back(start);
-      while (!open.empty()) {
-        const Vertex v = open.back();
-        open.pop_back();
-        for (const Leaving& way : from(v)) {
-          if (!met[way.to]) open.push_back(way.to);
-          met[way.to] = true;
-        }
-      }
-    }
-    return found;
-  }
-
  private:
   std::vector<std::uint8_t> lacking_;
   std::vector<std::uint32_t> first_;
@@ -359,7 +337,11 @@ class CutCandidates {
     sum += static_cast<std::uint64_t>(multipliers[row]);
   }
   bound.triangles = triangles.size();
-  bound.components = graph.components();
+  std::vector<Vertex> parent(vertex_count);
+  std::iota(parent.begin(), parent.end(), 0U);
+  for (const auto& [a, b, c] : triangles)
+    for (const Vertex v : {b, c}) parent[detail::find_root(parent, v)] = detail::find_root(parent, a);
+  for (Vertex v = 0; v < vertex_count; ++v) bound.components += parent[v] == v && !graph.from(v).empty() ? 1U : 0U;
   bound.arrows = static_cast<std::size_t>((sum + IndexBound::denominator - 1) / IndexBound::denominator);
   bound.indices = bound.triangles + bound.arrows + bound.components - 1;
   return bound;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 
@@ -25,14 +26,6 @@ std::uint32_t from_of(const Mesh& mesh, typename Mesh::Halfedge h) {
   return static_cast<std::uint32_t>(mesh.from(h));
 }
 
-template <NumberedMesh Mesh>
-std::size_t count_triangles(const Mesh& mesh) {
-  std::size_t count = 0;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) count += mesh.has_triangle(t) ? 1U : 0U;
-  return count;
-}
-inline std::size_t count_triangles(const StripMesh& mesh) noexcept { return mesh.triangle_count(); }
-
 // Solid dual edges of t.
 template <NumberedMesh Mesh>
 unsigned solid_degree(const Mesh& mesh, Triangle t) {
@@ -52,21 +45,6 @@ inline StripMesh::Halfedge into_end(const StripMesh& /*mesh*/, Triangle t) noexc
   return StripMesh::halfedge(t, 3);
 }
 
-// The first solid halfedge of t, which has one.
-template <NumberedMesh Mesh>
-typename Mesh::Halfedge first_exit(const Mesh& mesh, Triangle t) {
-  auto h = mesh.halfedge(t);
-  if (!mesh.solid(h)) h = mesh.next(h);
-  return mesh.solid(h) ? h : mesh.next(h);
-}
-// The halfedge over which the strip that enters over `entry` continues; `entry` if it ends.
-template <NumberedMesh Mesh>
-typename Mesh::Halfedge exit_behind(const Mesh& mesh, typename Mesh::Halfedge entry) {
-  const auto right = mesh.next(entry);
-  if (mesh.solid(right)) return right;
-  const auto left = mesh.next(right);
-  return mesh.solid(left) ? left : entry;
-}
 // The halfedge over which t is left for its neighbour u in the strip.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge exit_to(const Mesh& mesh, Triangle t, Triangle u) {
@@ -83,15 +61,11 @@ inline StripMesh::Halfedge exit_to(const StripMesh& mesh, Triangle t, Triangle u
   return StripMesh::halfedge(t, ways != 0 ? static_cast<unsigned>(std::countr_zero(ways)) : 2);
 }
 
-// Writes the three vertices of a triangle, from the one that h leaves.
+// The vertices of a triangle, from the one that h leaves.
 template <NumberedMesh Mesh>
-void append_corners(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<std::uint32_t>& indices) {
-  for (int corner = 0; corner < 3; ++corner, h = mesh.next(h)) indices.push_back(from_of(mesh, h));
-}
-
-inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, Triangle t) noexcept {
-  while (parent[t] != t) t = parent[t] = parent[parent[t]];
-  return t;
+std::array<std::uint32_t, 3> corners_from(const Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto second = mesh.next(h);
+  return {from_of(mesh, h), from_of(mesh, second), from_of(mesh, mesh.next(second))};
 }
 
 inline constexpr const char* not_strips = "these are not the strips of the mesh as it is now";
@@ -112,30 +86,6 @@ bool are_strips_of(const Mesh& mesh, const Strips& strips) {
   return true;
 }
 
-// A way through a strip: forwards or backwards.
-struct Walk {
-  std::span<const Triangle> triangles;
-  bool backwards = false;
-  [[nodiscard]] std::size_t size() const noexcept { return triangles.size(); }
-  [[nodiscard]] Triangle operator[](std::size_t i) const noexcept {
-    return triangles[backwards ? triangles.size() - 1 - i : i];
-  }
-};
-
-// Calls turn(i, exit, left) for each triangle i between the two ends of the walk. A triangle entered over the halfedge
-// e is left over next(e), a turn to the right, or over the third side, a turn to the left. (Seen from outside, the
-// strip comes in across e from the right of e's direction to its left.)
-template <NumberedMesh Mesh, class Visit>
-void each_turn(const Mesh& mesh, const Walk& walk, Visit&& turn) {
-  if (walk.size() < 3) return;
-  auto entry = mesh.opposite(exit_to(mesh, walk[0], walk[1]));
-  for (std::size_t i = 1; i + 1 < walk.size(); ++i) {
-    const auto exit = exit_to(mesh, walk[i], walk[i + 1]);
-    turn(i, exit, !(mesh.next(entry) == exit));
-    entry = mesh.opposite(exit);
-  }
-}
-
 // Equal turns in a row cost a swap each, in either direction. A strip starts on an even place and is then free to turn
 // left first; seen from its other end, its last turn is the first and has changed sides.
 template <NumberedMesh Mesh>
@@ -148,61 +98,29 @@ bool is_shorter_backwards(const Mesh& mesh, std::span<const Triangle> strip) {
   return n >= 3 && !turns_left(mesh, strip[0], strip[1], strip[2]) &&
          !turns_left(mesh, strip[n - 3], strip[n - 2], strip[n - 1]);
 }
-template <NumberedMesh Mesh>
-std::size_t count_swaps(const Mesh& mesh, std::span<const Triangle> strip) {
-  std::size_t swaps = 0;
-  bool last = false;  // the even place
-  each_turn(mesh, {strip, is_shorter_backwards(mesh, strip)}, [&](std::size_t, typename Mesh::Halfedge, bool left) {
-    swaps += left == last ? 1U : 0U;
-    last = left;
-  });
-  return swaps;
-}
 
 // Writes the indices of one strip, from the end that needs fewer.
 template <NumberedMesh Mesh>
 void append_indices(const Mesh& mesh, std::span<const Triangle> strip, std::vector<std::uint32_t>& indices) {
-  const Walk walk{strip, is_shorter_backwards(mesh, strip)};
-  if (walk.size() == 1) {
-    append_corners(mesh, mesh.halfedge(walk[0]), indices);
-    return;
-  }
+  const std::size_t n = strip.size();
+  const bool backwards = is_shorter_backwards(mesh, strip);
+  const auto exit_of = [&](std::size_t i) {
+    return backwards ? exit_to(mesh, strip[n - 1 - i], strip[n - 2 - i]) : exit_to(mesh, strip[i], strip[i + 1]);
+  };
   // The first triangle ends in the edge over which it is left.
-  const auto first = exit_to(mesh, walk[0], walk[1]);
-  append_corners(mesh, mesh.next(mesh.next(first)), indices);
+  auto exit = n == 1 ? mesh.next(mesh.halfedge(strip[0])) : exit_of(0);
+  const auto corners = corners_from(mesh, mesh.next(mesh.next(exit)));
+  indices.insert(indices.end(), corners.begin(), corners.end());
+  if (n == 1) return;
   // Each further triangle has the last two indices a, b and adds its third corner c, which leads over the edge (b, c).
-  // To leave over (a, c), a is repeated before c.
+  // To leave over (a, c), a is repeated before c. A triangle entered over the halfedge `entry` is left over
+  // next(entry), a turn to the right, or over the third side, a turn to the left. (Seen from outside, the strip comes
+  // in across `entry` from the right of its direction to its left.)
+  auto entry = mesh.opposite(exit);
   bool free_turn_left = true;
-  each_turn(mesh, walk, [&](std::size_t, typename Mesh::Halfedge exit, bool left) {
-    const std::uint32_t a = indices[indices.size() - 2];
-    if (left != free_turn_left) indices.push_back(a);
-    indices.push_back(from_of(mesh, left ? exit : mesh.next(exit)));
-    free_turn_left = !left;
-  });
-  const auto into = mesh.opposite(exit_to(mesh, walk[walk.size() - 2], walk[walk.size() - 1]));
-  indices.push_back(from_of(mesh, mesh.next(mesh.next(into))));
-}
-
-// Writes the strip that ends at t from there, as append_indices does, but follows the colours.
-template <NumberedMesh Mesh>
-WrittenStrip append_from(const Mesh& mesh, Triangle t, std::vector<std::uint32_t>& indices) {
-  if (solid_degree(mesh, t) == 0) {
-    append_corners(mesh, mesh.halfedge(t), indices);
-    return {t, false, false};
-  }
-  WrittenStrip strip{t, false, false};
-  const auto first = first_exit(mesh, t);
-  append_corners(mesh, mesh.next(mesh.next(first)), indices);
-  auto entry = mesh.opposite(first);
-  bool begins = true;
-  bool free_turn_left = true;
-  for (;;) {
-    const auto exit = exit_behind(mesh, entry);
-    if (exit == entry) break;
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    exit = exit_of(i);
     const bool left = !(mesh.next(entry) == exit);
-    if (begins) strip.wrong = !left;
-    begins = false;
-    strip.wrong_backwards = left;
     const std::uint32_t a = indices[indices.size() - 2];
     if (left != free_turn_left) indices.push_back(a);
     indices.push_back(from_of(mesh, left ? exit : mesh.next(exit)));
@@ -210,8 +128,6 @@ WrittenStrip append_from(const Mesh& mesh, Triangle t, std::vector<std::uint32_t
     entry = mesh.opposite(exit);
   }
   indices.push_back(from_of(mesh, mesh.next(mesh.next(entry))));
-  strip.other_end = triangle_of(mesh, entry);
-  return strip;
 }
 
 }  // namespace detail
@@ -250,22 +166,25 @@ ColoringReport check_coloring(const Mesh& mesh) {
 
 template <NumberedMesh Mesh>
 std::size_t count_strips(const Mesh& mesh) {
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.has_triangle(t) && detail::solid_degree(mesh, t) > 2) detail::throw_three_solid_edges();
+  std::size_t left = 0;  // triangles of no strip so far
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.has_triangle(t)) continue;
+    if (detail::solid_degree(mesh, t) > 2) detail::throw_three_solid_edges();
+    ++left;
+  }
   std::vector<bool> met(mesh.triangle_bound(), false);
   std::size_t strips = 0;
-  std::size_t triangles = 0;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.has_triangle(t) || met[t] || detail::solid_degree(mesh, t) > 1) continue;
     ++strips;
     for (StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)}; at.goes_on;
          at = strip_step(mesh, at.in)) {
       met[detail::triangle_of(mesh, at.in)] = true;
-      ++triangles;
+      --left;
     }
   }
   // If no triangle has three solid edges, a strip without an end is a cycle.
-  if (triangles != detail::count_triangles(mesh)) detail::throw_solid_cycle();
+  if (left != 0) detail::throw_solid_cycle();
   return strips;
 }
 
@@ -283,7 +202,7 @@ std::size_t count_swaps(const Mesh& mesh) {
 template <NumberedMesh Mesh>
 Strips extract_strips(const Mesh& mesh) {
   Strips strips;
-  strips.order.reserve(detail::count_triangles(mesh));
+  strips.order.reserve(mesh.triangle_bound());
   std::vector<bool> listed(mesh.triangle_bound(), false);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.has_triangle(t) || listed[t] || detail::solid_degree(mesh, t) > 1) continue;
@@ -301,37 +220,23 @@ Strips extract_strips(const Mesh& mesh) {
 template <NumberedMesh Mesh>
 std::size_t strip_index_count(const Mesh& mesh, const Strips& strips) {
   RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "strip_index_count", detail::not_strips);
-  std::size_t count = strips.order.size() + strips.size() * 2;
-  for (std::size_t s = 0; s < strips.size(); ++s) count += detail::count_swaps(mesh, strips[s]);
-  return strips.size() == 0 ? 0 : count + strips.size() - 1;
+  return strip_indices(mesh, strips).size();
 }
 
 template <NumberedMesh Mesh>
 std::vector<std::uint32_t> strip_indices(const Mesh& mesh) {
   RESTRIP_ASSERT(check_coloring(mesh).valid, "strip_indices", "the colouring is not valid");
-  if constexpr (std::same_as<Mesh, StripMesh>) return detail::SidedWriter(mesh).run();
-  std::vector<std::uint32_t> indices;
-  const std::size_t triangles = detail::count_triangles(mesh);
-  indices.reserve(triangles + triangles / 2);
-  std::vector<bool> written(mesh.triangle_bound(), false);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.has_triangle(t) || written[t] || detail::solid_degree(mesh, t) > 1) continue;
-    if (!indices.empty()) indices.push_back(restart_index);
-    const std::size_t begin = indices.size();
-    const detail::WrittenStrip strip = detail::append_from(mesh, t, indices);
-    written[strip.other_end] = true;
-    if (!strip.wrong || strip.wrong_backwards) continue;
-    indices.resize(begin);
-    detail::append_from(mesh, strip.other_end, indices);
-  }
-  return indices;
+  if constexpr (std::same_as<Mesh, StripMesh>)
+    return detail::SidedWriter(mesh).run();
+  else
+    return strip_indices(mesh, extract_strips(mesh));
 }
 
 template <NumberedMesh Mesh>
 std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips) {
   RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "strip_indices", detail::not_strips);
   std::vector<std::uint32_t> indices;
-  indices.reserve(strip_index_count(mesh, strips));
+  indices.reserve(strips.order.size() + strips.order.size() / 2);
   for (std::size_t s = 0; s < strips.size(); ++s) {
     if (s != 0) indices.push_back(restart_index);
     detail::append_indices(mesh, strips[s], indices);
