@@ -7,9 +7,9 @@
 #include "simplify.hpp"
 
 #ifdef __wasm__
-#define RESTRIP_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+#define RESTRIP_EXPORT(Result, name) extern "C" __attribute__((export_name(#name))) Result name
 #else  // compiled only as a check
-#define RESTRIP_EXPORT(name) extern "C"
+#define RESTRIP_EXPORT(Result, name) extern "C" Result name
 #endif
 
 namespace {
@@ -30,9 +30,15 @@ struct Page {
   Picture picture;
 };
 
+/// A count or a member of an enumeration, as JavaScript reads it.
+template <class Number>
+constexpr std::uint32_t word(Number number) noexcept {
+  return static_cast<std::uint32_t>(number);
+}
+
 template <class Element>
 const List* give(std::span<const Element> elements) {
-  list = {elements.data(), static_cast<std::uint32_t>(elements.size())};
+  list = {elements.data(), word(elements.size())};
   return &list;
 }
 
@@ -41,22 +47,17 @@ Cost cost_of(std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) 
   return {weight(restart), weight(swap), weight(isolated)};
 }
 
-// The last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
-std::array<std::uint32_t, 14> operation_words;
-
 }  // namespace
 
 // ---- memory
-RESTRIP_EXPORT(restrip_take)
-void* restrip_take(std::uint32_t bytes) { return std::malloc(bytes); }
-RESTRIP_EXPORT(restrip_give_back)
-void restrip_give_back(void* memory) { std::free(memory); }
+RESTRIP_EXPORT(void*, restrip_take)(std::uint32_t bytes) { return std::malloc(bytes); }
+RESTRIP_EXPORT(void, restrip_give_back)(void* memory) { std::free(memory); }
 
 // ---- a mesh
 /// `splits`: v_s, v_t, v_l, v_r each.
-RESTRIP_EXPORT(restrip_open)
-Page* restrip_open(const float* points, std::uint32_t point_count, const std::uint32_t* base, std::uint32_t base_count,
-                   const std::uint32_t* splits, std::uint32_t split_count) {
+RESTRIP_EXPORT(Page*, restrip_open)
+(const float* points, std::uint32_t point_count, const std::uint32_t* base, std::uint32_t base_count,
+ const std::uint32_t* splits, std::uint32_t split_count) {
   Progressive source;
   source.points = point_count;
   for (std::size_t i = 0; i < base_count; ++i) source.base.push_back({base[3 * i], base[3 * i + 1], base[3 * i + 2]});
@@ -68,30 +69,26 @@ Page* restrip_open(const float* points, std::uint32_t point_count, const std::ui
   page->left_out = page->session->base_report();
   return page;
 }
-RESTRIP_EXPORT(restrip_simplify_begin)
-Simplifier* restrip_simplify_begin(const float* points, std::uint32_t point_count, const std::uint32_t* triangles,
-                                   std::uint32_t triangle_count) {
+RESTRIP_EXPORT(Simplifier*, restrip_simplify_begin)
+(const float* points, std::uint32_t point_count, const std::uint32_t* triangles, std::uint32_t triangle_count) {
   std::vector<Corners> corners(triangle_count);
   for (std::size_t i = 0; i < triangle_count; ++i)
     corners[i] = {triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]};
   return new Simplifier(std::vector<float>(points, points + 3 * std::size_t{point_count}), corners);
 }
 /// Runs at most `most` attempts and returns the excess of triangles; 0 when it has ended.
-RESTRIP_EXPORT(restrip_simplify_run)
-std::uint32_t restrip_simplify_run(Simplifier* simplifier, std::uint32_t wanted, std::uint32_t most) {
-  return static_cast<std::uint32_t>(simplifier->run(wanted, most));
+RESTRIP_EXPORT(std::uint32_t, restrip_simplify_run)(Simplifier* simplifier, std::uint32_t wanted, std::uint32_t most) {
+  return word(simplifier->run(wanted, most));
 }
 /// Opens the resulting mesh and removes the simplifier.
-RESTRIP_EXPORT(restrip_simplify_end)
-Page* restrip_simplify_end(Simplifier* simplifier) {
+RESTRIP_EXPORT(Page*, restrip_simplify_end)(Simplifier* simplifier) {
   const std::unique_ptr<Simplifier> owned(simplifier);
   auto* page = new Page;
   page->left_out = owned->report();
   page->session = std::make_unique<Session>(owned->result(), owned->points());
   return page;
 }
-RESTRIP_EXPORT(restrip_open_baked)
-Page* restrip_open_baked(const std::byte* bytes, std::uint32_t count) {
+RESTRIP_EXPORT(Page*, restrip_open_baked)(const std::byte* bytes, std::uint32_t count) {
   auto* page = new Page;
   BakedFile file;
   page->damage = read_baked({bytes, count}, file);
@@ -101,102 +98,80 @@ Page* restrip_open_baked(const std::byte* bytes, std::uint32_t count) {
   return page;
 }
 /// Why the bytes of a baked mesh were refused; then nothing but restrip_close may be called. Else empty.
-RESTRIP_EXPORT(restrip_damage)
-const char* restrip_damage(const Page* page) { return page->damage.c_str(); }
-RESTRIP_EXPORT(restrip_close)
-void restrip_close(Page* page) { delete page; }
-RESTRIP_EXPORT(restrip_levels)
-std::uint32_t restrip_levels(const Page* page) {
-  return static_cast<std::uint32_t>(page->session->source().splits.size());
+RESTRIP_EXPORT(const char*, restrip_damage)(const Page* page) { return page->damage.c_str(); }
+RESTRIP_EXPORT(void, restrip_close)(Page* page) { delete page; }
+RESTRIP_EXPORT(std::uint32_t, restrip_levels)(const Page* page) { return word(page->session->source().splits.size()); }
+RESTRIP_EXPORT(std::uint32_t, restrip_refused_record)(const Page* page) {
+  return word(page->session->refused_record());
 }
-RESTRIP_EXPORT(restrip_refused_record)
-std::uint32_t restrip_refused_record(const Page* page) {
-  return static_cast<std::uint32_t>(page->session->refused_record());
-}
-RESTRIP_EXPORT(restrip_left_out)
-std::uint32_t restrip_left_out(const Page* page, std::uint32_t what) {
+RESTRIP_EXPORT(std::uint32_t, restrip_left_out)(const Page* page, std::uint32_t what) {
   const BuildReport& r = page->left_out;
   const std::size_t counts[] = {r.degenerate_triangles + r.out_of_range_triangles, r.non_manifold_vertices,
                                 r.boundary_edges};
-  return what < std::size(counts) ? static_cast<std::uint32_t>(counts[what]) : 0;
+  return what < std::size(counts) ? word(counts[what]) : 0;
 }
-RESTRIP_EXPORT(restrip_splits)
-const List* restrip_splits(const Page* page) { return give(std::span<const Record>(page->session->source().splits)); }
-RESTRIP_EXPORT(restrip_points)
-const List* restrip_points(const Page* page) { return give(page->session->points()); }
-RESTRIP_EXPORT(restrip_has_baked_strips)
-std::uint32_t restrip_has_baked_strips(const Page* page) { return page->session->has_baked_strips() ? 1 : 0; }
+RESTRIP_EXPORT(const List*, restrip_splits)(const Page* page) {
+  return give(std::span<const Record>(page->session->source().splits));
+}
+RESTRIP_EXPORT(const List*, restrip_points)(const Page* page) { return give(page->session->points()); }
+RESTRIP_EXPORT(std::uint32_t, restrip_has_baked_strips)(const Page* page) {
+  return page->session->has_baked_strips() ? 1 : 0;
+}
 
 // ---- maintained strips
 /// Null above the last policy.
-RESTRIP_EXPORT(restrip_policy_name)
-const char* restrip_policy_name(std::uint32_t policy) {
+RESTRIP_EXPORT(const char*, restrip_policy_name)(std::uint32_t policy) {
   return policy < policies.size() ? policies[policy].name : nullptr;
 }
 /// `form` as StripForm; `bits` 16, 32 or 0. For the next begin.
-RESTRIP_EXPORT(restrip_set_format)
-void restrip_set_format(Page* page, std::uint32_t form, std::uint32_t bits) {
+RESTRIP_EXPORT(void, restrip_set_format)(Page* page, std::uint32_t form, std::uint32_t bits) {
   page->session->set_format({.form = static_cast<StripForm>(form % 4),
                              .width = bits == 16   ? IndexWidth::bits16
                                       : bits == 32 ? IndexWidth::bits32
                                                    : IndexWidth::automatic});
 }
-RESTRIP_EXPORT(restrip_add_point)
-std::uint32_t restrip_add_point(Page* page, float x, float y, float z) { return page->session->add_point({x, y, z}); }
-RESTRIP_EXPORT(restrip_set_point)
-void restrip_set_point(Page* page, std::uint32_t v, float x, float y, float z) {
+RESTRIP_EXPORT(std::uint32_t, restrip_add_point)(Page* page, float x, float y, float z) {
+  return page->session->add_point({x, y, z});
+}
+RESTRIP_EXPORT(void, restrip_set_point)(Page* page, std::uint32_t v, float x, float y, float z) {
   page->session->set_point(v, {x, y, z});
 }
 /// 1: single operations have changed the mesh since begin, so records can no longer be played.
-RESTRIP_EXPORT(restrip_left_records)
-std::uint32_t restrip_left_records(const Page* page) { return page->session->left_records() ? 1 : 0; }
-RESTRIP_EXPORT(restrip_begin)
-void restrip_begin(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
-                   std::uint32_t isolated) {
+RESTRIP_EXPORT(std::uint32_t, restrip_left_records)(const Page* page) { return page->session->left_records() ? 1 : 0; }
+RESTRIP_EXPORT(void, restrip_begin)
+(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
   page->session->begin(policies[policy % policies.size()].policy, cost_of(restart, swap, isolated));
 }
-RESTRIP_EXPORT(restrip_begin_baked)
-void restrip_begin_baked(Page* page) { page->session->begin_baked(); }
-RESTRIP_EXPORT(restrip_move)
-std::uint32_t restrip_move(Page* page, std::uint32_t level, std::uint32_t most) {
-  return static_cast<std::uint32_t>(page->session->move(level, most));
+RESTRIP_EXPORT(void, restrip_begin_baked)(Page* page) { page->session->begin_baked(); }
+RESTRIP_EXPORT(std::uint32_t, restrip_move)(Page* page, std::uint32_t level, std::uint32_t most) {
+  return word(page->session->move(level, most));
 }
-RESTRIP_EXPORT(restrip_approach)
-std::uint32_t restrip_approach(Page* page, const std::uint8_t* wanted, std::uint32_t most) {
-  return static_cast<std::uint32_t>(page->session->approach({wanted, page->session->source().splits.size()}, most));
+RESTRIP_EXPORT(std::uint32_t, restrip_approach)(Page* page, const std::uint8_t* wanted, std::uint32_t most) {
+  return word(page->session->approach({wanted, page->session->source().splits.size()}, most));
 }
-RESTRIP_EXPORT(restrip_ready)
-const List* restrip_ready(Page* page) { return give(page->session->ready()); }
-RESTRIP_EXPORT(restrip_split)
-std::uint32_t restrip_split(Page* page, std::uint32_t v_s, std::uint32_t v_t, std::uint32_t v_l, std::uint32_t v_r) {
-  return static_cast<std::uint32_t>(page->session->split({v_s, v_t, v_l, v_r}));
+RESTRIP_EXPORT(const List*, restrip_ready)(Page* page) { return give(page->session->ready()); }
+RESTRIP_EXPORT(std::uint32_t, restrip_split)
+(Page* page, std::uint32_t v_s, std::uint32_t v_t, std::uint32_t v_l, std::uint32_t v_r) {
+  return word(page->session->split({v_s, v_t, v_l, v_r}));
 }
-RESTRIP_EXPORT(restrip_collapse)
-std::uint32_t restrip_collapse(Page* page, std::uint32_t v_s, std::uint32_t v_t) {
-  return static_cast<std::uint32_t>(page->session->collapse(v_s, v_t));
+RESTRIP_EXPORT(std::uint32_t, restrip_collapse)(Page* page, std::uint32_t v_s, std::uint32_t v_t) {
+  return word(page->session->collapse(v_s, v_t));
 }
-RESTRIP_EXPORT(restrip_flip)
-std::uint32_t restrip_flip(Page* page, std::uint32_t u, std::uint32_t v) {
-  return static_cast<std::uint32_t>(page->session->flip(u, v));
+RESTRIP_EXPORT(std::uint32_t, restrip_flip)(Page* page, std::uint32_t u, std::uint32_t v) {
+  return word(page->session->flip(u, v));
 }
-RESTRIP_EXPORT(restrip_bisect)
-std::uint32_t restrip_bisect(Page* page, std::uint32_t u, std::uint32_t v) {
-  return static_cast<std::uint32_t>(page->session->bisect(u, v));
+RESTRIP_EXPORT(std::uint32_t, restrip_bisect)(Page* page, std::uint32_t u, std::uint32_t v) {
+  return word(page->session->bisect(u, v));
 }
-RESTRIP_EXPORT(restrip_split_face)
-std::uint32_t restrip_split_face(Page* page, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  return static_cast<std::uint32_t>(page->session->split_face(a, b, c));
+RESTRIP_EXPORT(std::uint32_t, restrip_split_face)(Page* page, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  return word(page->session->split_face(a, b, c));
 }
-RESTRIP_EXPORT(restrip_new_vertex)
-std::uint32_t restrip_new_vertex(const Page* page) { return page->session->new_vertex(); }
-RESTRIP_EXPORT(restrip_next_vertex)
-std::uint32_t restrip_next_vertex(const Page* page) { return page->session->next_vertex(); }
-RESTRIP_EXPORT(restrip_describe)
-const char* restrip_describe(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
+RESTRIP_EXPORT(std::uint32_t, restrip_new_vertex)(const Page* page) { return page->session->new_vertex(); }
+RESTRIP_EXPORT(std::uint32_t, restrip_next_vertex)(const Page* page) { return page->session->next_vertex(); }
+RESTRIP_EXPORT(const char*, restrip_describe)(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
 
 /// The neighbours of a vertex; of a non-manifold one only some. Empty if the mesh does not have it.
-RESTRIP_EXPORT(restrip_around)
-const List* restrip_around(const Page* page, std::uint32_t v) {
+RESTRIP_EXPORT(const List*, restrip_around)(const Page* page, std::uint32_t v) {
   static std::vector<Vertex> around;
   around.clear();
   const StripMesh& mesh = page->session->mesh();
@@ -206,40 +181,31 @@ const List* restrip_around(const Page* page, std::uint32_t v) {
 }
 
 // ---- the index buffer
-RESTRIP_EXPORT(restrip_update)
-const List* restrip_update(Page* page, std::uint32_t join, std::uint32_t align) {
+RESTRIP_EXPORT(const List*, restrip_update)(Page* page, std::uint32_t join, std::uint32_t align) {
   return give(page->session->update({join, align}));
 }
 /// The bytes of the buffer; each index has restrip_index_bytes().
-RESTRIP_EXPORT(restrip_indices)
-const List* restrip_indices(const Page* page) { return give(page->session->buffer().bytes()); }
-RESTRIP_EXPORT(restrip_index_bytes)
-std::uint32_t restrip_index_bytes(const Page* page) {
-  return static_cast<std::uint32_t>(page->session->buffer().index_bytes());
+RESTRIP_EXPORT(const List*, restrip_indices)(const Page* page) { return give(page->session->buffer().bytes()); }
+RESTRIP_EXPORT(std::uint32_t, restrip_index_bytes)(const Page* page) {
+  return word(page->session->buffer().index_bytes());
 }
-RESTRIP_EXPORT(restrip_room)
-std::uint32_t restrip_room(const Page* page) { return static_cast<std::uint32_t>(page->session->buffer().room()); }
-RESTRIP_EXPORT(restrip_outgrown)
-std::uint32_t restrip_outgrown(const Page* page) { return page->session->outgrown() ? 1 : 0; }
+RESTRIP_EXPORT(std::uint32_t, restrip_room)(const Page* page) { return word(page->session->buffer().room()); }
+RESTRIP_EXPORT(std::uint32_t, restrip_outgrown)(const Page* page) { return page->session->outgrown() ? 1 : 0; }
 /// The runs to be drawn one by one, for StripForm::lengths; else one range.
-RESTRIP_EXPORT(restrip_draws)
-const List* restrip_draws(const Page* page) {
+RESTRIP_EXPORT(const List*, restrip_draws)(const Page* page) {
   static std::vector<IndexRange> draws;
   page->session->buffer().draws(draws);
   return give(std::span<const IndexRange>(draws));
 }
-RESTRIP_EXPORT(restrip_update_list)
-const List* restrip_update_list(Page* page, std::uint32_t whole) {
+RESTRIP_EXPORT(const List*, restrip_update_list)(Page* page, std::uint32_t whole) {
   return give(page->session->update_list(whole != 0));
 }
-RESTRIP_EXPORT(restrip_list)
-const List* restrip_list(const Page* page) { return give(page->session->list()); }
-RESTRIP_EXPORT(restrip_from_scratch)
-const List* restrip_from_scratch(Page* page, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
+RESTRIP_EXPORT(const List*, restrip_list)(const Page* page) { return give(page->session->list()); }
+RESTRIP_EXPORT(const List*, restrip_from_scratch)
+(Page* page, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
   return give(page->session->from_scratch(cost_of(restart, swap, isolated)));
 }
-RESTRIP_EXPORT(restrip_triangles)
-const List* restrip_triangles(const Page* page) {
+RESTRIP_EXPORT(const List*, restrip_triangles)(const Page* page) {
   static std::vector<Corners> corners;
   corners.clear();
   const StripMesh& mesh = page->session->mesh();
@@ -249,55 +215,38 @@ const List* restrip_triangles(const Page* page) {
 }
 
 // ---- figures
-RESTRIP_EXPORT(restrip_figures)
-const Figures* restrip_figures(Page* page) { return &page->session->figures(); }
-RESTRIP_EXPORT(restrip_plain_indices)
-std::uint32_t restrip_plain_indices(const Page* page) {
-  return static_cast<std::uint32_t>(page->session->plain_indices());
-}
+RESTRIP_EXPORT(const Figures*, restrip_figures)(Page* page) { return &page->session->figures(); }
+RESTRIP_EXPORT(std::uint32_t, restrip_plain_indices)(const Page* page) { return word(page->session->plain_indices()); }
 /// A lower bound on indices of this mesh: the quick one, because a page waits for it.
-RESTRIP_EXPORT(restrip_index_bound)
-std::uint32_t restrip_index_bound(const Page* page) {
-  return static_cast<std::uint32_t>(strip_index_lower_bound(page->session->mesh(), 0).indices);
+RESTRIP_EXPORT(std::uint32_t, restrip_index_bound)(const Page* page) {
+  return word(strip_index_lower_bound(page->session->mesh(), 0).indices);
 }
 /// 1: the colouring is valid, checked from its definition.
-RESTRIP_EXPORT(restrip_valid)
-std::uint32_t restrip_valid(const Page* page) { return check_coloring(page->session->mesh()).valid ? 1 : 0; }
+RESTRIP_EXPORT(std::uint32_t, restrip_valid)(const Page* page) {
+  return check_coloring(page->session->mesh()).valid ? 1 : 0;
+}
 
 // ---- pictures
 /// `scratch`: whether to use the strips from scratch.
-RESTRIP_EXPORT(restrip_ribbon)
-const List* restrip_ribbon(Page* page, std::uint32_t scratch) {
+RESTRIP_EXPORT(const List*, restrip_ribbon)(Page* page, std::uint32_t scratch) {
   return give(page->picture.ribbon(scratch != 0 ? page->session->scratch() : page->session->mesh()));
 }
-RESTRIP_EXPORT(restrip_pick)
-const List* restrip_pick(Page* page, float x, float y, float z, float dx, float dy, float dz) {
+RESTRIP_EXPORT(const List*, restrip_pick)(Page* page, float x, float y, float z, float dx, float dy, float dz) {
   return give(page->picture.pick(*page->session, {x, y, z}, {dx, dy, dz}));
 }
-RESTRIP_EXPORT(restrip_last)
-const List* restrip_last(const Page* page) {
+/// The last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
+RESTRIP_EXPORT(const List*, restrip_last)(const Page* page) {
+  static std::array<std::uint32_t, 14> words;
   const LastOperation& last = page->session->last();
-  const auto low = [](Word w) { return static_cast<std::uint32_t>(w); };
-  const auto high = [](Word w) { return static_cast<std::uint32_t>(w >> 32); };
+  const auto high = [](Word w) { return word(w >> 32); };
   const bool closed = last.before.closed && last.after.closed;
-  operation_words = {static_cast<std::uint32_t>(last.kind),
-                     closed ? 1U : 0U,
-                     last.before.k,
-                     last.before.a,
-                     low(last.before.edges),
-                     high(last.before.edges),
-                     low(last.before.ports),
-                     high(last.before.ports),
-                     low(last.after.edges),
-                     high(last.after.edges),
-                     low(last.after.ports),
-                     high(last.after.ports),
-                     static_cast<std::uint32_t>(last.strips),
-                     static_cast<std::uint32_t>(last.isolated)};
-  return give(std::span<const std::uint32_t>(operation_words));
+  words = {word(last.kind),         closed ? 1U : 0U,        last.before.k,           last.before.a,
+           word(last.before.edges), high(last.before.edges), word(last.before.ports), high(last.before.ports),
+           word(last.after.edges),  high(last.after.edges),  word(last.after.ports),  high(last.after.ports),
+           word(last.strips),       word(last.isolated)};
+  return give(std::span<const std::uint32_t>(words));
 }
-RESTRIP_EXPORT(restrip_last_triangles)
-const List* restrip_last_triangles(const Page* page, std::uint32_t after) {
+RESTRIP_EXPORT(const List*, restrip_last_triangles)(const Page* page, std::uint32_t after) {
   const LastOperation& last = page->session->last();
   return give(std::span<const Corners>(after != 0 ? last.triangles_after : last.triangles_before));
 }
@@ -306,9 +255,8 @@ const List* restrip_last_triangles(const Page* page, std::uint32_t after) {
 /// `family`: 0 split, 1 collapse (x = a), 2 open split, 3 open collapse (x, y: the gaps), 4 boundary split, 5 boundary
 /// collapse (x: the gap), 6 flip. The answer: valid, change of strips, colours as two numbers, ports kept (of flips).
 /// Positions that do not exist are not valid.
-RESTRIP_EXPORT(restrip_rule)
-const List* restrip_rule(std::uint32_t family, std::uint32_t k, std::uint32_t x, std::uint32_t y, std::uint64_t edges,
-                         std::uint64_t ports) {
+RESTRIP_EXPORT(const List*, restrip_rule)
+(std::uint32_t family, std::uint32_t k, std::uint32_t x, std::uint32_t y, std::uint64_t edges, std::uint64_t ports) {
   static std::array<std::uint32_t, 5> answer;
   Rule rule;
   Word kept = ports;
@@ -327,7 +275,6 @@ const List* restrip_rule(std::uint32_t family, std::uint32_t k, std::uint32_t x,
     rule = {flip.inner ? Word{1} : Word{0}, flip.strips, flip.valid};
     kept = flip.ports;
   }
-  answer = {rule.valid ? 1U : 0U, static_cast<std::uint32_t>(rule.strips), static_cast<std::uint32_t>(rule.colors),
-            static_cast<std::uint32_t>(rule.colors >> 32), static_cast<std::uint32_t>(kept)};
+  answer = {rule.valid ? 1U : 0U, word(rule.strips), word(rule.colors), word(rule.colors >> 32), word(kept)};
   return give(std::span<const std::uint32_t>(answer));
 }

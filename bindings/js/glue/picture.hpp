@@ -20,11 +20,12 @@ class Picture {
  public:
   /// The triangles, strip by strip, in the order of their strips.
   std::span<const PaintedTriangle> ribbon(const StripMesh& mesh) {
-    name_strips(mesh);
+    const Strips strips = extract_strips(mesh);
     ribbon_.clear();
-    for (std::size_t s = 0; s < strips_.size(); ++s)
-      for (const Triangle t : strips_[s]) {
-        PaintedTriangle& painted = ribbon_.emplace_back(PaintedTriangle{t, mesh.corners(t), {}, 0, strip_of_[t]});
+    for (std::size_t s = 0; s < strips.size(); ++s) {
+      const Triangle lowest = *std::min_element(strips[s].begin(), strips[s].end());
+      for (const Triangle t : strips[s]) {
+        PaintedTriangle& painted = ribbon_.emplace_back(PaintedTriangle{t, mesh.corners(t), {}, 0, lowest});
         for (unsigned side = 0; side < 3; ++side) {
           const Halfedge h = StripMesh::halfedge(t, side);
           const Halfedge back = mesh.opposite(h);
@@ -32,6 +33,7 @@ class Picture {
           if (mesh.solid(h)) painted.joined |= 1U << side;
         }
       }
+    }
     return ribbon_;
   }
 
@@ -55,15 +57,6 @@ class Picture {
  private:
   using Point = std::array<float, 3>;
 
-  void name_strips(const StripMesh& mesh) {
-    strips_ = extract_strips(mesh);
-    strip_of_.assign(mesh.triangle_bound(), 0);
-    for (std::size_t s = 0; s < strips_.size(); ++s) {
-      const auto strip = strips_[s];
-      const Triangle lowest = *std::min_element(strip.begin(), strip.end());
-      for (const Triangle t : strip) strip_of_[t] = lowest;
-    }
-  }
   [[nodiscard]] static Point point(const Session& session, Vertex v) noexcept {
     const auto p = session.points().subspan(3 * std::size_t{v}, 3);
     return {p[0], p[1], p[2]};
@@ -94,8 +87,6 @@ class Picture {
     return distance > 0 ? distance : -1;
   }
 
-  Strips strips_;
-  std::vector<Triangle> strip_of_;
   std::vector<PaintedTriangle> ribbon_;
   std::vector<float> hit_;
 };

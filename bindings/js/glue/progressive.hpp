@@ -19,14 +19,7 @@ using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 using Corners = std::array<Vertex, 3>;
 
-/// One vertex split, by vertices; read backward, a collapse of v_t into v_s. v_l is to the left of v_s -> v_t. If the
-/// new edge lies on the boundary, v_l or v_r is `none`.
-struct Record {
-  Vertex v_s = none;
-  Vertex v_t = none;
-  Vertex v_l = none;
-  Vertex v_r = none;
-};
+using Record = BakedSplit;
 static_assert(sizeof(Record) == 16, "JavaScript passes these as four numbers of 32 bits");
 
 struct Progressive {
@@ -48,7 +41,7 @@ struct Progressive {
 }
 
 /// The spokes of a split, found by its vertices; missing spokes are {none}, and check_split refuses them.
-[[nodiscard]] inline Where spokes_of(const StripMesh& mesh, const Record& r) {
+[[nodiscard]] inline Where find_spokes(const StripMesh& mesh, const Record& r) {
   const auto spoke = [&](Vertex to) { return find_edge(mesh, r.v_s, to); };
   if (r.v_r == none) return {spoke(r.v_l), {}, Where::Spokes::left_only};
   if (r.v_l == none) return {{}, spoke(r.v_r), Where::Spokes::right_only};
@@ -70,7 +63,7 @@ class Hierarchy {
     std::vector<std::uint32_t> last(source.fine_triangles(), none);  // by triangle: the record that it was last part of
     std::vector<Triangle> patch;
     for (std::uint32_t i = 0; i < source.splits.size(); ++i) {
-      const Where where = spokes_of(mesh, source.splits[i]);
+      const Where where = find_spokes(mesh, source.splits[i]);
       const Vertex v_t = source.splits[i].v_t;
       if (v_t >= source.points || check_split(mesh, where, v_t) != Refusal::granted) return i;
       fan_triangles(mesh, where.spokes == Where::Spokes::right_only ? where.right : where.left, patch);

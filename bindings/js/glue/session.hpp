@@ -39,7 +39,9 @@ class Session {
     dependents_.resize(source_.splits.size());
     played_.resize(source_.splits.size());
   }
-  explicit Session(BakedFile file) : Session(progressive_of(file), coordinates_of(file)) { file_ = std::move(file); }
+  explicit Session(BakedFile file) : Session({file.base, file.splits, file.points.size()}, coordinates_of(file)) {
+    file_ = std::move(file);
+  }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -120,20 +122,20 @@ class Session {
 
   // ---- single operations, by vertices. From then on records are checked before they are played.
   Refusal split(const Record& r) {
-    const Where where = spokes_of(mesh_, r);
+    const Where where = find_spokes(mesh_, r);
     const Refusal refusal = check_split(mesh_, where, r.v_t);
     if (refusal == Refusal::granted) leave_records(), do_split(where, r.v_t);
     return refusal;
   }
   Refusal collapse(Vertex v_s, Vertex v_t) {
     const Halfedge chord = find_edge(mesh_, v_s, v_t);
-    const Refusal refusal = chord.id == none ? Refusal::no_such_edge : check_collapse(mesh_, chord);
+    const Refusal refusal = check_collapse(mesh_, chord);
     if (refusal == Refusal::granted) leave_records(), do_collapse(chord);
     return refusal;
   }
   Refusal flip(Vertex u, Vertex v) {
     const Halfedge h = find_edge(mesh_, u, v);
-    const Refusal refusal = h.id == none ? Refusal::no_such_edge : check_flip(mesh_, h);
+    const Refusal refusal = check_flip(mesh_, h);
     if (refusal != Refusal::granted) return refusal;
     leave_records();
     const auto quad = [this](Halfedge g, std::vector<Corners>& out) {
@@ -152,14 +154,12 @@ class Session {
   /// the middle.
   Refusal bisect(Vertex u, Vertex v) {
     const Halfedge h = find_edge(mesh_, u, v);
-    return refine(h.id == none ? Refusal::no_such_edge : check_bisect(mesh_, h), {u, v},
-                  [&] { return keeper_->bisect(h); });
+    return refine(check_bisect(mesh_, h), {u, v}, [&] { return keeper_->bisect(h); });
   }
   Refusal split_face(Vertex a, Vertex b, Vertex c) {
     Halfedge h = find_edge(mesh_, a, b);
     if (h.id != none && (StripMesh::on_boundary(h) || mesh_.to(StripMesh::next(h)) != c)) h = {};
-    return refine(h.id == none ? Refusal::no_such_edge : check_split_face(mesh_, h), {a, b, c},
-                  [&] { return keeper_->split_face(h); });
+    return refine(check_split_face(mesh_, h), {a, b, c}, [&] { return keeper_->split_face(h); });
   }
   [[nodiscard]] Vertex new_vertex() const noexcept { return new_vertex_; }
   /// The new vertex that the next bisection or split of a face would have.
@@ -234,11 +234,6 @@ class Session {
   [[nodiscard]] std::size_t plain_indices() const { return strip_index_count(mesh_, extract_strips(mesh_)); }
 
  private:
-  [[nodiscard]] static Progressive progressive_of(const BakedFile& file) {
-    Progressive out{file.base, {}, file.points.size()};
-    for (const BakedSplit& split : file.splits) out.splits.push_back({split.v_s, split.v_t, split.v_l, split.v_r});
-    return out;
-  }
   [[nodiscard]] static std::vector<float> coordinates_of(const BakedFile& file) {
     std::vector<float> out;
     for (const auto& point : file.points) out.insert(out.end(), point.begin(), point.end());
@@ -289,7 +284,7 @@ class Session {
   }
   bool play(std::size_t i) {
     const Record& r = source_.splits[i];
-    const Where where = spokes_of(mesh_, r);
+    const Where where = find_spokes(mesh_, r);
     if (checked_ && check_split(mesh_, where, r.v_t) != Refusal::granted) return ++figures_.refused, false;
     do_split(where, r.v_t);
     played_[i] = 1;
@@ -299,7 +294,7 @@ class Session {
   bool take_back(std::size_t i) {
     const Record& r = source_.splits[i];
     const Halfedge chord = find_edge(mesh_, r.v_s, r.v_t);
-    if (checked_ && (dependents_[i] != 0 || chord.id == none || check_collapse(mesh_, chord) != Refusal::granted))
+    if (checked_ && (dependents_[i] != 0 || check_collapse(mesh_, chord) != Refusal::granted))
       return ++figures_.refused, false;
     do_collapse(chord);
     played_[i] = 0;
