@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
-#include <string_view>
 
 #include "dump_output.hpp"
 #include "restrip/rules/exact.hpp"
@@ -52,65 +51,48 @@ void answers(Output& out, const std::string& family, std::initializer_list<std::
     digest = digest * 1000003 + found.colors;
     told = told * 1000003 + static_cast<std::uint64_t>(64 * found.value.solid + found.value.isolated);
   }
-  std::string words = "answers " + family;
-  for (const std::size_t number : position) words += ' ' + std::to_string(number);
-  words += " keys " + std::to_string(keys) + " digest ";
-  for (const char c : words) out.text(c);
+  out.text("answers " + family);
+  for (const std::size_t number : position) out.text(' ' + std::to_string(number));
+  out.text(" keys " + std::to_string(keys) + " digest ");
   out.hex(digest, ' ');
-  for (const char c : std::string_view("told ")) out.text(c);
+  out.text("told ");
   out.hex(told, '\n');
   out.entry_done();
 }
-
-/// The keys that a digest is made of: all, a letter for each port, the last one the lowest digit; or, if there are more
-/// than 7,000, 64 drawn at random.
-class DigestKeys {
- public:
-  explicit DigestKeys(std::size_t k) : k_(k) {
-    for (std::size_t i = 0; i < k && count_ <= 7000; ++i) count_ *= 3;
-    if (count_ > 7000) count_ = drawn_count;
-  }
-
-  template <class Best>
-  void line(unsigned operation, std::size_t p, std::size_t q, Best&& best) const {
-    std::uint32_t digest = 0;
-    for (std::uint32_t n = 0; n < count_; ++n) {
-      const auto [ports, joined] = key(n);
-      digest += mix(n, folded(ports), 0x80000000U | folded(best(ports, joined).colors));
-    }
-    std::printf("%u %zu %zu %zu %08x\n", operation, k_, p, q, digest);
-  }
-
- private:
-  static constexpr std::uint32_t drawn_count = 64;
-
-  static std::uint32_t folded(Word mask) {
-    return static_cast<std::uint32_t>(mask) ^ static_cast<std::uint32_t>(mask >> 32) * 0x9e3779b1U;
-  }
-  [[nodiscard]] Key key(std::uint32_t n) const {
-    if (count_ != drawn_count) return written_key(k_, n);
-    const auto drawn = [&](Word i) { return (mix(n, i, 0) | Word{mix(n, i + 8, 0)} << 32) & (bit(k_) - 1); };
-    return {drawn(0), drawn(1)};
-  }
-
-  std::size_t k_;
-  std::uint32_t count_ = 1;
-};
 
 }  // namespace
 
 bool automaton_digests(std::size_t max_k) {
   for (std::size_t k = 1; k <= max_k; ++k) {
-    const DigestKeys keys(k);
+    // A digest is made of all keys, a letter for each port, the last one the lowest digit; or, if there are more than
+    // 7,000, of 64 drawn at random.
+    std::uint32_t keys = 1;
+    for (std::size_t i = 0; i < k && keys <= 7000; ++i) keys *= 3;
+    const bool draws = keys > 7000;
+    if (draws) keys = 64;
+    const auto drawn = [&](std::uint32_t n, Word i) {
+      return (mix(n, i, 0) | Word{mix(n, i + 8, 0)} << 32) & (bit(k) - 1);
+    };
+    const auto folded = [](Word mask) {
+      return static_cast<std::uint32_t>(mask) ^ static_cast<std::uint32_t>(mask >> 32) * 0x9e3779b1U;
+    };
+    const auto line = [&](unsigned operation, std::size_t p, std::size_t q, auto&& best) {
+      std::uint32_t digest = 0;
+      for (std::uint32_t n = 0; n < keys; ++n) {
+        const auto [ports, joined] = draws ? Key{drawn(n, 0), drawn(n, 1)} : written_key(k, n);
+        digest += mix(n, folded(ports), 0x80000000U | folded(best(ports, joined).colors));
+      }
+      std::printf("%u %zu %zu %zu %08x\n", operation, k, p, q, digest);
+    };
     for (std::size_t a = 1; a < k && k >= 3; ++a)
-      keys.line(0, a, 0, [&](Word ports, Word joined) { return exact::best_split(k, a, ports, joined); });
-    if (k >= 3) keys.line(1, 0, 0, [&](Word ports, Word joined) { return exact::best_collapse(k, ports, joined); });
+      line(0, a, 0, [&](Word ports, Word joined) { return exact::best_split(k, a, ports, joined); });
+    if (k >= 3) line(1, 0, 0, [&](Word ports, Word joined) { return exact::best_collapse(k, ports, joined); });
     for (std::size_t i = 0; i < k; ++i)
       for (std::size_t j = i + 1; j <= k; ++j)
-        keys.line(2, i, j, [&](Word ports, Word joined) { return exact::best_open_split(k, i, j, ports, joined); });
-    keys.line(3, 0, 0, [&](Word ports, Word joined) { return exact::best_fan_collapse(k, ports, joined); });
+        line(2, i, j, [&](Word ports, Word joined) { return exact::best_open_split(k, i, j, ports, joined); });
+    line(3, 0, 0, [&](Word ports, Word joined) { return exact::best_fan_collapse(k, ports, joined); });
     for (std::size_t i = 0; i <= k; ++i)
-      keys.line(4, i, 0, [&](Word ports, Word joined) { return exact::best_boundary_split(k, i, ports, joined); });
+      line(4, i, 0, [&](Word ports, Word joined) { return exact::best_boundary_split(k, i, ports, joined); });
   }
   std::printf("rules outside the tables: 0\n");
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;

@@ -61,7 +61,7 @@ class Trees {
     return explore(rule, nothing);
   }
   void word(std::uint32_t tree, char after) {
-    if (tree >= first_node) out_->text('#');
+    if (tree >= first_node) out_->text("#");
     out_->hex(tree >= first_node ? tree - first_node : tree, after);
   }
 
@@ -93,7 +93,7 @@ class Trees {
   std::uint32_t number_of(const Node& node) {
     const auto [place, is_new] = numbers_.try_emplace(node, first_node + static_cast<std::uint32_t>(numbers_.size()));
     if (is_new) {
-      out_->text('#');
+      out_->text("#");
       out_->hex(place->second - first_node, ' ');
       out_->hex(node[0], ' ');
       word(node[1] - 1, ' ');
@@ -136,12 +136,10 @@ void linked_rules(Output& out, std::size_t max_k) {
             const std::uint32_t tree = valid ? trees.root(rule, ports) : 0;
             out.hex(before, ' ');
             out.hex(ports, ' ');
-            if (valid) {
+            if (valid)
               trees.word(tree, '\n');
-            } else {
-              out.text('-');
-              out.text('\n');
-            }
+            else
+              out.text("-\n");
             out.entry_done();
           }
       }

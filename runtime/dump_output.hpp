@@ -20,12 +20,8 @@ class Output {
     text_ += '\n';
     flush_if_full();
   }
-  void text(char c) { text_ += c; }
+  void text(std::string_view words) { text_ += words; }
   void hex(Word value, char after) {
-    hex(value);
-    text_ += after;
-  }
-  void hex(Word value) {
     char digits[16];
     int n = 0;
     do {
@@ -33,16 +29,7 @@ class Output {
       value >>= 4;
     } while (value != 0);
     while (n > 0) text_ += digits[--n];
-  }
-  /// Instead of an answer.
-  void nothing() { text_ += "-\n"; }
-  /// The reported changes in strips and in isolated triangles, and the end of the line.
-  void reported(int strips, int isolated) {
-    for (const int change : {strips, isolated}) {
-      text_ += ' ';
-      text_ += std::to_string(change);
-    }
-    text_ += '\n';
+    text_ += after;
   }
   /// After each entry line.
   void entry_done() {

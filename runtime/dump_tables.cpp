@@ -10,122 +10,69 @@
 #include "restrip/operations/linked.hpp"
 #include "restrip/rules/rules.hpp"
 
+namespace restrip::dump {
 namespace {
-
-using restrip::Word;
-
-using restrip::dump::Output;
 
 /// The colours of an answer and the ports that it keeps, then the changes that it reports.
 void answer(Output& out, Word colors, Word kept, int strips, int isolated) {
   out.hex(colors, ' ');
-  out.hex(kept);
-  out.reported(strips, isolated);
+  out.hex(kept, ' ');
+  out.text(std::to_string(strips) + ' ' + std::to_string(isolated) + '\n');
 }
 
 /// Every pair of masks, in ascending order: the result of `rule`, and the change in isolated triangles.
 template <class RuleOf, class IsolatedBy>
 void all(Output& out, std::size_t before_bits, std::size_t port_bits, RuleOf&& rule_of, IsolatedBy&& isolated_by) {
-  for (Word before = 0; before < restrip::bit(before_bits); ++before)
-    for (Word ports = 0; ports < restrip::bit(port_bits); ++ports) {
+  for (Word before = 0; before < bit(before_bits); ++before)
+    for (Word ports = 0; ports < bit(port_bits); ++ports) {
       out.hex(before, ' ');
       out.hex(ports, ' ');
       if (const auto rule = rule_of(before, ports); rule.valid)
         answer(out, rule.colors, ports, rule.strips, isolated_by(before, ports, rule));
       else
-        out.nothing();
+        out.text("-\n");
       out.entry_done();
     }
 }
 
 /// The change in isolated triangles by an operation with these patches.
-auto isolated_between(const restrip::detail::Layout& before, const restrip::detail::Layout& after) {
-  return [=](Word colors, Word ports, const restrip::Rule& rule) {
-    return restrip::detail::answer(before, colors, after, rule, ports).isolated;
+auto isolated_between(const detail::Layout& before, const detail::Layout& after) {
+  return [=](Word colors, Word ports, const Rule& rule) {
+    return detail::answer(before, colors, after, rule, ports).isolated;
   };
 }
 
 template <class Table>
 void lists(Output& out, const std::string& heading, const Table& table, std::size_t k, std::size_t place) {
   out.line(heading);
-  for (Word ports = 0; ports < restrip::bit(k); ++ports) {
+  for (Word ports = 0; ports < bit(k); ++ports) {
     const std::size_t list = table.first[k] + (place << k) + ports;
     out.hex(ports, ' ');
     for (std::size_t at = table.start[list]; at < table.start[list + 1]; ++at) {
       out.hex(table.rules[at].recoloring, ' ');
-      out.hex(restrip::tables::pairings[table.rules[at].pairing], at + 1 < table.start[list + 1] ? ' ' : '\n');
+      out.hex(tables::pairings[table.rules[at].pairing], at + 1 < table.start[list + 1] ? ' ' : '\n');
     }
     out.entry_done();
   }
 }
 
-/// Closed fans have separate code that counts isolated triangles, which split() and collapse() use.
-void closed_fan(Output& out, bool collapse, restrip::SplitPosition at) {
-  using restrip::detail::isolated_closed;
-  using restrip::detail::isolated_ring;
-  const auto [k, a] = at;
-  const auto made = [k = k, a = a](Word loop, Word ring, Word ports) {
-    return restrip::count_difference(isolated_ring(k, a, ring, ports), isolated_closed(k, loop, ports));
-  };
-  if (collapse)
-    all(
-        out, k + 3, k, [&](Word ring, Word ports) { return collapse_rule(at, ring, ports); },
-        [&](Word ring, Word ports, const restrip::Rule& rule) { return -made(rule.colors, ring, ports); });
-  else
-    all(
-        out, k, k, [&](Word loop, Word ports) { return split_rule(at, loop, ports); },
-        [&](Word loop, Word ports, const restrip::Rule& rule) { return made(loop, rule.colors, ports); });
-}
-
-void open_fan(Output& out, bool collapse, restrip::GapPair at) {
-  const auto [k, i, j] = at;
-  const auto fan = restrip::detail::open_fan(k);
-  const auto path = restrip::detail::path_with_chord(k, i, j);
-  if (collapse)
-    all(
-        out, k + 2, k, [&](Word inner, Word ports) { return open_collapse_rule(at, inner, ports); },
-        isolated_between(path, fan));
-  else
-    all(
-        out, k - 1, k, [&](Word loop, Word ports) { return open_split_rule(at, loop, ports); },
-        isolated_between(fan, path));
-}
-
-void boundary(Output& out, bool collapse, restrip::Gap at) {
-  const auto [k, i] = at;
-  const auto fan = restrip::detail::open_fan(k);
-  const auto path = restrip::detail::path(k, i);
-  if (collapse)
-    all(
-        out, k, k, [&](Word inner, Word ports) { return boundary_collapse_rule(at, inner, ports); },
-        isolated_between(path, fan));
-  else
-    all(
-        out, k - 1, k, [&](Word loop, Word ports) { return boundary_split_rule(at, loop, ports); },
-        isolated_between(fan, path));
-}
-
-void flip(Output& out) {
-  out.line("table flip");
-  for (const bool inner : {false, true})
-    for (unsigned ports = 0; ports < 16; ++ports) {
-      out.hex(inner ? 1 : 0, ' ');
-      out.hex(ports, ' ');
-      if (const restrip::FlipRule rule = restrip::flip_rule(inner, ports); rule.valid)
-        answer(out, rule.inner ? 1 : 0, rule.ports, rule.strips, restrip::detail::isolated_by_flip(inner, ports, rule));
-      else
-        out.nothing();
-      out.entry_done();
-    }
-}
-
-void tables(Output& out, std::size_t max_k) {
+void all_tables(Output& out, std::size_t max_k) {
   using std::to_string;
   for (const bool collapse : {false, true})
     for (std::size_t k = 3; k <= max_k; ++k)
       for (std::size_t a = 1; a < k; ++a) {
         out.line((collapse ? "table collapse k " : "table split k ") + to_string(k) + " a " + to_string(a));
-        closed_fan(out, collapse, {k, a});
+        all(
+            out, collapse ? k + 3 : k, k,
+            [&](Word before, Word ports) {
+              return collapse ? collapse_rule({k, a}, before, ports) : split_rule({k, a}, before, ports);
+            },
+            // Closed fans have separate code that counts isolated triangles, which split() and collapse() use.
+            [&](Word before, Word ports, const Rule& rule) {
+              const Word ring = detail::isolated_ring(k, a, collapse ? before : rule.colors, ports);
+              const Word fan = detail::isolated_closed(k, collapse ? rule.colors : before, ports);
+              return collapse ? -count_difference(ring, fan) : count_difference(ring, fan);
+            });
       }
   for (const bool collapse : {false, true})
     for (std::size_t k = 1; k <= max_k; ++k)
@@ -133,34 +80,62 @@ void tables(Output& out, std::size_t max_k) {
         for (std::size_t j = i + 1; j <= k; ++j) {
           out.line((collapse ? "table open-collapse k " : "table open-split k ") + to_string(k) + " gaps " +
                    to_string(i) + " " + to_string(j));
-          open_fan(out, collapse, {k, i, j});
+          const auto fan = detail::open_fan(k);
+          const auto path = detail::path_with_chord(k, i, j);
+          all(
+              out, collapse ? k + 2 : k - 1, k,
+              [&](Word before, Word ports) {
+                return collapse ? open_collapse_rule({k, i, j}, before, ports)
+                                : open_split_rule({k, i, j}, before, ports);
+              },
+              isolated_between(collapse ? path : fan, collapse ? fan : path));
         }
   for (const bool collapse : {false, true})
     for (std::size_t k = 1; k <= max_k; ++k)
       for (std::size_t i = 0; i <= k; ++i) {
         out.line((collapse ? "table boundary-collapse k " : "table boundary-split k ") + to_string(k) + " gap " +
                  to_string(i));
-        boundary(out, collapse, {k, i});
+        const auto fan = detail::open_fan(k);
+        const auto path = detail::path(k, i);
+        all(
+            out, collapse ? k : k - 1, k,
+            [&](Word before, Word ports) {
+              return collapse ? boundary_collapse_rule({k, i}, before, ports)
+                              : boundary_split_rule({k, i}, before, ports);
+            },
+            isolated_between(collapse ? path : fan, collapse ? fan : path));
       }
   for (std::size_t k = 3; k <= max_k; ++k)
     for (std::size_t a = 1; a <= k / 2; ++a)
-      lists(out, "table linked-split k " + to_string(k) + " a " + to_string(a), restrip::tables::linked_split, k,
-            a - 1);
+      lists(out, "table linked-split k " + to_string(k) + " a " + to_string(a), tables::linked_split, k, a - 1);
   for (std::size_t k = 3; k <= max_k; ++k)
-    lists(out, "table linked-collapse k " + to_string(k), restrip::tables::linked_collapse, k, 0);
-  flip(out);
+    lists(out, "table linked-collapse k " + to_string(k), tables::linked_collapse, k, 0);
+  out.line("table flip");
+  for (const bool inner : {false, true})
+    for (unsigned ports = 0; ports < 16; ++ports) {
+      out.hex(inner ? 1 : 0, ' ');
+      out.hex(ports, ' ');
+      if (const FlipRule rule = flip_rule(inner, ports); rule.valid)
+        answer(out, rule.inner ? 1 : 0, rule.ports, rule.strips, detail::isolated_by_flip(inner, ports, rule));
+      else
+        out.text("-\n");
+      out.entry_done();
+    }
 }
 
 /// The number from 3 to max_word_valence that a word names; 0 for any other word.
 std::size_t valence_named(std::string_view word) {
-  for (std::size_t k = 3; k <= restrip::max_word_valence; ++k)
+  for (std::size_t k = 3; k <= max_word_valence; ++k)
     if (word == std::to_string(k)) return k;
   return 0;
 }
 
 }  // namespace
+}  // namespace restrip::dump
 
 int main(int argc, char** argv) {
+  using namespace restrip;
+  using namespace restrip::dump;
   bool linked = false;
   bool automaton = false;
   bool digests = false;
@@ -184,7 +159,7 @@ int main(int argc, char** argv) {
           "  numbers of the automaton and digests of what it answers; with --digests, digests of what the rules "
           "answer;\n"
           "  3 <= K <= %u; with both, digests of what the automaton answers; 3 <= K <= %u, by default 28\n",
-          static_cast<unsigned>(restrip::table_max_k), static_cast<unsigned>(restrip::max_word_valence));
+          static_cast<unsigned>(table_max_k), static_cast<unsigned>(max_word_valence));
       return asked ? 0 : 2;
     }
   }
@@ -192,24 +167,24 @@ int main(int argc, char** argv) {
     std::fputs("restrip-dump-tables: choose one of --linked, --automaton and --digests\n", stderr);
     return 2;
   }
-  if (automaton && digests) return restrip::dump::automaton_digests(max_k == 0 ? 28 : max_k) ? 0 : 1;
-  if (max_k == 0) max_k = restrip::table_max_k;
-  if (max_k > restrip::table_max_k) {
+  if (automaton && digests) return dump::automaton_digests(max_k == 0 ? 28 : max_k) ? 0 : 1;
+  if (max_k == 0) max_k = table_max_k;
+  if (max_k > table_max_k) {
     std::fprintf(stderr, "restrip-dump-tables: --max-k %zu: the tables answer fans of up to %u triangles\n", max_k,
-                 static_cast<unsigned>(restrip::table_max_k));
+                 static_cast<unsigned>(table_max_k));
     return 2;
   }
-  if (digests) return restrip::dump::digests(max_k, "0123456") ? 0 : 1;
+  if (digests) return dump::digests(max_k, "0123456") ? 0 : 1;
   Output out(stdout);
   if (automaton) {
     out.line("restrip-automaton-dump 2");
-    restrip::dump::automaton(out, max_k);
+    dump::automaton(out, max_k);
   } else if (linked) {
     out.line("restrip-linked-dump 1");
-    restrip::dump::linked_rules(out, max_k);
+    dump::linked_rules(out, max_k);
   } else {
     out.line("restrip-table-dump 4");
-    tables(out, max_k);
+    all_tables(out, max_k);
   }
   return out.finish() ? 0 : 1;
 }
