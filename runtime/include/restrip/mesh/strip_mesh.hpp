@@ -5,6 +5,7 @@
 // corner table with explicit links (Rossignac, "Edgebreaker", 1999; Campagna, Kobbelt, Seidel, "Directed edges", 1998).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -25,6 +26,12 @@ namespace restrip {
 namespace detail {
 class TwoSteps;
 class TrialColors;
+
+/// Room for `more` elements, so that appending them throws nothing.
+template <class Vector>
+void make_room(Vector& vector, std::size_t more) {
+  if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
+}
 }  // namespace detail
 
 /// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
@@ -290,7 +297,7 @@ class StripMesh {
   };
   /// Makes room for `count` calls of touch(), so that they do not throw.
   void expect_touches(std::size_t count) {
-    if (watch_.changed != nullptr) make_room(*watch_.changed, count);
+    if (watch_.changed != nullptr) detail::make_room(*watch_.changed, count);
   }
   /// A flip moves six corners, joins five edges and colours five; insertions and removals do less, except for the
   /// corners at a vertex.
@@ -317,11 +324,8 @@ class StripMesh {
   [[nodiscard]] std::uint32_t link_of(Halfedge h) const noexcept { return triangles_[triangle(h)].link[side(h)]; }
   [[nodiscard]] std::uint32_t& link_of(Halfedge h) noexcept { return triangles_[triangle(h)].link[side(h)]; }
   void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
-  template <class Vector>
-  static void make_room(Vector& vector, std::size_t more);
   Triangle take_triangle();
   void place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept;
-  Halfedge insert_both(Halfedge left, Halfedge right, Vertex v_s, const Room& room) noexcept;
   Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);

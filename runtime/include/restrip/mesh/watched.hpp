@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
 
 namespace restrip {
 
@@ -65,7 +66,8 @@ class Watched {
     m.insert_vertex(where, name_of_vertex...);
   }
   {
-    name_fan(where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left);
+    detail::add_fan(*mesh_, where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left,
+                    changed_);
     room_for(2);
     const Halfedge chord = mesh_->insert_vertex(where, name_of_vertex...);
     name(chord);
@@ -75,8 +77,8 @@ class Watched {
   Halfedge remove_vertex(Halfedge chord) requires requires(Mesh& m) { m.remove_vertex(chord); }
   {
     // The remaining neighbours of the two removed triangles lie around either end of the chord.
-    name_fan(mesh_->opposite(chord));
-    name_fan(chord);
+    detail::add_fan(*mesh_, mesh_->opposite(chord), changed_);
+    detail::add_fan(*mesh_, chord, changed_);
     return mesh_->remove_vertex(chord);
   }
   Halfedge turn_edge(Halfedge h) requires requires(Mesh& m) { m.turn_edge(h); }
@@ -99,21 +101,6 @@ class Watched {
   // There is room.
   void name(Halfedge h) {
     if (!mesh_->on_boundary(h)) changed_.push_back(static_cast<std::uint32_t>(mesh_->triangle(h)));
-  }
-  /// All triangles of the vertex that h leaves.
-  void name_fan(Halfedge h) {
-    Halfedge g = h;
-    while (!mesh_->on_boundary(g)) {
-      room_for(1);
-      name(g);
-      g = turn_ccw(*mesh_, g);
-      if (g == h) return;
-    }
-    for (g = h; !mesh_->on_boundary(mesh_->opposite(g));) {
-      g = turn_cw(*mesh_, g);
-      room_for(1);
-      name(g);
-    }
   }
 
   Mesh* mesh_;

@@ -166,7 +166,7 @@ void BasicBufferHistory<Index>::frame(Buffer& buffer, std::size_t most) {
 // Writes a frame to the buffer and the copy; the next update returns its ranges.
 template <class Index>
 void BasicBufferHistory<Index>::put(Frame& frame, Buffer& buffer) {
-  detail::make_buffer_room(buffer.written_, frame.cells.at.size() + 1);
+  detail::make_room(buffer.written_, frame.cells.at.size() + 1);
   buffer.mark(std::min(frame.cells.size, buffer.cells_.size()), std::max(frame.cells.size, buffer.cells_.size()));
   for (const std::uint32_t i : frame.cells.at) buffer.mark(i, i + std::size_t{1});
   buffer.keep_ranges();

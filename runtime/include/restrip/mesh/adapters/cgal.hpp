@@ -11,10 +11,10 @@
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "restrip/mesh/mesh.hpp"
 
@@ -143,26 +143,12 @@ class SurfaceMeshStrips {
     mesh_.point(v_t) = point;
     if (fan_stays) return chord;
     // The fan goes to v_t, and v_s keeps the new triangle alone: exchange the two vertices.
-    const std::vector<Halfedge> into_s = around(chord, true);
-    const std::vector<Halfedge> into_t = around(chord, false);
-    for (const Halfedge h : into_s) mesh_.set_target(h, v_t);
-    for (const Halfedge h : into_t) mesh_.set_target(h, v_s);
+    for (const Halfedge h : CGAL::halfedges_around_target(mesh_.opposite(chord), mesh_)) mesh_.set_target(h, v_t);
+    for (const Halfedge h : CGAL::halfedges_around_target(chord, mesh_)) mesh_.set_target(h, v_s);
     const Halfedge of_s = mesh_.halfedge(v_s);
     mesh_.set_halfedge(v_s, mesh_.halfedge(v_t));
     mesh_.set_halfedge(v_t, of_s);
     return mesh_.opposite(chord);
-  }
-
-  /// The halfedges that enter one end of an edge: its source or its target.
-  [[nodiscard]] std::vector<Halfedge> around(Halfedge edge, bool source) const {
-    std::vector<Halfedge> list;
-    const Halfedge start = source ? mesh_.opposite(edge) : edge;
-    Halfedge h = start;
-    do {
-      list.push_back(h);
-      h = mesh_.opposite(mesh_.next(h));
-    } while (h != start);
-    return list;
   }
 
   Mesh& mesh_;

@@ -93,11 +93,11 @@ inline void StripMesh::replace(std::span<const Triangle> out, std::span<const Pl
     RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
   if (new_vertices > none - spoke_.size())
     RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
-  make_room(triangles_, fresh);
-  make_room(spoke_, new_vertices);
-  make_room(non_manifold_, new_vertices);
-  make_room(free_, out.size() - taken_over);
-  make_room(free_vertices_, vertices.size());
+  detail::make_room(triangles_, fresh);
+  detail::make_room(spoke_, new_vertices);
+  detail::make_room(non_manifold_, new_vertices);
+  detail::make_room(free_, out.size() - taken_over);
+  detail::make_room(free_vertices_, vertices.size());
   expect_touches(out.size() + 7 * in.size());  // a new triangle is placed, and joined on three sides
 
   const detail::PatchRim rim(*this, out);

@@ -33,12 +33,6 @@ inline void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) 
   touch(t);
 }
 
-/// Room for `more` elements, so that appending them throws nothing.
-template <class Vector>
-void StripMesh::make_room(Vector& vector, std::size_t more) {
-  if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
-}
-
 inline void StripMesh::expect_touches_around(Vertex v) {
   if (watch_.changed == nullptr) return;
   std::size_t triangles = 0;
@@ -68,8 +62,8 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
     wanted = static_cast<Vertex>(spoke_.size());
   }
   if (wanted >= spoke_.size()) {
-    make_room(spoke_, wanted + std::size_t{1} - spoke_.size());
-    make_room(non_manifold_, wanted + std::size_t{1} - non_manifold_.size());
+    detail::make_room(spoke_, wanted + std::size_t{1} - spoke_.size());
+    detail::make_room(non_manifold_, wanted + std::size_t{1} - non_manifold_.size());
     spoke_.resize(wanted + std::size_t{1}, none);
     non_manifold_.resize(spoke_.size(), 0);
   }
@@ -85,7 +79,7 @@ inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes
   const std::size_t fresh = needed - std::min(needed, free_.size());
   if (fresh > max_triangles - triangles_.size())
     RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
-  make_room(triangles_, fresh);
+  detail::make_room(triangles_, fresh);
   Room room;
   room.vertex = new_vertex(wanted);
   if (spokes != Spokes::right_only) room.left = take_triangle();
@@ -158,27 +152,22 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge righ
   const Vertex v_s = from(left);
   const Vertex v_t = room.vertex;
   for (const Halfedge h : moved) set_corner(h, v_t);
-  const Halfedge chord = insert_both(left, right, v_s, room);
-  const Halfedge back = opposite(chord);
-  set_spoke(v_t, back);
-  if (from(spoke(v_s)) != v_s) set_spoke(v_s, chord);
-  return chord;
-}
-
-inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right, Vertex v_s,
-                                                  const Room& room) noexcept {
   const Halfedge before_left = opposite(left);
   const Halfedge before_right = opposite(right);
   const Triangle a = room.left;
   const Triangle d = room.right;
-  place_triangle(a, v_s, room.vertex, from(before_left));
-  place_triangle(d, room.vertex, v_s, from(before_right));
+  place_triangle(a, v_s, v_t, from(before_left));
+  place_triangle(d, v_t, v_s, from(before_right));
   join(halfedge(a, 2), left);
   join(halfedge(a, 1), before_left);
   join(halfedge(d, 2), right);
   join(halfedge(d, 1), before_right);
-  join(halfedge(a, 0), halfedge(d, 0));
-  return halfedge(a, 0);
+  const Halfedge chord = halfedge(a, 0);
+  const Halfedge back = halfedge(d, 0);
+  join(chord, back);
+  set_spoke(v_t, back);
+  if (from(spoke(v_s)) != v_s) set_spoke(v_s, chord);
+  return chord;
 }
 
 inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
@@ -261,8 +250,8 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
 }
 
 inline void StripMesh::expect_back(std::size_t removals) {
-  make_room(free_, 2 * removals);
-  make_room(free_vertices_, removals);
+  detail::make_room(free_, 2 * removals);
+  detail::make_room(free_vertices_, removals);
 }
 
 inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {

@@ -31,27 +31,6 @@ inline SeenTriangle seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noex
   const std::array<Vertex, 3> corner = mesh.corners(StripMesh::triangle(h));
   return {corner[0] ^ corner[1] ^ corner[2] ^ apex, apex};
 }
-
-// The solid sides of a triangle.
-template <class Mesh>
-struct Exits {
-  std::array<typename Mesh::Halfedge, 3> side;
-  unsigned count = 0;
-};
-template <NumberedMesh Mesh>
-Exits<Mesh> exits(const Mesh& mesh, typename Mesh::Halfedge h) {
-  Exits<Mesh> exits{{h, h, h}};
-  for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
-    exits.side[exits.count] = h;
-    exits.count += mesh.solid(h) ? 1U : 0U;
-  }
-  return exits;
-}
-
-template <class Vector>
-void make_buffer_room(Vector& vector, std::size_t more) {
-  if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
-}
 }  // namespace detail
 
 template <class Index>
@@ -89,7 +68,7 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   begin_reading();
   places_.make_room(0);  // copies lack this room, and so do buffers restored by a BufferHistory
   if (run_of_.size() < mesh.triangle_bound()) {
-    detail::make_buffer_room(run_of_, mesh.triangle_bound() - run_of_.size());
+    detail::make_room(run_of_, mesh.triangle_bound() - run_of_.size());
     run_of_.resize(mesh.triangle_bound(), nothing);
   }
   for (const std::uint32_t t : changed)
@@ -170,14 +149,19 @@ void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
   const std::uint32_t begin = links_;
   const std::uint32_t run = std::exchange(run_of_[t], reading);
   const std::uint32_t least = run != nothing ? places_.run(run).triangles : 1;
-  const auto h = mesh.halfedge(t);
+  auto h = mesh.halfedge(t);
   const detail::SeenTriangle seen = detail::seen_over(mesh, h);
-  const detail::Exits<Mesh> out = detail::exits(mesh, h);
-  const bool cut_before = out.count > 0 && follow(mesh, mesh.opposite(out.side[0]), begin, least, 0);
+  std::array<typename Mesh::Halfedge, 3> exits{h, h, h};  // the solid sides first
+  unsigned ways = 0;
+  for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+    exits[ways] = h;
+    ways += mesh.solid(h) ? 1U : 0U;
+  }
+  const bool cut_before = ways > 0 && follow(mesh, mesh.opposite(exits[0]), begin, least, 0);
   std::reverse(strip_.data() + begin, strip_.data() + links_);
   if (links_ == strip_.size()) strip_.resize(2 * links_ + 64);
   strip_[links_++] = {t, seen.edge ^ seen.apex, 0, run};
-  const bool cut_behind = out.count > 1 && follow(mesh, mesh.opposite(out.side[1]), begin, 1, 1);
+  const bool cut_behind = ways > 1 && follow(mesh, mesh.opposite(exits[1]), begin, 1, 1);
   const std::uint32_t triangles = links_ - begin;
   const std::uint32_t parts = triangles > detail::longest_run ? (triangles - 1) / detail::longest_joined_run + 1 : 1;
   std::uint32_t from = begin;

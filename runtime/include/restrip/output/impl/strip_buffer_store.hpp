@@ -23,8 +23,8 @@ template <class Index>
 void BasicStripBuffer<Index>::prepare() {
   constexpr std::size_t slides_for_a_run = detail::moved_for_a_run / detail::shortest_run;
   constexpr std::size_t slides = (detail::moved_for_a_gap + detail::moved_by_an_update) / detail::shortest_run;
-  detail::make_buffer_room(cells_, letters_ + 1);
-  detail::make_buffer_room(written_, dirty_.size() + 3 * (slides_for_a_run + 1) * texts_.size() + 3 * slides);
+  detail::make_room(cells_, letters_ + 1);
+  detail::make_room(written_, dirty_.size() + 3 * (slides_for_a_run + 1) * texts_.size() + 3 * slides);
   places_.make_room(texts_.size());
 }
 
