@@ -30,12 +30,6 @@ bool any_null(const Pointers*... pointers) noexcept {
 
 // ---- meshes
 
-/// Gives a new mesh to the caller.
-template <class... Parts>
-void give(restrip_mesh** out, Parts&&... parts) {
-  *out = new restrip_mesh(std::forward<Parts>(parts)...);
-}
-
 template <class Index>
 restrip_status build(const Index* indices, std::size_t index_count, std::size_t vertex_count,
                      restrip_build_report* report, std::uint32_t* origin, restrip_mesh** out) {
@@ -45,8 +39,8 @@ restrip_status build(const Index* indices, std::size_t index_count, std::size_t 
   return guarded([&] {
     BuildReport found;
     std::vector<std::uint32_t> places;
-    give(out, StripMesh::build(std::span<const Index>(indices, index_count), vertex_count, &found,
-                               origin != nullptr ? &places : nullptr));
+    *out = new restrip_mesh(StripMesh::build(std::span<const Index>(indices, index_count), vertex_count, &found,
+                                             origin != nullptr ? &places : nullptr));
     if (report != nullptr)
       *report = {found.degenerate_triangles, found.out_of_range_triangles, found.boundary_edges,
                  found.non_manifold_edges,   found.inconsistent_edges,     found.non_manifold_vertices};
@@ -620,7 +614,7 @@ restrip_status restrip_baked_read(const void* bytes, std::size_t size, char* tex
       }
       return RESTRIP_BAD_FILE;
     }
-    give(mesh, std::move(file));
+    *mesh = new restrip_mesh(std::move(file));
     return RESTRIP_OK;
   });
 }

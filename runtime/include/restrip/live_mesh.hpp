@@ -57,9 +57,18 @@ class BasicLiveMesh {
   template <class Triangles>
   BasicLiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
                 BuildReport* report = nullptr)
-      : BasicLiveMesh(Mesh::build(triangles, vertex_count, report), options, true) {}
+      : BasicLiveMesh(with_strips(Mesh::build(triangles, vertex_count, report), options), options) {}
   /// Takes a mesh with its colours.
-  explicit BasicLiveMesh(Mesh mesh, LiveOptions options = {}) : BasicLiveMesh(std::move(mesh), options, false) {}
+  explicit BasicLiveMesh(Mesh mesh, LiveOptions options = {})
+      : mesh_(std::move(mesh)), keeper_(mesh_, options.policy, options.cost), buffer_(options.format) {
+    mesh_.watch(&changed_);
+    buffer_.rebuild(mesh_);
+    if (options.history == 0) return;
+    history_.emplace(mesh_, options.history);
+    if (auto* wide = std::get_if<StripBuffer>(&buffer_.buffer())) buffers_.template emplace<BufferHistory>(*wide);
+    if (auto* narrow = std::get_if<StripBuffer16>(&buffer_.buffer()))
+      buffers_.template emplace<BufferHistory16>(*narrow);
+  }
   BasicLiveMesh(const BasicLiveMesh&) = delete;
   BasicLiveMesh& operator=(const BasicLiveMesh&) = delete;
   ~BasicLiveMesh() = default;
@@ -146,20 +155,8 @@ class BasicLiveMesh {
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return keeper_.rule_counts(); }
 
  private:
-  BasicLiveMesh(Mesh&& mesh, const LiveOptions& options, bool from_scratch)
-      : mesh_(std::move(mesh)),
-        keeper_(colored(mesh_, options, from_scratch), options.policy, options.cost),
-        buffer_(options.format) {
-    mesh_.watch(&changed_);
-    buffer_.rebuild(mesh_);
-    if (options.history == 0) return;
-    history_.emplace(mesh_, options.history);
-    if (auto* wide = std::get_if<StripBuffer>(&buffer_.buffer())) buffers_.template emplace<BufferHistory>(*wide);
-    if (auto* narrow = std::get_if<StripBuffer16>(&buffer_.buffer()))
-      buffers_.template emplace<BufferHistory16>(*narrow);
-  }
-  static Mesh& colored(Mesh& mesh, const LiveOptions& options, bool from_scratch) {
-    if (from_scratch) stripify(mesh, options.effort, options.cost);
+  static Mesh with_strips(Mesh mesh, const LiveOptions& options) {
+    stripify(mesh, options.effort, options.cost);
     return mesh;
   }
   /// Calls use(history, buffer) for the history and the buffer of one index width; false without a history of the

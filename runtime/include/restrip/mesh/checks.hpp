@@ -66,10 +66,6 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
   return shared;
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// Whether a new vertex may have this name, or `none`. O(1).
 [[nodiscard]] inline Refusal refusal_of_name(const StripMesh& mesh, Vertex name) {
   if (name == none) return Refusal::granted;

@@ -56,7 +56,7 @@ class Watched {
 
   // ---- changes
   void set_solid(Halfedge h, bool solid) {
-    room_for(2);
+    detail::make_room(changed_, 2);
     name(h);
     name(mesh_->opposite(h));
     mesh_->set_solid(h, solid);
@@ -68,7 +68,7 @@ class Watched {
   {
     detail::add_fan(*mesh_, where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left,
                     changed_);
-    room_for(2);
+    detail::make_room(changed_, 2);
     const Halfedge chord = mesh_->insert_vertex(where, name_of_vertex...);
     name(chord);
     name(mesh_->opposite(chord));
@@ -83,7 +83,7 @@ class Watched {
   }
   Halfedge turn_edge(Halfedge h) requires requires(Mesh& m) { m.turn_edge(h); }
   {
-    room_for(6);
+    detail::make_room(changed_, 6);
     for (Halfedge side : {h, mesh_->opposite(h)}) {
       name(side);
       for (int port = 0; port < 2; ++port) {
@@ -95,9 +95,6 @@ class Watched {
   }
 
  private:
-  void room_for(std::size_t more) {
-    if (changed_.capacity() - changed_.size() < more) changed_.reserve(2 * changed_.size() + more);
-  }
   // There is room.
   void name(Halfedge h) {
     if (!mesh_->on_boundary(h)) changed_.push_back(static_cast<std::uint32_t>(mesh_->triangle(h)));

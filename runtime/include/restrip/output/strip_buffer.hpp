@@ -164,8 +164,7 @@ class BasicStripBuffer {
   [[nodiscard]] bool is_forward(const Text& text) const noexcept;
   template <class Mesh>
   void write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts);
-  void prepare();
-  void store() noexcept;
+  void store();
   [[nodiscard]] bool store_in_place(const Text& text) noexcept;
   void store_anew(const Text& text) noexcept;
   void own(const Text& text, std::uint32_t place) noexcept;

@@ -168,11 +168,8 @@ class BakedReader {
         if ((stored[t] >> side & 1U) != 0 && !StripMesh::on_boundary(mesh.opposite(h))) mesh.set_solid(h, true);
       }
     }
-    for (Triangle t = 0; t < triangles; ++t) {
-      unsigned colors = 0;
-      for (unsigned side = 0; side < 3; ++side) colors |= unsigned{mesh.solid(StripMesh::halfedge(t, side))} << side;
-      if (colors != stored[t]) return fail("neighbours in its base disagree on a colour");
-    }
+    for (Triangle t = 0; t < triangles; ++t)
+      if (mesh.solid_sides(t) != stored[t]) return fail("neighbours in its base disagree on a colour");
     if (!check_coloring(mesh).valid) return fail("the colours of its base are not valid");
     return true;
   }

@@ -43,8 +43,15 @@ class JoinSides {
       : sides_(sides), report_(report), lists_(vertex_count, end), edges_(vertex_count) {}
 
   void run() {
-    make_lists();
-    for (std::uint32_t v = 0; v < lists_.size(); ++v) read_list(v);
+    for (std::uint32_t t = 0; t < sides_.triangle_bound(); ++t) {
+      if (!sides_.takes(t)) continue;
+      for (std::uint32_t h = t << 2; h < (t << 2 | 3U); ++h) {
+        std::uint32_t& first = lists_[std::min(sides_.corner(h), sides_.corner(next(h)))];
+        sides_.link(h) = first;
+        first = h;
+      }
+    }
+    for (std::uint32_t low = 0; low < lists_.size(); ++low) read_list(low);
     report_.boundary_edges += alone_;
     join_odd_edges();
   }
@@ -62,17 +69,6 @@ class JoinSides {
 
   static constexpr std::uint32_t next(std::uint32_t h) noexcept { return (h & 2U) != 0 ? h - 2 : h + 1; }
   static constexpr std::uint32_t previous(std::uint32_t h) noexcept { return next(next(h)); }
-
-  void make_lists() {
-    for (std::uint32_t t = 0; t < sides_.triangle_bound(); ++t) {
-      if (!sides_.takes(t)) continue;
-      for (std::uint32_t h = t << 2; h < (t << 2 | 3U); ++h) {
-        std::uint32_t& first = lists_[std::min(sides_.corner(h), sides_.corner(next(h)))];
-        sides_.link(h) = first;
-        first = h;
-      }
-    }
-  }
 
   void read_list(std::uint32_t low) {
     for (std::uint32_t h = lists_[low], then = end; h != end; h = then) {
@@ -125,13 +121,8 @@ class JoinSides {
     for (const OddSide& side : odd_sides_) sorted[--place[side.edge]] = side.h;  // ascending: lists are read backwards
     const auto sides_of = [&](std::size_t e) { return std::span(sorted).subspan(begin[e], begin[e + 1] - begin[e]); };
     for (std::size_t e = 0; e < odd_edges_; ++e) join_odd_edge(sides_of(e));
-    connect(sides_of);
-  }
-
-  // If two pairs of sides of an edge are in two connected components, they exchange partners, so that one strip may
-  // cover both.
-  template <class SidesOf>
-  void connect(SidesOf&& sides_of) {
+    // If two pairs of sides of an edge are in two connected components, they exchange partners, so that one strip may
+    // cover both.
     std::vector<std::uint32_t> parent(odd_edges_ == 0 ? 0 : sides_.triangle_bound());
     std::iota(parent.begin(), parent.end(), 0U);
     for (std::uint32_t t = 0; t < parent.size(); ++t)

@@ -110,14 +110,15 @@ class CutPacking {
     rows_.push_back({border_.size(), vertices_.size(), 0});
   }
 
-  /// Adds the set if it is new, lacks something, and the present arrows cross it by at least a twentieth less than they
-  /// should.
-  void add_if_uncrossed(std::span<const Vertex> set) {
-    const unsigned lacking = lacking_of(set);
-    if (lacking == 0) return;
-    Amount crossing = 0;
-    for_each_leaving(set, [&](std::uint32_t out) { crossing += crossed(used_, lacking, out); });
-    if (crossing < 2 * Amount{unit_} - unit_ / 10 && known_.insert(name_of(set)).second) add(set);
+  /// Adds edges, triangles and balls around them, those that the present arrows do not cross as they should.
+  void add_candidates(std::span<const std::array<Vertex, 3>> triangles) {
+    for (Vertex v = 0; v < graph_.vertices(); ++v) {
+      if (graph_.from(v).empty()) continue;
+      add_balls({v}, 2);
+      for (const ArrowGraph::Leaving& way : graph_.from(v))
+        if (way.to > v) add_balls({v, way.to}, 1);
+    }
+    for (const auto& [a, b, c] : triangles) add_balls({a, b, c}, 1);
   }
 
   void descend(unsigned sweeps) {
@@ -169,6 +170,37 @@ class CutPacking {
     std::size_t vertices;  // where its vertices begin
     std::uint8_t lacking;
   };
+
+  /// Adds the set if it is new, lacks something, and the present arrows cross it by at least a twentieth less than they
+  /// should.
+  void add_if_uncrossed(std::span<const Vertex> set) {
+    const unsigned lacking = lacking_of(set);
+    if (lacking == 0) return;
+    Amount crossing = 0;
+    for_each_leaving(set, [&](std::uint32_t out) { crossing += crossed(used_, lacking, out); });
+    if (crossing < 2 * Amount{unit_} - unit_ / 10 && known_.insert(name_of(set)).second) add(set);
+  }
+
+  void add_balls(std::initializer_list<Vertex> seed, unsigned radius) {
+    // A limit on the edges at the vertices of a set, so that vertices of many triangles are not slow.
+    constexpr std::size_t most_edges = 256;
+    ball_.assign(seed);
+    for (unsigned r = 0;; ++r) {
+      std::size_t edges = 0;
+      for (const Vertex v : ball_) edges += graph_.from(v).size();
+      if (edges > most_edges) return;
+      if (ball_.size() > 1) add_if_uncrossed(ball_);
+      if (r == radius) return;
+      for (const Vertex v : ball_) inside_[v] = true;
+      const std::size_t before = ball_.size();
+      for (std::size_t i = 0; i < before; ++i)
+        for (const ArrowGraph::Leaving& way : graph_.from(ball_[i])) {
+          if (!inside_[way.to]) ball_.push_back(way.to);
+          inside_[way.to] = true;
+        }
+      for (const Vertex v : ball_) inside_[v] = false;
+    }
+  }
 
   [[nodiscard]] unsigned lacking_of(std::span<const Vertex> set) const {
     unsigned lacking = 0;
@@ -249,57 +281,8 @@ class CutPacking {
   std::vector<std::uint32_t> weights_;  // of all sets that an arrow crosses
   std::vector<Amount> load_;
   std::vector<bool> inside_;
-  std::unordered_set<std::uint64_t> known_;
-};
-
-// Edges, triangles and balls around them.
-class CutCandidates {
- public:
-  CutCandidates(const ArrowGraph& graph, CutPacking& packing)
-      : graph_(graph), packing_(packing), inside_(graph.vertices(), false) {}
-
-  void look(std::span<const std::array<Vertex, 3>> triangles) {
-    for (Vertex v = 0; v < graph_.vertices(); ++v) {
-      if (graph_.from(v).empty()) continue;
-      look_around({v}, 2);
-      for (const ArrowGraph::Leaving& way : graph_.from(v))
-        if (way.to > v) look_around({v, way.to}, 1);
-    }
-    for (const auto& [a, b, c] : triangles) look_around({a, b, c}, 1);
-  }
-
- private:
-  // A limit on the edges at the vertices of a set, so that vertices of many triangles are not slow.
-  static constexpr std::size_t most_edges = 256;
-
-  void look_around(std::initializer_list<Vertex> seed, unsigned radius) {
-    ball_.assign(seed);
-    for (unsigned r = 0; is_small(); ++r) {
-      if (ball_.size() > 1) packing_.add_if_uncrossed(ball_);
-      if (r == radius) return;
-      grow();
-    }
-  }
-  [[nodiscard]] bool is_small() const {
-    std::size_t edges = 0;
-    for (const Vertex v : ball_) edges += graph_.from(v).size();
-    return edges <= most_edges;
-  }
-  void grow() {
-    for (const Vertex v : ball_) inside_[v] = true;
-    const std::size_t before = ball_.size();
-    for (std::size_t i = 0; i < before; ++i)
-      for (const ArrowGraph::Leaving& way : graph_.from(ball_[i])) {
-        if (!inside_[way.to]) ball_.push_back(way.to);
-        inside_[way.to] = true;
-      }
-    for (const Vertex v : ball_) inside_[v] = false;
-  }
-
-  const ArrowGraph& graph_;
-  CutPacking& packing_;
-  std::vector<bool> inside_;
   std::vector<Vertex> ball_;
+  std::unordered_set<std::uint64_t> known_;
 };
 
 [[nodiscard]] inline bool are_triangles(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertices) {
@@ -321,10 +304,9 @@ class CutCandidates {
   for (Vertex v = 0; v < vertex_count; ++v)
     if (graph.lacking(v) != 0) packing.add(std::array{v});
   packing.descend(80);
-  detail::CutCandidates candidates(graph, packing);
   for (unsigned round = 0; round < rounds; ++round) {
     const std::size_t before = packing.size();
-    candidates.look(triangles);
+    packing.add_candidates(triangles);
     if (packing.size() == before) break;
     packing.descend(60);
   }

@@ -45,7 +45,6 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
     if (!mesh.has_triangle(t) || run_of_[t] != nothing || detail::solid_degree(mesh, t) > 1) continue;
     begin_reading();
     read(mesh, t);
-    prepare();
     store();
     written_.clear();
   }
@@ -80,7 +79,6 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
       run_of_[t] = nothing;
     }
   }
-  prepare();
   store();
   if (!changed.empty()) close_gaps();
   detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / sizeof(Index));

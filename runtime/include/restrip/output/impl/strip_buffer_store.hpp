@@ -18,18 +18,14 @@ inline constexpr std::uint64_t tolerated_waste = 90;      // per mille of what i
 inline constexpr std::uint32_t shortest_run = 4;
 }  // namespace detail
 
-// Makes room for everything that follows, so that nothing throws.
 template <class Index>
-void BasicStripBuffer<Index>::prepare() {
+void BasicStripBuffer<Index>::store() {
+  // Room for everything that follows, so that nothing throws after this.
   constexpr std::size_t slides_for_a_run = detail::moved_for_a_run / detail::shortest_run;
   constexpr std::size_t slides = (detail::moved_for_a_gap + detail::moved_by_an_update) / detail::shortest_run;
   detail::make_room(cells_, letters_ + 1);
   detail::make_room(written_, dirty_.size() + 3 * (slides_for_a_run + 1) * texts_.size() + 3 * slides);
   places_.make_room(texts_.size());
-}
-
-template <class Index>
-void BasicStripBuffer<Index>::store() noexcept {
   for (const std::uint32_t place : dirty_)
     if (places_.state(place) == State::dirty) remove(place);
   for (Text& text : texts_)
