@@ -1,7 +1,6 @@
 // The choice of the linked look-up, for every configuration and every possible result of look_out. The look-up asks
 // about one port after the other, and the next question depends on the answers, so its choices form a tree. Each
 // tree is explored to its last leaf by asking again with other answers. Equal subtrees are printed once.
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -15,6 +14,11 @@ namespace {
 
 constexpr std::size_t most_ports = table_max_k;
 constexpr int not_asked = -3;
+constexpr auto nothing_known = [] {
+  std::array<int, most_ports> known{};
+  known.fill(not_asked);
+  return known;
+}();
 
 /// The known answers for ports; other ports are answered by "the strip ends", and recorded as asked.
 struct Answers {
@@ -56,9 +60,7 @@ class Trees {
   template <class RuleOf>
   std::uint32_t root(const RuleOf& rule, Word ports) {
     ports_ = ports;
-    std::array<int, most_ports> nothing;
-    nothing.fill(not_asked);
-    return explore(rule, nothing);
+    return explore(rule, nothing_known);
   }
   void word(std::uint32_t tree, char after) {
     if (tree >= first_node) out_->text("#");
@@ -97,12 +99,13 @@ class Trees {
       out_->hex(place->second - first_node, ' ');
       out_->hex(node[0], ' ');
       word(node[1] - 1, ' ');
-      word(node[2] - 1, std::all_of(node.begin() + 3, node.end(), [](auto child) { return child == 0; }) ? '\n' : ' ');
-      for (std::size_t other = 0; other < most_ports; ++other) {
-        if (node[3 + other] == 0) continue;
-        const auto rest = node.begin() + 3 + static_cast<std::ptrdiff_t>(other) + 1;
-        out_->hex(other, ' ');
-        word(node[3 + other] - 1, std::all_of(rest, node.end(), [](auto child) { return child == 0; }) ? '\n' : ' ');
+      std::size_t end = node.size();
+      while (node[end - 1] == 0) --end;
+      word(node[2] - 1, end == 3 ? '\n' : ' ');
+      for (std::size_t at = 3; at < end; ++at) {
+        if (node[at] == 0) continue;
+        out_->hex(at - 3, ' ');
+        word(node[at] - 1, at + 1 == end ? '\n' : ' ');
       }
       out_->entry_done();
     }
@@ -130,9 +133,8 @@ void linked_rules(Output& out, std::size_t max_k) {
               return collapse ? linked_collapse_rule(at, before, ports, answers)
                               : linked_split_rule(at, before, ports, answers);
             };
-            Answers nothing{};
-            nothing.known.fill(not_asked);
-            const bool valid = rule(nothing).valid;
+            Answers answers{nothing_known};
+            const bool valid = rule(answers).valid;
             const std::uint32_t tree = valid ? trees.root(rule, ports) : 0;
             out.hex(before, ' ');
             out.hex(ports, ' ');

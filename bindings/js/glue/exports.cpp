@@ -56,13 +56,9 @@ RESTRIP_EXPORT(void, restrip_give_back)(void* memory) { std::free(memory); }
 // ---- a mesh
 /// `splits`: v_s, v_t, v_l, v_r each.
 RESTRIP_EXPORT(Page*, restrip_open)
-(const float* points, std::uint32_t point_count, const std::uint32_t* base, std::uint32_t base_count,
- const std::uint32_t* splits, std::uint32_t split_count) {
-  Progressive source;
-  source.points = point_count;
-  for (std::size_t i = 0; i < base_count; ++i) source.base.push_back({base[3 * i], base[3 * i + 1], base[3 * i + 2]});
-  for (std::size_t i = 0; i < split_count; ++i)
-    source.splits.push_back({splits[4 * i], splits[4 * i + 1], splits[4 * i + 2], splits[4 * i + 3]});
+(const float* points, std::uint32_t point_count, const Corners* base, std::uint32_t base_count, const Record* splits,
+ std::uint32_t split_count) {
+  Progressive source{{base, base + base_count}, {splits, splits + split_count}, point_count};
   auto* page = new Page;
   page->session =
       std::make_unique<Session>(std::move(source), std::vector<float>(points, points + 3 * std::size_t{point_count}));
@@ -70,11 +66,8 @@ RESTRIP_EXPORT(Page*, restrip_open)
   return page;
 }
 RESTRIP_EXPORT(Simplifier*, restrip_simplify_begin)
-(const float* points, std::uint32_t point_count, const std::uint32_t* triangles, std::uint32_t triangle_count) {
-  std::vector<Corners> corners(triangle_count);
-  for (std::size_t i = 0; i < triangle_count; ++i)
-    corners[i] = {triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]};
-  return new Simplifier(std::vector<float>(points, points + 3 * std::size_t{point_count}), corners);
+(const float* points, std::uint32_t point_count, const Corners* triangles, std::uint32_t triangle_count) {
+  return new Simplifier({points, points + 3 * std::size_t{point_count}}, {triangles, triangle_count});
 }
 /// Runs at most `most` attempts and returns the excess of triangles; 0 when it has ended.
 RESTRIP_EXPORT(std::uint32_t, restrip_simplify_run)(Simplifier* simplifier, std::uint32_t wanted, std::uint32_t most) {

@@ -20,7 +20,7 @@ using Where = VertexSplit<Halfedge>;
 using Corners = std::array<Vertex, 3>;
 
 using Record = BakedSplit;
-static_assert(sizeof(Record) == 16, "JavaScript passes these as four numbers of 32 bits");
+static_assert(sizeof(Corners) == 12 && sizeof(Record) == 16, "JavaScript passes these as numbers of 32 bits");
 
 struct Progressive {
   std::vector<Corners> base;

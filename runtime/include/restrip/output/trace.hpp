@@ -148,18 +148,13 @@ class Trace {
   static SeenTriangle seen(const Mesh& mesh, std::uint32_t t) {
     SeenTriangle now;
     if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return now;
+    const auto corner = [&](auto of) { return static_cast<std::uint32_t>(mesh.from(of)); };
     auto h = mesh.halfedge(t);
-    const auto corner = [&] { return static_cast<std::uint32_t>(mesh.from(h)); };
-    auto first = h;
-    std::uint32_t least = nothing;
-    for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
-      if (corner() >= least) continue;
-      least = corner();
-      first = h;
-    }
-    h = first;
+    const auto second = mesh.next(h);
+    for (const auto other : {second, mesh.next(second)})
+      if (corner(other) < corner(h)) h = other;
     for (std::size_t side = 0; side < 3; ++side, h = mesh.next(h)) {
-      now.corners[side] = corner();
+      now.corners[side] = corner(h);
       if (!mesh.on_boundary(mesh.opposite(h)) && mesh.solid(h)) now.solid |= 1U << side;
     }
     return now;

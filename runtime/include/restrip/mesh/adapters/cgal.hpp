@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 
 #include "restrip/mesh/mesh.hpp"
 
@@ -65,15 +66,15 @@ class SurfaceMeshStrips {
     const Halfedge chord = mesh_.opposite(back);
     mesh_.point(mesh_.target(chord)) = point;
     // The edge of a spoke is now one of the new triangle's, and has the spoke's colour.
-    if (has_left) {
-      close_corner(left_tip, chord);
-      set_solid(mesh_.next(chord), false);
-      set_solid(mesh_.prev(chord), false);
-    }
-    if (has_right) {
-      close_corner(right_tip, back);
-      set_solid(mesh_.next(back), false);
-      set_solid(mesh_.prev(back), false);
+    for (const auto& [there, tip, side] : {std::tuple{has_left, left_tip, chord}, {has_right, right_tip, back}}) {
+      if (!there) continue;
+      // Cuts the triangle off that lies between the apex, where `tip` ends, and the new mesh edge.
+      if (mesh_.is_border(tip))
+        CGAL::Euler::add_face_to_border(tip, side, mesh_);
+      else
+        CGAL::Euler::split_face(tip, side, mesh_);
+      set_solid(mesh_.next(side), false);
+      set_solid(mesh_.prev(side), false);
     }
     return chord;
   }
@@ -89,24 +90,17 @@ class SurfaceMeshStrips {
     const bool has_left = !mesh_.is_border(chord);
     const bool has_right = !mesh_.is_border(back);
     // On the left the edge of v_t is removed, on the right the edge of v_s, so that neither end loses its last triangle
-    // on the way. At the boundary the edge with a triangle beyond it is removed.
-    const auto open = [&](Halfedge h) { return mesh_.is_border(mesh_.opposite(h)); };
-    Halfedge left;
-    Halfedge right;
-    if (has_left) {
-      const Halfedge of_t = mesh_.next(chord);
-      const Halfedge of_s = mesh_.prev(chord);
-      const bool keep_t = !has_right && open(of_t);
-      left = keep_t ? of_t : mesh_.opposite(of_s);
-      CGAL::Euler::join_face(mesh_.opposite(keep_t ? of_s : of_t), mesh_);
-    }
-    if (has_right) {
-      const Halfedge of_s = mesh_.next(back);
-      const Halfedge of_t = mesh_.prev(back);
-      const bool keep_s = !has_left && open(of_s);
-      right = keep_s ? of_s : mesh_.opposite(of_t);
-      CGAL::Euler::join_face(mesh_.opposite(keep_s ? of_t : of_s), mesh_);
-    }
+    // on the way. At the boundary the edge with a triangle beyond it is removed. Returns a halfedge of the other edge.
+    const auto remove_triangle = [&](Halfedge side, bool alone) {
+      const Halfedge first = mesh_.next(side);
+      const Halfedge second = mesh_.prev(side);
+      const bool keeps_first = alone && mesh_.is_border(mesh_.opposite(first));
+      const Halfedge merged = keeps_first ? first : mesh_.opposite(second);
+      CGAL::Euler::join_face(mesh_.opposite(keeps_first ? second : first), mesh_);
+      return merged;
+    };
+    const Halfedge left = has_left ? remove_triangle(chord, !has_right) : Halfedge();
+    const Halfedge right = has_right ? remove_triangle(back, !has_left) : Halfedge();
     CGAL::Euler::join_vertex(back, mesh_);
     // The merged edges may lie on the boundary now, where nothing is solid.
     if (has_left) set_solid(left, false);
@@ -125,14 +119,6 @@ class SurfaceMeshStrips {
     Halfedge h = mesh_.halfedge(v);
     while (!mesh_.is_border(h)) h = mesh_.prev(mesh_.opposite(h));
     return h;
-  }
-
-  /// Cuts the triangle off that lies between the apex, where `tip` ends, and the new mesh edge `side`.
-  void close_corner(Halfedge tip, Halfedge side) {
-    if (mesh_.is_border(tip))
-      CGAL::Euler::add_face_to_border(tip, side, mesh_);
-    else
-      CGAL::Euler::split_face(tip, side, mesh_);
   }
 
   /// Both corners are the same: the new triangle is added at the boundary edge of `border`.
