@@ -43,8 +43,16 @@ class History {
   /// undo() restores the mesh as it was before the last frame, redo() as it was after the frame undone last. Both
   /// return false when no such frame exists. Call them right after frame(): later changes are lost. The watch of the
   /// mesh is notified. Keepers of the mesh must be rebuilt, buffers updated.
-  bool undo(StripMesh& mesh);
-  bool redo(StripMesh& mesh);
+  bool undo(StripMesh& mesh) {
+    if (done_ == 0) return false;
+    step(mesh, frames_[--done_], false);
+    return true;
+  }
+  bool redo(StripMesh& mesh) {
+    if (done_ == frames_.size()) return false;
+    step(mesh, frames_[done_++], true);
+    return true;
+  }
 
   [[nodiscard]] std::size_t undoable() const noexcept { return done_; }
   [[nodiscard]] std::size_t redoable() const noexcept { return frames_.size() - done_; }
@@ -86,11 +94,45 @@ class History {
       {none, none, none}, {StripMesh::edge_of_mesh, StripMesh::edge_of_mesh, StripMesh::edge_of_mesh}};
 
   template <class Value>
-  static Tail<Value> tail_of(const std::vector<Value>& before, const std::vector<Value>& after, std::size_t changes);
+  static Tail<Value> tail_of(const std::vector<Value>& before, const std::vector<Value>& after, std::size_t changes) {
+    // Each change removes an element from the end or appends one.
+    Tail<Value> tail;
+    tail.kept = std::min(before.size(), after.size());
+    tail.kept -= std::min(tail.kept, changes);
+    while (tail.kept < before.size() && tail.kept < after.size() && before[tail.kept] == after[tail.kept]) ++tail.kept;
+    tail.before.assign(before.begin() + static_cast<std::ptrdiff_t>(tail.kept), before.end());
+    tail.after.assign(after.begin() + static_cast<std::ptrdiff_t>(tail.kept), after.end());
+    return tail;
+  }
+
   template <class Value>
-  static void put(std::vector<Value>& list, const Tail<Value>& tail, bool forward);
-  static void apply(StripMesh& mesh, const Frame& frame, bool forward);
-  void step(StripMesh& mesh, const Frame& frame, bool forward);
+  static void put(std::vector<Value>& list, const Tail<Value>& tail, bool forward) {
+    const std::vector<Value>& now = forward ? tail.after : tail.before;
+    list.resize(tail.kept);
+    list.insert(list.end(), now.begin(), now.end());
+  }
+
+  static void apply(StripMesh& mesh, const Frame& frame, bool forward) {
+    const auto size = forward ? frame.triangles_after : frame.triangles_before;
+    if (mesh.triangles_.size() < size) mesh.triangles_.resize(size, removed);
+    const auto vertices = forward ? frame.vertices_after : frame.vertices_before;
+    mesh.spoke_.resize(std::max(vertices, mesh.spoke_.size()), none);
+    for (const auto& change : frame.triangles)
+      if (change.at < size) mesh.triangles_[change.at] = forward ? change.after : change.before;
+    mesh.triangles_.resize(size);
+    for (const auto& change : frame.spokes) mesh.spoke_[change.at] = forward ? change.after : change.before;
+    mesh.spoke_.resize(vertices, none);
+    mesh.non_manifold_.resize(vertices, 0);
+    put(mesh.free_, frame.free, forward);
+    put(mesh.free_vertices_, frame.free_vertices, forward);
+  }
+
+  void step(StripMesh& mesh, const Frame& frame, bool forward) {
+    mesh.expect_touches(frame.triangles.size());
+    apply(mesh, frame, forward);
+    apply(last_, frame, forward);
+    for (const auto& change : frame.triangles) mesh.touch(change.at);
+  }
 
   StripMesh last_;  // as it was at the end of the last frame
   std::deque<Frame> frames_;
@@ -100,26 +142,6 @@ class History {
   std::vector<Triangle> named_;
   std::vector<Vertex> corners_;
 };
-
-template <class Value>
-History::Tail<Value> History::tail_of(const std::vector<Value>& before, const std::vector<Value>& after,
-                                      std::size_t changes) {
-  // Each change removes an element from the end or appends one.
-  Tail<Value> tail;
-  tail.kept = std::min(before.size(), after.size());
-  tail.kept -= std::min(tail.kept, changes);
-  while (tail.kept < before.size() && tail.kept < after.size() && before[tail.kept] == after[tail.kept]) ++tail.kept;
-  tail.before.assign(before.begin() + static_cast<std::ptrdiff_t>(tail.kept), before.end());
-  tail.after.assign(after.begin() + static_cast<std::ptrdiff_t>(tail.kept), after.end());
-  return tail;
-}
-
-template <class Value>
-void History::put(std::vector<Value>& list, const Tail<Value>& tail, bool forward) {
-  const std::vector<Value>& now = forward ? tail.after : tail.before;
-  list.resize(tail.kept);
-  list.insert(list.end(), now.begin(), now.end());
-}
 
 inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
   named_.assign(changed.begin(), changed.end());
@@ -159,39 +181,6 @@ inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> chan
     frames_.pop_front();
     --done_;
   }
-  return true;
-}
-
-inline void History::apply(StripMesh& mesh, const Frame& frame, bool forward) {
-  const auto size = forward ? frame.triangles_after : frame.triangles_before;
-  if (mesh.triangles_.size() < size) mesh.triangles_.resize(size, removed);
-  const auto vertices = forward ? frame.vertices_after : frame.vertices_before;
-  mesh.spoke_.resize(std::max(vertices, mesh.spoke_.size()), none);
-  for (const auto& change : frame.triangles)
-    if (change.at < size) mesh.triangles_[change.at] = forward ? change.after : change.before;
-  mesh.triangles_.resize(size);
-  for (const auto& change : frame.spokes) mesh.spoke_[change.at] = forward ? change.after : change.before;
-  mesh.spoke_.resize(vertices, none);
-  mesh.non_manifold_.resize(vertices, 0);
-  put(mesh.free_, frame.free, forward);
-  put(mesh.free_vertices_, frame.free_vertices, forward);
-}
-
-inline void History::step(StripMesh& mesh, const Frame& frame, bool forward) {
-  mesh.expect_touches(frame.triangles.size());
-  apply(mesh, frame, forward);
-  apply(last_, frame, forward);
-  for (const auto& change : frame.triangles) mesh.touch(change.at);
-}
-
-inline bool History::undo(StripMesh& mesh) {
-  if (done_ == 0) return false;
-  step(mesh, frames_[--done_], false);
-  return true;
-}
-inline bool History::redo(StripMesh& mesh) {
-  if (done_ == frames_.size()) return false;
-  step(mesh, frames_[done_++], true);
   return true;
 }
 

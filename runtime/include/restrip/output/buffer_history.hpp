@@ -43,16 +43,37 @@ class BasicBufferHistory {
 
   /// Call it after each update, with the same list of changes, and after each rebuild(). After an exception the history
   /// must not be used any more; the same holds for frame(), undo() and redo().
-  void note(const Buffer& buffer, std::span<const std::uint32_t> changed);
+  void note(const Buffer& buffer, std::span<const std::uint32_t> changed) {
+    if (buffer.rebuilt_) return note_all(buffer);
+    for (const auto& [first, count] : buffer.written_)
+      for (std::size_t i = first; i < first + count; ++i) cells_.push_back(static_cast<std::uint32_t>(i));
+    triangles_.insert(triangles_.end(), changed.begin(), changed.end());
+    for (std::uint32_t i = 0; i < buffer.links_; ++i) triangles_.push_back(buffer.strip_[i].triangle);
+  }
   /// Ends a frame, which contains all updates since the previous frame. Frames that were undone and not redone are
   /// dropped, and so are the oldest beyond `most`.
-  void frame(Buffer& buffer, std::size_t most);
+  void frame(Buffer& buffer, std::size_t most) {
+    frames_.resize(done_);
+    frames_.push_back(take(buffer));
+    while (frames_.size() > most) frames_.pop_front();
+    done_ = frames_.size();
+  }
 
   /// undo() restores the buffer as it was before the last frame that is not undone, redo() as it was after the frame
   /// undone last. Both first undo changes noted since the last frame, and return false when no such frame exists. The
   /// next update() returns the ranges that were written.
-  bool undo(Buffer& buffer);
-  bool redo(Buffer& buffer);
+  bool undo(Buffer& buffer) {
+    forget_unframed(buffer);
+    if (done_ == 0) return false;
+    put(frames_[--done_], buffer);
+    return true;
+  }
+  bool redo(Buffer& buffer) {
+    forget_unframed(buffer);
+    if (done_ == frames_.size()) return false;
+    put(frames_[done_++], buffer);
+    return true;
+  }
 
  private:
   /// Values of an array, to be exchanged with the present ones.
@@ -61,8 +82,32 @@ class BasicBufferHistory {
     std::vector<std::uint32_t> at;  // ascending
     std::vector<Value> value;
     std::size_t size = 0;  // of the array
-    void take(std::vector<std::uint32_t>& named, std::vector<Value>& last, const std::vector<Value>& now, Value beyond);
-    void exchange_with(std::vector<Value>& array, Value beyond);
+
+    // From `last`, which is brought in step, the values before. `named` is cleared.
+    void take(std::vector<std::uint32_t>& named, std::vector<Value>& last, const std::vector<Value>& now,
+              Value beyond) {
+      for (std::size_t i = std::min(last.size(), now.size()); i < std::max(last.size(), now.size()); ++i)
+        named.push_back(static_cast<std::uint32_t>(i));
+      std::sort(named.begin(), named.end());
+      named.erase(std::unique(named.begin(), named.end()), named.end());
+      size = last.size();
+      last.resize(std::max(last.size(), now.size()), beyond);
+      for (const std::uint32_t i : named) {
+        if (i >= last.size()) break;
+        const Value after = i < now.size() ? now[i] : beyond;
+        if (last[i] == after) continue;
+        at.push_back(i);
+        value.push_back(std::exchange(last[i], after));
+      }
+      last.resize(now.size(), beyond);
+      named.clear();
+    }
+    void exchange_with(std::vector<Value>& array, Value beyond) {
+      const std::size_t now = array.size();
+      array.resize(std::max(now, size), beyond);
+      for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
+      array.resize(std::exchange(size, now), beyond);
+    }
   };
   struct Frame {
     Values<Index> cells;
@@ -71,11 +116,46 @@ class BasicBufferHistory {
     detail::RunPlaces::Totals totals;
   };
 
-  void note_all(const Buffer& buffer);
-  Frame take(Buffer& buffer);
-  static void exchange(Frame& frame, Buffer& buffer);
-  void put(Frame& frame, Buffer& buffer);
-  void forget_unframed(Buffer& buffer);
+  void note_all(const Buffer& buffer) {
+    cells_.resize(std::max(buffer.cells_.size(), last_.cells_.size()));
+    triangles_.resize(std::max(buffer.run_of_.size(), last_.run_of_.size()));
+    places_.resize(std::max(buffer.places_.places_.size(), last_.places_.places_.size()));
+    for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
+  }
+  Frame take(Buffer& buffer) {
+    detail::RunPlaces& places = buffer.places_;
+    for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
+    places_.insert(places_.end(), places.changed_.begin(), places.changed_.end());
+    places.changed_.clear();
+    Frame frame;
+    frame.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
+    frame.run_of.take(triangles_, last_.run_of_, buffer.run_of_, Buffer::nothing);
+    frame.places.take(places_, last_.places_.places_, places.places_, {});
+    frame.totals = std::exchange(last_.places_.totals_, places.totals_);
+    return frame;
+  }
+  static void exchange(Frame& frame, Buffer& buffer) {
+    frame.cells.exchange_with(buffer.cells_, buffer.filling());
+    frame.run_of.exchange_with(buffer.run_of_, Buffer::nothing);
+    frame.places.exchange_with(buffer.places_.places_, {});
+    std::swap(frame.totals, buffer.places_.totals_);
+  }
+  // Writes a frame to the buffer and the copy; the next update returns its ranges.
+  void put(Frame& frame, Buffer& buffer) {
+    detail::make_room(buffer.written_, frame.cells.at.size() + 1);
+    buffer.mark(std::min(frame.cells.size, buffer.cells_.size()), std::max(frame.cells.size, buffer.cells_.size()));
+    for (const std::uint32_t i : frame.cells.at) buffer.mark(i, i + std::size_t{1});
+    buffer.keep_ranges();
+    Frame copy = frame;
+    exchange(copy, last_);
+    const bool stale = std::exchange(buffer.stale_, true);  // in case memory runs out
+    exchange(frame, buffer);
+    buffer.stale_ = stale;
+  }
+  void forget_unframed(Buffer& buffer) {
+    Frame unframed = take(buffer);
+    put(unframed, buffer);
+  }
 
   Buffer last_;  // as it was at the end of the last frame
   std::deque<Frame> frames_;
@@ -84,120 +164,6 @@ class BasicBufferHistory {
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> places_;
 };
-
-template <class Index>
-void BasicBufferHistory<Index>::note_all(const Buffer& buffer) {
-  cells_.resize(std::max(buffer.cells_.size(), last_.cells_.size()));
-  triangles_.resize(std::max(buffer.run_of_.size(), last_.run_of_.size()));
-  places_.resize(std::max(buffer.places_.places_.size(), last_.places_.places_.size()));
-  for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
-}
-
-template <class Index>
-void BasicBufferHistory<Index>::note(const Buffer& buffer, std::span<const std::uint32_t> changed) {
-  if (buffer.rebuilt_) return note_all(buffer);
-  for (const auto& [first, count] : buffer.written_)
-    for (std::size_t i = first; i < first + count; ++i) cells_.push_back(static_cast<std::uint32_t>(i));
-  triangles_.insert(triangles_.end(), changed.begin(), changed.end());
-  for (std::uint32_t i = 0; i < buffer.links_; ++i) triangles_.push_back(buffer.strip_[i].triangle);
-}
-
-// From `last`, which is brought in step, the values before. `named` is cleared.
-template <class Index>
-template <class Value>
-void BasicBufferHistory<Index>::Values<Value>::take(std::vector<std::uint32_t>& named, std::vector<Value>& last,
-                                                    const std::vector<Value>& now, Value beyond) {
-  for (std::size_t i = std::min(last.size(), now.size()); i < std::max(last.size(), now.size()); ++i)
-    named.push_back(static_cast<std::uint32_t>(i));
-  std::sort(named.begin(), named.end());
-  named.erase(std::unique(named.begin(), named.end()), named.end());
-  size = last.size();
-  last.resize(std::max(last.size(), now.size()), beyond);
-  for (const std::uint32_t i : named) {
-    if (i >= last.size()) break;
-    const Value after = i < now.size() ? now[i] : beyond;
-    if (last[i] == after) continue;
-    at.push_back(i);
-    value.push_back(std::exchange(last[i], after));
-  }
-  last.resize(now.size(), beyond);
-  named.clear();
-}
-
-template <class Index>
-template <class Value>
-void BasicBufferHistory<Index>::Values<Value>::exchange_with(std::vector<Value>& array, Value beyond) {
-  const std::size_t now = array.size();
-  array.resize(std::max(now, size), beyond);
-  for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
-  array.resize(std::exchange(size, now), beyond);
-}
-
-template <class Index>
-typename BasicBufferHistory<Index>::Frame BasicBufferHistory<Index>::take(Buffer& buffer) {
-  detail::RunPlaces& places = buffer.places_;
-  for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
-  places_.insert(places_.end(), places.changed_.begin(), places.changed_.end());
-  places.changed_.clear();
-  Frame frame;
-  frame.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
-  frame.run_of.take(triangles_, last_.run_of_, buffer.run_of_, Buffer::nothing);
-  frame.places.take(places_, last_.places_.places_, places.places_, {});
-  frame.totals = std::exchange(last_.places_.totals_, places.totals_);
-  return frame;
-}
-
-template <class Index>
-void BasicBufferHistory<Index>::exchange(Frame& frame, Buffer& buffer) {
-  frame.cells.exchange_with(buffer.cells_, buffer.filling());
-  frame.run_of.exchange_with(buffer.run_of_, Buffer::nothing);
-  frame.places.exchange_with(buffer.places_.places_, {});
-  std::swap(frame.totals, buffer.places_.totals_);
-}
-
-template <class Index>
-void BasicBufferHistory<Index>::frame(Buffer& buffer, std::size_t most) {
-  frames_.resize(done_);
-  frames_.push_back(take(buffer));
-  while (frames_.size() > most) frames_.pop_front();
-  done_ = frames_.size();
-}
-
-// Writes a frame to the buffer and the copy; the next update returns its ranges.
-template <class Index>
-void BasicBufferHistory<Index>::put(Frame& frame, Buffer& buffer) {
-  detail::make_room(buffer.written_, frame.cells.at.size() + 1);
-  buffer.mark(std::min(frame.cells.size, buffer.cells_.size()), std::max(frame.cells.size, buffer.cells_.size()));
-  for (const std::uint32_t i : frame.cells.at) buffer.mark(i, i + std::size_t{1});
-  buffer.keep_ranges();
-  Frame copy = frame;
-  exchange(copy, last_);
-  const bool stale = std::exchange(buffer.stale_, true);  // in case memory runs out
-  exchange(frame, buffer);
-  buffer.stale_ = stale;
-}
-
-template <class Index>
-void BasicBufferHistory<Index>::forget_unframed(Buffer& buffer) {
-  Frame unframed = take(buffer);
-  put(unframed, buffer);
-}
-
-template <class Index>
-bool BasicBufferHistory<Index>::undo(Buffer& buffer) {
-  forget_unframed(buffer);
-  if (done_ == 0) return false;
-  put(frames_[--done_], buffer);
-  return true;
-}
-
-template <class Index>
-bool BasicBufferHistory<Index>::redo(Buffer& buffer) {
-  forget_unframed(buffer);
-  if (done_ == frames_.size()) return false;
-  put(frames_[done_++], buffer);
-  return true;
-}
 
 using BufferHistory = BasicBufferHistory<std::uint32_t>;
 using BufferHistory16 = BasicBufferHistory<std::uint16_t>;
