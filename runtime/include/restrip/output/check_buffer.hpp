@@ -21,29 +21,6 @@ namespace restrip {
 /// Three vertices counter-clockwise, the lowest first.
 using DrawnTriangle = std::array<std::uint32_t, 3>;
 
-/// The triangles that strips with restart indices draw, sorted; degenerate ones left out. `Index`: an unsigned type of
-/// 16 or 32 bits, whose highest value restarts. O(n log n).
-template <class Index>
-[[nodiscard]] std::vector<DrawnTriangle> triangles_of_strips(std::span<const Index> indices);
-/// The triangles that a triangle list draws.
-template <class Index>
-[[nodiscard]] std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices);
-/// The triangles of a mesh.
-template <NumberedMesh Mesh>
-[[nodiscard]] std::vector<DrawnTriangle> triangles_of(const Mesh& mesh);
-
-struct BufferReport {
-  std::size_t missing = 0;  ///< triangles of the mesh that the buffer does not draw
-  std::size_t extra = 0;    ///< triangles that it draws but the mesh does not have, or draws more than once
-  [[nodiscard]] constexpr bool right() const noexcept { return missing + extra == 0; }
-};
-
-/// Decodes the buffer and compares. O(n log n).
-template <class Index, NumberedMesh Mesh>
-[[nodiscard]] BufferReport check_buffer(const BasicStripBuffer<Index>& buffer, const Mesh& mesh);
-template <class Index, NumberedMesh Mesh>
-[[nodiscard]] BufferReport check_buffer(const BasicTriangleListBuffer<Index>& buffer, const Mesh& mesh);
-
 namespace detail {
 
 constexpr bool is_degenerate(const DrawnTriangle& t) noexcept { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -53,19 +30,12 @@ constexpr DrawnTriangle lowest_first(DrawnTriangle t) noexcept {
   return t;
 }
 
-inline BufferReport compare_drawn(const std::vector<DrawnTriangle>& drawn, const std::vector<DrawnTriangle>& wanted) {
-  const auto count_beyond = [](const auto& all, const auto& known) {
-    std::vector<DrawnTriangle> beyond;
-    std::set_difference(all.begin(), all.end(), known.begin(), known.end(), std::back_inserter(beyond));
-    return beyond.size();
-  };
-  return {count_beyond(wanted, drawn), count_beyond(drawn, wanted)};
-}
-
 }  // namespace detail
 
+/// The triangles that strips with restart indices draw, sorted; degenerate ones left out. `Index`: an unsigned type of
+/// 16 or 32 bits, whose highest value restarts. O(n log n).
 template <class Index>
-std::vector<DrawnTriangle> triangles_of_strips(std::span<const Index> indices) {
+[[nodiscard]] std::vector<DrawnTriangle> triangles_of_strips(std::span<const Index> indices) {
   std::vector<DrawnTriangle> drawn;
   std::size_t start = 0;
   for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -79,8 +49,9 @@ std::vector<DrawnTriangle> triangles_of_strips(std::span<const Index> indices) {
   return drawn;
 }
 
+/// The triangles that a triangle list draws.
 template <class Index>
-std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices) {
+[[nodiscard]] std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices) {
   std::vector<DrawnTriangle> drawn;
   for (std::size_t i = 2; i < indices.size(); i += 3)
     drawn.push_back(detail::lowest_first({indices[i - 2], indices[i - 1], indices[i]}));
@@ -88,8 +59,9 @@ std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices) {
   return drawn;
 }
 
+/// The triangles of a mesh.
 template <NumberedMesh Mesh>
-std::vector<DrawnTriangle> triangles_of(const Mesh& mesh) {
+[[nodiscard]] std::vector<DrawnTriangle> triangles_of(const Mesh& mesh) {
   std::vector<DrawnTriangle> all;
   for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t)
     if (mesh.has_triangle(t)) all.push_back(detail::lowest_first(detail::corners_from(mesh, mesh.halfedge(t))));
@@ -97,12 +69,32 @@ std::vector<DrawnTriangle> triangles_of(const Mesh& mesh) {
   return all;
 }
 
+struct BufferReport {
+  std::size_t missing = 0;  ///< triangles of the mesh that the buffer does not draw
+  std::size_t extra = 0;    ///< triangles that it draws but the mesh does not have, or draws more than once
+  [[nodiscard]] constexpr bool right() const noexcept { return missing + extra == 0; }
+};
+
+namespace detail {
+
+inline BufferReport compare_drawn(const std::vector<DrawnTriangle>& drawn, const std::vector<DrawnTriangle>& wanted) {
+  const auto count_beyond = [](const auto& all, const auto& known) {
+    std::vector<DrawnTriangle> beyond;
+    std::set_difference(all.begin(), all.end(), known.begin(), known.end(), std::back_inserter(beyond));
+    return beyond.size();
+  };
+  return {count_beyond(wanted, drawn), count_beyond(drawn, wanted)};
+}
+
+}  // namespace detail
+
+/// Decodes the buffer and compares. O(n log n).
 template <class Index, NumberedMesh Mesh>
-BufferReport check_buffer(const BasicStripBuffer<Index>& buffer, const Mesh& mesh) {
+[[nodiscard]] BufferReport check_buffer(const BasicStripBuffer<Index>& buffer, const Mesh& mesh) {
   return detail::compare_drawn(triangles_of_strips(buffer.indices()), triangles_of(mesh));
 }
 template <class Index, NumberedMesh Mesh>
-BufferReport check_buffer(const BasicTriangleListBuffer<Index>& buffer, const Mesh& mesh) {
+[[nodiscard]] BufferReport check_buffer(const BasicTriangleListBuffer<Index>& buffer, const Mesh& mesh) {
   return detail::compare_drawn(triangles_of_list(buffer.indices()), triangles_of(mesh));
 }
 

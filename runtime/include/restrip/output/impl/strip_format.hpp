@@ -106,14 +106,6 @@ class StripFormatter {
     end_batch();
   }
 
-  // The ways to write a strip so that its first triangle is wound as `odd` says.
-  enum class Way { as_it_is, from_its_end, middle_exchanged, one_repeated };
-  [[nodiscard]] static Way way_of(const Strip& strip, bool odd) noexcept {
-    if (strip.odd == odd) return Way::as_it_is;
-    if (strip.count % 2 != 0) return Way::from_its_end;
-    return strip.count == 4 ? Way::middle_exchanged : Way::one_repeated;
-  }
-
   void put(const Strip& strip) {
     const bool begins = out_.size() == first_;
     if (form_ == StripForm::list) {
@@ -124,16 +116,19 @@ class StripFormatter {
     if (form_ == StripForm::restart && !begins) out_.push_back(restart);
     const bool odd = form_ == StripForm::stitched && (out_.size() - first_) % 2 != 0;
     const auto text = text_.subspan(strip.first, strip.count);
-    const Way way = way_of(strip, odd);
-    const std::uint32_t front = way == Way::from_its_end ? text.back() : text.front();
+    // To wind its first triangle the other way, a strip is written from its end, two indices are exchanged, or one is
+    // repeated.
+    const bool turns = strip.odd != odd;
+    const bool backwards = turns && strip.count % 2 != 0;
+    const std::uint32_t front = backwards ? text.back() : text.front();
     if (form_ == StripForm::stitched && !begins && out_.back() != front) out_.insert(out_.end(), {out_.back(), front});
     const std::size_t before = out_.size();
-    if (way == Way::one_repeated) out_.push_back(front);
-    if (way == Way::from_its_end)
+    if (turns && !backwards && strip.count != 4) out_.push_back(front);
+    if (backwards)
       out_.insert(out_.end(), text.rbegin(), text.rend());
     else
       out_.insert(out_.end(), text.begin(), text.end());
-    if (way == Way::middle_exchanged) std::swap(out_[before + 1], out_[before + 2]);
+    if (turns && strip.count == 4) std::swap(out_[before + 1], out_[before + 2]);
     if (form_ == StripForm::lengths) lengths_.push_back(static_cast<std::uint32_t>(out_.size() - before));
   }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <numeric>
 
 #include "restrip/mesh/cost.hpp"
@@ -14,8 +13,6 @@
 namespace restrip {
 
 namespace detail {
-
-// Reads strips. A StripMesh does this without a branch for each side: strips turn at random.
 
 template <NumberedMesh Mesh>
 Triangle triangle_of(const Mesh& mesh, typename Mesh::Halfedge h) {
@@ -33,16 +30,12 @@ unsigned solid_degree(const Mesh& mesh, Triangle t) {
   const auto next = mesh.next(h);
   return (mesh.solid(h) ? 1U : 0U) + (mesh.solid(next) ? 1U : 0U) + (mesh.solid(mesh.next(next)) ? 1U : 0U);
 }
-inline unsigned solid_degree(const StripMesh& mesh, Triangle t) noexcept { return mesh.solid_degree(t); }
 
 // A halfedge of t to start strip_step() from, if t ends a strip.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge into_end(const Mesh& mesh, Triangle t) {
   const auto h = mesh.halfedge(t);
   return mesh.solid(h) ? mesh.next(h) : h;
-}
-inline StripMesh::Halfedge into_end(const StripMesh& /*mesh*/, Triangle t) noexcept {
-  return StripMesh::halfedge(t, 3);
 }
 
 // The halfedge over which t is left for its neighbour u in the strip.
@@ -52,13 +45,6 @@ typename Mesh::Halfedge exit_to(const Mesh& mesh, Triangle t, Triangle u) {
   for (int side = 0; side < 2; ++side, h = mesh.next(h))
     if (mesh.solid(h) && triangle_of(mesh, mesh.opposite(h)) == u) break;
   return h;
-}
-inline StripMesh::Halfedge exit_to(const StripMesh& mesh, Triangle t, Triangle u) noexcept {
-  unsigned ways = 0;
-  for (unsigned s = 0; s < 3; ++s)
-    ways |= static_cast<unsigned>(StripMesh::triangle(mesh.opposite(StripMesh::halfedge(t, s))) == u) << s;
-  ways &= mesh.solid_sides(t);
-  return StripMesh::halfedge(t, ways != 0 ? static_cast<unsigned>(std::countr_zero(ways)) : 2);
 }
 
 // The vertices of a triangle, from the one that h leaves.
