@@ -9,7 +9,6 @@
 #include "meshes/little_endian.hpp"
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/formats/baked_format.hpp"
-#include "restrip/formats/dual_order.hpp"
 
 namespace restrip::tools {
 namespace {

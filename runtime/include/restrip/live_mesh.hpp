@@ -109,15 +109,12 @@ class BasicLiveMesh {
     const Upload upload = buffer_.update(mesh_, changed_, ranges);
     if (history_) {
       interrupted_ = true;
-      with_history([this](auto& buffers, auto& strips) {
+      const bool is_frame = history_->frame(mesh_, changed_);
+      with_history([&](auto& buffers, auto& strips) {
         buffers.note(strips, changed_);
+        if (is_frame) buffers.frame(strips, history_->undoable());
         return true;
       });
-      if (history_->frame(mesh_, changed_))
-        with_history([this](auto& buffers, auto& strips) {
-          buffers.frame(strips, history_->undoable());
-          return true;
-        });
       interrupted_ = false;
     }
     changed_.clear();

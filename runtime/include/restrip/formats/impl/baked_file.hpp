@@ -10,7 +10,6 @@
 
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/formats/baked_format.hpp"
-#include "restrip/formats/dual_order.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 
