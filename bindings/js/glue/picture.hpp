@@ -46,8 +46,20 @@ class Picture {
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
       if (!mesh.alive(t)) continue;
       const auto [i, j, k] = mesh.corners(t);
-      const float distance = meets(from, along, point(session, i), point(session, j), point(session, k));
-      if (distance < 0 || distance >= nearest) continue;
+      // The distance along the ray (Moller and Trumbore 1997).
+      const Point a = point(session, i);
+      const Point e = minus(point(session, j), a);
+      const Point f = minus(point(session, k), a);
+      const Point p = cross(along, f);
+      const float determinant = dot(e, p);
+      if (determinant == 0) continue;
+      const Point s = minus(from, a);
+      const float u = dot(s, p) / determinant;
+      const Point q = cross(s, e);
+      const float v = dot(along, q) / determinant;
+      if (u < 0 || v < 0 || u + v > 1) continue;
+      const float distance = dot(f, q) / determinant;
+      if (!(distance > 0) || distance >= nearest) continue;
       nearest = distance;
       hit_ = {from[0] + distance * along[0], from[1] + distance * along[1], from[2] + distance * along[2]};
     }
@@ -69,22 +81,6 @@ class Picture {
   }
   [[nodiscard]] static float dot(const Point& a, const Point& b) noexcept {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  /// The distance along the ray to the triangle; -1 if it misses (Moller and Trumbore 1997).
-  [[nodiscard]] static float meets(const Point& from, const Point& along, const Point& a, const Point& b,
-                                   const Point& c) noexcept {
-    const Point e = minus(b, a);
-    const Point f = minus(c, a);
-    const Point p = cross(along, f);
-    const float determinant = dot(e, p);
-    if (determinant == 0) return -1;
-    const Point s = minus(from, a);
-    const float u = dot(s, p) / determinant;
-    const Point q = cross(s, e);
-    const float v = dot(along, q) / determinant;
-    if (u < 0 || v < 0 || u + v > 1) return -1;
-    const float distance = dot(f, q) / determinant;
-    return distance > 0 ? distance : -1;
   }
 
   std::vector<PaintedTriangle> ribbon_;

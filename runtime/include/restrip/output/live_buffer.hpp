@@ -52,7 +52,11 @@ class LiveBuffer {
   /// Writes the whole buffer. Linear time. Throws as the rebuild() of its buffer does.
   template <NumberedMesh Mesh>
   void rebuild(const Mesh& mesh) {
-    if (format_.width == IndexWidth::automatic) make(!fits_16_bits(mesh));
+    if (format_.width == IndexWidth::automatic) {
+      bool wide = false;
+      for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
+      make(wide);
+    }
     whole_ = true;
     std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
     whole_ = false;
@@ -63,7 +67,9 @@ class LiveBuffer {
   template <NumberedMesh Mesh>
   Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {}) {
     const std::size_t old_bytes = device_bytes_;
-    const bool widens = format_.width == IndexWidth::automatic && index_bytes() == 2 && !fits_16_bits(mesh, changed);
+    const bool widens =
+        format_.width == IndexWidth::automatic && index_bytes() == 2 &&
+        !std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
     std::span<const IndexRange> ranges{&all_, 1};
     if (whole_ || widens) {
       rebuild(mesh);
@@ -159,16 +165,6 @@ class LiveBuffer {
     if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return true;
     const auto [a, b, c] = detail::corners_from(mesh, mesh.halfedge(t));
     return std::max({a, b, c}) <= highest_index16;
-  }
-  template <class Mesh>
-  [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-    return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
-  }
-  template <class Mesh>
-  [[nodiscard]] static bool fits_16_bits(const Mesh& mesh) {
-    for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t)
-      if (!fits_16_bits(mesh, t)) return false;
-    return true;
   }
 
   StripFormat format_;

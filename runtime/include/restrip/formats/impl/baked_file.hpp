@@ -42,9 +42,27 @@ class BakedReader {
 
   /// Checks the checksum and reads the header; base and records remain to be read.
   bool open() {
+    using namespace baked_format;
+    for (std::size_t i = 0; i < magic.size(); ++i)
+      if (i >= rest_.size() || std::to_integer<char>(rest_[i]) != magic[i])
+        return fail("this is not a baked mesh: it does not begin with '" + std::string(magic) + "'");
+    if (rest_.size() < header_bytes + checksum_bytes)
+      return fail("it ends inside its header: the file is not complete");
+    const auto body = rest_.first(rest_.size() - checksum_bytes);
+    rest_ = rest_.subspan(magic.size());
     std::uint32_t found = 0;
-    if (!check_whole(found) || !u32(header_.points) || !u32(header_.triangles) || !u32(header_.splits)) return false;
-    if (found == baked_format::version_with_payload && !u32(header_.payload_bytes)) return false;
+    if (!u32(found)) return false;
+    if (found != version && found != version_with_payload)
+      return fail("it is of version " + std::to_string(found) + ", and this program reads versions " +
+                  std::to_string(version) + " and " + std::to_string(version_with_payload));
+    BakedReader end(rest_.last(checksum_bytes));
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    if (!end.u32(low) || !end.u32(high) || (std::uint64_t{high} << 32 | low) != fnv1a(body))
+      return fail("its checksum does not fit: the file is truncated or altered");
+    rest_ = rest_.first(rest_.size() - checksum_bytes);
+    if (!u32(header_.points) || !u32(header_.triangles) || !u32(header_.splits)) return false;
+    if (found == version_with_payload && !u32(header_.payload_bytes)) return false;
     if (header_.payload_bytes == 0) return true;
     if (header_.splits > rest_.size() / header_.payload_bytes) return fail(promises_more);
     header_.payload = rest_.last(std::size_t{header_.splits} * header_.payload_bytes);
@@ -90,28 +108,6 @@ class BakedReader {
     fault_ += what;
     return false;
   }
-  bool check_whole(std::uint32_t& found) {
-    using namespace baked_format;
-    for (std::size_t i = 0; i < magic.size(); ++i)
-      if (i >= rest_.size() || std::to_integer<char>(rest_[i]) != magic[i])
-        return fail("this is not a baked mesh: it does not begin with '" + std::string(magic) + "'");
-    if (rest_.size() < header_bytes + checksum_bytes)
-      return fail("it ends inside its header: the file is not complete");
-    const auto body = rest_.first(rest_.size() - checksum_bytes);
-    rest_ = rest_.subspan(magic.size());
-    if (!u32(found)) return false;
-    if (found != version && found != version_with_payload)
-      return fail("it is of version " + std::to_string(found) + ", and this program reads versions " +
-                  std::to_string(version) + " and " + std::to_string(version_with_payload));
-    BakedReader end(rest_.last(checksum_bytes));
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    if (!end.u32(low) || !end.u32(high) || (std::uint64_t{high} << 32 | low) != fnv1a(body))
-      return fail("its checksum does not fit: the file is truncated or altered");
-    rest_ = rest_.first(rest_.size() - checksum_bytes);
-    return true;
-  }
-
   bool u8(std::uint8_t& value) {
     if (rest_.empty()) return fail("it ends too early");
     value = std::to_integer<std::uint8_t>(rest_.front());

@@ -237,10 +237,10 @@ void BasicStripBuffer<Index>::draws(std::vector<Range>& draws) const {
 
 inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap,
                                 std::size_t unit) noexcept {
+  unit = std::max(unit, std::size_t{1});
   for (IndexRange& range : ranges) {
-    const std::size_t stop =
-        unit < 2 ? range.first + range.count : (range.first + range.count + unit - 1) / unit * unit;
-    if (unit >= 2) range.first = range.first / unit * unit;
+    const std::size_t stop = (range.first + range.count + unit - 1) / unit * unit;
+    range.first = range.first / unit * unit;
     range.count = stop - range.first;
   }
   std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

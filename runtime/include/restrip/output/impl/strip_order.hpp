@@ -12,21 +12,17 @@
 
 namespace restrip::detail {
 
-// All strips written in one direction, and where each begins: strip s is indices[start[s]] … indices[start[s + 1] - 2].
-struct WrittenStrips {
-  std::vector<std::uint32_t> indices;
-  std::vector<std::size_t> start;
-
-  explicit WrittenStrips(std::vector<std::uint32_t> written) : indices(std::move(written)) {
-    start.push_back(0);
-    for (std::size_t i = 0; i < indices.size(); ++i)
-      if (indices[i] == restart_index) start.push_back(i + 1);
-    start.push_back(indices.size() + 1);
+// The strips of an index buffer.
+inline std::vector<std::span<const std::uint32_t>> strips_in(std::span<const std::uint32_t> indices) {
+  std::vector<std::span<const std::uint32_t>> strips;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= indices.size(); ++i) {
+    if (i < indices.size() && indices[i] != restart_index) continue;
+    strips.push_back(indices.subspan(begin, i - begin));
+    begin = i + 1;
   }
-  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t s) const noexcept {
-    return std::span(indices).subspan(start[s], start[s + 1] - 1 - start[s]);
-  }
-};
+  return strips;
+}
 
 class StripOrder {
  public:
@@ -36,10 +32,11 @@ class StripOrder {
     bool turned;
   };
 
-  StripOrder(const WrittenStrips& plain, const WrittenStrips& turned, std::size_t strips, std::size_t cache_size)
-      : written_{&plain, &turned}, strips_(strips), cache_size_(cache_size), done_(strips, false) {
+  /// The indices of all strips, written in one direction and in the other.
+  StripOrder(std::span<const std::uint32_t> plain, std::span<const std::uint32_t> turned, std::size_t cache_size)
+      : written_{strips_in(plain), strips_in(turned)}, cache_size_(cache_size), done_(written_[0].size(), false) {
     std::size_t vertices = 0;
-    for (const std::uint32_t v : plain.indices)
+    for (const std::uint32_t v : plain)
       if (v != restart_index) vertices = std::max(vertices, v + std::size_t{1});
     came_in_.assign(vertices, 0);
     trial_of_.assign(vertices, 0);
@@ -49,9 +46,9 @@ class StripOrder {
 
   std::vector<Choice> run() {
     std::vector<Choice> order;
-    order.reserve(strips_);
+    order.reserve(done_.size());
     std::size_t first = 0;
-    while (order.size() < strips_) {
+    while (order.size() < done_.size()) {
       Choice next{};
       if (!best_beside_cache(next) && !beside_left_behind(next)) {
         while (done_[first]) ++first;
@@ -67,7 +64,7 @@ class StripOrder {
   static constexpr std::size_t most_tried = 64;
 
   [[nodiscard]] std::span<const std::uint32_t> beginning(Choice of) const noexcept {
-    const std::span<const std::uint32_t> all = (*written_[of.turned ? 1 : 0])[of.strip];
+    const std::span<const std::uint32_t> all = written_[of.turned ? 1 : 0][of.strip];
     return all.first(std::min(all.size(), 2 * cache_size_));
   }
 
@@ -75,7 +72,7 @@ class StripOrder {
   void list_beginnings(std::size_t vertices) {
     first_of_.assign(vertices + 1, 0);
     const auto each = [this](auto&& visit) {
-      for (std::uint32_t s = 0; s < strips_; ++s)
+      for (std::uint32_t s = 0; s < done_.size(); ++s)
         for (const bool turned : {false, true})
           for (const std::uint32_t v : beginning({s, turned})) visit(v, Choice{s, turned});
     };
@@ -157,7 +154,7 @@ class StripOrder {
 
   void write(Choice choice) {
     done_[choice.strip] = true;
-    for (const std::uint32_t v : (*written_[choice.turned ? 1 : 0])[choice.strip])
+    for (const std::uint32_t v : written_[choice.turned ? 1 : 0][choice.strip])
       if (came_in_[v] == 0 || misses_ - came_in_[v] >= cache_size_) {
         came_in_[v] = ++misses_;
         recent_.push_back(v);
@@ -169,10 +166,9 @@ class StripOrder {
     std::size_t alone;
   };
 
-  const WrittenStrips* written_[2];
-  std::size_t strips_;
+  std::vector<std::span<const std::uint32_t>> written_[2];
   std::size_t cache_size_;
-  std::vector<bool> done_;
+  std::vector<bool> done_;            // by strip
   std::vector<std::size_t> came_in_;  // of a vertex, the number of the miss; 0: never
   std::size_t misses_ = 0;
   std::vector<std::size_t> trial_of_;  // in which a vertex was met last
@@ -197,9 +193,9 @@ Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_
   for (std::size_t s = 0; s < strips.size(); ++s)
     std::reverse(turned.order.begin() + static_cast<std::ptrdiff_t>(strips.start[s]),
                  turned.order.begin() + static_cast<std::ptrdiff_t>(strips.start[s + 1]));
-  const detail::WrittenStrips plain_written(strip_indices(mesh, strips));
-  const detail::WrittenStrips turned_written(strip_indices(mesh, turned));
-  detail::StripOrder order(plain_written, turned_written, strips.size(), cache_size);
+  const std::vector<std::uint32_t> plain_written = strip_indices(mesh, strips);
+  const std::vector<std::uint32_t> turned_written = strip_indices(mesh, turned);
+  detail::StripOrder order(plain_written, turned_written, cache_size);
   Strips ordered;
   ordered.order.reserve(strips.order.size());
   ordered.start.reserve(strips.start.size());
