@@ -47,7 +47,11 @@ class Simplifier {
       : points_(std::move(points)), mesh_(StripMesh::build(triangles, points_.size() / 3, &report_)) {
     quadrics_.resize(points_.size() / 3);
     version_.resize(points_.size() / 3, 0);
-    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) add_planes(t);
+    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) {
+      const auto [a, b, c] = mesh_.corners(t);
+      const Vec n = normal(a, b, c);
+      for (const Vertex v : {a, b, c}) quadrics_[v].add_plane(n, -dot(n, at(a)));
+    }
     for (Vertex v = 0; v < mesh_.vertex_bound(); ++v)
       if (mesh_.spoke(v).id != none) propose(v);
   }
@@ -110,11 +114,6 @@ class Simplifier {
     const Vec n = cross(at(b) - at(a), at(c) - at(a));
     const double length = std::sqrt(dot(n, n));
     return length > 0 ? Vec{n.x / length, n.y / length, n.z / length} : Vec{};
-  }
-  void add_planes(Triangle t) {
-    const auto [a, b, c] = mesh_.corners(t);
-    const Vec n = normal(a, b, c);
-    for (const Vertex v : {a, b, c}) quadrics_[v].add_plane(n, -dot(n, at(a)));
   }
   /// Queues the cheapest edge over which v may be removed, or the next one after `skip` have failed.
   void propose(Vertex v, std::size_t skip = 0) {

@@ -23,7 +23,6 @@ using DrawnTriangle = std::array<std::uint32_t, 3>;
 
 namespace detail {
 
-constexpr bool is_degenerate(const DrawnTriangle& t) noexcept { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 constexpr DrawnTriangle lowest_first(DrawnTriangle t) noexcept {
   if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
   if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
@@ -43,7 +42,7 @@ template <class Index>
     if (i < start + 2) continue;
     DrawnTriangle t{indices[i - 2], indices[i - 1], indices[i]};
     if ((i - start) % 2 == 1) std::swap(t[0], t[1]);
-    if (!detail::is_degenerate(t)) drawn.push_back(detail::lowest_first(t));
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) drawn.push_back(detail::lowest_first(t));
   }
   std::sort(drawn.begin(), drawn.end());
   return drawn;

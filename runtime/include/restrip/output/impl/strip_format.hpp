@@ -17,7 +17,27 @@ class StripFormatter {
     if ((format.most_vertices != 0 && format.most_vertices < 3) ||
         (format.most_indices != 0 && format.most_indices < 4))
       RESTRIP_THROW(std::invalid_argument, "restrip: a batch has at least 3 vertices and 4 indices");
-    find_strips();
+    // One repeated index within a strip, a swap, draws one degenerate triangle. Several in a row stitch strips.
+    for (std::size_t begin = 0; begin < text_.size();) {
+      const auto end = static_cast<std::size_t>(
+          std::find(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.end(), restart) - text_.begin());
+      for (std::size_t i = begin; i + 2 < end;) {
+        if (degenerate(i)) {
+          ++i;
+          continue;
+        }
+        const std::size_t first = i;
+        std::size_t last = i;
+        for (; i + 2 < end && i - last <= 2; ++i) {
+          if (degenerate(i)) continue;
+          last = i;
+          ++triangles_;
+        }
+        strips_.push_back({first, last + 3 - first, (first - begin) % 2 != 0});
+        for (std::size_t j = first; j < last + 3; ++j) highest_ = std::max(highest_, text_[j]);
+      }
+      begin = end + 1;
+    }
   }
 
   IndexBuffer run() {
@@ -48,30 +68,6 @@ class StripFormatter {
 
   [[nodiscard]] bool degenerate(std::size_t i) const noexcept {
     return text_[i] == text_[i + 1] || text_[i + 1] == text_[i + 2] || text_[i + 2] == text_[i];
-  }
-
-  // One repeated index within a strip, a swap, draws one degenerate triangle. Several in a row stitch strips.
-  void find_strips() {
-    for (std::size_t begin = 0; begin < text_.size();) {
-      const auto end = static_cast<std::size_t>(
-          std::find(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.end(), restart) - text_.begin());
-      for (std::size_t i = begin; i + 2 < end;) {
-        if (degenerate(i)) {
-          ++i;
-          continue;
-        }
-        const std::size_t first = i;
-        std::size_t last = i;
-        for (; i + 2 < end && i - last <= 2; ++i) {
-          if (degenerate(i)) continue;
-          last = i;
-          ++triangles_;
-        }
-        strips_.push_back({first, last + 3 - first, (first - begin) % 2 != 0});
-        for (std::size_t j = first; j < last + 3; ++j) highest_ = std::max(highest_, text_[j]);
-      }
-      begin = end + 1;
-    }
   }
 
   void write(StripForm form) {

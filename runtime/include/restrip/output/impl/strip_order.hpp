@@ -41,7 +41,19 @@ class StripOrder {
     came_in_.assign(vertices, 0);
     trial_of_.assign(vertices, 0);
     trial_came_in_.assign(vertices, {});
-    list_beginnings(vertices);
+    // For each vertex the strips that have it among their first indices in one direction or the other.
+    first_of_.assign(vertices + 1, 0);
+    const auto each = [this](auto&& visit) {
+      for (std::uint32_t s = 0; s < done_.size(); ++s)
+        for (const bool turned : {false, true})
+          for (const std::uint32_t v : beginning({s, turned})) visit(v, Choice{s, turned});
+    };
+    each([this](std::uint32_t v, Choice) { ++first_of_[v + 1]; });
+    for (std::size_t v = 0; v < vertices; ++v) first_of_[v + 1] += first_of_[v];
+    choices_.resize(first_of_[vertices]);
+    std::vector<std::size_t> filled(first_of_.begin(), first_of_.end() - 1);
+    each([&](std::uint32_t v, Choice c) { choices_[filled[v]++] = c; });
+    end_of_ = std::move(filled);
   }
 
   std::vector<Choice> run() {
@@ -68,22 +80,6 @@ class StripOrder {
     return all.first(std::min(all.size(), 2 * cache_size_));
   }
 
-  // For each vertex the strips that have it among their first indices in one direction or the other.
-  void list_beginnings(std::size_t vertices) {
-    first_of_.assign(vertices + 1, 0);
-    const auto each = [this](auto&& visit) {
-      for (std::uint32_t s = 0; s < done_.size(); ++s)
-        for (const bool turned : {false, true})
-          for (const std::uint32_t v : beginning({s, turned})) visit(v, Choice{s, turned});
-    };
-    each([this](std::uint32_t v, Choice) { ++first_of_[v + 1]; });
-    for (std::size_t v = 0; v < vertices; ++v) first_of_[v + 1] += first_of_[v];
-    choices_.resize(first_of_[vertices]);
-    std::vector<std::size_t> filled(first_of_.begin(), first_of_.end() - 1);
-    each([&](std::uint32_t v, Choice c) { choices_[filled[v]++] = c; });
-    end_of_ = std::move(filled);
-  }
-
   // Strips that have been written are taken out of the list of v while it is read.
   template <class Visit>
   void for_each_choice_at(std::uint32_t v, Visit&& visit) {
@@ -99,7 +95,6 @@ class StripOrder {
   struct Gain {
     std::size_t spared = 0;
     std::size_t of = 1;
-    [[nodiscard]] bool beats(const Gain& other) const noexcept { return spared * other.of > other.spared * of; }
   };
 
   Gain gain_of(Choice choice) {
@@ -128,7 +123,7 @@ class StripOrder {
         if (tried == most_tried) return false;
         ++tried;
         const Gain gain = gain_of(choice);
-        if (gain.beats(best_gain)) {
+        if (gain.spared * best_gain.of > best_gain.spared * gain.of) {
           best_gain = gain;
           best = choice;
         }

@@ -72,50 +72,6 @@ bool are_strips_of(const Mesh& mesh, const Strips& strips) {
   return true;
 }
 
-// Equal turns in a row cost a swap each, in either direction. A strip starts on an even place and is then free to turn
-// left first; seen from its other end, its last turn is the first and has changed sides.
-template <NumberedMesh Mesh>
-bool turns_left(const Mesh& mesh, Triangle before, Triangle t, Triangle after) {
-  return !(mesh.next(mesh.opposite(exit_to(mesh, before, t))) == exit_to(mesh, t, after));
-}
-template <NumberedMesh Mesh>
-bool is_shorter_backwards(const Mesh& mesh, std::span<const Triangle> strip) {
-  const std::size_t n = strip.size();
-  return n >= 3 && !turns_left(mesh, strip[0], strip[1], strip[2]) &&
-         !turns_left(mesh, strip[n - 3], strip[n - 2], strip[n - 1]);
-}
-
-// Writes the indices of one strip, from the end that needs fewer.
-template <NumberedMesh Mesh>
-void append_indices(const Mesh& mesh, std::span<const Triangle> strip, std::vector<std::uint32_t>& indices) {
-  const std::size_t n = strip.size();
-  const bool backwards = is_shorter_backwards(mesh, strip);
-  const auto exit_of = [&](std::size_t i) {
-    return backwards ? exit_to(mesh, strip[n - 1 - i], strip[n - 2 - i]) : exit_to(mesh, strip[i], strip[i + 1]);
-  };
-  // The first triangle ends in the edge over which it is left.
-  auto exit = n == 1 ? mesh.next(mesh.halfedge(strip[0])) : exit_of(0);
-  const auto corners = corners_from(mesh, mesh.next(mesh.next(exit)));
-  indices.insert(indices.end(), corners.begin(), corners.end());
-  if (n == 1) return;
-  // Each further triangle has the last two indices a, b and adds its third corner c, which leads over the edge (b, c).
-  // To leave over (a, c), a is repeated before c. A triangle entered over the halfedge `entry` is left over
-  // next(entry), a turn to the right, or over the third side, a turn to the left. (Seen from outside, the strip comes
-  // in across `entry` from the right of its direction to its left.)
-  auto entry = mesh.opposite(exit);
-  bool free_turn_left = true;
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    exit = exit_of(i);
-    const bool left = !(mesh.next(entry) == exit);
-    const std::uint32_t a = indices[indices.size() - 2];
-    if (left != free_turn_left) indices.push_back(a);
-    indices.push_back(from_of(mesh, left ? exit : mesh.next(exit)));
-    free_turn_left = !left;
-    entry = mesh.opposite(exit);
-  }
-  indices.push_back(from_of(mesh, mesh.next(mesh.next(entry))));
-}
-
 }  // namespace detail
 
 template <NumberedMesh Mesh>
@@ -225,7 +181,40 @@ std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips)
   indices.reserve(strips.order.size() + strips.order.size() / 2);
   for (std::size_t s = 0; s < strips.size(); ++s) {
     if (s != 0) indices.push_back(restart_index);
-    detail::append_indices(mesh, strips[s], indices);
+    const std::span<const Triangle> strip = strips[s];
+    const std::size_t n = strip.size();
+    // Equal turns in a row cost a swap each, in either direction. A strip starts on an even place and is then free to
+    // turn left first; seen from its other end, its last turn is the first and has changed sides.
+    const auto turns_right = [&](std::size_t i) {
+      return mesh.next(mesh.opposite(detail::exit_to(mesh, strip[i - 1], strip[i]))) ==
+             detail::exit_to(mesh, strip[i], strip[i + 1]);
+    };
+    const bool backwards = n >= 3 && turns_right(1) && turns_right(n - 2);
+    const auto exit_of = [&](std::size_t i) {
+      return backwards ? detail::exit_to(mesh, strip[n - 1 - i], strip[n - 2 - i])
+                       : detail::exit_to(mesh, strip[i], strip[i + 1]);
+    };
+    // The first triangle ends in the edge over which it is left.
+    auto exit = n == 1 ? mesh.next(mesh.halfedge(strip[0])) : exit_of(0);
+    const auto corners = detail::corners_from(mesh, mesh.next(mesh.next(exit)));
+    indices.insert(indices.end(), corners.begin(), corners.end());
+    if (n == 1) continue;
+    // Each further triangle has the last two indices a, b and adds its third corner c, which leads over the edge (b,
+    // c). To leave over (a, c), a is repeated before c. A triangle entered over the halfedge `entry` is left over
+    // next(entry), a turn to the right, or over the third side, a turn to the left. (Seen from outside, the strip comes
+    // in across `entry` from the right of its direction to its left.)
+    auto entry = mesh.opposite(exit);
+    bool free_turn_left = true;
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      exit = exit_of(i);
+      const bool left = !(mesh.next(entry) == exit);
+      const std::uint32_t a = indices[indices.size() - 2];
+      if (left != free_turn_left) indices.push_back(a);
+      indices.push_back(detail::from_of(mesh, left ? exit : mesh.next(exit)));
+      free_turn_left = !left;
+      entry = mesh.opposite(exit);
+    }
+    indices.push_back(detail::from_of(mesh, mesh.next(mesh.next(entry))));
   }
   return indices;
 }
