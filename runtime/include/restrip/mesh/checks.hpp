@@ -155,4 +155,4 @@ template <class Shared>
 
 }  // namespace restrip
 
-#include "restrip/mesh/impl/check_replace.hpp"
+#include "restrip/mesh/impl/replace.hpp"

@@ -356,5 +356,4 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 }  // namespace restrip
 
 #include "restrip/mesh/checks.hpp"
-#include "restrip/mesh/impl/replace.hpp"
 #include "restrip/mesh/impl/strip_mesh.hpp"
