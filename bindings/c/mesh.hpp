@@ -91,20 +91,6 @@ struct restrip_mesh {
   /// Whether the mesh is at a baked level; false for meshes that are not baked, and under another policy.
   [[nodiscard]] bool in_step() const noexcept { return keeper.baked() != nullptr && keeper.baked()->in_step(); }
 
-  /// Plays at most `most` records towards a level that exists, in step. Returns how many were played.
-  std::size_t move(std::size_t level, std::size_t most) {
-    std::size_t done = 0;
-    for (std::size_t at = keeper.baked()->level(); at != level && done < most; at = keeper.baked()->level(), ++done) {
-      const bool up = at < level;
-      const restrip::BakedSplit& split = file->splits[up ? at : at - 1];
-      if (up)
-        keeper.split_record(at, restrip::spokes_of(mesh, split), split.v_t);
-      else
-        keeper.collapse_record(at - 1, mesh.spoke(split.v_s, split.v_t));
-    }
-    return done;
-  }
-
   /// Changes colours or the whole mesh without the keeper; keeper and live buffer are updated even after an exception.
   /// The history starts again.
   template <class Work>

@@ -634,7 +634,16 @@ restrip_status restrip_baked_move(restrip_mesh* mesh, std::size_t level, std::si
   if (level > mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
   if (!mesh->in_step()) return RESTRIP_OUT_OF_STEP;
   return guarded([&] {
-    const std::size_t played = mesh->move(level, most);
+    std::size_t played = 0;
+    auto& keeper = mesh->keeper;
+    for (std::size_t at = keeper.baked()->level(); at != level && played < most; at = keeper.baked()->level()) {
+      ++played;
+      const BakedSplit& split = mesh->file->splits[at < level ? at : at - 1];
+      if (at < level)
+        keeper.split_record(at, spokes_of(mesh->mesh, split), split.v_t);
+      else
+        keeper.collapse_record(at - 1, mesh->mesh.spoke(split.v_s, split.v_t));
+    }
     if (done != nullptr) *done = played;
     return RESTRIP_OK;
   });

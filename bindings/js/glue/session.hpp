@@ -29,12 +29,29 @@ struct Figures {
 
 class Session {
  public:
-  /// `points`: three coordinates a vertex. refused() says whether the records can be played.
+  /// `points`: three coordinates a vertex. Plays all records once; refused_record() is the first that the mesh refuses.
   Session(Progressive source, std::vector<float> points) : source_(std::move(source)), points_(std::move(points)) {
-    const std::size_t accepted = hierarchy_.read(source_, base_report_);
-    if (accepted < source_.splits.size()) {
-      refused_record_ = accepted;
-      source_.splits.resize(accepted);
+    StripMesh mesh = StripMesh::build(source_.base, source_.points, &base_report_);
+    mesh.reserve(source_.fine_triangles(), source_.points);
+    std::vector<std::uint32_t> last(source_.fine_triangles(),
+                                    none);  // by triangle: the record that it was last part of
+    for (std::uint32_t i = 0; i < source_.splits.size(); ++i) {
+      const Where where = find_spokes(mesh, source_.splits[i]);
+      const Vertex v_t = source_.splits[i].v_t;
+      if (v_t >= source_.points || check_split(mesh, where, v_t) != Refusal::granted) {
+        refused_record_ = i;
+        source_.splits.resize(i);
+        break;
+      }
+      fan_triangles(mesh, where.spokes == Where::Spokes::right_only ? where.right : where.left, patch_);
+      const std::size_t begin = needs_.size();
+      for (const Triangle t : patch_)
+        if (last[t] != none) needs_.push_back(last[t]);
+      std::sort(needs_.begin() + static_cast<std::ptrdiff_t>(begin), needs_.end());
+      needs_.erase(std::unique(needs_.begin() + static_cast<std::ptrdiff_t>(begin), needs_.end()), needs_.end());
+      first_need_.push_back(static_cast<std::uint32_t>(needs_.size()));
+      edge_triangles(mesh, mesh.insert_vertex(where, v_t), patch_);
+      for (const Triangle t : patch_) last[t] = i;
     }
     dependents_.resize(source_.splits.size());
     played_.resize(source_.splits.size());
@@ -113,8 +130,9 @@ class Session {
   std::span<const std::uint32_t> ready() {
     ready_.clear();
     for (std::uint32_t i = 0; i < played_.size(); ++i) {
-      const auto needs = hierarchy_.needs(i);
-      if (played_[i] == 0 && std::all_of(needs.begin(), needs.end(), [&](std::uint32_t n) { return played_[n] != 0; }))
+      const auto needed = needs(i);
+      if (played_[i] == 0 &&
+          std::all_of(needed.begin(), needed.end(), [&](std::uint32_t n) { return played_[n] != 0; }))
         ready_.push_back(i);
     }
     return ready_;
@@ -234,6 +252,12 @@ class Session {
   [[nodiscard]] std::size_t plain_indices() const { return strip_index_count(mesh_, extract_strips(mesh_)); }
 
  private:
+  /// The order of splits that must be kept. Two operations whose fans share a triangle keep the order of the records,
+  /// all others commute. So a set of records can be played, in any such order, exactly if it contains all records that
+  /// its members need. A record can be undone if no other played record needs it.
+  [[nodiscard]] std::span<const std::uint32_t> needs(std::size_t record) const noexcept {
+    return {needs_.data() + first_need_[record], needs_.data() + first_need_[record + 1]};
+  }
   [[nodiscard]] static std::vector<float> coordinates_of(const BakedFile& file) {
     std::vector<float> out;
     for (const auto& point : file.points) out.insert(out.end(), point.begin(), point.end());
@@ -288,7 +312,7 @@ class Session {
     if (checked_ && check_split(mesh_, where, r.v_t) != Refusal::granted) return ++figures_.refused, false;
     do_split(where, r.v_t);
     played_[i] = 1;
-    for (const std::uint32_t need : hierarchy_.needs(i)) ++dependents_[need];
+    for (const std::uint32_t need : needs(i)) ++dependents_[need];
     return true;
   }
   bool take_back(std::size_t i) {
@@ -298,7 +322,7 @@ class Session {
       return ++figures_.refused, false;
     do_collapse(chord);
     played_[i] = 0;
-    for (const std::uint32_t need : hierarchy_.needs(i)) --dependents_[need];
+    for (const std::uint32_t need : needs(i)) --dependents_[need];
     return true;
   }
   std::size_t play_with_needs(std::size_t record, std::size_t most) {
@@ -307,7 +331,7 @@ class Session {
     while (!stack_.empty() && done < most) {
       const std::uint32_t i = stack_.back();
       const std::size_t before = stack_.size();
-      for (const std::uint32_t need : hierarchy_.needs(i))
+      for (const std::uint32_t need : needs(i))
         if (played_[need] == 0) stack_.push_back(need);
       if (stack_.size() > before) continue;
       stack_.pop_back();
@@ -370,7 +394,8 @@ class Session {
 
   Progressive source_;
   std::vector<float> points_;
-  Hierarchy hierarchy_;
+  std::vector<std::uint32_t> first_need_{0};  // in needs_, by record, and one after the last
+  std::vector<std::uint32_t> needs_;
   BuildReport base_report_;
   std::optional<BakedFile> file_;  // of a baked mesh
   std::size_t refused_record_ = none;
