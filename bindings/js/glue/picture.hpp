@@ -18,6 +18,8 @@ struct PaintedTriangle {
 
 class Picture {
  public:
+  using Point = Vector<float>;
+
   /// The triangles, strip by strip, in the order of their strips.
   std::span<const PaintedTriangle> ribbon(const StripMesh& mesh) {
     const Strips strips = extract_strips(mesh);
@@ -38,8 +40,7 @@ class Picture {
   }
 
   /// The nearest triangle that a ray meets, and where (three numbers); empty when it meets none.
-  std::span<const float> pick(const Session& session, const std::array<float, 3>& from,
-                              const std::array<float, 3>& along) {
+  std::span<const float> pick(const Session& session, const Point& from, const Point& along) {
     hit_.clear();
     float nearest = std::numeric_limits<float>::max();
     const StripMesh& mesh = session.mesh();
@@ -48,12 +49,12 @@ class Picture {
       const auto [i, j, k] = mesh.corners(t);
       // The distance along the ray (Moller and Trumbore 1997).
       const Point a = point(session, i);
-      const Point e = minus(point(session, j), a);
-      const Point f = minus(point(session, k), a);
+      const Point e = point(session, j) - a;
+      const Point f = point(session, k) - a;
       const Point p = cross(along, f);
       const float determinant = dot(e, p);
       if (determinant == 0) continue;
-      const Point s = minus(from, a);
+      const Point s = from - a;
       const float u = dot(s, p) / determinant;
       const Point q = cross(s, e);
       const float v = dot(along, q) / determinant;
@@ -61,26 +62,15 @@ class Picture {
       const float distance = dot(f, q) / determinant;
       if (!(distance > 0) || distance >= nearest) continue;
       nearest = distance;
-      hit_ = {from[0] + distance * along[0], from[1] + distance * along[1], from[2] + distance * along[2]};
+      hit_ = {from.x + distance * along.x, from.y + distance * along.y, from.z + distance * along.z};
     }
     return hit_;
   }
 
  private:
-  using Point = std::array<float, 3>;
-
   [[nodiscard]] static Point point(const Session& session, Vertex v) noexcept {
     const auto p = session.points().subspan(3 * std::size_t{v}, 3);
     return {p[0], p[1], p[2]};
-  }
-  [[nodiscard]] static Point minus(const Point& a, const Point& b) noexcept {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  [[nodiscard]] static Point cross(const Point& a, const Point& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-  [[nodiscard]] static float dot(const Point& a, const Point& b) noexcept {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
   std::vector<PaintedTriangle> ribbon_;

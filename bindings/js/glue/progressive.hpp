@@ -34,6 +34,19 @@ struct Progressive {
   }
 };
 
+/// A place or a direction.
+template <class Number>
+struct Vector {
+  Number x = 0;
+  Number y = 0;
+  Number z = 0;
+  friend Vector operator-(const Vector& a, const Vector& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Number dot(const Vector& a, const Vector& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  friend Vector cross(const Vector& a, const Vector& b) noexcept {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
 /// The halfedge between two vertices, or {none} if the halfedge or a vertex does not exist.
 [[nodiscard]] inline Halfedge find_edge(const StripMesh& mesh, Vertex from, Vertex to) {
   const bool there = from < mesh.vertex_bound() && to < mesh.vertex_bound() && mesh.spoke(from).id != none;

@@ -11,16 +11,7 @@
 
 namespace restrip::web {
 
-struct Vec {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-  friend Vec operator-(const Vec& a, const Vec& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend double dot(const Vec& a, const Vec& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
-  friend Vec cross(const Vec& a, const Vec& b) noexcept {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
-};
+using Vec = Vector<double>;
 
 /// The squared distances to some planes, as a function of a point.
 struct Quadric {
