@@ -49,8 +49,7 @@ struct Vector {
 
 /// The halfedge between two vertices, or {none} if the halfedge or a vertex does not exist.
 [[nodiscard]] inline Halfedge find_edge(const StripMesh& mesh, Vertex from, Vertex to) {
-  const bool there = from < mesh.vertex_bound() && to < mesh.vertex_bound() && mesh.spoke(from).id != none;
-  return there ? mesh.spoke(from, to) : Halfedge{none};
+  return from < mesh.vertex_bound() ? mesh.spoke(from, to) : Halfedge{none};
 }
 
 /// The spokes of a split, found by its vertices; missing spokes are {none}, and check_split refuses them.
