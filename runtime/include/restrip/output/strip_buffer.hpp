@@ -205,4 +205,3 @@ using StripBuffer16 = BasicStripBuffer<std::uint16_t>;
 }  // namespace restrip
 
 #include "restrip/output/impl/strip_buffer.hpp"
-#include "restrip/output/impl/strip_buffer_store.hpp"
