@@ -2,12 +2,15 @@
 #include "restrip.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <new>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,13 +18,72 @@
 #include "mesh.hpp"
 #include "restrip/operations/batch.hpp"
 #include "restrip/restrip.hpp"
-#include "status.hpp"
 
 namespace {
 
 using namespace restrip;
-using restrip::c::guarded;
-using restrip::c::status_of;
+
+// ---- codes, texts and arguments
+
+/// The codes of the refusals, which never change, in the order of Refusal up to other_valence.
+constexpr std::array<restrip_status, 15> codes{
+    RESTRIP_OK,
+    RESTRIP_NO_SUCH_EDGE,
+    RESTRIP_DIFFERENT_VERTICES,
+    RESTRIP_SAME_SPOKE,
+    RESTRIP_NON_MANIFOLD_VERTEX,
+    RESTRIP_BOUNDARY_EDGE,
+    RESTRIP_SPOKE_ON_BOUNDARY,
+    RESTRIP_JOINS_BOUNDARIES,
+    RESTRIP_LINK_CONDITION,
+    RESTRIP_TOO_FEW_TRIANGLES,
+    RESTRIP_DANGLING_EDGE,
+    RESTRIP_EDGE_EXISTS,
+    RESTRIP_VERTEX_IN_USE,
+    RESTRIP_VERTEX_TOO_FAR,
+    RESTRIP_OTHER_VALENCE,
+};
+static_assert(codes.size() == static_cast<std::size_t>(Refusal::other_valence) + 1);
+
+constexpr restrip_status status_of(Refusal refusal) noexcept {
+  if (refusal == Refusal::colors_not_valid) return RESTRIP_BAD_COLORING;
+  const auto place = static_cast<std::size_t>(refusal);
+  // The others are of operations that the C interface lacks.
+  return place < codes.size() ? codes[place] : RESTRIP_UNEXPECTED;
+}
+
+/// The result of work(), or the code of the exception that ends it.
+template <class Work>
+restrip_status guarded(Work&& work) noexcept {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return RESTRIP_OUT_OF_MEMORY;
+  } catch (const std::length_error&) {
+    return RESTRIP_TOO_LARGE;
+  } catch (...) {
+    return RESTRIP_UNEXPECTED;
+  }
+}
+
+/// The number given, as a member of an enumeration of the library, 0 to `last`.
+template <class Enum>
+bool named(std::int32_t number, Enum last, Enum& out) noexcept {
+  if (number < 0 || number > static_cast<std::int32_t>(last)) return false;
+  out = static_cast<Enum>(number);
+  return true;
+}
+
+/// False when a weight is out of range.
+bool cost_of(const restrip_cost* given, Cost& out) noexcept {
+  constexpr std::uint16_t most = 1000;
+  if (given == nullptr) {
+    out = default_cost;
+    return true;
+  }
+  out = {given->restart, given->swap, given->isolated};
+  return out.restart >= 1 && out.restart <= most && out.swap <= most && out.isolated <= most;
+}
 
 template <class... Pointers>
 bool any_null(const Pointers*... pointers) noexcept {
@@ -54,7 +116,7 @@ restrip_status build(const Index* indices, std::size_t index_count, std::size_t 
 bool format_of(const restrip_format* format, StripFormat& out) noexcept {
   if (format == nullptr) return true;
   const auto limit_is = [](std::size_t limit, std::size_t least) { return limit == 0 || limit >= least; };
-  if (!restrip::c::named(format->form, StripForm::list, out.form)) return false;
+  if (!named(format->form, StripForm::list, out.form)) return false;
   if (format->index_bits != 0 && format->index_bits != 16 && format->index_bits != 32) return false;
   if (!limit_is(format->most_vertices, 3) || !limit_is(format->most_indices, 4)) return false;
   out.width = format->index_bits == 0    ? IndexWidth::automatic
@@ -73,10 +135,9 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
   if (out != nullptr) *out = nullptr;
   if (out == nullptr || (indices == nullptr && index_count != 0)) return RESTRIP_NULL_ARGUMENT;
   Effort how{};
-  Cost what = Cost::indices();
+  Cost what;
   StripFormat wanted;
-  if (index_count % 3 != 0 || !restrip::c::named(effort, Effort::best, how) || !format_of(format, wanted) ||
-      (cost != nullptr && !restrip::c::cost_of(cost, what)))
+  if (index_count % 3 != 0 || !named(effort, Effort::best, how) || !format_of(format, wanted) || !cost_of(cost, what))
     return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     *out = new restrip_buffer(strips_of(std::span<const Index>(indices, index_count), vertex_count, wanted, how, what));
@@ -218,7 +279,29 @@ static_assert(RESTRIP_POLICY_BARE == static_cast<int>(Policy::bare) &&
 
 std::uint32_t restrip_abi_version() { return RESTRIP_ABI_VERSION; }
 const char* restrip_version() { return RESTRIP_VERSION; }
-const char* restrip_describe(restrip_status status) { return restrip::c::text_of(status); }
+const char* restrip_describe(restrip_status status) {
+  // Refusals have the texts of the library.
+  for (std::size_t place = 0; place < codes.size(); ++place)
+    if (codes[place] == status) return describe(static_cast<Refusal>(place));
+  constexpr std::pair<restrip_status, const char*> texts[] = {
+      {RESTRIP_NULL_ARGUMENT, "a pointer that must not be null is null"},
+      {RESTRIP_BAD_ARGUMENT, "an argument is outside its range or not supported here: see the function's comment"},
+      {RESTRIP_BAD_COLORING, "the colours are not a valid colouring"},
+      {RESTRIP_TOO_LARGE, "there are more triangles or vertices than a mesh or its indices can hold"},
+      {RESTRIP_TOO_SMALL, "the array is too short for the result"},
+      {RESTRIP_BAD_FILE, "the bytes are not a baked mesh, or are damaged"},
+      {RESTRIP_NOT_BAKED, "the mesh was not read from a baked mesh"},
+      {RESTRIP_OUT_OF_STEP, "the mesh has left its baked levels: restart it"},
+      {RESTRIP_OVERLAP, "two operations of the batch overlap"},
+      {RESTRIP_MIXED_NAMES, "either all splits of a batch name their new vertex, or none does"},
+      {RESTRIP_NOT_LIVE, "the mesh has no live buffer: call restrip_live_begin first"},
+      {RESTRIP_OUT_OF_MEMORY, "there is not enough memory"},
+      {RESTRIP_UNEXPECTED, "an error in restrip"},
+  };
+  for (const auto& [code, text] : texts)
+    if (code == status) return text;
+  return "this is not a code of restrip";
+}
 
 // ---- meshes
 
@@ -327,7 +410,7 @@ restrip_status restrip_mesh_stripify(restrip_mesh* mesh, std::int32_t effort, co
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   Effort how{};
   Cost what;
-  if (!restrip::c::named(effort, Effort::best, how) || !restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
+  if (!named(effort, Effort::best, how) || !cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     std::size_t made = 0;
     mesh->recolor([&](StripMesh& own) { made = stripify(own, how, what, limit); });
@@ -342,7 +425,7 @@ restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const 
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   Policy how{};
   Cost what;
-  if (!restrip::c::named(policy, Policy::best, how) || !restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
+  if (!named(policy, Policy::best, how) || !cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     mesh->keeper = restrip_mesh::Keeper(mesh->mesh, how, what);
     mesh->policy = policy;
