@@ -54,10 +54,7 @@ struct Vector {
 
 /// The spokes of a split, found by its vertices; missing spokes are {none}, and check_split refuses them.
 [[nodiscard]] inline Where find_spokes(const StripMesh& mesh, const Record& r) {
-  const auto spoke = [&](Vertex to) { return find_edge(mesh, r.v_s, to); };
-  if (r.v_r == none) return {spoke(r.v_l), {}, Where::Spokes::left_only};
-  if (r.v_l == none) return {{}, spoke(r.v_r), Where::Spokes::right_only};
-  return {spoke(r.v_l), spoke(r.v_r), Where::Spokes::both};
+  return r.v_s < mesh.vertex_bound() ? spokes_of(mesh, r) : Where{};
 }
 
 }  // namespace restrip::web

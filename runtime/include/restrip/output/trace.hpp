@@ -73,17 +73,11 @@ class Trace {
     for (std::uint32_t t = 0; t < seen_.size(); ++t) {
       seen_[t] = seen(mesh, t);
       if (!seen_[t].there()) continue;
-      text_ += 't';
-      append(seen_[t].corners);
-      text_ += '\n';
+      line("t", seen_[t].corners);
       solid_edges(seen_[t], after_);
     }
     settle(after_);
-    for (const Edge& edge : after_) {
-      text_ += 's';
-      append(edge);
-      text_ += '\n';
-    }
+    for (const Edge& edge : after_) line("s", edge);
   }
 
   /// `changed`: as StripMesh::watch and Watched make it, since the last call. Time linear in `changed`, up to a
@@ -124,11 +118,7 @@ class Trace {
   }
 
   /// A trace without an end is refused.
-  void end() {
-    text_ += "end";
-    append(std::array{operations_});
-    text_ += '\n';
-  }
+  void end() { line("end", std::array{operations_}); }
 
   /// The text written so far. The caller clears it after taking it.
   [[nodiscard]] std::string& text() noexcept { return text_; }
@@ -187,6 +177,12 @@ class Trace {
       const auto last = std::to_chars(digits.data() + 1, digits.data() + digits.size(), number).ptr;
       text_.append(digits.data(), last);
     }
+  }
+  template <class Numbers>
+  void line(std::string_view word, const Numbers& numbers) {
+    text_ += word;
+    append(numbers);
+    text_ += '\n';
   }
   template <class Numbers>
   void list(std::string_view sign, const std::vector<Numbers>& all) {
