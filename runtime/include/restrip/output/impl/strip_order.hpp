@@ -33,10 +33,10 @@ class StripOrder {
   };
 
   /// The indices of all strips, written in one direction and in the other.
-  StripOrder(std::span<const std::uint32_t> plain, std::span<const std::uint32_t> turned, std::size_t cache_size)
-      : written_{strips_in(plain), strips_in(turned)}, cache_size_(cache_size), done_(written_[0].size(), false) {
+  StripOrder(std::span<const std::uint32_t> one_way, std::span<const std::uint32_t> other_way, std::size_t cache_size)
+      : written_{strips_in(one_way), strips_in(other_way)}, cache_size_(cache_size), done_(written_[0].size(), false) {
     std::size_t vertices = 0;
-    for (const std::uint32_t v : plain)
+    for (const std::uint32_t v : one_way)
       if (v != restart_index) vertices = std::max(vertices, v + std::size_t{1});
     came_in_.assign(vertices, 0);
     trial_of_.assign(vertices, 0);
