@@ -34,18 +34,6 @@
 
 namespace restrip {
 
-/// The mesh must outlive it. The colours of a const mesh are read-only.
-template <class Mesh>
-requires NumberedMesh<std::remove_const_t<Mesh>>
-class DualGraph {
- public:
-  explicit DualGraph(Mesh& mesh) : mesh_(&mesh) {}
-  [[nodiscard]] Mesh& mesh() const { return *mesh_; }
-
- private:
-  Mesh* mesh_;
-};
-
 /// An edge as seen from one of its ends. Equal from either end.
 template <class Mesh>
 struct DualEdge {
@@ -148,6 +136,79 @@ struct IsSolid {
   bool operator()(const DualEdge<std::remove_const_t<Mesh>>& edge) const { return mesh->solid(edge.halfedge); }
 };
 
+/// The mesh must outlive it. The colours of a const mesh are read-only.
+template <class Mesh>
+requires NumberedMesh<std::remove_const_t<Mesh>>
+class DualGraph {
+  using Edge = DualEdge<std::remove_const_t<Mesh>>;
+  using Traits = boost::graph_traits<DualGraph>;
+
+ public:
+  explicit DualGraph(Mesh& mesh) : mesh_(&mesh) {}
+  [[nodiscard]] Mesh& mesh() const { return *mesh_; }
+
+  // ---- the functions that the library's concepts name
+  friend std::size_t num_vertices(const DualGraph& graph) { return graph.mesh_->triangle_bound(); }
+  friend auto vertices(const DualGraph& graph) {
+    return graph.template range<typename Traits::vertex_iterator>(0, 3 * num_vertices(graph));
+  }
+  friend auto edges(const DualGraph& graph) {
+    return graph.template range<typename Traits::edge_iterator>(0, 3 * num_vertices(graph));
+  }
+  friend std::size_t num_edges(const DualGraph& graph) { return length(edges(graph)); }
+  friend auto out_edges(std::uint32_t triangle, const DualGraph& graph) {
+    const std::size_t first = 3 * std::size_t{triangle};
+    return graph.template range<typename Traits::out_edge_iterator>(first, first + 3);
+  }
+  friend auto in_edges(std::uint32_t triangle, const DualGraph& graph) {
+    const std::size_t first = 3 * std::size_t{triangle};
+    return graph.template range<typename Traits::in_edge_iterator>(first, first + 3);
+  }
+  friend auto adjacent_vertices(std::uint32_t triangle, const DualGraph& graph) {
+    using Iterator = typename Traits::adjacency_iterator;
+    const auto [first, last] = out_edges(triangle, graph);
+    return std::pair(Iterator(first, &graph), Iterator(last, &graph));
+  }
+  friend std::size_t out_degree(std::uint32_t triangle, const DualGraph& graph) {
+    return length(out_edges(triangle, graph));
+  }
+  friend std::size_t in_degree(std::uint32_t triangle, const DualGraph& graph) { return out_degree(triangle, graph); }
+  friend std::size_t degree(std::uint32_t triangle, const DualGraph& graph) { return out_degree(triangle, graph); }
+  friend std::uint32_t source(const Edge& edge, const DualGraph& /*graph*/) { return edge.source; }
+  friend std::uint32_t target(const Edge& edge, const DualGraph& /*graph*/) { return edge.target; }
+
+  friend boost::typed_identity_property_map<std::uint32_t> get(boost::vertex_index_t /*tag*/,
+                                                               const DualGraph& /*graph*/) {
+    return {};
+  }
+  friend std::uint32_t get(boost::vertex_index_t /*tag*/, const DualGraph& /*graph*/, std::uint32_t triangle) {
+    return triangle;
+  }
+  friend EdgeSolidMap<Mesh> get(edge_solid_t /*tag*/, const DualGraph& graph) { return {graph.mesh_}; }
+  friend bool get(edge_solid_t /*tag*/, const DualGraph& graph, const Edge& edge) {
+    return graph.mesh_->solid(edge.halfedge);
+  }
+
+ private:
+  /// The sides from number `begin` up to number `end`.
+  template <class Iterator>
+  [[nodiscard]] std::pair<Iterator, Iterator> range(std::size_t begin, std::size_t end) const {
+    return {Iterator(*mesh_, begin, end), Iterator(*mesh_, end, end)};
+  }
+  template <class Iterator>
+  static std::size_t length(const std::pair<Iterator, Iterator>& range) {
+    return static_cast<std::size_t>(std::distance(range.first, range.second));
+  }
+
+  Mesh* mesh_;
+};
+
+template <class Mesh>
+requires(!std::is_const_v<Mesh>) void put(edge_solid_t /*tag*/, const DualGraph<Mesh>& graph,
+                                          const DualEdge<Mesh>& edge, bool solid) {
+  graph.mesh().set_solid(edge.halfedge, solid);
+}
+
 /// The strips: a view of all triangles and the solid edges between them, whose connected components they are.
 template <class Mesh>
 boost::filtered_graph<DualGraph<Mesh>, IsSolid<Mesh>> solid_edges(const DualGraph<Mesh>& graph) {
@@ -200,97 +261,3 @@ struct property_map<const restrip::DualGraph<Mesh>, restrip::edge_solid_t>
     : property_map<restrip::DualGraph<Mesh>, restrip::edge_solid_t> {};
 
 }  // namespace boost
-
-namespace restrip {
-
-namespace dual_graph {
-template <class Mesh>
-using Traits = boost::graph_traits<DualGraph<Mesh>>;
-
-/// The sides from number `begin` up to number `end`.
-template <class Iterator, class Mesh>
-std::pair<Iterator, Iterator> range(const DualGraph<Mesh>& graph, std::size_t begin, std::size_t end) {
-  return {Iterator(graph.mesh(), begin, end), Iterator(graph.mesh(), end, end)};
-}
-template <class Iterator>
-std::size_t length(const std::pair<Iterator, Iterator>& range) {
-  return static_cast<std::size_t>(std::distance(range.first, range.second));
-}
-}  // namespace dual_graph
-
-template <class Mesh>
-std::size_t num_vertices(const DualGraph<Mesh>& graph) {
-  return graph.mesh().triangle_bound();
-}
-template <class Mesh>
-auto vertices(const DualGraph<Mesh>& graph) {
-  return dual_graph::range<typename dual_graph::Traits<Mesh>::vertex_iterator>(graph, 0, 3 * num_vertices(graph));
-}
-template <class Mesh>
-auto edges(const DualGraph<Mesh>& graph) {
-  return dual_graph::range<typename dual_graph::Traits<Mesh>::edge_iterator>(graph, 0, 3 * num_vertices(graph));
-}
-template <class Mesh>
-std::size_t num_edges(const DualGraph<Mesh>& graph) {
-  return dual_graph::length(edges(graph));
-}
-template <class Mesh>
-auto out_edges(std::uint32_t triangle, const DualGraph<Mesh>& graph) {
-  const std::size_t first = 3 * std::size_t{triangle};
-  return dual_graph::range<typename dual_graph::Traits<Mesh>::out_edge_iterator>(graph, first, first + 3);
-}
-template <class Mesh>
-auto in_edges(std::uint32_t triangle, const DualGraph<Mesh>& graph) {
-  const std::size_t first = 3 * std::size_t{triangle};
-  return dual_graph::range<typename dual_graph::Traits<Mesh>::in_edge_iterator>(graph, first, first + 3);
-}
-template <class Mesh>
-auto adjacent_vertices(std::uint32_t triangle, const DualGraph<Mesh>& graph) {
-  using Iterator = typename dual_graph::Traits<Mesh>::adjacency_iterator;
-  const auto [first, last] = out_edges(triangle, graph);
-  return std::pair(Iterator(first, &graph), Iterator(last, &graph));
-}
-template <class Mesh>
-std::size_t out_degree(std::uint32_t triangle, const DualGraph<Mesh>& graph) {
-  return dual_graph::length(out_edges(triangle, graph));
-}
-template <class Mesh>
-std::size_t in_degree(std::uint32_t triangle, const DualGraph<Mesh>& graph) {
-  return out_degree(triangle, graph);
-}
-template <class Mesh>
-std::size_t degree(std::uint32_t triangle, const DualGraph<Mesh>& graph) {
-  return out_degree(triangle, graph);
-}
-template <class Mesh>
-std::uint32_t source(const DualEdge<std::remove_const_t<Mesh>>& edge, const DualGraph<Mesh>& /*graph*/) {
-  return edge.source;
-}
-template <class Mesh>
-std::uint32_t target(const DualEdge<std::remove_const_t<Mesh>>& edge, const DualGraph<Mesh>& /*graph*/) {
-  return edge.target;
-}
-
-template <class Mesh>
-boost::typed_identity_property_map<std::uint32_t> get(boost::vertex_index_t /*tag*/, const DualGraph<Mesh>& /*graph*/) {
-  return {};
-}
-template <class Mesh>
-std::uint32_t get(boost::vertex_index_t /*tag*/, const DualGraph<Mesh>& /*graph*/, std::uint32_t triangle) {
-  return triangle;
-}
-template <class Mesh>
-EdgeSolidMap<Mesh> get(edge_solid_t /*tag*/, const DualGraph<Mesh>& graph) {
-  return {&graph.mesh()};
-}
-template <class Mesh>
-bool get(edge_solid_t /*tag*/, const DualGraph<Mesh>& graph, const DualEdge<std::remove_const_t<Mesh>>& edge) {
-  return graph.mesh().solid(edge.halfedge);
-}
-template <class Mesh>
-requires(!std::is_const_v<Mesh>) void put(edge_solid_t /*tag*/, const DualGraph<Mesh>& graph,
-                                          const DualEdge<Mesh>& edge, bool solid) {
-  graph.mesh().set_solid(edge.halfedge, solid);
-}
-
-}  // namespace restrip
