@@ -43,38 +43,33 @@ struct Recoloring {
   Value value;
 };
 
-namespace detail {
+}  // namespace restrip::exact
 
-using restrip::detail::ArcEntry;
-using restrip::detail::LongLetters;
-using restrip::detail::WordLetters;
+namespace restrip::detail {
 
-/// Bit strings of up to this valence are answered on the stack.
-inline constexpr std::size_t max_stack_valence = 64;
-
-/// walk(room, color) as in arc_walk.hpp.
-template <class Walk>
-constexpr Recoloring on_word(const restrip::detail::Layout& patch, Word ports, Walk&& walk) noexcept {
+/// The functions below, for the patch after the operation.
+constexpr exact::Recoloring best_recoloring(const Layout& patch, Word ports, Word joined) noexcept {
   ArcEntry room[max_word_valence + 2];
-  Recoloring result;
-  walk(room, [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });
-  result.value = {count_bits(result.colors), restrip::detail::isolated(patch, result.colors, ports)};
+  exact::Recoloring result;
+  walk_arcs(patch, WordLetters(patch, ports, joined), room,
+            [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });
+  result.value = {count_bits(result.colors), isolated(patch, result.colors, ports)};
   return result;
 }
 
-template <class Walk>
-Value on_bits(const restrip::detail::Layout& patch, BitSpan ports, MutableBitSpan colors, Walk&& walk) {
+inline exact::Value best_recoloring(const Layout& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) {
   const auto write = [&](ArcEntry* room) {
-    Value value;
+    exact::Value value;
     colors.clear(patch.colors());
-    walk(room, [&](std::size_t edge, bool solid) {
+    walk_arcs(patch, LongLetters(patch, ports, joined), room, [&](std::size_t edge, bool solid) {
       if (!solid) return;
       colors.set(edge);
       ++value.solid;
     });
-    value.isolated = restrip::detail::isolated(patch, colors, ports);
+    value.isolated = isolated(patch, colors, ports);
     return value;
   };
+  constexpr std::size_t max_stack_valence = 64;
   if (patch.k <= max_stack_valence) {
     ArcEntry room[max_stack_valence + 2];
     return write(room);
@@ -83,48 +78,40 @@ Value on_bits(const restrip::detail::Layout& patch, BitSpan ports, MutableBitSpa
   return write(room.data());
 }
 
-}  // namespace detail
+}  // namespace restrip::detail
+
+namespace restrip::exact {
 
 // ---- Words: k <= max_word_valence, constexpr, noexcept ----
 
 /// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
 constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "exact::best_split", restrip::detail::no_such_arc);
-  return detail::on_word(restrip::detail::ring_with_chord(k, a), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_split(k, a, detail::WordLetters::of_closed(ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "exact::best_split", detail::no_such_arc);
+  return detail::best_recoloring(detail::ring_with_chord(k, a), ports, joined);
 }
 
 /// Ring with chord to closed fan, k >= 1, at any position: `colors` is `loop`, k bits.
 constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", restrip::detail::no_such_fan);
-  return detail::on_word(restrip::detail::closed_fan(k), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_collapse(k, detail::WordLetters::of_closed(ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", detail::no_such_fan);
+  return detail::best_recoloring(detail::closed_fan(k), ports, joined);
 }
 
 /// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
 constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "exact::best_open_split", restrip::detail::no_such_gaps);
-  return detail::on_word(restrip::detail::path_with_chord(k, i, j), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_open_split(k, i, j, detail::WordLetters::of_open(ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "exact::best_open_split", detail::no_such_gaps);
+  return detail::best_recoloring(detail::path_with_chord(k, i, j), ports, joined);
 }
 
 /// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
 constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "exact::best_boundary_split", restrip::detail::no_such_gap);
-  return detail::on_word(restrip::detail::path(k, i), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_boundary_split(k, i, detail::WordLetters::of_open(ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "exact::best_boundary_split", detail::no_such_gap);
+  return detail::best_recoloring(detail::path(k, i), ports, joined);
 }
 
 /// Path, with chord or without, to open fan, k >= 1, at any position: `colors` is `loop`, k - 1 bits.
 constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", restrip::detail::no_such_fan);
-  return detail::on_word(restrip::detail::open_fan(k), ports, [&](auto* room, auto&& color) {
-    restrip::detail::walk_fan_collapse(k, detail::WordLetters::of_open(ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", detail::no_such_fan);
+  return detail::best_recoloring(detail::open_fan(k), ports, joined);
 }
 
 // ---- Bit strings: any k ----
@@ -133,43 +120,33 @@ constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) n
 
 /// `inner` has k + 3 bits.
 inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
-  RESTRIP_ASSERT(1 <= a && a < k, "exact::best_split", restrip::detail::no_such_arc);
-  return detail::on_bits(restrip::detail::ring_with_chord(k, a), ports, inner, [&](auto* room, auto&& color) {
-    restrip::detail::walk_split(k, a, detail::LongLetters::of_closed(k, ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(1 <= a && a < k, "exact::best_split", detail::no_such_arc);
+  return detail::best_recoloring(detail::ring_with_chord(k, a), ports, joined, inner);
 }
 
 /// `loop` has k bits.
 inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
-  RESTRIP_ASSERT(k >= 1, "exact::best_collapse", restrip::detail::no_such_fan);
-  return detail::on_bits(restrip::detail::closed_fan(k), ports, loop, [&](auto* room, auto&& color) {
-    restrip::detail::walk_collapse(k, detail::LongLetters::of_closed(k, ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(k >= 1, "exact::best_collapse", detail::no_such_fan);
+  return detail::best_recoloring(detail::closed_fan(k), ports, joined, loop);
 }
 
 /// `inner` has k + 2 bits.
 inline Value best_open_split(std::size_t k, std::size_t i, std::size_t j, BitSpan ports, BitSpan joined,
                              MutableBitSpan inner) {
-  RESTRIP_ASSERT(i < j && j <= k, "exact::best_open_split", restrip::detail::no_such_gaps);
-  return detail::on_bits(restrip::detail::path_with_chord(k, i, j), ports, inner, [&](auto* room, auto&& color) {
-    restrip::detail::walk_open_split(k, i, j, detail::LongLetters::of_open(k, ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(i < j && j <= k, "exact::best_open_split", detail::no_such_gaps);
+  return detail::best_recoloring(detail::path_with_chord(k, i, j), ports, joined, inner);
 }
 
 /// `inner` has k bits.
 inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
-  RESTRIP_ASSERT(k >= 1 && i <= k, "exact::best_boundary_split", restrip::detail::no_such_gap);
-  return detail::on_bits(restrip::detail::path(k, i), ports, inner, [&](auto* room, auto&& color) {
-    restrip::detail::walk_boundary_split(k, i, detail::LongLetters::of_open(k, ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(k >= 1 && i <= k, "exact::best_boundary_split", detail::no_such_gap);
+  return detail::best_recoloring(detail::path(k, i), ports, joined, inner);
 }
 
 /// `loop` has k - 1 bits; nothing is written when k = 1.
 inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
-  RESTRIP_ASSERT(k >= 1, "exact::best_fan_collapse", restrip::detail::no_such_fan);
-  return detail::on_bits(restrip::detail::open_fan(k), ports, loop, [&](auto* room, auto&& color) {
-    restrip::detail::walk_fan_collapse(k, detail::LongLetters::of_open(k, ports, joined), room, color);
-  });
+  RESTRIP_ASSERT(k >= 1, "exact::best_fan_collapse", detail::no_such_fan);
+  return detail::best_recoloring(detail::open_fan(k), ports, joined, loop);
 }
 
 }  // namespace restrip::exact

@@ -41,7 +41,7 @@ class LinkedSearch {
     narrow({}, ports_, 0);
     if (after_.has_chord()) bridge_ports();
     if (gave_up()) {
-      const exact::Recoloring local = answer({}, joined_before_);
+      const exact::Recoloring local = best_recoloring(after_, ports_, joined_before_);
       if (better(local.value, best_.value)) best_ = local;
     }
     return best_.colors;
@@ -67,7 +67,8 @@ class LinkedSearch {
   /// one of `keep` have already been considered.
   constexpr void narrow(const Bridge& bridge, Word may_join, Word keep) {
     if (--answers_left_ < 0) return;
-    const exact::Recoloring found = answer(bridge, may_join);
+    const exact::Recoloring found =
+        bridge.at_a != nowhere ? bridged(bridge, may_join) : best_recoloring(after_, ports_, may_join);
     if (!better(found.value, best_.value)) return;
     const InnerPairs pairs = inner_pairs(after_, found.colors, ports_);
     const Word path = outlook_.may_close(pairs_of<WordPairs>(ports_, pairs.joined, pairs.over_chord));
@@ -82,17 +83,6 @@ class LinkedSearch {
       if (gave_up() || !better(found.value, best_.value)) return;
       keep |= pair;
     }
-  }
-
-  constexpr exact::Recoloring answer(const Bridge& bridge, Word may_join) const noexcept {
-    const auto& [k, a, d, ring] = after_;
-    if (bridge.at_a != nowhere) return bridged(bridge, may_join);
-    if (after_.has_chord())
-      return ring ? exact::best_split(k, d - 1, ports_, may_join)
-                  : exact::best_open_split(k, a, d - 1, ports_, may_join);
-    if (ring) return exact::best_collapse(k, ports_, may_join);
-    return a == nowhere ? exact::best_fan_collapse(k, ports_, may_join)
-                        : exact::best_boundary_split(k, a, ports_, may_join);
   }
 
   /// All edges of the bridge, and on either side of it and of A and D an open fan.

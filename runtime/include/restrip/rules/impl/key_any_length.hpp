@@ -1,4 +1,4 @@
-// restrip/rules/key.hpp for bit strings of any length: the same functions by a walk, one step an element.
+// The functions of restrip/rules/key.hpp for bit strings of any length: a walk, one step an element.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,7 @@
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/impl/layout.hpp"
 
-namespace restrip {
-
-namespace detail {
+namespace restrip::detail {
 
 struct Walker {
   Layout patch;
@@ -86,52 +84,4 @@ struct Walker {
   }
 };
 
-}  // namespace detail
-
-inline void joined_closed(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept {
-  RESTRIP_ASSERT(k >= 3, "joined_closed", detail::no_such_closed_fan);
-  detail::Walker{detail::closed_fan(k), loop, ports}.joined(joined);
-}
-inline bool valid_closed(std::size_t k, BitSpan loop, BitSpan ports) noexcept {
-  RESTRIP_ASSERT(k >= 3, "valid_closed", detail::no_such_closed_fan);
-  return detail::Walker{detail::closed_fan(k), loop, ports}.valid();
-}
-
-inline void joined_open(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept {
-  RESTRIP_ASSERT(k >= 1, "joined_open", detail::no_such_fan);
-  detail::Walker{detail::open_fan(k), loop, ports}.joined(joined);
-}
-inline bool valid_open(std::size_t k, BitSpan loop, BitSpan ports) noexcept {
-  RESTRIP_ASSERT(k >= 1, "valid_open", detail::no_such_fan);
-  return detail::Walker{detail::open_fan(k), loop, ports}.valid();
-}
-
-inline void joined_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept {
-  RESTRIP_ASSERT(1 <= a && a < k, "joined_ring", detail::no_such_arc);
-  detail::Walker{detail::ring_with_chord(k, a), inner, ports}.joined(joined);
-}
-inline bool valid_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports) noexcept {
-  RESTRIP_ASSERT(1 <= a && a < k, "valid_ring", detail::no_such_arc);
-  return detail::Walker{detail::ring_with_chord(k, a), inner, ports}.valid();
-}
-
-inline void joined_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports,
-                                   MutableBitSpan joined) noexcept {
-  RESTRIP_ASSERT(i < j && j <= k, "joined_path_with_chord", detail::no_such_gaps);
-  detail::Walker{detail::path_with_chord(k, i, j), inner, ports}.joined(joined);
-}
-inline bool valid_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports) noexcept {
-  RESTRIP_ASSERT(i < j && j <= k, "valid_path_with_chord", detail::no_such_gaps);
-  return detail::Walker{detail::path_with_chord(k, i, j), inner, ports}.valid();
-}
-
-inline void joined_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept {
-  RESTRIP_ASSERT(k >= 1 && i <= k, "joined_path", detail::no_such_gap);
-  detail::Walker{detail::path(k, i), inner, ports}.joined(joined);
-}
-inline bool valid_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports) noexcept {
-  RESTRIP_ASSERT(k >= 1 && i <= k, "valid_path", detail::no_such_gap);
-  return detail::Walker{detail::path(k, i), inner, ports}.valid();
-}
-
-}  // namespace restrip
+}  // namespace restrip::detail
