@@ -146,40 +146,21 @@ struct LinkedRules {
     });
   }
 
-  template <class Mesh, class Halfedge>
-  Answer<WordBits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<WordBits>& fan) const {
-    typename StripWalk<Mesh>::Port room[max_word_valence];
-    StripWalk<Mesh> walk(mesh, reach, room);
-    walk_ports(mesh, where, fan, [&](std::size_t i, Halfedge h) {
-      if (fan.ports.get(i)) walk.add(i, h);
-    });
-    const bool both = where.spokes == VertexSplit<Halfedge>::Spokes::both;
-    return searched_answer(fan.closed ? closed_fan(fan.k) : open_fan(fan.k), fan.loop.word,
-                           layout_after_split(fan, both), fan.ports.word, walk);
-  }
-  template <class Mesh, class Halfedge>
-  Answer<WordBits> answer_collapse(const Mesh& mesh, Halfedge chord, const PatchPlace& at, const WordBits& inner,
-                                   const WordBits& ports) const {
-    typename StripWalk<Mesh>::Port room[max_word_valence];
-    StripWalk<Mesh> walk(mesh, reach, room);
-    walk_patch(
-        mesh, chord, [](std::size_t, Halfedge) {},
-        [&](std::size_t i, Halfedge h) {
-          if (ports.get(i)) walk.add(i, h);
-        });
-    return searched_answer(layout_before_collapse(at), inner.word,
-                           at.kind == PatchPlace::Kind::ring ? closed_fan(at.k) : open_fan(at.k), ports.word, walk);
-  }
-
-  // Fans whose colours do not fit one word use the rule.
-  template <class Mesh, class Halfedge>
-  Answer<LongBits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<LongBits>& fan) const {
-    return LocalRules{}.answer_split(mesh, where, fan);
-  }
-  template <class Mesh, class Halfedge>
-  Answer<LongBits> answer_collapse(const Mesh& mesh, Halfedge chord, const PatchPlace& at, LongBits& inner,
-                                   LongBits& ports) const {
-    return LocalRules{}.answer_collapse(mesh, chord, at, inner, ports);
+  template <class Mesh, class Bits, class WalkPorts>
+  Answer<Bits> answer(const Mesh& mesh, PatchColors<Bits>& patch, WalkPorts&& walk_ports) const {
+    if constexpr (std::is_same_v<Bits, LongBits>) {
+      return answer_by_rule(patch);  // colours that do not fit one word
+    } else {
+      typename StripWalk<Mesh>::Port room[max_word_valence];
+      StripWalk<Mesh> walk(mesh, reach, room);
+      walk_ports([&](std::size_t i, typename Mesh::Halfedge h) {
+        if (patch.ports.get(i)) walk.add(i, h);
+      });
+      const Word colors = patch.inner.word;
+      const Word ports = patch.ports.word;
+      return detail::answer(patch.before, colors, patch.after,
+                            searched_rule(patch.before, colors, patch.after, ports, std::as_const(walk)), ports);
+    }
   }
 
  private:
@@ -193,11 +174,6 @@ struct LinkedRules {
       walk.add(i, mesh.next(i == 0 ? first : fan.spokes[i - 1]));
     }
     return ask(walk);
-  }
-  template <class LookOut>
-  static Answer<WordBits> searched_answer(const Layout& before, Word colors, const Layout& after, Word ports,
-                                          const LookOut& look_out) {
-    return answer(before, colors, after, searched_rule(before, colors, after, ports, look_out), ports);
   }
 };
 

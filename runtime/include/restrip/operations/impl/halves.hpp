@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "restrip/operations/impl/answer.hpp"
@@ -16,7 +17,7 @@
 namespace restrip::detail {
 
 /// The source of rules for the operations; linked.hpp has another one. split() and collapse() are for interior fans of
-/// ordinary valence, answer_split() and answer_collapse() for others.
+/// ordinary valence, answer() for others: walk_ports(port) calls port(i, h) for every port.
 struct LocalRules {
   template <class Mesh, class Halfedge>
   Rule split(const Mesh& /*mesh*/, Halfedge /*left*/, const InteriorFan<Halfedge>& fan) const noexcept {
@@ -26,14 +27,9 @@ struct LocalRules {
   Rule collapse(const Mesh& /*mesh*/, Halfedge /*chord*/, const InteriorFan<Halfedge>& fan, Word ring) const noexcept {
     return collapse_rule({fan.k, fan.a}, ring, fan.ports);
   }
-  template <class Mesh, class Halfedge, class Bits>
-  Answer<Bits> answer_split(const Mesh& /*mesh*/, const VertexSplit<Halfedge>& where, Fan<Bits>& fan) const {
-    return detail::answer_split(fan, where.spokes == VertexSplit<Halfedge>::Spokes::both);
-  }
-  template <class Mesh, class Halfedge, class Bits>
-  Answer<Bits> answer_collapse(const Mesh& /*mesh*/, Halfedge /*chord*/, const PatchPlace& at, Bits& inner,
-                               Bits& ports) const {
-    return detail::answer_collapse(at, inner, ports);
+  template <class Mesh, class Bits, class WalkPorts>
+  Answer<Bits> answer(const Mesh& /*mesh*/, PatchColors<Bits>& patch, WalkPorts&& /*walk_ports*/) const {
+    return answer_by_rule(patch);
   }
 };
 
@@ -54,7 +50,8 @@ struct InteriorChange {
 template <class Bits>
 struct PatchChange {
   Answer<Bits> rule;
-  PatchPlace at;  ///< of a split k alone
+  Layout fan;
+  std::size_t gap = 0;  ///< see PatchColors
 };
 
 /// Between the halves of a flip.
@@ -66,27 +63,17 @@ struct FlipChange {
 
 // ---- split
 
-template <class Bits>
-Layout layout_after_split(const Fan<Bits>& fan, bool both) noexcept {
-  const std::size_t low = fan.left < fan.right ? fan.left : fan.right;
-  const std::size_t high = fan.left < fan.right ? fan.right : fan.left;
-  if (fan.closed) return ring_with_chord(fan.k, fan.right);
-  return both ? path_with_chord(fan.k, low, high) : path(fan.k, low);
-}
-
 template <class Rules, class Mesh, class Bits>
 PatchChange<Bits> begin_split(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                              Fan<Bits>& fan) {
+                              PatchColors<Bits>& fan) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
-  const bool both = where.spokes == Spokes::both;
-  PatchChange<Bits> change{rules.answer_split(std::as_const(mesh), where, fan), {}};
-  change.at.k = fan.k;
-  const Layout after = layout_after_split(fan, both);
-  walk_fan(mesh, where.spokes == Spokes::right_only ? where.right : where.left, fan.closed, fan.k, fan.left,
+  const auto visit_ports = [&](auto&& port) { walk_ports(std::as_const(mesh), where, fan, port); };
+  PatchChange<Bits> change{rules.answer(std::as_const(mesh), fan, visit_ports), fan.before, fan.gap};
+  walk_fan(mesh, where.spokes == Spokes::right_only ? where.right : where.left, fan.before, fan.gap,
            [&](std::size_t i, auto h) {
-             const std::size_t edge = after.element(i);
-             const bool is_cut = i + 1 == fan.k || after.element(i + 1) != edge + 1;
-             if (!is_cut && fan.loop.get(i) && !change.rule.colors.get(edge)) mesh.set_solid(h, false);
+             const std::size_t edge = fan.after.element(i);
+             const bool is_cut = i + 1 == fan.before.k || fan.after.element(i + 1) != edge + 1;
+             if (!is_cut && fan.inner.get(i) && !change.rule.colors.get(edge)) mesh.set_solid(h, false);
            });
   return change;
 }
@@ -109,7 +96,7 @@ auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh
     interior.clear(mesh, kept_loop(k, a, rule.colors));
     return do_rest(change);
   }
-  if (auto fan = read_fan<WordBits>(mesh, where); fan.k <= max_word_valence) {
+  if (auto fan = read_fan<WordBits>(mesh, where); fan.before.k <= max_word_valence) {
     auto general = begin_split(rules, mesh, where, fan);
     return do_rest(general);
   }
@@ -135,40 +122,34 @@ Rewrite<typename Mesh::Halfedge> finish_split(Mesh& mesh, const PatchChange<Bits
         if (rule.colors.get(j) != mesh.solid(h)) mesh.set_solid(h, rule.colors.get(j));
       },
       [](std::size_t, auto) {});
-  return {chord, static_cast<std::uint32_t>(change.at.k), rule.strips, rule.isolated};
+  return {chord, static_cast<std::uint32_t>(change.fan.k), rule.strips, rule.isolated};
 }
 
 // ---- collapse
 
 template <class Bits, class Mesh>
-PatchPlace read_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Bits& inner, Bits& ports) {
-  return walk_patch(
-      mesh, chord, [&](std::size_t j, auto h) { inner.put(j, mesh.solid(h)); },
-      [&](std::size_t i, auto h) { ports.put(i, mesh.solid(h)); });
-}
-
-inline Layout layout_before_collapse(const PatchPlace& at) noexcept {
-  switch (at.kind) {
-    case PatchPlace::Kind::ring:
-      return ring_with_chord(at.k, at.a);
-    case PatchPlace::Kind::path_with_chord:
-      return path_with_chord(at.k, at.i, at.j);
-    case PatchPlace::Kind::path:
-      break;
-  }
-  return path(at.k, at.i);
+PatchColors<Bits> read_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
+  PatchColors<Bits> patch;
+  std::tie(patch.before, patch.gap) = walk_patch(
+      mesh, chord, [&](std::size_t j, auto h) { patch.inner.put(j, mesh.solid(h)); },
+      [&](std::size_t i, auto h) { patch.ports.put(i, mesh.solid(h)); });
+  patch.after = patch.before.ring ? closed_fan(patch.before.k) : open_fan(patch.before.k);
+  return patch;
 }
 
 template <class Rules, class Mesh, class Bits>
-PatchChange<Bits> begin_collapse(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, const PatchPlace& at,
-                                 Bits& inner, Bits& ports) {
-  PatchChange<Bits> change{rules.answer_collapse(std::as_const(mesh), chord, at, inner, ports), at};
-  const Layout before = layout_before_collapse(at);
+PatchChange<Bits> begin_collapse(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, PatchColors<Bits>& patch) {
+  const auto visit_ports = [&](auto&& port) {
+    walk_patch(
+        std::as_const(mesh), chord, [](std::size_t, auto) {}, port);
+  };
+  PatchChange<Bits> change{rules.answer(std::as_const(mesh), patch, visit_ports), patch.after, patch.gap};
+  const Layout& before = patch.before;
   walk_patch(
       mesh, chord,
       [&](std::size_t j, auto h) {
         const bool stays = j + 1 < before.size() && before.is_fan(j) && before.is_fan(j + 1);
-        if (stays && inner.get(j) && !change.rule.colors.get(before.port(j))) mesh.set_solid(h, false);
+        if (stays && patch.inner.get(j) && !change.rule.colors.get(before.port(j))) mesh.set_solid(h, false);
       },
       [](std::size_t, auto) {});
   return change;
@@ -190,17 +171,12 @@ auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chor
     interior.clear(mesh, rule.colors);
     return do_rest(change);
   }
-  WordBits inner;
-  WordBits ports;
-  const auto at = read_patch(mesh, chord, inner, ports);
-  if (at.k <= max_word_valence) {
-    auto general = begin_collapse(rules, mesh, chord, at, inner, ports);
+  if (auto patch = read_patch<WordBits>(mesh, chord); patch.before.k <= max_word_valence) {
+    auto general = begin_collapse(rules, mesh, chord, patch);
     return do_rest(general);
   }
-  LongBits long_inner;
-  LongBits long_ports;
-  read_patch(mesh, chord, long_inner, long_ports);
-  auto general = begin_collapse(rules, mesh, chord, at, long_inner, long_ports);
+  auto patch = read_patch<LongBits>(mesh, chord);
+  auto general = begin_collapse(rules, mesh, chord, patch);
   return do_rest(general);
 }
 
@@ -214,11 +190,11 @@ Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const InteriorChang
 template <class Mesh, class Bits>
 Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const PatchChange<Bits>& change,
                                                  typename Mesh::Halfedge spoke) {
-  const auto& [rule, at] = change;
-  walk_fan(mesh, spoke, at.kind == PatchPlace::Kind::ring, at.k, at.left, [&, &rule = rule](std::size_t i, auto h) {
+  const Answer<Bits>& rule = change.rule;
+  walk_fan(mesh, spoke, change.fan, change.gap, [&](std::size_t i, auto h) {
     if (rule.colors.get(i) != mesh.solid(h)) mesh.set_solid(h, rule.colors.get(i));
   });
-  return {spoke, static_cast<std::uint32_t>(at.k), rule.strips, rule.isolated};
+  return {spoke, static_cast<std::uint32_t>(change.fan.k), rule.strips, rule.isolated};
 }
 
 // ---- flip

@@ -36,8 +36,8 @@ class PendingFan {
   /// k of the fan before a split or after a collapse.
   [[nodiscard]] std::size_t valence() const noexcept {
     if (const auto* interior = std::get_if<InteriorChange<Halfedge>>(&change_)) return interior->fan.k;
-    if (const auto* patch = std::get_if<PatchChange<WordBits>>(&change_)) return patch->at.k;
-    if (const auto* patch = std::get_if<PatchChange<LongBits>>(&change_)) return patch->at.k;
+    if (const auto* patch = std::get_if<PatchChange<WordBits>>(&change_)) return patch->fan.k;
+    if (const auto* patch = std::get_if<PatchChange<LongBits>>(&change_)) return patch->fan.k;
     return 0;
   }
   template <class Finish>

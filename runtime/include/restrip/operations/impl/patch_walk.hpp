@@ -2,12 +2,15 @@
 // The same walk reads the colours before and writes them after.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/rules/bits.hpp"
+#include "restrip/rules/key.hpp"
 
 namespace restrip::detail {
 
@@ -48,92 +51,81 @@ struct LongBits {
   }
 };
 
-/// The fan of a vertex before a split. `left`, `right`: the gaps (open) or, with `left` = 0, the places (closed) of the
-/// spokes.
+/// The colours that an operation finds in its patch, and the layouts before and after it.
 template <class Bits>
-struct Fan {
-  std::size_t k = 0;
-  bool closed = false;
-  std::size_t left = 0;
-  std::size_t right = 0;
-  Bits loop;
+struct PatchColors {
+  Layout before;
+  Layout after;
+  /// In an open fan: before a split the gap of the first spoke; before a collapse the gap of the spoke to v_l, or if
+  /// v_l does not exist to v_r.
+  std::size_t gap = 0;
+  Bits inner;
   Bits ports;
 };
 
 /// Reads the fan around the vertex that `where` splits. A closed fan is numbered from the left spoke, an open one from
 /// the boundary.
 template <class Bits, ColoredMesh Mesh>
-Fan<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+PatchColors<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   using Halfedge = typename Mesh::Halfedge;
   const Halfedge start = where.spokes == Spokes::right_only ? where.right : where.left;
   const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
-  Fan<Bits> fan;
+  PatchColors<Bits> fan;
+  std::size_t k = 0;
   std::size_t ahead = 0;  // the other spoke, counted in triangles from the first one, in either direction
   std::size_t clockwise = 0;
   Halfedge h = start;
   while (!mesh.on_boundary(h)) {
     const Halfedge link = mesh.next(h);
     const Halfedge spoke = mesh.next(link);
-    fan.ports.put(fan.k, mesh.solid(link));
-    fan.loop.put(fan.k, mesh.solid(spoke));
-    ++fan.k;
+    fan.ports.put(k, mesh.solid(link));
+    fan.inner.put(k, mesh.solid(spoke));
+    ++k;
     h = mesh.opposite(spoke);
-    if (h == other) ahead = fan.k;
+    if (h == other) ahead = k;
     if (h == start) {
-      fan.closed = true;
-      fan.right = ahead;
+      fan.before = closed_fan(k);
+      fan.after = ring_with_chord(k, ahead);
       return fan;
     }
   }
-  Fan<Bits> lower;  // the rest, read backwards
+  PatchColors<Bits> lower;  // the rest, read backwards
   for (h = start; !mesh.on_boundary(mesh.opposite(h));) {
-    lower.loop.put(lower.k, mesh.solid(h));
+    lower.inner.put(fan.gap, mesh.solid(h));
     h = turn_cw(mesh, h);
-    lower.ports.put(lower.k, mesh.solid(mesh.next(h)));
-    ++lower.k;
-    if (h == other) clockwise = lower.k;
+    lower.ports.put(fan.gap, mesh.solid(mesh.next(h)));
+    ++fan.gap;
+    if (h == other) clockwise = fan.gap;
   }
   // Loop edge i lies between triangles i and i + 1: those read backwards end with the one across the first spoke.
-  fan.loop = Bits::with_reversed_below(lower.loop, lower.k, fan.loop);
-  fan.ports = Bits::with_reversed_below(lower.ports, lower.k, fan.ports);
-  fan.k += lower.k;
-  fan.left = lower.k;
-  fan.right = clockwise != 0 ? lower.k - clockwise : lower.k + ahead;
-  if (where.spokes == Spokes::right_only) fan.left = fan.right = lower.k;
+  fan.inner = Bits::with_reversed_below(lower.inner, fan.gap, fan.inner);
+  fan.ports = Bits::with_reversed_below(lower.ports, fan.gap, fan.ports);
+  k += fan.gap;
+  const std::size_t other_gap = clockwise != 0 ? fan.gap - clockwise : fan.gap + ahead;
+  const auto [low, high] = std::minmax(fan.gap, other_gap);
+  fan.before = open_fan(k);
+  fan.after = where.spokes == Spokes::both ? path_with_chord(k, low, high) : path(k, low);
   return fan;
 }
 
 /// Visits the ports of a fan that has been read: port(i, h), port p_i crosses the mesh edge of h.
 template <class Bits, ColoredMesh Mesh, class Port>
-void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const Fan<Bits>& fan,
+void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const PatchColors<Bits>& fan,
                 Port&& port) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const auto start = where.spokes == Spokes::right_only ? where.right : where.left;
   auto h = start;
-  for (std::size_t i = fan.left; i < fan.k; ++i) {
+  for (std::size_t i = fan.gap; i < fan.before.k; ++i) {
     port(i, mesh.next(h));
     h = turn_ccw(mesh, h);
   }
   h = start;
-  for (std::size_t i = fan.left; i-- > 0;) {
+  for (std::size_t i = fan.gap; i-- > 0;) {
     h = turn_cw(mesh, h);
     port(i, mesh.next(h));
   }
 }
-
-/// Visits the patch after a split, or before a collapse, whose chord is v_s -> v_t.
-///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
-/// Returns the position. The mesh is not changed by the walk; edge() may change colours.
-struct PatchPlace {
-  enum class Kind { ring, path_with_chord, path };
-  Kind kind = Kind::ring;
-  std::size_t k = 0;
-  std::size_t a = 0;     ///< ring
-  std::size_t i = 0;     ///< path: the gap; path with chord: the lower gap
-  std::size_t j = 0;     ///< path with chord: the upper gap
-  std::size_t left = 0;  ///< open fans: the gap of the spoke to v_l, or if v_l does not exist to v_r
-};
 
 /// Visits spokes counter-clockwise from the one after `from`, until the boundary or `from` again; edge number
 /// `edge_index` counts up. Returns the number of fan triangles met (not the ones at `from`).
@@ -186,46 +178,43 @@ bool leaves_boundary(const Mesh& mesh, typename Mesh::Halfedge h) {
   return false;
 }
 
+/// Visits the patch after a split, or before a collapse, whose chord is v_s -> v_t.
+///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
+/// Returns its layout and PatchColors::gap. The mesh is not changed by the walk; edge() may change colours.
 template <ColoredMesh Mesh, class Edge, class Port>
-PatchPlace walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Edge&& edge, Port&& port) {
-  using Kind = PatchPlace::Kind;
+std::pair<Layout, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Edge&& edge, Port&& port) {
   const auto back = mesh.opposite(chord);
-  PatchPlace place;
   if (mesh.on_boundary(chord) || mesh.on_boundary(back)) {
     const auto inward = mesh.on_boundary(chord) ? back : chord;  // the triangle lies to its left
-    place.kind = Kind::path;
-    place.i = place.left = count_down(mesh, mesh.opposite(inward));
-    walk_down(mesh, mesh.opposite(inward), place.i, edge, port);
-    place.k = place.i + walk_up(mesh, inward, place.i, place.i, edge, port);
-    return place;
+    const std::size_t i = count_down(mesh, mesh.opposite(inward));
+    walk_down(mesh, mesh.opposite(inward), i, edge, port);
+    return {path(i + walk_up(mesh, inward, i, i, edge, port), i), i};
   }
   const bool tail_on_boundary = leaves_boundary(mesh, chord);
   if (!tail_on_boundary && !leaves_boundary(mesh, back)) {
-    place.a = walk_up(mesh, chord, 0, 0, edge, port);
-    place.k = place.a + walk_up(mesh, back, place.a + 1, place.a, edge, port);
-    edge(place.k + 2, chord);
-    return place;
+    const std::size_t a = walk_up(mesh, chord, 0, 0, edge, port);
+    const std::size_t k = a + walk_up(mesh, back, a + 1, a, edge, port);
+    edge(k + 2, chord);
+    return {ring_with_chord(k, a), 0};
   }
   // One end is interior: its triangles lie between the gaps.
   const auto inner = tail_on_boundary ? back : chord;
   const auto outer = mesh.opposite(inner);
-  place.kind = Kind::path_with_chord;
-  place.i = count_down(mesh, outer);
-  walk_down(mesh, outer, place.i, edge, port);
-  place.j = place.i + walk_up(mesh, inner, place.i, place.i, edge, port);
-  place.k = place.j + walk_up(mesh, outer, place.j + 1, place.j, edge, port);
-  edge(place.k + 1, inner);
-  place.left = tail_on_boundary ? place.j : place.i;
-  return place;
+  const std::size_t i = count_down(mesh, outer);
+  walk_down(mesh, outer, i, edge, port);
+  const std::size_t j = i + walk_up(mesh, inner, i, i, edge, port);
+  const std::size_t k = j + walk_up(mesh, outer, j + 1, j, edge, port);
+  edge(k + 1, inner);
+  return {path_with_chord(k, i, j), tail_on_boundary ? j : i};
 }
 
 /// Visits the loop edges of the fan around the vertex that `spoke` leaves: edge(i, h), loop edge i crosses the mesh
 /// edge of h. Closed: edge k - 1 crosses `spoke`, edges count up from there. Open: `spoke` lies in gap `gap`, which
 /// carries edge gap - 1. The mesh is not changed by the walk; edge() may change colours.
 template <ColoredMesh Mesh, class Edge>
-void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, bool closed, std::size_t k, std::size_t gap,
-              Edge&& edge) {
-  if (closed) {
+void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, const Layout& fan, std::size_t gap, Edge&& edge) {
+  const std::size_t k = fan.k;
+  if (fan.ring) {
     edge(k - 1, spoke);
     auto h = spoke;
     for (std::size_t i = 0; i + 1 < k; ++i) {

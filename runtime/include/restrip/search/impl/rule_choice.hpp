@@ -156,22 +156,10 @@ class RuleChoice {
           return ColoringChange{-back.strips, -back.swaps, -back.isolated};
         });
   }
-  template <class Bits>
-  Answer<Bits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<Bits>& fan) {
-    const Layout after = layout_after_split(fan, where.spokes == VertexSplit<Halfedge>::Spokes::both);
-    const Answer<Bits> rule = by_rule([&](const auto& rules) { return rules.answer_split(mesh, where, fan); });
-    return chosen(mesh, rule, fan.closed ? closed_fan(fan.k) : open_fan(fan.k), fan.loop, after, fan.ports,
-                  [&](auto&& read) { walk_ports(mesh, where, fan, read); });
-  }
-  template <class Bits>
-  Answer<Bits> answer_collapse(const Mesh& mesh, Halfedge chord, const PatchPlace& at, Bits& inner, Bits& ports) {
-    const Answer<Bits> rule =
-        by_rule([&](const auto& rules) { return rules.answer_collapse(mesh, chord, at, inner, ports); });
-    return chosen(mesh, rule, layout_before_collapse(at), inner,
-                  at.kind == PatchPlace::Kind::ring ? closed_fan(at.k) : open_fan(at.k), ports, [&](auto&& read) {
-                    walk_patch(
-                        mesh, chord, [](std::size_t, Halfedge) {}, read);
-                  });
+  template <class Bits, class WalkPorts>
+  Answer<Bits> answer(const Mesh& mesh, PatchColors<Bits>& patch, WalkPorts&& walk_ports) {
+    const Answer<Bits> rule = by_rule([&](const auto& rules) { return rules.answer(mesh, patch, walk_ports); });
+    return chosen(mesh, rule, patch, walk_ports);
   }
   /// Counts a flip, which always takes its rule and has been done.
   Rewrite<Halfedge> taken(const Rewrite<Halfedge>& done) noexcept {
@@ -282,8 +270,7 @@ class RuleChoice {
     return keeps(kept, by_rule) ? Rule{colors, kept.strips, true} : rule;
   }
   template <class Bits, class WalkPorts>
-  Answer<Bits> chosen(const Mesh& mesh, Answer<Bits> rule, const Layout& before, const Bits& colors,
-                      const Layout& after, const Bits& ports, WalkPorts&& walk_ports) {
+  Answer<Bits> chosen(const Mesh& mesh, Answer<Bits> rule, const PatchColors<Bits>& patch, WalkPorts&& walk_ports) {
     if (!weighs_) {
       took({rule.strips, 0, 0});
       return rule;
@@ -291,20 +278,20 @@ class RuleChoice {
     Bits next;  // how strips turn outside the ports
     Bits last;
     walk_ports([&](std::size_t i, Halfedge port) {
-      const unsigned turn = ports.get(i) ? other_solid_sides(mesh, mesh.opposite(port)) : 0;
+      const unsigned turn = patch.ports.get(i) ? other_solid_sides(mesh, mesh.opposite(port)) : 0;
       next.put(i, (turn & 1U) != 0);
       last.put(i, (turn & 2U) != 0);
     });
     const auto outside = [&](std::size_t i) { return unsigned{next.get(i)} | unsigned{last.get(i)} << 1; };
-    const ColoringChange old = tally(before, colors, ports, outside);
+    const ColoringChange old = tally(patch.before, patch.inner, patch.ports, outside);
     const auto change = [&](const Bits& now) {
-      ColoringChange sum = tally(after, now, ports, outside);
+      ColoringChange sum = tally(patch.after, now, patch.ports, outside);
       sum += {-old.strips, -old.swaps, -old.isolated};
       return sum;
     };
     const ColoringChange by_rule = change(rule.colors);
     if (searches_) {
-      Bits passed = passed_on(before, colors, after);
+      Bits passed = passed_on(patch.before, patch.inner, patch.after);
       const ColoringChange kept = change(passed);
       if (keeps(kept, by_rule)) return {std::move(passed), kept.strips, kept.isolated};
     } else {
