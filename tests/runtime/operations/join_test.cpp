@@ -187,7 +187,7 @@ TEST(Join, FarEndsThatACutPartsAreJoined) {
   EXPECT_GT(flips, 500U);
 }
 
-// More strip ends around one vertex than NearEnds has room for.
+// More strip ends around one vertex than join_ends() remembers.
 TEST(Join, ManyEndsAroundOneVertex) {
   for (const Vertex k : {15U, 16U, 17U, 40U}) {
     StripMesh mesh = sample::double_cone(k);

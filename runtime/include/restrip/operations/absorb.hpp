@@ -38,10 +38,6 @@ int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
   return int{mesh.solid(h)} + int{mesh.solid(second)} + int{mesh.solid(mesh.next(second))};
 }
 
-}  // namespace detail
-
-namespace detail {
-
 inline constexpr int default_absorptions = 4;
 
 /// absorb() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each

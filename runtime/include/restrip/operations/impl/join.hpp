@@ -24,72 +24,24 @@ bool in_same_triangle(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh
 
 /// A walk along a strip, in one direction.
 template <class Mesh>
-class StripWalker {
- public:
+struct StripWalker {
   using Halfedge = typename Mesh::Halfedge;
+  Halfedge
+      at{};  ///< of the triangle that the walk has reached: it has come over this edge, if it has come from another
+  bool ended = false;
 
-  StripWalker() = default;
-  /// Continues from the triangle to the left of `in`, which it has entered over that edge.
-  explicit StripWalker(Halfedge in) : in_(in) {}
   /// From the strip end to the left of h. An isolated triangle is its own other end.
   static StripWalker from_end(const Mesh& mesh, Halfedge h) {
     for (int side = 0; side < 3; ++side, h = mesh.next(h))
-      if (mesh.solid(h)) return StripWalker(mesh.opposite(h));
-    StripWalker walker(h);
-    walker.ended_ = true;
-    return walker;
+      if (mesh.solid(h)) return {mesh.opposite(h), false};
+    return {h, true};
   }
   /// Steps to the next triangle.
   void step(const Mesh& mesh) {
-    const auto step = strip_step(mesh, in_);
-    ended_ = !step.goes_on;
-    if (step.goes_on) in_ = step.in;
+    const auto step = strip_step(mesh, at);
+    ended = !step.goes_on;
+    if (step.goes_on) at = step.in;
   }
-  [[nodiscard]] bool ended() const noexcept { return ended_; }
-  /// A halfedge of the triangle that the walk has reached.
-  [[nodiscard]] Halfedge at() const noexcept { return in_; }
-
- private:
-  Halfedge in_{};
-  bool ended_ = false;
-};
-
-/// Step 1 of join.hpp: the far ends of strips that have been cut. It is enough to find one of two ends that a cut has
-/// separated, so all strips are followed in parallel until at most one continues. There are few of them; strips beyond
-/// the first `most` are followed one by one.
-template <class Mesh>
-class FarEnds {
- public:
-  static constexpr std::size_t most = 16;
-
-  void add(Mesh& mesh, StripWalker<Mesh> walker, Repair& sum) {
-    if (count_ < most) {
-      walkers_[count_++] = walker;
-      return;
-    }
-    while (!walker.ended()) walker.step(mesh);
-    sum += join_end(mesh, walker.at());
-  }
-  void join(Mesh& mesh, Repair& sum) {
-    std::array<typename Mesh::Halfedge, most> found;
-    std::size_t ended = 0;
-    while (count_ > 1) {
-      std::size_t left = 0;
-      for (std::size_t i = 0; i < count_; ++i) {
-        if (!walkers_[i].ended()) walkers_[i].step(mesh);
-        if (walkers_[i].ended())
-          found[ended++] = walkers_[i].at();
-        else
-          walkers_[left++] = walkers_[i];
-      }
-      count_ = left;
-    }
-    for (std::size_t i = 0; i < ended; ++i) sum += join_end(mesh, found[i]);
-  }
-
- private:
-  std::array<StripWalker<Mesh>, most> walkers_;
-  std::size_t count_ = 0;
 };
 
 /// If a strip ends in u, the triangle to the left of h, exchanges an adjacent edge x - y for u - x and y - w, if there
@@ -126,30 +78,61 @@ Repair exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
   return {};
 }
 
-/// Step 2 of join.hpp: the strip ends around an operation. Each is handled immediately, but exchanges last.
-template <class Mesh>
-class NearEnds {
- public:
+/// Steps 1 and 2 of join.hpp: each_cut(follow) calls follow(walker) for each strip that has been cut, each_near(visit)
+/// visits the triangles, and perhaps boundary halfedges, where strips may end.
+template <class Mesh, class EachCut, class EachNear>
+void join_ends(Mesh& mesh, Exchange exchange, Repair& sum, EachCut&& each_cut, EachNear&& each_near) {
   using Halfedge = typename Mesh::Halfedge;
-  static constexpr std::size_t most = 16;
-
-  explicit NearEnds(Exchange exchange) : exchange_(exchange) {}
-
-  /// The triangle to the left of h, if it is one and a strip ends there.
-  void add(Mesh& mesh, Halfedge h, Repair& sum) {
+  constexpr std::size_t most = 16;
+  if (exchange == Exchange::no) {
+    // It is enough to find one of two ends that a cut has separated, so all strips are followed in parallel until at
+    // most one continues. There are few of them; strips beyond the first `most` are followed one by one.
+    std::array<StripWalker<Mesh>, most> walkers;
+    std::size_t count = 0;
+    each_cut([&](StripWalker<Mesh> walker) {
+      if (count < most) {
+        walkers[count++] = walker;
+        return;
+      }
+      while (!walker.ended) walker.step(mesh);
+      sum += join_end(mesh, walker.at);
+    });
+    std::array<Halfedge, most> found;
+    std::size_t ended = 0;
+    while (count > 1) {
+      std::size_t left = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!walkers[i].ended) walkers[i].step(mesh);
+        if (walkers[i].ended)
+          found[ended++] = walkers[i].at;
+        else
+          walkers[left++] = walkers[i];
+      }
+      count = left;
+    }
+    for (std::size_t i = 0; i < ended; ++i) sum += join_end(mesh, found[i]);
+  }
+  std::array<Halfedge, most> ends;  // for exchanges, which come last
+  std::size_t count = 0;
+  each_near([&](Halfedge h) {
     if (mesh.on_boundary(h) || solid_degree(mesh, h) > 1) return;
     sum += join_end(mesh, h);
-    if (exchange_ == Exchange::yes && count_ < most) ends_[count_++] = h;
-  }
-  void exchange(Mesh& mesh, Repair& sum) {
-    for (std::size_t i = 0; i < count_; ++i) sum += exchange_end(mesh, ends_[i]);
-  }
+    if (exchange == Exchange::yes && count < most) ends[count++] = h;
+  });
+  for (std::size_t i = 0; i < count; ++i) sum += exchange_end(mesh, ends[i]);
+}
 
- private:
-  Exchange exchange_;
-  std::array<Halfedge, most> ends_;
-  std::size_t count_ = 0;
-};
+/// The same without a list of cut strips: for the strips that end in the triangles that each(visit) names.
+template <class Mesh, class Each>
+void join_at_ends(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
+  using Halfedge = typename Mesh::Halfedge;
+  const auto each_cut = [&](auto&& follow) {
+    each([&](Halfedge h) {
+      if (!mesh.on_boundary(h) && solid_degree(mesh, h) == 1) follow(StripWalker<Mesh>::from_end(mesh, h));
+    });
+  };
+  join_ends(mesh, exchange, sum, each_cut, each);
+}
 
 /// Calls visit with a halfedge of each triangle around the vertex that h leaves.
 template <class Mesh, class Visit>
@@ -184,23 +167,7 @@ void absorb_and_join(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
   });
 }
 
-/// Steps 1 and 2 without a list of cut strips: for the strips that end in the triangles that each(visit) names.
-template <class Mesh, class Each>
-void join_at_ends(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
-  using Halfedge = typename Mesh::Halfedge;
-  if (exchange == Exchange::no) {
-    FarEnds<Mesh> far;
-    each([&](Halfedge h) {
-      if (!mesh.on_boundary(h) && solid_degree(mesh, h) == 1) far.add(mesh, StripWalker<Mesh>::from_end(mesh, h), sum);
-    });
-    far.join(mesh, sum);
-  }
-  NearEnds<Mesh> near(exchange);
-  each([&](Halfedge h) { near.add(mesh, h, sum); });
-  near.exchange(mesh, sum);
-}
-
-/// Steps 1 to 3, likewise.
+/// Steps 1 to 3 for those triangles.
 template <class Mesh, class Each>
 Repair join_and_absorb(Mesh& mesh, Exchange exchange, Each&& each) {
   Repair sum;
@@ -279,14 +246,10 @@ Repair join_in_fan(Mesh& mesh, Exchange exchange, bool isolated, Ends&& visit_en
                    All&& visit_all) {
   using Halfedge = typename Mesh::Halfedge;
   Repair sum;
-  if (exchange == Exchange::no) {
-    FarEnds<Mesh> far;
-    visit_parted([&](Halfedge h) { far.add(mesh, StripWalker<Mesh>(mesh.opposite(mesh.next(h))), sum); });
-    far.join(mesh, sum);
-  }
-  NearEnds<Mesh> near(exchange);
-  visit_ends([&](Halfedge h) { near.add(mesh, h, sum); });
-  near.exchange(mesh, sum);
+  const auto each_cut = [&](auto&& follow) {
+    visit_parted([&](Halfedge h) { follow(StripWalker<Mesh>{mesh.opposite(mesh.next(h)), false}); });
+  };
+  join_ends(mesh, exchange, sum, each_cut, visit_ends);
   if (isolated) absorb_and_join(mesh, exchange, sum, visit_all);
   return sum;
 }
@@ -363,12 +326,12 @@ template <ColoredMesh Mesh>
 bool same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Halfedge h) {
   auto from_g = detail::StripWalker<Mesh>::from_end(mesh, g);
   auto from_h = detail::StripWalker<Mesh>::from_end(mesh, h);
-  if (from_g.ended() || from_h.ended()) return detail::in_same_triangle(mesh, g, h);
+  if (from_g.ended || from_h.ended) return detail::in_same_triangle(mesh, g, h);
   while (true) {
     from_g.step(mesh);
-    if (from_g.ended()) return detail::in_same_triangle(mesh, from_g.at(), h);
+    if (from_g.ended) return detail::in_same_triangle(mesh, from_g.at, h);
     from_h.step(mesh);
-    if (from_h.ended()) return false;  // in one strip, the walk from g would have ended by now
+    if (from_h.ended) return false;  // in one strip, the walk from g would have ended by now
   }
 }
 

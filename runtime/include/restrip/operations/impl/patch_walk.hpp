@@ -56,8 +56,8 @@ template <class Bits>
 struct PatchColors {
   Layout before;
   Layout after;
-  /// In an open fan: before a split the gap of the first spoke; before a collapse the gap of the spoke to v_l, or if
-  /// v_l does not exist to v_r.
+  /// In an open fan: before a split the gap of the left spoke, or of the right one if it is alone; before a collapse
+  /// the gap of the spoke to v_l, or if v_l does not exist to v_r.
   std::size_t gap = 0;
   Bits inner;
   Bits ports;
