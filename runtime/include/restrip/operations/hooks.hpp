@@ -31,11 +31,6 @@
 
 namespace restrip {
 
-namespace detail {
-template <class Halfedge>
-class PendingFan;
-}
-
 /// A split, collapse or flip whose mesh has not changed yet. Made by before_*(), consumed by after_*().
 template <class Halfedge>
 class PendingSplit;

@@ -17,40 +17,42 @@ inline constexpr const char* nothing_pending = "this pending operation is alread
 inline constexpr const char* other_patch =
     "the mesh around the given halfedge is not the result of this operation on the patch read before";
 
-/// A change that has begun, of any size and kind.
-template <class Halfedge>
-class PendingFan {
+/// A change that has begun, of one of these kinds; none once it has been moved from.
+template <class... Changes>
+class Pending {
  public:
   template <class Change>
-  explicit PendingFan(Change change) : change_(std::move(change)) {}
-  PendingFan(PendingFan&& other) noexcept : change_(std::exchange(other.change_, std::monostate{})) {}
-  PendingFan& operator=(PendingFan&& other) noexcept {
+  explicit Pending(Change change) : change_(std::move(change)) {}
+  Pending(Pending&& other) noexcept : change_(std::exchange(other.change_, std::monostate{})) {}
+  Pending& operator=(Pending&& other) noexcept {
     change_ = std::exchange(other.change_, std::monostate{});
     return *this;
   }
-  PendingFan(const PendingFan&) = delete;
-  PendingFan& operator=(const PendingFan&) = delete;
-  ~PendingFan() = default;
+  Pending(const Pending&) = delete;
+  Pending& operator=(const Pending&) = delete;
+  ~Pending() = default;
 
   [[nodiscard]] bool waits() const noexcept { return change_.index() != 0; }
   /// k of the fan before a split or after a collapse.
-  [[nodiscard]] std::size_t valence() const noexcept {
-    if (const auto* interior = std::get_if<InteriorChange<Halfedge>>(&change_)) return interior->fan.k;
-    if (const auto* patch = std::get_if<PatchChange<WordBits>>(&change_)) return patch->fan.k;
-    if (const auto* patch = std::get_if<PatchChange<LongBits>>(&change_)) return patch->fan.k;
-    return 0;
+  [[nodiscard]] std::size_t valence() const {
+    return visit<std::size_t>([](const auto& change) { return change.fan.k; });
   }
-  template <class Finish>
-  Rewrite<Halfedge> finish(Finish&& finish) const {
-    if (const auto* interior = std::get_if<InteriorChange<Halfedge>>(&change_)) return finish(*interior);
-    if (const auto* patch = std::get_if<PatchChange<WordBits>>(&change_)) return finish(*patch);
-    if (const auto* patch = std::get_if<PatchChange<LongBits>>(&change_)) return finish(*patch);
-    return {};
+  /// What visit(change) returns, or nothing if there is no change.
+  template <class Result, class Visit>
+  Result visit(Visit&& visit) const {
+    Result result{};
+    const auto visit_if = [&](const auto* change) {
+      if (change != nullptr) result = visit(*change);
+    };
+    (visit_if(std::get_if<Changes>(&change_)), ...);
+    return result;
   }
 
  private:
-  std::variant<std::monostate, InteriorChange<Halfedge>, PatchChange<WordBits>, PatchChange<LongBits>> change_;
+  std::variant<std::monostate, Changes...> change_;
 };
+template <class Halfedge>
+using PendingFan = Pending<InteriorChange<Halfedge>, PatchChange<WordBits>, PatchChange<LongBits>>;
 
 template <class Mesh>
 void clear_if_solid(Mesh& mesh, typename Mesh::Halfedge h) {
@@ -70,32 +72,17 @@ bool is_split_of(const Mesh& mesh, std::size_t k, typename Mesh::Halfedge chord)
 
 template <class Halfedge>
 class PendingSplit : public detail::PendingFan<Halfedge> {
-  using detail::PendingFan<Halfedge>::PendingFan;
+  using Fan = detail::PendingFan<Halfedge>;
+  using Fan::Fan;
 };
 template <class Halfedge>
 class PendingCollapse : public detail::PendingFan<Halfedge> {
-  using detail::PendingFan<Halfedge>::PendingFan;
+  using Fan = detail::PendingFan<Halfedge>;
+  using Fan::Fan;
 };
 template <class Halfedge>
-class PendingFlip {
- public:
-  explicit PendingFlip(const detail::FlipChange& change) noexcept : change_(change) {}
-  PendingFlip(PendingFlip&& other) noexcept : change_(other.change_), waits_(std::exchange(other.waits_, false)) {}
-  PendingFlip& operator=(PendingFlip&& other) noexcept {
-    change_ = other.change_;
-    waits_ = std::exchange(other.waits_, false);
-    return *this;
-  }
-  PendingFlip(const PendingFlip&) = delete;
-  PendingFlip& operator=(const PendingFlip&) = delete;
-  ~PendingFlip() = default;
-
-  [[nodiscard]] bool waits() const noexcept { return waits_; }
-  [[nodiscard]] const detail::FlipChange& change() const noexcept { return change_; }
-
- private:
-  detail::FlipChange change_;
-  bool waits_ = true;
+class PendingFlip : public detail::Pending<detail::FlipChange> {
+  using detail::Pending<detail::FlipChange>::Pending;
 };
 
 namespace detail {
@@ -138,7 +125,7 @@ Rewrite<typename Mesh::Halfedge> after_split_by([[maybe_unused]] const Mesh& mes
   RESTRIP_ASSERT(pending.waits(), "after_split", nothing_pending);
   RESTRIP_ASSERT(knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(is_split_of(mesh, pending.valence(), chord), "after_split", other_patch);
-  return pending.finish(finish);
+  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(finish);
 }
 
 template <class Mesh, class Finish>
@@ -148,7 +135,7 @@ Rewrite<typename Mesh::Halfedge> after_collapse_by([[maybe_unused]] const Mesh& 
   RESTRIP_ASSERT(pending.waits(), "after_collapse", nothing_pending);
   RESTRIP_ASSERT(knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse", other_patch);
-  return pending.finish(finish);
+  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(finish);
 }
 
 }  // namespace detail
@@ -192,7 +179,8 @@ Rewrite<typename Mesh::Halfedge> after_flip(Mesh& mesh, PendingFlip<typename Mes
   RESTRIP_ASSERT(pending.waits(), "after_flip", detail::nothing_pending);
   RESTRIP_ASSERT(detail::knows(mesh, h), "after_flip", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(!mesh.on_boundary(h) && !mesh.on_boundary(mesh.opposite(h)), "after_flip", detail::other_patch);
-  return detail::finish_flip(mesh, pending.change(), h);
+  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(
+      [&](const detail::FlipChange& change) { return detail::finish_flip(mesh, change, h); });
 }
 
 }  // namespace restrip

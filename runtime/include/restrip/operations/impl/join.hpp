@@ -26,8 +26,7 @@ bool in_same_triangle(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh
 template <class Mesh>
 struct StripWalker {
   using Halfedge = typename Mesh::Halfedge;
-  Halfedge
-      at{};  ///< of the triangle that the walk has reached: it has come over this edge, if it has come from another
+  Halfedge at{};  ///< of the triangle reached, which was entered over this edge unless it is isolated
   bool ended = false;
 
   /// From the strip end to the left of h. An isolated triangle is its own other end.
