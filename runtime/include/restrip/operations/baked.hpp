@@ -105,8 +105,7 @@ struct FallingEdge {
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                              std::span<const typename Mesh::Halfedge> flips, Name... name) {
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_baked",
-                 describe(detail::refusal_of_split(mesh, where, name...)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where, name...), "split_baked");
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const bool left = where.spokes != Spokes::right_only && mesh.solid(where.left);
   const bool right = where.spokes != Spokes::left_only && mesh.solid(where.right);
@@ -127,8 +126,7 @@ Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typen
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfedge chord,
                                                 std::span<const typename Mesh::Halfedge> flips) {
-  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_baked",
-                 describe(detail::refusal_of_collapse(mesh, chord)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "collapse_baked");
   const int more = detail::flip_colors(mesh, flips);
   const detail::FallingEdge<Mesh> left(mesh, chord);
   const detail::FallingEdge<Mesh> right(mesh, mesh.opposite(chord));
@@ -168,8 +166,7 @@ class BakedPlayer {
 
   /// After an exception the player is out of step.
   Rewrite<Halfedge> split(std::size_t record, const VertexSplit<Halfedge>& where, auto... name) {
-    RESTRIP_ASSERT(detail::refusal_of_split(*mesh_, where, name...) == Refusal::granted, "BakedPlayer::split",
-                   describe(detail::refusal_of_split(*mesh_, where, name...)));
+    RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(*mesh_, where, name...), "BakedPlayer::split");
     if (can_split(record)) {
       leave_step();
       const auto done = split_baked(*mesh_, where, (*records_)[record], name...);
@@ -180,8 +177,7 @@ class BakedPlayer {
     return split_and_join(*mesh_, where, name...);
   }
   Rewrite<Halfedge> collapse(std::size_t record, Halfedge chord) {
-    RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "BakedPlayer::collapse",
-                   describe(detail::refusal_of_collapse(*mesh_, chord)));
+    RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(*mesh_, chord), "BakedPlayer::collapse");
     if (can_collapse(record)) {
       leave_step();
       const auto done = collapse_baked(*mesh_, chord, (*records_)[record]);

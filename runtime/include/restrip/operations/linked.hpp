@@ -183,24 +183,21 @@ struct LinkedRules {
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_link(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                 Name... name) {
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_and_link",
-                 describe(detail::refusal_of_split(mesh, where, name...)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where, name...), "split_and_link");
   return detail::split_and_join_with(detail::LinkedRules{default_reach}, Exchange::yes, mesh, where, name...);
 }
 
 /// collapse() by linked rules.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_link",
-                 describe(detail::refusal_of_collapse(mesh, chord)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "collapse_and_link");
   return detail::collapse_and_join_with(detail::LinkedRules{default_reach}, Exchange::yes, mesh, chord);
 }
 
 /// flip(), then joins and exchanges, which restore a port that the rule cleared without need.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",
-                 describe(detail::refusal_of_flip(mesh, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_flip(mesh, h), "flip_and_link");
   const auto done = flip(mesh, h);
   return detail::with(done, join_at_edge(mesh, done.halfedge, Exchange::yes));
 }

@@ -25,14 +25,9 @@ Halfedge PatchSides<Halfedge, Extent>::between(unsigned from, unsigned to) const
 
 namespace detail {
 
-template <class Halfedge, class Triangles>
-auto no_sides(const Triangles& triangles) {
-  return PatchSides<Halfedge, patch_extent<Triangles>>(triangles);
-}
-
 template <class Mesh, class Triangles, class Halfedge = typename Mesh::Halfedge>
 auto read_sides(const Mesh& mesh, const Triangles& triangles, Halfedge where) {
-  auto patch = no_sides<Halfedge>(triangles);
+  PatchSides<Halfedge, patch_extent<Triangles>> patch(triangles);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     auto& side = patch.side[t];
     side[0] = t == 0 ? where : mesh.opposite(patch.side[triangles[t].from][triangles[t].from_side]);
@@ -141,7 +136,7 @@ Refusal refusal_of_patch(const Mesh& mesh, const Triangles& triangles, typename 
   if (!knows(mesh, where)) return Refusal::no_such_edge;
   if (mesh.on_boundary(where)) return Refusal::boundary_edge;
   if (triangles.empty()) return Refusal::other_patch;  // the position is not in the family
-  auto patch = no_sides<typename Mesh::Halfedge>(triangles);
+  PatchSides<typename Mesh::Halfedge, patch_extent<Triangles>> patch(triangles);
   const std::size_t sides = 3 * triangles.size();
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     auto& side = patch.side[t];
@@ -240,8 +235,7 @@ Checked checked_apply(Target& target, const Table& table, StripMesh::Halfedge wh
 
 template <SurfaceTable Table>
 Rewrite<StripMesh::Halfedge> apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
-  RESTRIP_ASSERT(check_apply(mesh, table, where) == Refusal::granted, "apply",
-                 describe(check_apply(mesh, table, where)));
+  RESTRIP_ASSERT_GRANTED(check_apply(mesh, table, where), "apply");
   return detail::apply_unchecked(mesh, table, where, detail::replacing(mesh, table));
 }
 
@@ -254,8 +248,7 @@ Rewrite<typename Mesh::Halfedge> apply(Mesh& mesh, const Table& table, typename 
 template <ColoredMesh Mesh, SurfaceTable Table>
 PendingApply<typename Mesh::Halfedge, Table> before_apply(Mesh& mesh, const Table& table,
                                                           typename Mesh::Halfedge where) {
-  RESTRIP_ASSERT(detail::refusal_of_apply(mesh, table, where) == Refusal::granted, "apply",
-                 describe(detail::refusal_of_apply(mesh, table, where)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_apply(mesh, table, where), "apply");
   return {mesh, table, where};
 }
 

@@ -112,7 +112,7 @@ Verdict judge_alone(const StripMesh& mesh, std::span<const Request> requests, st
 /// something, the smallest number stays; then each looks whether a smaller one has stayed. That does not depend on the
 /// order, so both passes run in parallel.
 template <class Request>
-void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsigned threads, BatchReport& report) {
+BatchReport find_fault(const StripMesh& mesh, std::span<const Request> requests, unsigned threads) {
   std::size_t vertex_bound = mesh.vertex_bound();
   if constexpr (std::is_same_v<Request, SplitRequest>)
     for (const SplitRequest& request : requests)
@@ -153,6 +153,7 @@ void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsign
       if (verdicts[i].fault == BatchFault::done && owner_of(i) != i) verdicts[i].fault = BatchFault::overlap;
   });
 
+  BatchReport report;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (verdicts[i].fault == BatchFault::done) continue;
     report.fault = verdicts[i].fault;
@@ -160,16 +161,9 @@ void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsign
     report.request = report.other = i;
     if (report.fault == BatchFault::overlap) report.other = owner_of(i);
     if (report.fault == BatchFault::mixed_names) report.other = 0;
-    return;
+    break;
   }
-}
-
-/// Looks for a fault in the caller's thread, for debug builds.
-template <class Request>
-BatchFault fault_in(const StripMesh& mesh, std::span<const Request> requests) {
-  BatchReport report;
-  find_fault(mesh, requests, 1, report);
-  return report.fault;
+  return report;
 }
 
 /// Runs perform(i), which returns a Rewrite, for every request and adds up.
@@ -203,21 +197,19 @@ std::optional<std::size_t> PatchClaims::claim_patch(const Operation& operation, 
 }
 
 inline std::optional<std::size_t> PatchClaims::claim(const SplitRequest& request, std::size_t number) {
-  RESTRIP_ASSERT(detail::check_request(mesh_, request) == Refusal::granted, "PatchClaims::claim",
-                 describe(detail::check_request(mesh_, request)));
+  RESTRIP_ASSERT_GRANTED(detail::check_request(mesh_, request), "PatchClaims::claim");
   return claim_patch(request, number);
 }
 inline std::optional<std::size_t> PatchClaims::claim(StripMesh::Halfedge chord, std::size_t number) {
-  RESTRIP_ASSERT(detail::check_request(mesh_, chord) == Refusal::granted, "PatchClaims::claim",
-                 describe(detail::check_request(mesh_, chord)));
+  RESTRIP_ASSERT_GRANTED(detail::check_request(mesh_, chord), "PatchClaims::claim");
   return claim_patch(chord, number);
 }
 
 inline BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options) {
   BatchReport report;
-  if (!options.checked) detail::find_fault(mesh, requests, options.threads, report);
-  RESTRIP_ASSERT(!options.checked || detail::fault_in(mesh, requests) == BatchFault::done, "split_batch",
-                 describe(detail::fault_in(mesh, requests)));
+  if (!options.checked) report = detail::find_fault(mesh, requests, options.threads);
+  RESTRIP_ASSERT(!options.checked || detail::find_fault(mesh, requests, 1).fault == BatchFault::done, "split_batch",
+                 describe(detail::find_fault(mesh, requests, 1).fault));
   if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(requests.size());
   std::vector<detail::TwoSteps::Room> rooms;
@@ -234,9 +226,9 @@ inline BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> re
 inline BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Halfedge> chords,
                                   const BatchOptions& options) {
   BatchReport report;
-  if (!options.checked) detail::find_fault(mesh, chords, options.threads, report);
-  RESTRIP_ASSERT(!options.checked || detail::fault_in(mesh, chords) == BatchFault::done, "collapse_batch",
-                 describe(detail::fault_in(mesh, chords)));
+  if (!options.checked) report = detail::find_fault(mesh, chords, options.threads);
+  RESTRIP_ASSERT(!options.checked || detail::find_fault(mesh, chords, 1).fault == BatchFault::done, "collapse_batch",
+                 describe(detail::find_fault(mesh, chords, 1).fault));
   if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(chords.size());
   std::vector<detail::TwoSteps::Room> freed(chords.size());

@@ -93,7 +93,7 @@ auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh
     change.strips = rule.strips;
     change.isolated = count_difference(isolated_ring(k, a, rule.colors, interior.ports),
                                        isolated_closed(k, interior.loop, interior.ports));
-    interior.clear(mesh, kept_loop(k, a, rule.colors));
+    interior.write(mesh, interior.loop & ~kept_loop(k, a, rule.colors), false);
     return do_rest(change);
   }
   if (auto fan = read_fan<WordBits>(mesh, where); fan.before.k <= max_word_valence) {
@@ -168,7 +168,7 @@ auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chor
     change.strips = rule.strips;
     change.isolated =
         count_difference(isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports));
-    interior.clear(mesh, rule.colors);
+    interior.write(mesh, interior.loop & ~rule.colors, false);
     return do_rest(change);
   }
   if (auto patch = read_patch<WordBits>(mesh, chord); patch.before.k <= max_word_valence) {

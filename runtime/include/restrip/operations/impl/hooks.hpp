@@ -92,8 +92,7 @@ PendingSplit<typename Mesh::Halfedge> before_split_by(Rules&& rules, Mesh& mesh,
                                                       const VertexSplit<typename Mesh::Halfedge>& where) {
   using Halfedge = typename Mesh::Halfedge;
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
-  RESTRIP_ASSERT(refusal_of_split(mesh, where) == Refusal::granted, "before_split",
-                 describe(refusal_of_split(mesh, where)));
+  RESTRIP_ASSERT_GRANTED(refusal_of_split(mesh, where), "before_split");
   auto pending =
       with_split_begun(rules, mesh, where, [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
   // The edges of the spokes become two each.
@@ -105,8 +104,7 @@ PendingSplit<typename Mesh::Halfedge> before_split_by(Rules&& rules, Mesh& mesh,
 template <class Rules, class Mesh>
 PendingCollapse<typename Mesh::Halfedge> before_collapse_by(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
   using Halfedge = typename Mesh::Halfedge;
-  RESTRIP_ASSERT(refusal_of_collapse(mesh, chord) == Refusal::granted, "before_collapse",
-                 describe(refusal_of_collapse(mesh, chord)));
+  RESTRIP_ASSERT_GRANTED(refusal_of_collapse(mesh, chord), "before_collapse");
   auto pending = with_collapse_begun(rules, mesh, chord,
                                      [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
   // Two edges merge, and the library chooses which one it removes.
@@ -166,8 +164,7 @@ Rewrite<typename Mesh::Halfedge> after_collapse(Mesh& mesh, PendingCollapse<type
 
 template <ColoredMesh Mesh>
 PendingFlip<typename Mesh::Halfedge> before_flip(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "before_flip",
-                 describe(detail::refusal_of_flip(mesh, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_flip(mesh, h), "before_flip");
   PendingFlip<typename Mesh::Halfedge> pending(detail::begin_flip(mesh, h));
   detail::clear_if_solid(mesh, h);  // the library may make the turned edge again
   return pending;

@@ -23,16 +23,8 @@ struct InteriorFan {
   Halfedge spokes[max_interior_valence];  ///< the mesh edge that loop edge i crosses, seen from the vertex; not the
                                           ///< edges next to A and D, which an operation makes or removes
 
-  /// Give the kept loop edges the colours `now`, in two steps: edges are cleared before the mesh changes and set after
-  /// it. So the colouring is valid all the time (mesh.hpp, "Exceptions").
-  template <ColoredMesh Mesh>
-  void clear(Mesh& mesh, Word now) const {
-    write(mesh, loop & ~now, false);
-  }
-  template <ColoredMesh Mesh>
-  void set(Mesh& mesh, Word now) const {
-    write(mesh, now & ~loop, true);
-  }
+  /// Colours kept loop edges. Edges are cleared before the mesh changes and set after it, so that the colouring is
+  /// valid all the time (mesh.hpp, "Exceptions").
   template <ColoredMesh Mesh>
   void write(Mesh& mesh, Word edges, bool solid) const {
     const Word made = bit(a - 1) | bit(k - 1);
@@ -71,7 +63,7 @@ constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
 template <ColoredMesh Mesh>
 void light_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
                 Word inner) {
-  fan.set(mesh, kept_loop(fan.k, fan.a, inner));
+  fan.write(mesh, kept_loop(fan.k, fan.a, inner) & ~fan.loop, true);
   const auto back = mesh.opposite(chord);
   const auto above_left = mesh.next(chord);
   const auto below_right = mesh.next(back);
@@ -117,7 +109,7 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
 /// Sets the solid edges of the fan that a collapse leaves; `left` is its spoke to v_l. The others are clear.
 template <ColoredMesh Mesh>
 void light_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
-  fan.set(mesh, loop);
+  fan.write(mesh, loop & ~fan.loop, true);
   mesh.set_solid(left, has(loop, fan.k - 1));
   mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(loop, fan.a - 1));
 }

@@ -47,8 +47,7 @@ Rewrite<typename Mesh::Halfedge> collapse_with(Rules&& rules, Mesh& mesh, typena
 
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "split",
-                 describe(detail::refusal_of_split(mesh, where)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where), "split");
   return detail::split_with(detail::LocalRules{}, mesh, where);
 }
 
@@ -56,22 +55,19 @@ template <SplittableMesh Mesh, class Vertex>
 requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                        Vertex new_vertex) {
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, new_vertex) == Refusal::granted, "split",
-                 describe(detail::refusal_of_split(mesh, where, new_vertex)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where, new_vertex), "split");
   return detail::split_with(detail::LocalRules{}, mesh, where, new_vertex);
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse",
-                 describe(detail::refusal_of_collapse(mesh, chord)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "collapse");
   return detail::collapse_with(detail::LocalRules{}, mesh, chord);
 }
 
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip",
-                 describe(detail::refusal_of_flip(mesh, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_flip(mesh, h), "flip");
   const auto change = detail::begin_flip(mesh, h);
   return detail::finish_flip(mesh, change, mesh.turn_edge(h));
 }

@@ -150,29 +150,25 @@ Rewrite<typename Mesh::Halfedge> merge_with(Mesh& mesh, typename Mesh::Halfedge 
 
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split_face(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_face_split(mesh, h) == Refusal::granted, "split_face",
-                 describe(detail::refusal_of_face_split(mesh, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_face_split(mesh, h), "split_face");
   return detail::split_face_with(mesh, h, detail::TakeRule{});
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> join_faces(Mesh& mesh, typename Mesh::Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_removal(mesh, chord, 3, 0) == Refusal::granted, "join_faces",
-                 describe(detail::refusal_of_removal(mesh, chord, 3, 0)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_removal(mesh, chord, 3, 0), "join_faces");
   return detail::join_faces_with(mesh, chord, detail::TakeRule{});
 }
 
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> bisect(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_bisection(mesh, h) == Refusal::granted, "bisect",
-                 describe(detail::refusal_of_bisection(mesh, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_bisection(mesh, h), "bisect");
   return detail::bisect_with(mesh, h, detail::TakeRule{});
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> merge(Mesh& mesh, typename Mesh::Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_removal(mesh, chord, 4, 2) == Refusal::granted, "merge",
-                 describe(detail::refusal_of_removal(mesh, chord, 4, 2)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_removal(mesh, chord, 4, 2), "merge");
   return detail::merge_with(mesh, chord, detail::TakeRule{});
 }
 
