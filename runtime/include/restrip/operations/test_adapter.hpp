@@ -87,5 +87,4 @@ template <NumberedMesh Mesh>
 
 }  // namespace restrip
 
-#include "restrip/operations/impl/contract.hpp"
 #include "restrip/operations/impl/test_adapter.hpp"

@@ -48,6 +48,7 @@ struct MeshPicture {
   [[nodiscard]] std::size_t to(std::size_t h) const { return vertex[opposite[h]]; }
   [[nodiscard]] std::size_t apex(std::size_t h) const { return to(next[h]); }
 
+  /// The fan of the vertex that h leaves; a closed one begins with h.
   [[nodiscard]] PictureFan fan(std::size_t h) const {
     PictureFan fan;
     std::size_t first = h;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -20,6 +22,39 @@
 namespace restrip {
 
 namespace detail {
+
+inline constexpr const char* contract_sentences[] = {
+    "the mesh keeps the contract",
+    "opposite: the opposite of the opposite is not the halfedge itself, or a halfedge is its own opposite",
+    "next: three steps do not lead once around a triangle",
+    "on_boundary: true for a halfedge of a triangle",
+    "on_boundary: true for both halfedges of a mesh edge",
+    "next, opposite: they lead to more halfedges than the mesh has",
+    "solid: a halfedge and its opposite have different colours",
+    "solid: true on a boundary edge",
+    "set_solid: the halfedge or its opposite has another colour afterwards",
+    "set_solid: it changed another dual edge as well",
+    "alive: false for a halfedge of the mesh",
+    "leaves_boundary: it disagrees with a walk around the vertex",
+    "fan_step: it disagrees with next, opposite and solid",
+    "strip_step: it disagrees with next, opposite and solid",
+    "triangle, halfedge, has_triangle, triangle_bound: they do not number each triangle once",
+    "from: halfedges that leave the same vertex have different numbers, or two corners of a triangle the same",
+    "insert_vertex: the halfedge returned is not v_s -> v_t with the triangles that VertexSplit says around each",
+    "insert_vertex: a dual edge of a new triangle is solid",
+    "remove_vertex: the halfedge returned is not v_s -> v_l (or v_r if v_l does not exist) with the triangles of both "
+    "ends around v_s",
+    "remove_vertex: the dual edge of two merged mesh edges is solid",
+    "turn_edge: the halfedge returned is not r -> l between the triangles (r, l, u) and (l, r, v)",
+    "insert_vertex, remove_vertex, turn_edge: another halfedge has moved",
+    "insert_vertex, remove_vertex, turn_edge: another triangle has another number, or another halfedge(t)",
+    "insert_vertex, remove_vertex, turn_edge: another dual edge changed its colour",
+    "insert_vertex, remove_vertex, turn_edge: the number of triangles is not what it should be",
+    "the colouring is not valid after an operation of restrip, though every other line held",
+    "an operation of restrip did not report the change in strips, though every other line held",
+    "the list of changes: a triangle changed and is not in it",
+};
+static_assert(std::size(contract_sentences) == static_cast<std::size_t>(Contract::changes_named) + 1);
 
 template <class Mesh>
 class AdapterDrive {
@@ -75,8 +110,7 @@ class AdapterDrive {
   static constexpr std::uint32_t nothing = 0xFFFFFFFFU;
 
   [[nodiscard]] TriangleState state_of(std::uint32_t t) const {
-    if (!mesh_.has_triangle(t)) return {{{nothing, nothing, nothing}, {}, {}}};
-    std::array<std::array<std::uint32_t, 3>, 3> sides{};
+    TriangleState sides{};
     auto h = mesh_.halfedge(t);
     for (auto& side : sides) {
       const auto across = mesh_.opposite(h);
@@ -91,15 +125,16 @@ class AdapterDrive {
   bool list_misses_one() {
     if constexpr (NumberedMesh<Mesh>) {
       if (changed_ == nullptr) return false;
+      constexpr TriangleState no_triangle{{{nothing, nothing, nothing}, {}, {}}};
       const bool first = states_.empty();
-      std::vector<TriangleState> now(std::max(states_.size(), std::size_t{mesh_.triangle_bound()}),
-                                     {{{nothing, nothing, nothing}, {}, {}}});
-      states_.resize(now.size(), {{{nothing, nothing, nothing}, {}, {}}});
-      for (std::uint32_t t = 0; t < mesh_.triangle_bound(); ++t) now[t] = state_of(t);
-      for (std::uint32_t t = 0; t < now.size() && !first; ++t)
-        if (now[t] != states_[t] && std::find(changed_->begin(), changed_->end(), t) == changed_->end())
+      const std::size_t bound = mesh_.triangle_bound();
+      states_.resize(std::max(states_.size(), bound), no_triangle);
+      for (std::uint32_t t = 0; t < states_.size(); ++t) {
+        const TriangleState now = t < bound && mesh_.has_triangle(t) ? state_of(t) : no_triangle;
+        if (!first && now != states_[t] && std::find(changed_->begin(), changed_->end(), t) == changed_->end())
           return fail(Contract::changes_named);
-      states_ = std::move(now);
+        states_[t] = now;
+      }
       changed_->clear();
     }
     return false;
@@ -196,38 +231,19 @@ class AdapterDrive {
   static void append(Row& row, const Row& from, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) row.push_back(from[i]);
   }
-  /// `fan` rotated so that it begins after `h`; of an open fan the part after h.
-  static Row after(const PictureFan& fan, std::size_t h) {
-    Row row(fan.spokes.begin() + static_cast<std::ptrdiff_t>(fan.place(h)) + 1, fan.spokes.end());
-    if (fan.closed) append(row, fan.spokes, 0, fan.place(h));
-    return row;
-  }
 
-  /// Whether this row is the fan of the halfedge `at`, which has place `place` in it. old_ is the mesh before.
+  /// Whether this row is the fan of the halfedge `at`, which has place `place` in it. old_ is the mesh before, now_ the
+  /// mesh after.
   Contract fan_is(const Halfedge& at, const Row& row, std::size_t place, bool closed, Contract otherwise,
-                  Contract not_dashed) {
-    Halfedge h = at;
-    for (std::size_t i = place;;) {
-      if (row[i] != unknown && !(old_.halfedges[row[i]] == h)) return otherwise;
-      if (row[i] == unknown && mesh_.solid(h)) return not_dashed;
-      const bool last = i + 1 == row.size();
-      if (mesh_.on_boundary(h)) {
-        if (closed || !last) return otherwise;
-        break;
-      }
-      if (last && !closed) return otherwise;
-      h = mesh_.opposite(mesh_.next(mesh_.next(h)));
-      i = last ? 0 : i + 1;
-      if (closed && i == place) return h == at ? Contract::kept : otherwise;
-    }
-    h = at;
-    for (std::size_t i = place;; --i) {
-      if (row[i] != unknown && !(old_.halfedges[row[i]] == h)) return otherwise;
-      if (row[i] == unknown && mesh_.solid(h)) return not_dashed;
-      if (mesh_.on_boundary(mesh_.opposite(h))) return i == 0 ? Contract::kept : otherwise;
-      if (i == 0) return otherwise;
-      h = mesh_.next(mesh_.opposite(h));
-    }
+                  Contract not_dashed) const {
+    const std::size_t h = now_.find(at);
+    const PictureFan fan = now_.fan(h);
+    if (fan.closed != closed || fan.spokes.size() != row.size() || fan.place(h) != place) return otherwise;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (row[i] != unknown && !(old_.halfedges[row[i]] == now_.halfedges[fan.spokes[i]])) return otherwise;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (row[i] == unknown && now_.solid[fan.spokes[i]] != 0) return not_dashed;
+    return Contract::kept;
   }
 
   /// Checks that handles whose edge is not in `changed` have not moved and keep their colours, and that triangles
@@ -283,15 +299,6 @@ class AdapterDrive {
     const std::size_t l = has_left ? fan.place(left_) : 0;
     const std::size_t r = has_right ? fan.place(right_) : 0;
     const Row& all = fan.spokes;
-    const Row between = [&] {  // of v_s if it is closed or the left spoke comes first, else of v_t
-      Row row;
-      if (!has_left || !has_right) return row;
-      if (fan.closed || l < r)
-        for (std::size_t i = (l + 1) % all.size(); i != r; i = (i + 1) % all.size()) row.push_back(all[i]);
-      else
-        append(row, all, r + 1, l);
-      return row;
-    }();
     const Halfedge chord = mesh_.insert_vertex(where);
     const Halfedge back = mesh_.opposite(chord);
     if (look_at(chord, old_.size() + 6)) return true;
@@ -305,28 +312,25 @@ class AdapterDrive {
     std::size_t head_place = 0;
     bool tail_closed = fan.closed;
     bool head_closed = fan.closed;
+    const auto around = [&all](std::size_t from, std::size_t to) {  // an interior end: the chord and the spoke after it
+      Row row{unknown, unknown};
+      for (std::size_t i = (from + 1) % all.size(); i != to; i = (i + 1) % all.size()) row.push_back(all[i]);
+      row.push_back(unknown);
+      return row;
+    };
     if (fan.closed) {
-      tail = {unknown, unknown};
-      append(tail, between, 0, between.size());
-      tail.push_back(unknown);
-      head = {unknown, unknown};
-      for (std::size_t i = (r + 1) % all.size(); i != l; i = (i + 1) % all.size()) head.push_back(all[i]);
-      head.push_back(unknown);
+      tail = around(l, r);
+      head = around(r, l);
     } else if (has_left && has_right) {
-      Row inner{unknown, unknown};  // the chord and the spoke after it
-      append(inner, between, 0, between.size());
-      inner.push_back(unknown);
       const auto [low, high] = std::minmax(l, r);
-      Row outer;
+      tail_closed = l < r;
+      head_closed = !tail_closed;
+      (tail_closed ? tail : head) = around(low, high);
+      Row& outer = tail_closed ? head : tail;
       append(outer, all, 0, low);
       outer.insert(outer.end(), 3, unknown);
       append(outer, all, high + 1, all.size());
-      const bool tail_is_inner = l < r;
-      tail = tail_is_inner ? inner : outer;
-      head = tail_is_inner ? outer : inner;
-      (tail_is_inner ? head_place : tail_place) = low + 1;
-      tail_closed = tail_is_inner;
-      head_closed = !tail_is_inner;
+      (tail_closed ? head_place : tail_place) = low + 1;
     } else {
       const std::size_t gap = has_left ? l : r;
       Row lower;
@@ -357,25 +361,23 @@ class AdapterDrive {
     const PictureFan head = old_.fan(back);
     Row row;
     std::size_t place = 0;
-    const auto known = [&row](const Row& list, std::size_t drop_front, std::size_t drop_back) {
-      append(row, list, drop_front, list.size() - drop_back);
-    };
     if (tail.closed && head.closed) {
       row.push_back(unknown);
-      known(after(tail, chord), 1, 1);
+      append(row, tail.spokes, 2, tail.spokes.size() - 1);
       row.push_back(unknown);
-      known(after(head, back), 1, 1);
+      append(row, head.spokes, 2, head.spokes.size() - 1);
     } else if (has_left && has_right) {
       const bool tail_is_open = head.closed;
-      const PictureFan& open = tail_is_open ? tail : head;
-      const std::size_t middle = open.place(tail_is_open ? chord : back);
-      append(row, open.spokes, 0, middle - 1);
+      const Row& inner = tail_is_open ? head.spokes : tail.spokes;
+      const Row& outer = tail_is_open ? tail.spokes : head.spokes;
+      const std::size_t middle = tail_is_open ? tail.place(chord) : head.place(back);
+      append(row, outer, 0, middle - 1);
       const std::size_t low = row.size();
       row.push_back(unknown);
-      known(tail_is_open ? after(head, back) : after(tail, chord), 1, 1);
+      append(row, inner, 2, inner.size() - 1);
       place = tail_is_open ? row.size() : low;
       row.push_back(unknown);
-      append(row, open.spokes, middle + 2, open.spokes.size());
+      append(row, outer, middle + 2, outer.size());
     } else {
       const Row& lower = has_left ? head.spokes : tail.spokes;
       const Row& upper = has_left ? tail.spokes : head.spokes;
@@ -515,6 +517,11 @@ class AdapterDrive {
 };
 
 }  // namespace detail
+
+[[nodiscard]] constexpr const char* describe(Contract line) noexcept {
+  const auto number = static_cast<std::size_t>(line);
+  return number < std::size(detail::contract_sentences) ? detail::contract_sentences[number] : "unknown";
+}
 
 template <ColoredMesh Mesh>
 AdapterReport test_adapter(Mesh& mesh, typename Mesh::Halfedge start, AdapterTest options) {
