@@ -8,13 +8,70 @@
 #include <tuple>
 #include <utility>
 
-#include "restrip/operations/impl/answer.hpp"
 #include "restrip/operations/impl/interior_fan.hpp"
 #include "restrip/operations/impl/patch_walk.hpp"
 #include "restrip/operations/operations.hpp"
+#include "restrip/rules/exact.hpp"
 #include "restrip/rules/rules.hpp"
 
 namespace restrip::detail {
+
+// ---- rules. Fans of at most max_word_valence triangles are answered on words, longer ones on bit strings.
+
+/// The colours of a rule and the changes that it makes.
+template <class Bits>
+struct Answer {
+  Bits colors;
+  int strips = 0;
+  int isolated = 0;
+};
+
+inline Answer<WordBits> answer(const Layout& before, Word old_colors, const Layout& after, const Rule& rule,
+                               Word ports) noexcept {
+  return {{rule.colors}, rule.strips, isolated(after, rule.colors, ports) - isolated(before, old_colors, ports)};
+}
+
+/// The rule of rules.hpp for these layouts.
+inline Rule rule_between(const Layout& before, Word colors, const Layout& after, Word ports) noexcept {
+  const std::size_t k = after.k;
+  if (after.ring)
+    return after.has_chord() ? split_rule({k, after.opposite - 1}, colors, ports)
+                             : collapse_rule({k, before.opposite - 1}, colors, ports);
+  if (after.has_chord()) return open_split_rule({k, after.inserted, after.opposite - 1}, colors, ports);
+  if (before.has_chord()) return open_collapse_rule({k, before.inserted, before.opposite - 1}, colors, ports);
+  return after.inserted != nowhere ? boundary_split_rule({k, after.inserted}, colors, ports)
+                                   : boundary_collapse_rule({k, before.inserted}, colors, ports);
+}
+
+inline Answer<WordBits> answer_by_rule(const PatchColors<WordBits>& patch) noexcept {
+  const auto& [before, after, gap, inner, ports] = patch;
+  return answer(before, inner.word, after, rule_between(before, inner.word, after, ports.word), ports.word);
+}
+
+inline int count(const LongBits& bits) noexcept {
+  int n = 0;
+  for (const Word word : bits.words) n += count_bits(word);
+  return n;
+}
+
+/// The same on bit strings. For colours that no valid stripification has, all edges are dashed, as in Rule.
+inline Answer<LongBits> answer_by_rule(PatchColors<LongBits>& patch) {
+  const Layout before = patch.before;
+  const Layout after = patch.after;
+  const BitSpan inner = patch.inner.span(before.colors());
+  const BitSpan ports = patch.ports.span(before.k);
+  Answer<LongBits> result;
+  const Walker walker{before, inner, ports};
+  if (walker.valid()) {
+    LongBits joined;
+    walker.joined(joined.span(before.k));
+    best_recoloring(after, ports, joined.span(before.k), result.colors.span(after.colors()));
+  }
+  const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());
+  result.strips = nodes - (count(result.colors) - count(patch.inner));
+  result.isolated = isolated(after, result.colors.span(after.colors()), ports) - isolated(before, inner, ports);
+  return result;
+}
 
 /// The source of rules for the operations; linked.hpp has another one. split() and collapse() are for interior fans of
 /// ordinary valence, answer() for others: walk_ports(port) calls port(i, h) for every port.
@@ -33,7 +90,9 @@ struct LocalRules {
   }
 };
 
-/// Between the halves, at an interior vertex of ordinary valence.
+// ---- what is known between the halves
+
+/// At an interior vertex of ordinary valence.
 template <class Halfedge>
 struct InteriorChange {
   InteriorFan<Halfedge> fan;
@@ -46,7 +105,7 @@ struct InteriorChange {
   [[nodiscard]] std::span<const Halfedge> moved() const { return {fan.spokes + fan.a - 1, fan.k - fan.a}; }
 };
 
-/// Between the halves, anywhere else.
+/// Anywhere else.
 template <class Bits>
 struct PatchChange {
   Answer<Bits> rule;
@@ -54,7 +113,7 @@ struct PatchChange {
   std::size_t gap = 0;  ///< see PatchColors
 };
 
-/// Between the halves of a flip.
+/// Of a flip.
 struct FlipChange {
   bool inner = false;
   int strips = 0;
@@ -108,8 +167,18 @@ auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_split(Mesh& mesh, const InteriorChange<typename Mesh::Halfedge>& change,
                                               typename Mesh::Halfedge chord) {
-  light_ring(mesh, change.fan, chord, change.colors);
-  return {chord, static_cast<std::uint32_t>(change.fan.k), change.strips, change.isolated};
+  const auto& fan = change.fan;
+  const Word inner = change.colors;
+  fan.write(mesh, kept_loop(fan.k, fan.a, inner) & ~fan.loop, true);
+  const auto back = mesh.opposite(chord);
+  const auto above_left = mesh.next(chord);
+  const auto below_right = mesh.next(back);
+  mesh.set_solid(above_left, has(inner, fan.k + 1));
+  mesh.set_solid(mesh.next(above_left), has(inner, 0));
+  mesh.set_solid(below_right, has(inner, fan.a));
+  mesh.set_solid(mesh.next(below_right), has(inner, fan.a + 1));
+  mesh.set_solid(chord, has(inner, fan.k + 2));
+  return {chord, static_cast<std::uint32_t>(fan.k), change.strips, change.isolated};
 }
 
 template <class Mesh, class Bits>
@@ -183,8 +252,11 @@ auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chor
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const InteriorChange<typename Mesh::Halfedge>& change,
                                                  typename Mesh::Halfedge left) {
-  light_fan(mesh, change.fan, left, change.colors);
-  return {left, static_cast<std::uint32_t>(change.fan.k), change.strips, change.isolated};
+  const auto& fan = change.fan;
+  fan.write(mesh, change.colors & ~fan.loop, true);
+  mesh.set_solid(left, has(change.colors, fan.k - 1));
+  mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(change.colors, fan.a - 1));
+  return {left, static_cast<std::uint32_t>(fan.k), change.strips, change.isolated};
 }
 
 template <class Mesh, class Bits>

@@ -58,22 +58,6 @@ constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
   return (inner >> 1 & low_bits(a - 1)) | (inner >> (a + 2) & low_bits(k - a - 1)) << a;
 }
 
-/// Sets the solid edges after a split of an interior vertex, in the ring with chord around the new mesh edge. Edges
-/// that become dashed have been cleared before.
-template <ColoredMesh Mesh>
-void light_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
-                Word inner) {
-  fan.write(mesh, kept_loop(fan.k, fan.a, inner) & ~fan.loop, true);
-  const auto back = mesh.opposite(chord);
-  const auto above_left = mesh.next(chord);
-  const auto below_right = mesh.next(back);
-  mesh.set_solid(above_left, has(inner, fan.k + 1));
-  mesh.set_solid(mesh.next(above_left), has(inner, 0));
-  mesh.set_solid(below_right, has(inner, fan.a));
-  mesh.set_solid(mesh.next(below_right), has(inner, fan.a + 1));
-  mesh.set_solid(chord, has(inner, fan.k + 2));
-}
-
 /// Reads the ring with chord around an interior mesh edge whose ends are interior. False when they are not, or the fan
 /// is too large.
 template <ColoredMesh Mesh>
@@ -104,14 +88,6 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   if (fan.a == 0 || fan.a == fan.k) return false;
   fan.loop = kept_loop(fan.k, fan.a, inner);
   return true;
-}
-
-/// Sets the solid edges of the fan that a collapse leaves; `left` is its spoke to v_l. The others are clear.
-template <ColoredMesh Mesh>
-void light_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
-  fan.write(mesh, loop & ~fan.loop, true);
-  mesh.set_solid(left, has(loop, fan.k - 1));
-  mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(loop, fan.a - 1));
 }
 
 }  // namespace restrip::detail
