@@ -164,15 +164,14 @@ Contract check_numbers(const Mesh& mesh, MeshPicture<Mesh>& picture) {
       picture.number[i] = t;
       picture.chosen[i] = back == i ? 1 : 0;
     }
-    // Called only for halfedges with a triangle: compare each with the next around its vertex.
+    // Called only for halfedges with a triangle: compare each with the next around its vertex, and in its triangle.
     for (std::size_t i = 0; i < picture.size(); ++i) {
-      if (picture.on_boundary(i) || picture.on_boundary(picture.ccw(i))) continue;
-      if (mesh.from(picture.halfedges[i]) != mesh.from(picture.halfedges[picture.ccw(i)]))
-        return Contract::vertex_numbers;
+      if (picture.on_boundary(i)) continue;
+      const auto from = mesh.from(picture.halfedges[i]);
+      const std::size_t ccw = picture.ccw(i);
+      if (!picture.on_boundary(ccw) && from != mesh.from(picture.halfedges[ccw])) return Contract::vertex_numbers;
+      if (from == mesh.from(picture.halfedges[picture.next[i]])) return Contract::vertex_numbers;
     }
-    for (std::size_t i = 0; i < picture.size(); ++i)
-      if (!picture.on_boundary(i) && mesh.from(picture.halfedges[i]) == mesh.from(picture.halfedges[picture.next[i]]))
-        return Contract::vertex_numbers;
   }
   return Contract::kept;
 }

@@ -81,7 +81,7 @@ class AdapterDrive {
       ++report_.operations;
       if (bare) set_random_colors();
       const std::size_t kind = pick(5);
-      if (bare ? bare_operation(h, kind, grow) : operation(h, kind, grow)) return report_;
+      if (operation(h, kind, grow, bare)) return report_;
       if (list_misses_one()) return report_;
     }
     report_.during = "the mesh as it is given";
@@ -199,18 +199,18 @@ class AdapterDrive {
     const PictureFan head = now_.fan(back);
     if (interior(chord) && !tail.closed && !head.closed) return false;
     if (tail.closed && head.closed && tail.triangles() + head.triangles() < 7) return false;
-    std::vector<std::size_t> apexes;
+    std::size_t apexes = 0;
     for (const std::size_t inward : {chord, back}) {
       if (now_.on_boundary(inward)) continue;
       const std::size_t up = now_.next[inward];
       if (!interior(up) && !interior(now_.next[up])) return false;
       const PictureFan apex = now_.fan(now_.next[up]);
       if (apex.closed && apex.triangles() < 4) return false;
-      apexes.push_back(now_.apex(inward));
+      ++apexes;
     }
     std::size_t shared = 0;
     for (const std::size_t spoke : tail.spokes) shared += now_.neighbors(now_.vertex[back], now_.to(spoke)) ? 1U : 0U;
-    return shared == apexes.size() && granted(refusal_of_collapse(mesh_, now_.halfedges[chord]));
+    return shared == apexes && granted(refusal_of_collapse(mesh_, now_.halfedges[chord]));
   }
   bool may_flip(std::size_t h) const {
     if (!interior(h)) return false;
@@ -275,19 +275,6 @@ class AdapterDrive {
   }
 
   // ---- operations of the mesh without restrip
-
-  bool bare_operation(std::size_t h, std::size_t kind, bool grow) {
-    if (kind == 0) {
-      if constexpr (FlippableMesh<Mesh>)
-        if (may_flip(h)) return bare_flip(h);
-    } else if (grow) {
-      if constexpr (NamesNewVertices<Mesh>)
-        if (Split where; draw_split(h, where)) return bare_split(where);
-    } else if constexpr (CollapsibleMesh<Mesh>) {
-      if (may_collapse(h)) return bare_collapse(h);
-    }
-    return false;
-  }
 
   bool bare_split(const Split& where) {
     report_.during = "insert_vertex";
@@ -475,15 +462,25 @@ class AdapterDrive {
     return fail(strips == before + done.strips ? Contract::kept : Contract::report_is_true);
   }
 
-  bool operation(std::size_t h, std::size_t kind, bool grow) {
+  /// `bare`: by the mesh alone.
+  bool operation(std::size_t h, std::size_t kind, bool grow, bool bare) {
     const Halfedge at = now_.halfedges[h];
     if (kind == 0) {
       if constexpr (FlippableMesh<Mesh>)
-        if (may_flip(h)) return try_operation("flip", report_.flips, [&] { return flip(mesh_, at); });
+        if (may_flip(h))
+          return bare ? bare_flip(h) : try_operation("flip", report_.flips, [&] { return flip(mesh_, at); });
     } else if (grow) {
-      if constexpr (NamesNewVertices<Mesh>) return growing_operation(h, kind);
+      if constexpr (NamesNewVertices<Mesh>) {
+        if (!bare && kind == 1 && !now_.on_boundary(h) && granted(refusal_of_split(mesh_, split_into_face(mesh_, at))))
+          return try_operation("split_face", report_.splits, [&] { return split_face(mesh_, at); });
+        if (!bare && kind == 2 && granted(refusal_of_split(mesh_, split_on_edge(mesh_, at))))
+          return try_operation("bisect", report_.splits, [&] { return bisect(mesh_, at); });
+        if (Split where; draw_split(h, where))
+          return bare ? bare_split(where) : try_operation("split", report_.splits, [&] { return split(mesh_, where); });
+      }
     } else if constexpr (CollapsibleMesh<Mesh>) {
       if (!may_collapse(h)) return false;
+      if (bare) return bare_collapse(h);
       if (refusal_of_removal(mesh_, at, 3, 0) == Refusal::granted && kind < 3)
         return try_operation("join_faces", report_.collapses, [&] { return join_faces(mesh_, at); });
       const bool of_four = refusal_of_removal(mesh_, at, 4, 2) == Refusal::granted;
@@ -491,16 +488,6 @@ class AdapterDrive {
         return try_operation("merge", report_.collapses, [&] { return merge(mesh_, at); });
       return try_operation("collapse", report_.collapses, [&] { return collapse(mesh_, at); });
     }
-    return false;
-  }
-  bool growing_operation(std::size_t h, std::size_t kind) {
-    const Halfedge at = now_.halfedges[h];
-    if (kind == 1 && !now_.on_boundary(h) && granted(refusal_of_split(mesh_, split_into_face(mesh_, at))))
-      return try_operation("split_face", report_.splits, [&] { return split_face(mesh_, at); });
-    if (kind == 2 && granted(refusal_of_split(mesh_, split_on_edge(mesh_, at))))
-      return try_operation("bisect", report_.splits, [&] { return bisect(mesh_, at); });
-    if (Split where; draw_split(h, where))
-      return try_operation("split", report_.splits, [&] { return split(mesh_, where); });
     return false;
   }
 
