@@ -68,12 +68,6 @@ constexpr Word name_of_pair(const Layout& patch, Word ends, Word ports) noexcept
 struct InnerPairs {
   Word joined = 0;
   Word over_chord = 0;
-
-  /// The number of pairs. (A port ends one path; so if the key names the pair over the chord, it does so by a bit that
-  /// names no other.)
-  [[nodiscard]] constexpr int count() const noexcept {
-    return count_bits(joined) + ((joined & over_chord) == 0 && over_chord != 0 ? 1 : 0);
-  }
 };
 
 /// A strand starts upwards where a solid port meets the solid edge above it. Adding that start to the edges sends a

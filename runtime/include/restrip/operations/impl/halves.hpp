@@ -122,21 +122,6 @@ struct FlipChange {
 
 // ---- split
 
-template <class Rules, class Mesh, class Bits>
-PatchChange<Bits> begin_split(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                              PatchColors<Bits>& fan) {
-  using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
-  const auto visit_ports = [&](auto&& port) { walk_ports(std::as_const(mesh), where, fan, port); };
-  PatchChange<Bits> change{rules.answer(std::as_const(mesh), fan, visit_ports), fan.before, fan.gap};
-  walk_fan(mesh, where.spokes == Spokes::right_only ? where.right : where.left, fan.before, fan.gap,
-           [&](std::size_t i, auto h) {
-             const std::size_t edge = fan.after.element(i);
-             const bool is_cut = i + 1 == fan.before.k || fan.after.element(i + 1) != edge + 1;
-             if (!is_cut && fan.inner.get(i) && !change.rule.colors.get(edge)) mesh.set_solid(h, false);
-           });
-  return change;
-}
-
 /// The first half of a split, for any size and kind of fan; then do_rest(change).
 template <class Rules, class Mesh, class Rest>
 auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, Rest&& do_rest) {
@@ -155,13 +140,19 @@ auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh
     interior.write(mesh, interior.loop & ~kept_loop(k, a, rule.colors), false);
     return do_rest(change);
   }
-  if (auto fan = read_fan<WordBits>(mesh, where); fan.before.k <= max_word_valence) {
-    auto general = begin_split(rules, mesh, where, fan);
-    return do_rest(general);
-  }
-  auto fan = read_fan<LongBits>(mesh, where);
-  auto general = begin_split(rules, mesh, where, fan);
-  return do_rest(general);
+  const auto in_patch = [&]<class Bits>(PatchColors<Bits> fan) {
+    const auto visit_ports = [&](auto&& port) { walk_ports(std::as_const(mesh), where, fan, port); };
+    PatchChange<Bits> patch{rules.answer(std::as_const(mesh), fan, visit_ports), fan.before, fan.gap};
+    const Halfedge spoke = where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left;
+    walk_fan(mesh, spoke, fan.before, fan.gap, [&](std::size_t i, Halfedge h) {
+      const std::size_t edge = fan.after.element(i);
+      const bool is_cut = i + 1 == fan.before.k || fan.after.element(i + 1) != edge + 1;
+      if (!is_cut && fan.inner.get(i) && !patch.rule.colors.get(edge)) mesh.set_solid(h, false);
+    });
+    return do_rest(patch);
+  };
+  auto fan = read_fan<WordBits>(mesh, where);
+  return fan.before.k <= max_word_valence ? in_patch(fan) : in_patch(read_fan<LongBits>(mesh, where));
 }
 
 template <class Mesh>
@@ -206,29 +197,12 @@ PatchColors<Bits> read_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
   return patch;
 }
 
-template <class Rules, class Mesh, class Bits>
-PatchChange<Bits> begin_collapse(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, PatchColors<Bits>& patch) {
-  const auto visit_ports = [&](auto&& port) {
-    walk_patch(
-        std::as_const(mesh), chord, [](std::size_t, auto) {}, port);
-  };
-  PatchChange<Bits> change{rules.answer(std::as_const(mesh), patch, visit_ports), patch.after, patch.gap};
-  const Layout& before = patch.before;
-  walk_patch(
-      mesh, chord,
-      [&](std::size_t j, auto h) {
-        const bool stays = j + 1 < before.size() && before.is_fan(j) && before.is_fan(j + 1);
-        if (stays && patch.inner.get(j) && !change.rule.colors.get(before.port(j))) mesh.set_solid(h, false);
-      },
-      [](std::size_t, auto) {});
-  return change;
-}
-
 /// The first half of a collapse, for any size and kind of patch; then do_rest(change).
 template <class Rules, class Mesh, class Rest>
 auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, Rest&& do_rest) {
-  InteriorChange<typename Mesh::Halfedge> change;
-  InteriorFan<typename Mesh::Halfedge>& interior = change.fan;
+  using Halfedge = typename Mesh::Halfedge;
+  InteriorChange<Halfedge> change;
+  InteriorFan<Halfedge>& interior = change.fan;
   if (Word ring = 0; read_ring(mesh, chord, interior, ring)) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = rules.collapse(mesh, chord, interior, ring);
@@ -240,13 +214,24 @@ auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chor
     interior.write(mesh, interior.loop & ~rule.colors, false);
     return do_rest(change);
   }
-  if (auto patch = read_patch<WordBits>(mesh, chord); patch.before.k <= max_word_valence) {
-    auto general = begin_collapse(rules, mesh, chord, patch);
-    return do_rest(general);
-  }
-  auto patch = read_patch<LongBits>(mesh, chord);
-  auto general = begin_collapse(rules, mesh, chord, patch);
-  return do_rest(general);
+  const auto in_patch = [&]<class Bits>(PatchColors<Bits> colors) {
+    const auto visit_ports = [&](auto&& port) {
+      walk_patch(
+          std::as_const(mesh), chord, [](std::size_t, Halfedge) {}, port);
+    };
+    PatchChange<Bits> patch{rules.answer(std::as_const(mesh), colors, visit_ports), colors.after, colors.gap};
+    const Layout& before = colors.before;
+    walk_patch(
+        mesh, chord,
+        [&](std::size_t j, Halfedge h) {
+          const bool stays = j + 1 < before.size() && before.is_fan(j) && before.is_fan(j + 1);
+          if (stays && colors.inner.get(j) && !patch.rule.colors.get(before.port(j))) mesh.set_solid(h, false);
+        },
+        [](std::size_t, Halfedge) {});
+    return do_rest(patch);
+  };
+  auto patch = read_patch<WordBits>(mesh, chord);
+  return patch.before.k <= max_word_valence ? in_patch(patch) : in_patch(read_patch<LongBits>(mesh, chord));
 }
 
 template <class Mesh>
