@@ -171,49 +171,37 @@ Refusal refusal_of_apply(const Mesh& mesh, const Table& table, typename Mesh::Ha
   return rule_for(table, solid).valid ? Refusal::granted : Refusal::colors_not_valid;
 }
 
-/// The arguments of StripMesh::replace().
-template <class Table>
-class Replacement {
- public:
-  using Before = SidesBefore<StripMesh::Halfedge, Table>;
+/// Calls call(out, in, vertices, made) with the arguments of StripMesh::replace().
+template <class Table, class Call>
+auto with_replacement(const StripMesh& mesh, const Table& table, const SidesBefore<StripMesh::Halfedge, Table>& patch,
+                      Call&& call) {
   using After = PatchSides<StripMesh::Halfedge, patch_extent<decltype(Table::triangles_after)>>;
-
-  Replacement(const StripMesh& mesh, const Table& table, const Before& patch)
-      : before_(table.triangles_before.size()), after_(table.triangles_after.size()), count_(table.vertices) {
-    vertices_.fill(none);
-    for (std::size_t t = 0; t < before_; ++t) {
-      out_[t] = StripMesh::triangle(patch.side[t][0]);
-      for (std::size_t s = 0; s < 3; ++s) vertices_[table.triangles_before[t].vertex[s]] = mesh.from(patch.side[t][s]);
-    }
-    for (std::size_t t = 0; t < after_; ++t) in_[t] = table.triangles_after[t].vertex;
+  constexpr std::size_t most_before = std::tuple_size_v<decltype(patch.side)>;
+  constexpr std::size_t most_after = std::tuple_size_v<decltype(After::side)>;
+  std::array<Triangle, most_before> out;
+  std::array<StripMesh::Places, most_after> in;
+  std::array<Vertex, 3 * (most_before + most_after)> vertices;
+  std::array<Triangle, most_after> made;
+  vertices.fill(none);
+  const std::size_t before = table.triangles_before.size();
+  for (std::size_t t = 0; t < before; ++t) {
+    out[t] = StripMesh::triangle(patch.side[t][0]);
+    for (std::size_t s = 0; s < 3; ++s) vertices[table.triangles_before[t].vertex[s]] = mesh.from(patch.side[t][s]);
   }
-  [[nodiscard]] Refusal refusal(const StripMesh& mesh) const {
-    return check_replace(mesh, std::span(out_).first(before_), std::span(in_).first(after_),
-                         std::span(vertices_).first(count_));
-  }
-  StripMesh::Halfedge replace(StripMesh& mesh) {
-    std::array<Triangle, most_after> made;
-    mesh.replace(std::span(out_).first(before_), std::span(in_).first(after_), std::span(vertices_).first(count_),
-                 std::span(made).first(after_));
-    return StripMesh::halfedge(made[0]);
-  }
-
- private:
-  static constexpr std::size_t most_before = std::tuple_size_v<decltype(Before::side)>;
-  static constexpr std::size_t most_after = std::tuple_size_v<decltype(After::side)>;
-  std::array<Triangle, most_before> out_;
-  std::array<StripMesh::Places, most_after> in_;
-  std::array<Vertex, 3 * (most_before + most_after)> vertices_;
-  std::size_t before_;
-  std::size_t after_;
-  std::size_t count_;
-};
+  const std::size_t after = table.triangles_after.size();
+  for (std::size_t t = 0; t < after; ++t) in[t] = table.triangles_after[t].vertex;
+  return call(std::span(out).first(before), std::span(in).first(after), std::span(vertices).first(table.vertices),
+              std::span(made).first(after));
+}
 
 /// Changes a StripMesh as the table says.
 template <class Table>
 auto replacing(StripMesh& mesh, const Table& table) {
   return [&mesh, &table](const SidesBefore<StripMesh::Halfedge, Table>& patch) {
-    return Replacement<Table>(mesh, table, patch).replace(mesh);
+    return with_replacement(mesh, table, patch, [&mesh](auto out, auto in, auto vertices, auto made) {
+      mesh.replace(out, in, vertices, made);
+      return StripMesh::halfedge(made[0]);
+    });
   };
 }
 
@@ -223,7 +211,9 @@ template <SurfaceTable Table>
 Refusal check_apply(const StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
   const Refusal refusal = detail::refusal_of_apply(mesh, table, where);
   if (refusal != Refusal::granted) return refusal;
-  return detail::Replacement<Table>(mesh, table, detail::read_sides(mesh, table.triangles_before, where)).refusal(mesh);
+  return detail::with_replacement(
+      mesh, table, detail::read_sides(mesh, table.triangles_before, where),
+      [&mesh](auto out, auto in, auto vertices, auto /*made*/) { return check_replace(mesh, out, in, vertices); });
 }
 
 template <CheckedTarget Target, SurfaceTable Table>

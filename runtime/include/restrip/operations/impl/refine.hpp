@@ -63,25 +63,6 @@ VertexSplit<Halfedge> split_on_edge(const Mesh& mesh, Halfedge h) {
   return {left, mesh.next(mesh.opposite(h))};
 }
 
-/// Whether v_t of the chord v_s -> v_t has this many triangles if it is interior, and at most this many otherwise.
-template <class Mesh, class Halfedge = typename Mesh::Halfedge>
-bool head_has(const Mesh& mesh, Halfedge chord, std::size_t interior, std::size_t boundary) {
-  const Halfedge first = mesh.opposite(chord);
-  Halfedge h = first;
-  for (std::size_t n = 0; n <= interior; ++n) {
-    if (mesh.on_boundary(h)) break;
-    h = turn_ccw(mesh, h);
-    if (h == first) return n + 1 == interior;
-  }
-  if (boundary == 0 || !mesh.on_boundary(h)) return false;
-  const Halfedge last = h;
-  for (std::size_t n = 0; n <= boundary; ++n) {
-    if (mesh.on_boundary(mesh.opposite(h))) return n == boundary && (last == first || h == first);
-    h = turn_cw(mesh, h);
-  }
-  return false;
-}
-
 template <class Mesh, class Halfedge = typename Mesh::Halfedge>
 Refusal refusal_of_face_split(const Mesh& mesh, Halfedge h) {
   if (!knows(mesh, h)) return Refusal::no_such_edge;
@@ -92,11 +73,17 @@ template <class Mesh, class Halfedge = typename Mesh::Halfedge>
 Refusal refusal_of_bisection(const Mesh& mesh, Halfedge h) {
   return knows(mesh, h) ? refusal_of_split(mesh, split_on_edge(mesh, h)) : Refusal::no_such_edge;
 }
+/// Also whether v_t of the chord v_s -> v_t has this many triangles: as an interior vertex, or as the end of an edge of
+/// the boundary.
 template <class Mesh, class Halfedge = typename Mesh::Halfedge>
 Refusal refusal_of_removal(const Mesh& mesh, Halfedge chord, std::size_t interior, std::size_t boundary) {
   const Refusal refusal = refusal_of_collapse(mesh, chord);
   if (refusal != Refusal::granted) return refusal;
-  return head_has(mesh, chord, interior, boundary) ? Refusal::granted : Refusal::other_valence;
+  const Halfedge back = mesh.opposite(chord);
+  const FanSize head = fan_size(mesh, back, back);
+  const bool on_rim = mesh.on_boundary(chord) || mesh.on_boundary(back);
+  const bool fits = head.closed ? head.triangles == interior : head.triangles == boundary && on_rim;
+  return fits ? Refusal::granted : Refusal::other_valence;
 }
 
 template <class Mesh, class Choose>
