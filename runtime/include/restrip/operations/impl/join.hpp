@@ -239,18 +239,17 @@ constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before,
   return parted;
 }
 
-/// Steps 1 to 3 for those triangles: visit_ends(visit), visit_parted(visit), and if necessary visit_all(visit).
-template <class Mesh, class Ends, class Parted, class All>
-Repair join_in_fan(Mesh& mesh, Exchange exchange, bool isolated, Ends&& visit_ends, Parted&& visit_parted,
-                   All&& visit_all) {
-  using Halfedge = typename Mesh::Halfedge;
+/// Steps 1 to 3 after an operation: visit(bits, each) calls each(h) for the triangles that these bits name.
+template <class Mesh, class Halfedge, class Visit>
+Rewrite<Halfedge> join_in_fan(Mesh& mesh, Exchange exchange, const Rewrite<Halfedge>& done, Word ends, Word parted,
+                              Word all, Visit&& visit) {
   Repair sum;
   const auto each_cut = [&](auto&& follow) {
-    visit_parted([&](Halfedge h) { follow(StripWalker<Mesh>{mesh.opposite(mesh.next(h)), false}); });
+    visit(parted, [&](Halfedge h) { follow(StripWalker<Mesh>{mesh.opposite(mesh.next(h)), false}); });
   };
-  join_ends(mesh, exchange, sum, each_cut, visit_ends);
-  if (isolated) absorb_and_join(mesh, exchange, sum, visit_all);
-  return sum;
+  join_ends(mesh, exchange, sum, each_cut, [&](auto&& each) { visit(ends, each); });
+  if (done.isolated > 0) absorb_and_join(mesh, exchange, sum, [&](auto&& each) { visit(all, each); });
+  return with(done, sum);
 }
 
 template <class Mesh>
@@ -260,13 +259,9 @@ Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh,
   const auto& fan = change.fan;
   const Word parted = parted_ports(fan.k, fan.ports, {joined_closed(fan.k, change.before, fan.ports), 0},
                                    ring_pairs(fan.k, fan.a, change.colors, fan.ports));
-  const auto done = finish_split(mesh, change, chord);
-  const auto visit = [&](Word elements) {
-    return [&, elements](auto&& each) { visit_ring(mesh, fan, chord, elements, each); };
-  };
-  return with(done,
-              join_in_fan(mesh, exchange, done.isolated > 0, visit(ends_ring(fan.k, fan.a, change.colors, fan.ports)),
-                          visit(ring_ports(fan.a, parted)), visit(low_bits(fan.k + 2))));
+  return join_in_fan(mesh, exchange, finish_split(mesh, change, chord),
+                     ends_ring(fan.k, fan.a, change.colors, fan.ports), ring_ports(fan.a, parted), low_bits(fan.k + 2),
+                     [&](Word elements, auto&& each) { visit_ring(mesh, fan, chord, elements, each); });
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
@@ -275,12 +270,9 @@ Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
   const auto& fan = change.fan;
   const Word parted = parted_ports(fan.k, fan.ports, ring_pairs(fan.k, fan.a, change.before, fan.ports),
                                    {joined_closed(fan.k, change.colors, fan.ports), 0});
-  const auto done = finish_collapse(mesh, change, left);
-  const auto visit = [&](Word triangles) {
-    return [&, triangles](auto&& each) { visit_fan(mesh, fan, left, triangles, each); };
-  };
-  return with(done, join_in_fan(mesh, exchange, done.isolated > 0, visit(ends_closed(fan.k, change.colors, fan.ports)),
-                                visit(parted), visit(low_bits(fan.k))));
+  return join_in_fan(mesh, exchange, finish_collapse(mesh, change, left), ends_closed(fan.k, change.colors, fan.ports),
+                     parted, low_bits(fan.k),
+                     [&](Word triangles, auto&& each) { visit_fan(mesh, fan, left, triangles, each); });
 }
 
 // ---- Elsewhere a turn around the vertices finds them.
