@@ -38,6 +38,14 @@ int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
   return int{mesh.solid(h)} + int{mesh.solid(second)} + int{mesh.solid(mesh.next(second))};
 }
 
+/// The result of an operation and of the repair after it.
+template <class Halfedge>
+Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Repair repair) {
+  rewrite.strips += repair.strips;
+  rewrite.isolated += repair.isolated;
+  return rewrite;
+}
+
 inline constexpr int default_absorptions = 4;
 
 /// absorb() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
@@ -91,16 +99,5 @@ Repair absorb(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default
   return detail::absorb_with(
       mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); }, [](auto) {});
 }
-
-namespace detail {
-
-template <class Halfedge>
-Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Repair repair) {
-  rewrite.strips += repair.strips;
-  rewrite.isolated += repair.isolated;
-  return rewrite;
-}
-
-}  // namespace detail
 
 }  // namespace restrip

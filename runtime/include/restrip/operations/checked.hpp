@@ -58,18 +58,8 @@ inline constexpr bool on_strip_mesh = std::derived_from<MeshOf<Target>, StripMes
 template <class Target>
 using CheckedOf = std::conditional_t<on_strip_mesh<Target>, Checked, CustomChecked<HalfedgeOf<Target>>>;
 
-}  // namespace detail
-
-/// A mesh, or a class that maintains the strips of one: Keeper (search/keeper.hpp), or a custom one with the same
-/// operations.
-template <class Target>
-concept CheckedTarget = ColoredMesh<Target> ||
-    (requires(const Target& target) { target.mesh(); } && ColoredMesh<detail::MeshOf<Target>>);
-
-namespace detail {
-
 /// Does the operation if its check grants it: on_mesh(mesh) or on_keeper(keeper), whichever the target is.
-template <CheckedTarget Target, class OnMesh, class OnKeeper>
+template <class Target, class OnMesh, class OnKeeper>
 CheckedOf<Target> done_if_granted(Target& target, Refusal refusal, const OnMesh& on_mesh, const OnKeeper& on_keeper) {
   CheckedOf<Target> done;
   done.refusal = refusal;
@@ -96,6 +86,12 @@ Done with_vertex(const Target& target, Done done) {
 }
 
 }  // namespace detail
+
+/// A mesh, or a class that maintains the strips of one: Keeper (search/keeper.hpp), or a custom one with the same
+/// operations.
+template <class Target>
+concept CheckedTarget = ColoredMesh<Target> ||
+    (requires(const Target& target) { target.mesh(); } && ColoredMesh<detail::MeshOf<Target>>);
 
 /// `new_vertex`: see check_split. Takes the time of the check and of the operation. May throw what the mesh throws when
 /// it grows (std::bad_alloc, std::length_error); nothing has changed then.

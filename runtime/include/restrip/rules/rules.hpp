@@ -135,6 +135,11 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
   return turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2) | (inner & bit(k + 2));
 }
 
+constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexcept {
+  return k > table_max_k ? exact::best_fan_collapse(k, ports, joined).colors
+                         : cell(tables::fan_collapse, tables::open_rows, k, 0, ports, joined);
+}
+
 }  // namespace detail
 
 /// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
@@ -194,15 +199,6 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
                                  joined_open(k, seen_loop, seen_ports));
   return detail::rule(mirrored ? detail::reversed(seen, k) : seen, loop, 1);
 }
-
-namespace detail {
-
-constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexcept {
-  return k > table_max_k ? exact::best_fan_collapse(k, ports, joined).colors
-                         : cell(tables::fan_collapse, tables::open_rows, k, 0, ports, joined);
-}
-
-}  // namespace detail
 
 /// Collapse onto an open fan, two triangles removed: `inner` has k + 2 bits, `ports` k, the answer k - 1.
 [[nodiscard]] constexpr Rule open_collapse_rule(GapPair at, Word inner, Word ports) noexcept {

@@ -75,53 +75,6 @@ struct TakeRule {
   }
 };
 
-}  // namespace detail
-
-template <class Halfedge, SurfaceTable Table>
-class PendingApply {
- public:
-  [[nodiscard]] const SidesBefore<Halfedge, Table>& patch() const noexcept { return patch_; }
-
-  /// Reads the patch, looks the rule up, and clears the inner edges and the ports to be cleared.
-  template <class Mesh, class Choose = detail::TakeRule>
-  PendingApply(Mesh& mesh, const Table& table, Halfedge where, Choose&& choose = {})
-      : table_(&table), patch_(detail::read_sides(mesh, table.triangles_before, where)) {
-    const detail::PatchEdges before = detail::solid_edges(mesh, patch_);
-    const tables::OperationRule rule = choose(mesh, table, patch_, before, detail::rule_for(table, before));
-    solid_ = detail::patch_edges(rule.colors, rule.ports);
-    strips_ = rule.strips;
-    isolated_ =
-        tables::isolated_among(table.triangles_after, solid_) - tables::isolated_among(table.triangles_before, before);
-    if (const detail::PatchEdges cleared = before & ~solid_ & detail::all_ports; cleared != 0) {
-      std::array<Halfedge, most_ports> outer;  // not {}: a handle's default constructor may be explicit
-      std::size_t count = 0;
-      detail::for_each_edge(patch_, cleared, [&](Halfedge h) { outer[count++] = mesh.opposite(h); });
-      isolated_ += detail::isolated_outside(mesh, std::span<const Halfedge>(outer.data(), count));
-    }
-    detail::for_each_edge(patch_, before & ~(solid_ & detail::all_ports),
-                          [&](Halfedge h) { mesh.set_solid(h, false); });
-  }
-  /// Sets the solid edges of the rule.
-  template <class Mesh>
-  Rewrite<Halfedge> finish(Mesh& mesh, Halfedge first) const {
-    detail::for_each_edge(detail::read_sides(mesh, table_->triangles_after, first), solid_, [&](Halfedge h) {
-      if (!mesh.solid(h)) mesh.set_solid(h, true);
-    });
-    return {first, table_->ports, strips_, isolated_};
-  }
-  [[nodiscard]] const Table& table() const noexcept { return *table_; }
-
- private:
-  static constexpr std::size_t most_ports = 8;
-  const Table* table_;
-  SidesBefore<Halfedge, Table> patch_;
-  detail::PatchEdges solid_ = 0;  // after the operation
-  int strips_ = 0;
-  int isolated_ = 0;
-};
-
-namespace detail {
-
 /// apply() without checks of preconditions.
 template <class Mesh, class Table, class Change, class Choose = TakeRule>
 Rewrite<typename Mesh::Halfedge> apply_unchecked(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
@@ -206,6 +159,49 @@ auto replacing(StripMesh& mesh, const Table& table) {
 }
 
 }  // namespace detail
+
+template <class Halfedge, SurfaceTable Table>
+class PendingApply {
+ public:
+  [[nodiscard]] const SidesBefore<Halfedge, Table>& patch() const noexcept { return patch_; }
+
+  /// Reads the patch, looks the rule up, and clears the inner edges and the ports to be cleared.
+  template <class Mesh, class Choose = detail::TakeRule>
+  PendingApply(Mesh& mesh, const Table& table, Halfedge where, Choose&& choose = {})
+      : table_(&table), patch_(detail::read_sides(mesh, table.triangles_before, where)) {
+    const detail::PatchEdges before = detail::solid_edges(mesh, patch_);
+    const tables::OperationRule rule = choose(mesh, table, patch_, before, detail::rule_for(table, before));
+    solid_ = detail::patch_edges(rule.colors, rule.ports);
+    strips_ = rule.strips;
+    isolated_ =
+        tables::isolated_among(table.triangles_after, solid_) - tables::isolated_among(table.triangles_before, before);
+    if (const detail::PatchEdges cleared = before & ~solid_ & detail::all_ports; cleared != 0) {
+      std::array<Halfedge, most_ports> outer;  // not {}: a handle's default constructor may be explicit
+      std::size_t count = 0;
+      detail::for_each_edge(patch_, cleared, [&](Halfedge h) { outer[count++] = mesh.opposite(h); });
+      isolated_ += detail::isolated_outside(mesh, std::span<const Halfedge>(outer.data(), count));
+    }
+    detail::for_each_edge(patch_, before & ~(solid_ & detail::all_ports),
+                          [&](Halfedge h) { mesh.set_solid(h, false); });
+  }
+  /// Sets the solid edges of the rule.
+  template <class Mesh>
+  Rewrite<Halfedge> finish(Mesh& mesh, Halfedge first) const {
+    detail::for_each_edge(detail::read_sides(mesh, table_->triangles_after, first), solid_, [&](Halfedge h) {
+      if (!mesh.solid(h)) mesh.set_solid(h, true);
+    });
+    return {first, table_->ports, strips_, isolated_};
+  }
+  [[nodiscard]] const Table& table() const noexcept { return *table_; }
+
+ private:
+  static constexpr std::size_t most_ports = 8;
+  const Table* table_;
+  SidesBefore<Halfedge, Table> patch_;
+  detail::PatchEdges solid_ = 0;  // after the operation
+  int strips_ = 0;
+  int isolated_ = 0;
+};
 
 template <SurfaceTable Table>
 Refusal check_apply(const StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {

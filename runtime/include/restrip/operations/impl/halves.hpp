@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "restrip/operations/impl/interior_fan.hpp"
 #include "restrip/operations/impl/patch_walk.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/rules/exact.hpp"

@@ -68,25 +68,6 @@ bool is_split_of(const Mesh& mesh, std::size_t k, typename Mesh::Halfedge chord)
   return made != 0 && fan_size(mesh, chord, chord).triangles + fan_size(mesh, back, back).triangles == k + 2 * made;
 }
 
-}  // namespace detail
-
-template <class Halfedge>
-class PendingSplit : public detail::PendingFan<Halfedge> {
-  using Fan = detail::PendingFan<Halfedge>;
-  using Fan::Fan;
-};
-template <class Halfedge>
-class PendingCollapse : public detail::PendingFan<Halfedge> {
-  using Fan = detail::PendingFan<Halfedge>;
-  using Fan::Fan;
-};
-template <class Halfedge>
-class PendingFlip : public detail::Pending<detail::FlipChange> {
-  using detail::Pending<detail::FlipChange>::Pending;
-};
-
-namespace detail {
-
 template <class Rules, class Mesh>
 PendingSplit<typename Mesh::Halfedge> before_split_by(Rules&& rules, Mesh& mesh,
                                                       const VertexSplit<typename Mesh::Halfedge>& where) {
@@ -137,6 +118,21 @@ Rewrite<typename Mesh::Halfedge> after_collapse_by([[maybe_unused]] const Mesh& 
 }
 
 }  // namespace detail
+
+template <class Halfedge>
+class PendingSplit : public detail::PendingFan<Halfedge> {
+  using Fan = detail::PendingFan<Halfedge>;
+  using Fan::Fan;
+};
+template <class Halfedge>
+class PendingCollapse : public detail::PendingFan<Halfedge> {
+  using Fan = detail::PendingFan<Halfedge>;
+  using Fan::Fan;
+};
+template <class Halfedge>
+class PendingFlip : public detail::Pending<detail::FlipChange> {
+  using detail::Pending<detail::FlipChange>::Pending;
+};
 
 template <ColoredMesh Mesh>
 PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {

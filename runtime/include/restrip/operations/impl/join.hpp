@@ -191,6 +191,21 @@ Repair join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
   });
 }
 
+/// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in their
+/// neighbours, which may have lost a port.
+template <class Mesh, class Table>
+Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first, Exchange exchange) {
+  const auto patch = read_sides(mesh, table.triangles_after, first);
+  std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
+  std::size_t count = 0;
+  for (const auto& triangle : patch.sides()) near[count++] = triangle[0];
+  for (std::size_t t = 0; t < patch.sides().size(); ++t)
+    for (std::size_t s = 0; s < 3; ++s)
+      if (table.triangles_after[t].side[s] >= tables::PatchTriangle::port_side)
+        near[count++] = mesh.opposite(patch.side[t][s]);
+  return join_in(mesh, exchange, std::span(near).first(count));
+}
+
 // ---- Around an interior vertex bits name the strip ends, and the ports joined before but not now.
 
 /// The triangles of a ring with chord that `elements` names, each by its halfedge that leaves the vertex of the fan,
@@ -391,24 +406,5 @@ Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfed
   const auto done = flip(mesh, h);
   return detail::with(done, join_at_edge(mesh, done.halfedge));
 }
-
-namespace detail {
-
-/// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in their
-/// neighbours, which may have lost a port.
-template <class Mesh, class Table>
-Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first, Exchange exchange) {
-  const auto patch = read_sides(mesh, table.triangles_after, first);
-  std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
-  std::size_t count = 0;
-  for (const auto& triangle : patch.sides()) near[count++] = triangle[0];
-  for (std::size_t t = 0; t < patch.sides().size(); ++t)
-    for (std::size_t s = 0; s < 3; ++s)
-      if (table.triangles_after[t].side[s] >= tables::PatchTriangle::port_side)
-        near[count++] = mesh.opposite(patch.side[t][s]);
-  return join_in(mesh, exchange, std::span(near).first(count));
-}
-
-}  // namespace detail
 
 }  // namespace restrip
