@@ -147,7 +147,7 @@ struct LinkedRules {
   }
 
   template <class Mesh, class Bits, class WalkPorts>
-  Answer<Bits> answer(const Mesh& mesh, PatchColors<Bits>& patch, WalkPorts&& walk_ports) const {
+  Answer<Bits> answer(const Mesh& mesh, SeenPatch<Bits>& patch, WalkPorts&& walk_ports) const {
     if constexpr (std::is_same_v<Bits, LongBits>) {
       return answer_by_rule(patch);  // colours that do not fit one word
     } else {

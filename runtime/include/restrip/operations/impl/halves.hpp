@@ -42,7 +42,7 @@ inline Rule rule_between(const Layout& before, Word colors, const Layout& after,
                                    : boundary_collapse_rule({k, before.inserted}, colors, ports);
 }
 
-inline Answer<WordBits> answer_by_rule(const PatchColors<WordBits>& patch) noexcept {
+inline Answer<WordBits> answer_by_rule(const SeenPatch<WordBits>& patch) noexcept {
   const auto& [before, after, gap, inner, ports] = patch;
   return answer(before, inner.word, after, rule_between(before, inner.word, after, ports.word), ports.word);
 }
@@ -54,7 +54,7 @@ inline int count(const LongBits& bits) noexcept {
 }
 
 /// The same on bit strings. For colours that no valid stripification has, all edges are dashed, as in Rule.
-inline Answer<LongBits> answer_by_rule(PatchColors<LongBits>& patch) {
+inline Answer<LongBits> answer_by_rule(SeenPatch<LongBits>& patch) {
   const Layout before = patch.before;
   const Layout after = patch.after;
   const BitSpan inner = patch.inner.span(before.colors());
@@ -84,7 +84,7 @@ struct LocalRules {
     return collapse_rule({fan.k, fan.a}, ring, fan.ports);
   }
   template <class Mesh, class Bits, class WalkPorts>
-  Answer<Bits> answer(const Mesh& /*mesh*/, PatchColors<Bits>& patch, WalkPorts&& /*walk_ports*/) const {
+  Answer<Bits> answer(const Mesh& /*mesh*/, SeenPatch<Bits>& patch, WalkPorts&& /*walk_ports*/) const {
     return answer_by_rule(patch);
   }
 };
@@ -109,7 +109,7 @@ template <class Bits>
 struct PatchChange {
   Answer<Bits> rule;
   Layout fan;
-  std::size_t gap = 0;  ///< see PatchColors
+  std::size_t gap = 0;  ///< see SeenPatch
 };
 
 /// Of a flip.
@@ -139,7 +139,7 @@ auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh
     interior.write(mesh, interior.loop & ~kept_loop(k, a, rule.colors), false);
     return do_rest(change);
   }
-  const auto in_patch = [&]<class Bits>(PatchColors<Bits> fan) {
+  const auto in_patch = [&]<class Bits>(SeenPatch<Bits> fan) {
     const auto visit_ports = [&](auto&& port) { walk_ports(std::as_const(mesh), where, fan, port); };
     PatchChange<Bits> patch{rules.answer(std::as_const(mesh), fan, visit_ports), fan.before, fan.gap};
     const Halfedge spoke = where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left;
@@ -187,8 +187,8 @@ Rewrite<typename Mesh::Halfedge> finish_split(Mesh& mesh, const PatchChange<Bits
 // ---- collapse
 
 template <class Bits, class Mesh>
-PatchColors<Bits> read_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
-  PatchColors<Bits> patch;
+SeenPatch<Bits> read_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
+  SeenPatch<Bits> patch;
   std::tie(patch.before, patch.gap) = walk_patch(
       mesh, chord, [&](std::size_t j, auto h) { patch.inner.put(j, mesh.solid(h)); },
       [&](std::size_t i, auto h) { patch.ports.put(i, mesh.solid(h)); });
@@ -213,7 +213,7 @@ auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chor
     interior.write(mesh, interior.loop & ~rule.colors, false);
     return do_rest(change);
   }
-  const auto in_patch = [&]<class Bits>(PatchColors<Bits> colors) {
+  const auto in_patch = [&]<class Bits>(SeenPatch<Bits> colors) {
     const auto visit_ports = [&](auto&& port) {
       walk_patch(
           std::as_const(mesh), chord, [](std::size_t, Halfedge) {}, port);

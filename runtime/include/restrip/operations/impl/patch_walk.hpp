@@ -139,7 +139,7 @@ struct LongBits {
 
 /// The colours that an operation finds in its patch, and the layouts before and after it.
 template <class Bits>
-struct PatchColors {
+struct SeenPatch {
   Layout before;
   Layout after;
   /// In an open fan: before a split the gap of the left spoke, or of the right one if it is alone; before a collapse
@@ -152,12 +152,12 @@ struct PatchColors {
 /// Reads the fan around the vertex that `where` splits. A closed fan is numbered from the left spoke, an open one from
 /// the boundary.
 template <class Bits, ColoredMesh Mesh>
-PatchColors<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+SeenPatch<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   using Halfedge = typename Mesh::Halfedge;
   const Halfedge start = where.spokes == Spokes::right_only ? where.right : where.left;
   const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
-  PatchColors<Bits> fan;
+  SeenPatch<Bits> fan;
   std::size_t k = 0;
   std::size_t ahead = 0;  // the other spoke, counted in triangles from the first one, in either direction
   std::size_t clockwise = 0;
@@ -176,7 +176,7 @@ PatchColors<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Ha
       return fan;
     }
   }
-  PatchColors<Bits> lower;  // the rest, read backwards
+  SeenPatch<Bits> lower;  // the rest, read backwards
   for (h = start; !mesh.on_boundary(mesh.opposite(h));) {
     lower.inner.put(fan.gap, mesh.solid(h));
     h = turn_cw(mesh, h);
@@ -197,7 +197,7 @@ PatchColors<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Ha
 
 /// Visits the ports of a fan that has been read: port(i, h), port p_i crosses the mesh edge of h.
 template <class Bits, ColoredMesh Mesh, class Port>
-void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const PatchColors<Bits>& fan,
+void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const SeenPatch<Bits>& fan,
                 Port&& port) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const auto start = where.spokes == Spokes::right_only ? where.right : where.left;
@@ -266,7 +266,7 @@ bool leaves_boundary(const Mesh& mesh, typename Mesh::Halfedge h) {
 
 /// Visits the patch after a split, or before a collapse, whose chord is v_s -> v_t.
 ///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
-/// Returns its layout and PatchColors::gap. The mesh is not changed by the walk; edge() may change colours.
+/// Returns its layout and SeenPatch::gap. The mesh is not changed by the walk; edge() may change colours.
 template <ColoredMesh Mesh, class Edge, class Port>
 std::pair<Layout, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Edge&& edge, Port&& port) {
   const auto back = mesh.opposite(chord);

@@ -157,7 +157,7 @@ class RuleChoice {
         });
   }
   template <class Bits, class WalkPorts>
-  Answer<Bits> answer(const Mesh& mesh, PatchColors<Bits>& patch, WalkPorts&& walk_ports) {
+  Answer<Bits> answer(const Mesh& mesh, SeenPatch<Bits>& patch, WalkPorts&& walk_ports) {
     const Answer<Bits> rule = by_rule([&](const auto& rules) { return rules.answer(mesh, patch, walk_ports); });
     return chosen(mesh, rule, patch, walk_ports);
   }
@@ -270,7 +270,7 @@ class RuleChoice {
     return keeps(kept, by_rule) ? Rule{colors, kept.strips, true} : rule;
   }
   template <class Bits, class WalkPorts>
-  Answer<Bits> chosen(const Mesh& mesh, Answer<Bits> rule, const PatchColors<Bits>& patch, WalkPorts&& walk_ports) {
+  Answer<Bits> chosen(const Mesh& mesh, Answer<Bits> rule, const SeenPatch<Bits>& patch, WalkPorts&& walk_ports) {
     if (!weighs_) {
       took({rule.strips, 0, 0});
       return rule;
