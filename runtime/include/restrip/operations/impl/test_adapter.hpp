@@ -42,8 +42,8 @@ inline constexpr const char* contract_sentences[] = {
     "from: halfedges that leave the same vertex have different numbers, or two corners of a triangle the same",
     "insert_vertex: the halfedge returned is not v_s -> v_t with the triangles that VertexSplit says around each",
     "insert_vertex: a dual edge of a new triangle is solid",
-    "remove_vertex: the halfedge returned is not v_s -> v_l (or v_r if v_l does not exist) with the triangles of both "
-    "ends around v_s",
+    ("remove_vertex: the halfedge returned is not v_s -> v_l (or v_r if v_l does not exist) with the triangles of both "
+     "ends around v_s"),
     "remove_vertex: the dual edge of two merged mesh edges is solid",
     "turn_edge: the halfedge returned is not r -> l between the triangles (r, l, u) and (l, r, v)",
     "insert_vertex, remove_vertex, turn_edge: another halfedge has moved",
