@@ -141,4 +141,13 @@ template <class Mesh>
 
 static_assert(SidedMesh<StripMesh>);
 
+namespace detail {
+
+/// The lowest of some sides of t, bits of a mask that is not 0.
+inline StripMesh::Halfedge lowest_side(Triangle t, unsigned sides) noexcept {
+  return StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(sides)));
+}
+
+}  // namespace detail
+
 }  // namespace restrip

@@ -68,6 +68,7 @@ class Tunnel {
 
     static constexpr std::uint32_t down_flag = 1;
     static constexpr std::uint32_t last_flag = 2;
+    [[nodiscard]] static Piece whole(std::uint32_t strip) noexcept { return {0, ~Order{0}, strip, last_flag}; }
     [[nodiscard]] bool down() const noexcept { return (flags & down_flag) != 0; }
     [[nodiscard]] bool last() const noexcept { return (flags & last_flag) != 0; }
     [[nodiscard]] bool has(Order order) const noexcept { return low <= order && order <= high; }
@@ -92,40 +93,18 @@ class Tunnel {
     std::uint32_t current = 0;  // the number in the path of the new end,
     std::uint32_t total = 0;    // and in all paths
   };
-  // A triangle next to x in its strip: the halfedge that leads from it to x.
-  struct Neighbor {
-    Halfedge towards_x;
-    Order order = 0;
-  };
-  template <SidedMesh Mesh>
-  static unsigned dashed_sides(const Mesh& mesh, Triangle t) noexcept;
-  static Halfedge lowest(Triangle t, unsigned sides) noexcept;
-  template <SidedMesh Mesh>
-  void start(const Mesh& mesh, const StripLocator& locator, Triangle end);
-  template <SidedMesh Mesh>
-  bool expand(Mesh& mesh, StripLocator& locator, std::uint32_t s);
   template <SidedMesh Mesh>
   bool move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x);
   template <SidedMesh Mesh>
   bool reach(Mesh& mesh, StripLocator& locator, const State& state);
   void lay_out(std::uint32_t s);
-  Piece* room_for(State& state, std::uint32_t current, std::uint32_t total);
-  void rotate(std::uint32_t s);
-  void change_over_whole(std::uint32_t s);
-  void change_over(std::uint32_t s);
+  Piece* room_for(State& state, std::uint32_t total);
   template <SidedMesh Mesh>
-  void cut(Mesh& mesh, StripLocator& locator, Halfedge h);
-  template <SidedMesh Mesh>
-  void link(Mesh& mesh, StripLocator& locator, Halfedge h);
-  template <SidedMesh Mesh>
-  void commit(Mesh& mesh, StripLocator& locator, std::uint32_t s);
-  template <SidedMesh Mesh>
-  void commit(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join);
+  void commit(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join = {});
 
   std::vector<State> states_;
   std::vector<Piece> pieces_;  // as large as in the largest search
   std::uint32_t used_ = 0;     // of pieces_
-  Triangle start_ = none;
   std::vector<std::uint32_t> seen_;
   std::uint32_t search_ = 0;
   std::uint32_t max_states_ = 0;
