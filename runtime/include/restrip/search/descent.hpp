@@ -128,16 +128,11 @@ class Descent {
   template <SidedMesh Mesh>
   void add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
   template <SidedMesh Mesh>
-  void cut_move(const Mesh& mesh, Halfedge h, std::int32_t highest);
-  template <SidedMesh Mesh>
   void find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
-  void consider(const StripMove& move, std::int32_t highest);
   template <SidedMesh Mesh>
   [[nodiscard]] bool step(Mesh& mesh, Triangle t);
   template <SidedMesh Mesh>
   [[nodiscard]] bool chain(Mesh& mesh, Triangle t, const DescentLimits& limits);
-  template <SidedMesh Mesh>
-  void take_back(Mesh& mesh, const StripMove& move);
   template <SidedMesh Mesh>
   void touch(const Mesh& mesh, const StripMove& move);
 

@@ -85,27 +85,15 @@ class EndSearch {
     std::uint32_t tried;
   };
   using Found = detail::FoundMoves;
-  /// The end of a strip, seen from its neighbours.
-  struct Tip;
 
   template <SidedMesh Mesh>
   void find_moves(const Mesh& mesh, Triangle end, std::int32_t highest, Found& found);
-  template <SidedMesh Mesh>
-  void find_joint(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const;
-  template <SidedMesh Mesh>
-  void find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const;
   void look_later(Triangle end) noexcept;
   template <SidedMesh Mesh>
   void consider(const Mesh& mesh, Triangle t) noexcept;
   template <SidedMesh Mesh>
-  [[nodiscard]] bool pass(Mesh& mesh, std::uint32_t length, const EndLimits& limits);
-  template <SidedMesh Mesh>
-  void step(Mesh& mesh, Triangle end);
-  template <SidedMesh Mesh>
   [[nodiscard]] bool chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
                            const EndLimits& limits);
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool make_chain(Mesh& mesh, std::size_t length);
   template <SidedMesh Mesh>
   void make(Mesh& mesh, const StripMove& move);
 

@@ -48,18 +48,6 @@ int swap_beyond(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
   return int{other_solid_sides(mesh, neighbor_at(mesh, h, turn)) == turn};
 }
 
-/// The change by cutting the solid edge of h.
-template <ColoredMesh Mesh>
-ColoringChange cut_change(const Mesh& mesh, typename Mesh::Halfedge h) {
-  const auto back = mesh.opposite(h);
-  const unsigned turn = other_solid_sides(mesh, h);
-  const unsigned turn_back = other_solid_sides(mesh, back);
-  ColoringChange change{1, -is_swap(turn, turn_back), int{turn == 0} + int{turn_back == 0}};
-  if (turn != 0) change.swaps -= swap_beyond(mesh, h, turn);
-  if (turn_back != 0) change.swaps -= swap_beyond(mesh, back, turn_back);
-  return change;
-}
-
 /// The colours of a few triangles after a move, and of all others as in the mesh.
 template <SidedMesh Mesh>
 class MoveOverlay {
@@ -68,9 +56,14 @@ class MoveOverlay {
 
   void change(StripMesh::Halfedge h, bool solid) noexcept {
     for (const StripMesh::Halfedge side : {h, mesh_->opposite(h)}) {
+      const Triangle t = StripMesh::triangle(side);
+      const std::size_t i = place_of(t);
+      if (i == count_) {
+        const unsigned colors = mesh_->solid_sides(t);
+        entries_[count_++] = {t, colors, colors};
+      }
       const unsigned bit = 1U << StripMesh::side(side);
-      Entry& entry = entry_of(StripMesh::triangle(side));
-      entry.after = solid ? entry.after | bit : entry.after & ~bit;
+      entries_[i].after = solid ? entries_[i].after | bit : entries_[i].after & ~bit;
     }
   }
   /// Swaps and isolated triangles.
@@ -83,8 +76,7 @@ class MoveOverlay {
         if (((entry.before | entry.after) >> s & 1U) == 0) continue;
         const StripMesh::Halfedge back = mesh_->opposite(StripMesh::halfedge(entry.triangle, s));
         const Triangle other = StripMesh::triangle(back);
-        std::size_t j = 0;
-        while (j < count_ && entries_[j].triangle != other) ++j;
+        const std::size_t j = place_of(other);
         if (j < i) continue;  // counted there
         const unsigned colors = j < count_ ? 0 : mesh_->solid_sides(other);
         const unsigned before = j < count_ ? entries_[j].before : colors;
@@ -104,14 +96,10 @@ class MoveOverlay {
     unsigned before = 0;
     unsigned after = 0;
   };
-  Entry& entry_of(Triangle t) noexcept {
+  [[nodiscard]] std::size_t place_of(Triangle t) const noexcept {
     std::size_t i = 0;
     while (i < count_ && entries_[i].triangle != t) ++i;
-    if (i == count_) {
-      const unsigned solid = mesh_->solid_sides(t);
-      entries_[count_++] = {t, solid, solid};
-    }
-    return entries_[i];
+    return i;
   }
 
   const Mesh* mesh_;
@@ -188,18 +176,6 @@ void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
   end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
 }
 
-inline void Descent::consider(const StripMove& move, std::int32_t highest) {
-  ++counts_.priced;
-  found_.offer(move, highest);
-}
-
-template <SidedMesh Mesh>
-void Descent::cut_move(const Mesh& mesh, Halfedge h, std::int32_t highest) {
-  StripMove move{h, {}, detail::cut_change(mesh, h)};
-  move.price = move.change.price(cost_);
-  consider(move, highest);
-}
-
 template <SidedMesh Mesh>
 void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
   const Triangle u = StripMesh::triangle(back);
@@ -236,7 +212,8 @@ void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_
       }
       move.change.strips = giving - 1;
       move.price = move.change.price(cost_);
-      consider(move, highest);
+      ++counts_.priced;
+      found_.offer(move, highest);
     }
   }
 }
@@ -254,7 +231,7 @@ void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std
   found_.count = 0;
   const unsigned solid = mesh.solid_sides(t);
   for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
-    const Halfedge h = StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(dashed)));
+    const Halfedge h = detail::lowest_side(t, dashed);
     const Halfedge back = mesh.opposite(h);
     if (StripMesh::on_boundary(back)) continue;
     const Triangle u = StripMesh::triangle(back);
@@ -262,8 +239,18 @@ void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std
   }
   // A cut saves at most three swaps.
   if (std::int32_t{cost_.restart} - 3 * std::int32_t{cost_.swap} > highest) return;
-  for (unsigned rest = solid; rest != 0; rest &= rest - 1)
-    cut_move(mesh, StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(rest))), highest);
+  for (unsigned rest = solid; rest != 0; rest &= rest - 1) {
+    const Halfedge h = detail::lowest_side(t, rest);
+    const Halfedge back = mesh.opposite(h);
+    const unsigned turn = mesh.other_solid_sides(h);
+    const unsigned turn_back = mesh.other_solid_sides(back);
+    StripMove move{h, {}, {1, -detail::is_swap(turn, turn_back), int{turn == 0} + int{turn_back == 0}}};
+    if (turn != 0) move.change.swaps -= detail::swap_beyond(mesh, h, turn);
+    if (turn_back != 0) move.change.swaps -= detail::swap_beyond(mesh, back, turn_back);
+    move.price = move.change.price(cost_);
+    ++counts_.priced;
+    found_.offer(move, highest);
+  }
 }
 
 template <SidedMesh Mesh>
@@ -276,8 +263,7 @@ bool Descent::keeps_strips(const Mesh& mesh, const StripMove& move) {
   const auto kept = [&](Triangle triangle, Halfedge given_up) {
     unsigned solid = mesh.solid_sides(triangle);
     if (given_up.id != none) solid &= ~(1U << StripMesh::side(mesh.opposite(given_up)));
-    return solid == 0 ? Halfedge{}
-                      : mesh.opposite(StripMesh::halfedge(triangle, static_cast<unsigned>(std::countr_zero(solid))));
+    return solid == 0 ? Halfedge{} : mesh.opposite(detail::lowest_side(triangle, solid));
   };
   Halfedge from_t = kept(t, move.given_up[0]);
   Halfedge from_u = kept(u, move.given_up[1]);
@@ -306,15 +292,6 @@ void Descent::make(Mesh& mesh, const StripMove& move) {
   looked_count_ = 0;
   ++counts_.made;
   done_ += move.change;
-}
-
-template <SidedMesh Mesh>
-void Descent::take_back(Mesh& mesh, const StripMove& move) {
-  const bool added = mesh.solid(move.edge);
-  mesh.set_solid(move.edge, !added);
-  for (const Halfedge h : move.given_up)
-    if (h.id != none) mesh.set_solid(h, true);
-  done_ += {-move.change.strips, -move.change.swaps, -move.change.isolated};
 }
 
 // The triangles of the edges that a move changes.
@@ -373,7 +350,11 @@ bool Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
       touch(mesh, best);
       return true;
     }
-    take_back(mesh, one);
+    const bool added = mesh.solid(one.edge);
+    mesh.set_solid(one.edge, !added);
+    for (const Halfedge h : one.given_up)
+      if (h.id != none) mesh.set_solid(h, true);
+    done_ += {-one.change.strips, -one.change.swaps, -one.change.isolated};
   }
   return false;
 }

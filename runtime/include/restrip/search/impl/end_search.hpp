@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
+#include <concepts>
 #include <cstddef>
 
 #include "restrip/search/end_search.hpp"
@@ -28,94 +28,78 @@ class TrialColors {
   }
 
  private:
-  static void color(StripMesh& mesh, StripMesh::Halfedge h, bool solid) noexcept { mesh.color(h, solid); }
   template <SidedMesh Mesh>
   static void color(Mesh& mesh, StripMesh::Halfedge h, bool solid) noexcept {
-    mesh.set_solid(h, solid);
+    if constexpr (std::same_as<Mesh, StripMesh>)
+      mesh.color(h, solid);
+    else
+      mesh.set_solid(h, solid);
   }
 };
 
 }  // namespace detail
-
-struct EndSearch::Tip {
-  Halfedge edge{};         // the dashed edge that is to become solid
-  Triangle kept = none;    // the triangle before the end in its strip
-  unsigned turn = 0;       // of the strip at the end, seen from that edge; 0 when the end is isolated
-  unsigned turn_kept = 0;  // of the strip at that triangle, seen from the end
-  int isolated = 0;        // change at the end: -1 if it was isolated
-  [[nodiscard]] int swaps() const noexcept { return int{turn != 0} & int{turn_kept == turn}; }
-};
-
-// Another strip ends across the edge.
-template <SidedMesh Mesh>
-void EndSearch::find_joint(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const {
-  const unsigned turn = mesh.other_solid_sides(back);
-  StripMove move{tip.edge, {}, {-1, tip.swaps() + detail::is_swap(tip.turn, turn), tip.isolated}};
-  if (turn != 0) {
-    const Halfedge kept = detail::neighbor_at(mesh, back, turn);
-    // Two triangles that share two edges and follow each other already.
-    if (StripMesh::triangle(kept) == StripMesh::triangle(tip.edge)) return;
-    move.change.swaps += int{mesh.other_solid_sides(kept) == turn};
-  } else {
-    --move.change.isolated;
-  }
-  move.price = move.change.price(cost_);
-  found.offer(move, highest);
-}
-
-// A strip passes across the edge.
-template <SidedMesh Mesh>
-void EndSearch::find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest,
-                               Found& found) const {
-  const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, back, 1), detail::neighbor_at(mesh, back, 2)};
-  const Triangle end = StripMesh::triangle(tip.edge);
-  if (StripMesh::triangle(towards[0]) == end || StripMesh::triangle(towards[1]) == end) return;
-  const std::array<unsigned, 2> turn{mesh.other_solid_sides(towards[0]), mesh.other_solid_sides(towards[1])};
-  for (unsigned keeps = 1; keeps <= 2; ++keeps) {
-    const unsigned gives = 3 - keeps;
-    const unsigned turn_freed = turn[gives - 1];
-    StripMove move{tip.edge, {Halfedge{}, towards[gives - 1]}, {}};
-    move.change.isolated = tip.isolated + int{turn_freed == 0};
-    move.change.swaps = tip.swaps() + detail::is_swap(tip.turn, keeps) + int{turn[keeps - 1] == keeps} -
-                        int{turn[keeps - 1] == gives} - int{turn_freed == keeps};
-    // One more swap may disappear, on the other side of the triangle that becomes an end.
-    if (move.change.price(cost_) - std::int32_t{cost_.swap} > highest) continue;
-    if (StripMesh::triangle(move.given_up[1]) == tip.kept) {
-      // The three triangles lie around one vertex.
-      detail::MoveOverlay colors(mesh);
-      colors.change(move.given_up[1], false);
-      colors.change(move.edge, true);
-      move.change = colors.difference();
-    } else if (turn_freed != 0) {
-      move.change.swaps -= detail::swap_beyond(mesh, move.given_up[1], turn_freed);
-    }
-    move.price = move.change.price(cost_);
-    found.offer(move, highest);
-  }
-}
 
 template <SidedMesh Mesh>
 void EndSearch::find_moves(const Mesh& mesh, Triangle end, std::int32_t highest, Found& found) {
   ++counts_.looked;
   found.count = 0;
   const unsigned solid = mesh.solid_sides(end);
-  Tip tip;
-  tip.isolated = solid == 0 ? -1 : 0;
+  const int isolated = solid == 0 ? -1 : 0;  // change at the end
+  Triangle last = none;                      // the triangle before the end in its strip
+  unsigned turn_last = 0;                    // of the strip at that triangle, seen from the end
   if (solid != 0) {
-    const Halfedge kept = mesh.opposite(StripMesh::halfedge(end, static_cast<unsigned>(std::countr_zero(solid))));
-    tip.kept = StripMesh::triangle(kept);
-    tip.turn_kept = mesh.other_solid_sides(kept);
+    const Halfedge kept = mesh.opposite(detail::lowest_side(end, solid));
+    last = StripMesh::triangle(kept);
+    turn_last = mesh.other_solid_sides(kept);
   }
   for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
-    tip.edge = StripMesh::halfedge(end, static_cast<unsigned>(std::countr_zero(dashed)));
-    const Halfedge back = mesh.opposite(tip.edge);
+    const Halfedge edge = detail::lowest_side(end, dashed);
+    const Halfedge back = mesh.opposite(edge);
     if (StripMesh::on_boundary(back) || StripMesh::triangle(back) == end) continue;
     ++counts_.priced;
-    tip.turn = mesh.other_solid_sides(tip.edge);
-    if (detail::is_strip_end(mesh.solid_sides(StripMesh::triangle(back))))
-      find_joint(mesh, tip, back, highest, found);
-    else
-      find_exchanges(mesh, tip, back, highest, found);
+    const unsigned turn_end = mesh.other_solid_sides(edge);  // of the strip, seen from the edge; 0 if end is isolated
+    const int swaps = int{turn_end != 0} & int{turn_last == turn_end};
+    if (detail::is_strip_end(mesh.solid_sides(StripMesh::triangle(back)))) {
+      // Another strip ends across the edge.
+      const unsigned turn = mesh.other_solid_sides(back);
+      StripMove move{edge, {}, {-1, swaps + detail::is_swap(turn_end, turn), isolated}};
+      if (turn != 0) {
+        const Halfedge kept = detail::neighbor_at(mesh, back, turn);
+        // Two triangles that share two edges and follow each other already.
+        if (StripMesh::triangle(kept) == end) continue;
+        move.change.swaps += int{mesh.other_solid_sides(kept) == turn};
+      } else {
+        --move.change.isolated;
+      }
+      move.price = move.change.price(cost_);
+      found.offer(move, highest);
+      continue;
+    }
+    // A strip passes across the edge.
+    const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, back, 1), detail::neighbor_at(mesh, back, 2)};
+    if (StripMesh::triangle(towards[0]) == end || StripMesh::triangle(towards[1]) == end) continue;
+    const std::array<unsigned, 2> turn{mesh.other_solid_sides(towards[0]), mesh.other_solid_sides(towards[1])};
+    for (unsigned keeps = 1; keeps <= 2; ++keeps) {
+      const unsigned gives = 3 - keeps;
+      const unsigned turn_freed = turn[gives - 1];
+      StripMove move{edge, {Halfedge{}, towards[gives - 1]}, {}};
+      move.change.isolated = isolated + int{turn_freed == 0};
+      move.change.swaps = swaps + detail::is_swap(turn_end, keeps) + int{turn[keeps - 1] == keeps} -
+                          int{turn[keeps - 1] == gives} - int{turn_freed == keeps};
+      // One more swap may disappear, on the other side of the triangle that becomes an end.
+      if (move.change.price(cost_) - std::int32_t{cost_.swap} > highest) continue;
+      if (StripMesh::triangle(move.given_up[1]) == last) {
+        // The three triangles lie around one vertex.
+        detail::MoveOverlay colors(mesh);
+        colors.change(move.given_up[1], false);
+        colors.change(move.edge, true);
+        move.change = colors.difference();
+      } else if (turn_freed != 0) {
+        move.change.swaps -= detail::swap_beyond(mesh, move.given_up[1], turn_freed);
+      }
+      move.price = move.change.price(cost_);
+      found.offer(move, highest);
+    }
   }
 }
 
@@ -144,7 +128,7 @@ inline void EndSearch::look_later(Triangle end) noexcept {
 template <SidedMesh Mesh>
 void EndSearch::consider(const Mesh& mesh, Triangle t) noexcept {
   const unsigned solid = mesh.solid_sides(t);
-  const Halfedge back = mesh.opposite(StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(7U & ~solid))));
+  const Halfedge back = mesh.opposite(detail::lowest_side(t, 7U & ~solid));
   // On the boundary this is t itself.
   const Triangle end = detail::is_strip_end(solid) ? t : StripMesh::triangle(back);
   if (detail::is_strip_end(mesh.solid_sides(end))) look_later(end);
@@ -165,27 +149,6 @@ void EndSearch::make(Mesh& mesh, const StripMove& move) {
   if (joins) consider(mesh, StripMesh::triangle(mesh.opposite(move.edge)));
 }
 
-// The best move at an end that lowers the cost, if any.
-template <SidedMesh Mesh>
-void EndSearch::step(Mesh& mesh, Triangle end) {
-  find_moves(mesh, end, -1, found_);
-  found_.sort();
-  for (const StripMove& move : found_)
-    if (walks_.keeps_strips(mesh, move)) return make(mesh, move);
-}
-
-// Makes the first `length` moves of chain_, which together lower the cost, if they close no cycle.
-template <SidedMesh Mesh>
-bool EndSearch::make_chain(Mesh& mesh, std::size_t length) {
-  std::size_t sound = 0;
-  for (; sound < length && walks_.keeps_strips(mesh, chain_[sound]); ++sound)
-    detail::TrialColors::make(mesh, chain_[sound]);
-  for (std::size_t i = sound; i-- > 0;) detail::TrialColors::take_back(mesh, chain_[i]);
-  if (sound < length) return false;
-  for (std::size_t i = 0; i < length; ++i) make(mesh, chain_[i]);
-  return true;
-}
-
 // Continues a chain of `made` trial moves with a total price of `price`. They are unchanged unless this finds a chain
 // that lowers the cost.
 template <SidedMesh Mesh>
@@ -198,32 +161,23 @@ bool EndSearch::chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t p
   for (const StripMove& move : found) {
     chain_[made] = move;
     if (price + move.price < 0) {
+      // A chain that closes a cycle on the way is not made.
       for (std::size_t k = made; k-- > 0;) detail::TrialColors::take_back(mesh, chain_[k]);
-      if (make_chain(mesh, made + 1)) return true;
-      for (std::size_t k = 0; k < made; ++k) detail::TrialColors::make(mesh, chain_[k]);
+      std::size_t sound = 0;
+      for (; sound <= made && walks_.keeps_strips(mesh, chain_[sound]); ++sound)
+        detail::TrialColors::make(mesh, chain_[sound]);
+      if (sound > made) {
+        for (std::size_t k = sound; k-- > 0;) detail::TrialColors::take_back(mesh, chain_[k]);
+        for (std::size_t k = 0; k <= made; ++k) make(mesh, chain_[k]);
+        return true;
+      }
+      for (; sound < made; ++sound) detail::TrialColors::make(mesh, chain_[sound]);
       continue;
     }
     if (last || move.given_up[1].id == none || counts_.looked >= last_look_) continue;
     detail::TrialColors::make(mesh, move);
     if (chain(mesh, StripMesh::triangle(move.given_up[1]), made + 1, price + move.price, length, limits)) return true;
     detail::TrialColors::take_back(mesh, move);
-  }
-  return false;
-}
-
-// Tries chains of one length at all ends at which they have not been tried. True if shorter ones may be possible again.
-template <SidedMesh Mesh>
-bool EndSearch::pass(Mesh& mesh, std::uint32_t length, const EndLimits& limits) {
-  for (std::size_t i = 0; i < end_count_ && counts_.looked < last_look_; ++i) {
-    if (ends_[i].tried >= length) continue;
-    const Triangle end = ends_[i].triangle;
-    const bool is_end = detail::is_strip_end(mesh.solid_sides(end));
-    ends_[i].tried = is_end ? length : done_with;
-    if (!is_end) continue;
-    if (length == 1)
-      step(mesh, end);
-    else if (chain(mesh, end, 0, 0, length, limits))
-      return true;
   }
   return false;
 }
@@ -238,8 +192,29 @@ ColoringChange EndSearch::run(Mesh& mesh, std::span<const Triangle> from, const 
   }
   last_look_ = counts_.looked + limits.looks;
   const auto longest = std::min<std::uint32_t>(limits.length, max_length);
-  for (std::uint32_t length = 1; length <= longest && counts_.looked < last_look_;)
-    length = pass(mesh, length, limits) ? 1 : length + 1;
+  for (std::uint32_t length = 1; length <= longest && counts_.looked < last_look_;) {
+    // Chains of one length at all ends at which they have not been tried; when one is made, shorter ones may be
+    // possible.
+    bool made = false;
+    for (std::size_t i = 0; i < end_count_ && counts_.looked < last_look_ && !made; ++i) {
+      if (ends_[i].tried >= length) continue;
+      const Triangle end = ends_[i].triangle;
+      const bool is_end = detail::is_strip_end(mesh.solid_sides(end));
+      ends_[i].tried = is_end ? length : done_with;
+      if (!is_end) continue;
+      if (length > 1) {
+        made = chain(mesh, end, 0, 0, length, limits);
+        continue;
+      }
+      // The best move that lowers the cost, if any.
+      find_moves(mesh, end, -1, found_);
+      found_.sort();
+      const StripMove* const best = std::find_if(
+          found_.begin(), found_.end(), [&](const StripMove& move) { return walks_.keeps_strips(mesh, move); });
+      if (best != found_.end()) make(mesh, *best);
+    }
+    length = made ? 1 : length + 1;
+  }
   return done_;
 }
 
