@@ -99,11 +99,7 @@ class Window {
 
  private:
   template <SidedMesh Mesh>
-  void find_ball(const Mesh& mesh, Triangle middle, std::size_t size);
-  template <SidedMesh Mesh>
   WindowChange solve(Mesh& mesh, const WindowLimits& limits);
-  template <SidedMesh Mesh>
-  void color(Mesh& mesh, bool solid) const;
 
   Cost cost_;
   detail::PseudoRandom random_;

@@ -16,11 +16,6 @@ namespace detail {
 constexpr unsigned other_sides(unsigned solid, unsigned side) noexcept {
   return (solid | solid << 3) >> (side + 1) & 3U;
 }
-/// The side that is `turn` sides later.
-constexpr unsigned turned_side(unsigned side, unsigned turn) noexcept {
-  const unsigned s = side + turn;
-  return s >= 3 ? s - 3 : s;
-}
 /// Whether a solid edge is a swap, from the turns on its two sides.
 constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
 
@@ -35,8 +30,10 @@ unsigned other_solid_sides(const Mesh& mesh, typename Mesh::Halfedge h) {
 /// The neighbour that is `turn` sides after h in its triangle, seen from there.
 template <ColoredMesh Mesh>
 typename Mesh::Halfedge neighbor_at(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
-  if constexpr (SidedMesh<Mesh>)
-    return mesh.opposite(StripMesh::halfedge(StripMesh::triangle(h), turned_side(StripMesh::side(h), turn)));
+  if constexpr (SidedMesh<Mesh>) {
+    const unsigned side = StripMesh::side(h) + turn;
+    return mesh.opposite(StripMesh::halfedge(StripMesh::triangle(h), side >= 3 ? side - 3 : side));
+  }
   for (; turn > 0; --turn) h = mesh.next(h);
   return mesh.opposite(h);
 }

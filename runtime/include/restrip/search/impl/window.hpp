@@ -12,23 +12,11 @@
 
 namespace restrip {
 
+// The ball grows ring by ring, in an order drawn at random. A triangle with two neighbours inside is added immediately,
+// so that the rim is short.
 template <SidedMesh Mesh>
 WindowChange Window::around(Mesh& mesh, Triangle middle, const WindowLimits& limits) {
-  find_ball(mesh, middle, std::min<std::size_t>(limits.triangles, max_triangles));
-  return solve(mesh, limits);
-}
-
-template <SidedMesh Mesh>
-WindowChange Window::inside(Mesh& mesh, std::span<const Triangle> triangles, const WindowLimits& limits) {
-  RESTRIP_ASSERT(triangles.size() <= max_triangles, "Window::inside", "the window has too many triangles");
-  ball_.assign(triangles.begin(), triangles.end());
-  return solve(mesh, limits);
-}
-
-/// Ring by ring, in an order drawn at random. A triangle with two neighbours inside is added immediately, so that the
-/// rim is short.
-template <SidedMesh Mesh>
-void Window::find_ball(const Mesh& mesh, Triangle middle, std::size_t size) {
+  const auto size = std::min<std::size_t>(limits.triangles, max_triangles);
   ball_.clear();
   in_ball_.clear();
   const auto inside = [&](Triangle t) { return in_ball_[t] != detail::LocalNumbers::absent; };
@@ -64,6 +52,14 @@ void Window::find_ball(const Mesh& mesh, Triangle middle, std::size_t size) {
       }
     }
   }
+  return solve(mesh, limits);
+}
+
+template <SidedMesh Mesh>
+WindowChange Window::inside(Mesh& mesh, std::span<const Triangle> triangles, const WindowLimits& limits) {
+  RESTRIP_ASSERT(triangles.size() <= max_triangles, "Window::inside", "the window has too many triangles");
+  ball_.assign(triangles.begin(), triangles.end());
+  return solve(mesh, limits);
 }
 
 template <SidedMesh Mesh>
@@ -77,26 +73,21 @@ WindowChange Window::solve(Mesh& mesh, const WindowLimits& limits) {
   const std::uint64_t third = std::max<std::uint64_t>({cost_.restart, std::uint64_t{3} * cost_.swap, cost_.isolated});
   const auto slack = limits.slack == WindowLimits::no_limit ? std::numeric_limits<std::int64_t>::max()
                                                             : static_cast<std::int64_t>(2 * third * limits.slack / 3);
-  search_.run(plan_.triangles(), plan_.steps(), {slack, limits.states}, random_);
-  color(mesh, false);
-  color(mesh, true);
+  search_.run(plan_.triangles(), plan_.steps(), slack, limits.states, random_);
+  // Edges that become dashed are cleared before others are set.
+  for (const bool solid : {false, true})
+    for (std::size_t i = 0; i < plan_.steps().size(); ++i) {
+      const detail::WindowTriangle& here = plan_.triangles()[plan_.steps()[i].first];
+      const unsigned changed = (here.present ^ search_.best()[i]) & here.leaving;
+      for (unsigned s = 0; s < 3; ++s)
+        if ((changed >> s & 1U) != 0 && ((search_.best()[i] >> s & 1U) != 0) == solid)
+          mesh.set_solid(StripMesh::halfedge(here.triangle, s), solid);
+    }
   const detail::WindowTally& now = search_.tally_of_best();
   const detail::WindowTally& before = search_.tally_of_present();
   return {{(now.ends - before.ends) / 2, now.swaps - before.swaps, now.isolated - before.isolated},
           now.windings - before.windings,
           search_.proven()};
-}
-
-/// Clears the edges that become dashed, or sets those that become solid.
-template <SidedMesh Mesh>
-void Window::color(Mesh& mesh, bool solid) const {
-  for (std::size_t i = 0; i < plan_.steps().size(); ++i) {
-    const detail::WindowTriangle& here = plan_.triangles()[plan_.steps()[i].first];
-    const unsigned changed = (here.present ^ search_.best()[i]) & here.leaving;
-    for (unsigned s = 0; s < 3; ++s)
-      if ((changed >> s & 1U) != 0 && ((search_.best()[i] >> s & 1U) != 0) == solid)
-        mesh.set_solid(StripMesh::halfedge(here.triangle, s), solid);
-  }
 }
 
 }  // namespace restrip

@@ -77,7 +77,21 @@ class WindowPlan {
   /// False if a frontier gets too wide or a strip outside too long; then no plan exists. `triangles` are all different,
   /// alive, at most 128.
   template <SidedMesh Mesh>
-  [[nodiscard]] bool make(const Mesh& mesh, std::span<const Triangle> triangles);
+  [[nodiscard]] bool make(const Mesh& mesh, std::span<const Triangle> triangles) {
+    find_neighbors(mesh, triangles);
+    find_order();
+    free_slots_ = (1U << frontier_slots) - 1;
+    slots_.assign(triangles.size(), {no_slot, no_slot, no_slot});
+    order_.clear();
+    steps_.clear();
+    for (const std::uint8_t number : sequence_) {
+      if (!place(mesh, triangles, number)) return false;
+      if (order_.back().leaving != 0 || steps_.empty())
+        steps_.push_back({static_cast<std::uint32_t>(order_.size()) - 1, 0});
+      ++steps_.back().count;
+    }
+    return true;
+  }
 
   /// In the order in which the search colours them.
   [[nodiscard]] std::span<const WindowTriangle> triangles() const noexcept { return order_; }
@@ -92,16 +106,125 @@ class WindowPlan {
 
  private:
   using Halfedge = StripMesh::Halfedge;
+  using Kind = WindowSide::Kind;
   using Neighbors = std::array<std::uint8_t, 3>;  // local numbers, absent if none exists
   static constexpr std::uint8_t no_slot = 255;
 
   template <SidedMesh Mesh>
-  void find_neighbors(const Mesh& mesh, std::span<const Triangle> triangles);
-  void find_order();
+  void find_neighbors(const Mesh& mesh, std::span<const Triangle> triangles) {
+    numbers_.clear();
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) numbers_.add(triangles[i], i);
+    neighbors_.resize(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (unsigned s = 0; s < 3; ++s) {
+        const Halfedge there = mesh.opposite(StripMesh::halfedge(triangles[i], s));
+        const bool outside = StripMesh::on_boundary(there) || StripMesh::triangle(there) == triangles[i];
+        neighbors_[i][s] =
+            static_cast<std::uint8_t>(outside ? LocalNumbers::absent : numbers_[StripMesh::triangle(there)]);
+      }
+  }
+
+  // Next comes the triangle that leaves the fewest edges between ordered triangles and others; between equals the one
+  // that has waited longest. The last triangle, on the rim of a ball, comes first.
+  void find_order() {
+    const std::size_t count = neighbors_.size();
+    place_in_sequence_.assign(count, LocalNumbers::absent);
+    sequence_.clear();
+    constexpr std::uint8_t waits = 254;
+    std::array<std::uint8_t, 256> waiting{};
+    std::size_t waiting_count = 0;
+    std::array<std::int8_t, 256> widens{};  // the number of edges by which a waiting triangle widens the frontier
+    const auto take = [&](std::uint8_t number) {
+      place_in_sequence_[number] = static_cast<std::uint8_t>(sequence_.size());
+      sequence_.push_back(number);
+      for (const std::uint8_t adjacent : neighbors_[number]) {
+        if (adjacent == LocalNumbers::absent || place_in_sequence_[adjacent] < waits) continue;
+        if (place_in_sequence_[adjacent] == waits) {
+          widens[adjacent] = static_cast<std::int8_t>(widens[adjacent] - 2);
+          continue;
+        }
+        place_in_sequence_[adjacent] = waits;
+        waiting[waiting_count++] = adjacent;
+        int edges = 0;
+        for (const std::uint8_t other : neighbors_[adjacent])
+          if (other != LocalNumbers::absent) edges += place_in_sequence_[other] < waits ? -1 : 1;
+        widens[adjacent] = static_cast<std::int8_t>(edges);
+      }
+    };
+    for (std::size_t start = count; start-- > 0;) {
+      if (place_in_sequence_[start] != LocalNumbers::absent) continue;
+      take(static_cast<std::uint8_t>(start));
+      while (waiting_count != 0) {
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < waiting_count; ++i)
+          if (widens[waiting[i]] < widens[waiting[best]]) best = i;
+        const std::uint8_t number = waiting[best];
+        --waiting_count;
+        for (std::size_t i = best; i < waiting_count; ++i) waiting[i] = waiting[i + 1];
+        take(number);
+      }
+    }
+  }
+
   template <SidedMesh Mesh>
-  [[nodiscard]] bool place(const Mesh& mesh, std::span<const Triangle> triangles, std::uint32_t number);
+  [[nodiscard]] bool place(const Mesh& mesh, std::span<const Triangle> triangles, std::uint32_t number) {
+    WindowTriangle& here = order_.emplace_back();
+    here.triangle = triangles[number];
+    here.present = static_cast<std::uint8_t>(mesh.solid_sides(here.triangle));
+    std::uint32_t freed = 0;
+    for (unsigned s = 0; s < 3; ++s) {
+      WindowSide& side = here.sides[s];
+      const auto bit = static_cast<std::uint8_t>(1U << s);
+      const Halfedge h = StripMesh::halfedge(here.triangle, s);
+      const std::uint8_t adjacent = neighbors_[number][s];
+      std::uint8_t& slot = slots_[number][s];
+      if (adjacent == LocalNumbers::absent) {
+        if ((here.present & bit) == 0) continue;
+        here.ports |= bit;
+        if (!place_port(mesh, h, side, slot)) return false;
+        if (side.kind == Kind::port_back) freed |= 1U << slot;
+      } else if (place_in_sequence_[adjacent] > place_in_sequence_[number]) {
+        here.leaving |= bit;
+        side.kind = Kind::leaving;
+        if (!take_slot(slot)) return false;
+        slots_[adjacent][StripMesh::side(mesh.opposite(h))] = slot;
+      } else {
+        side.kind = Kind::arriving;
+        freed |= 1U << slot;
+      }
+      side.slot = slot;
+    }
+    // Not earlier: within one triangle old and new slots must differ.
+    free_slots_ |= freed;
+    return true;
+  }
+
   template <SidedMesh Mesh>
-  [[nodiscard]] bool place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot);
+  [[nodiscard]] bool place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot) {
+    Halfedge in = mesh.opposite(h);
+    side.turn = static_cast<std::uint8_t>(mesh.other_solid_sides(in));
+    if (slot != no_slot) {
+      side.kind = Kind::port_back;
+      return true;
+    }
+    for (std::uint32_t steps = 0; steps < max_walk; ++steps, ++walked_) {
+      const auto step = mesh.strip_step(in);
+      if (!step.goes_on) {
+        side.kind = Kind::port;
+        const unsigned last_turn = mesh.other_solid_sides(mesh.opposite(in));
+        side.far = side.turn == 0 ? ends_there : last_turn == 1 ? ends_wrong : ends_well;
+        return true;
+      }
+      in = step.in;
+      const std::uint32_t back = numbers_[StripMesh::triangle(in)];
+      if (back == LocalNumbers::absent) continue;
+      side.kind = Kind::port_out;
+      if (!take_slot(slot)) return false;
+      slots_[back][StripMesh::side(in)] = slot;
+      return true;
+    }
+    return false;
+  }
   [[nodiscard]] bool take_slot(std::uint8_t& slot) noexcept {
     if (free_slots_ == 0) return false;
     slot = static_cast<std::uint8_t>(std::countr_zero(free_slots_));
@@ -119,140 +242,5 @@ class WindowPlan {
   std::vector<Step> steps_;
   std::uint64_t walked_ = 0;
 };
-
-template <SidedMesh Mesh>
-bool WindowPlan::make(const Mesh& mesh, std::span<const Triangle> triangles) {
-  find_neighbors(mesh, triangles);
-  find_order();
-  free_slots_ = (1U << frontier_slots) - 1;
-  slots_.assign(triangles.size(), {no_slot, no_slot, no_slot});
-  order_.clear();
-  steps_.clear();
-  for (const std::uint8_t number : sequence_) {
-    if (!place(mesh, triangles, number)) return false;
-    if (order_.back().leaving != 0 || steps_.empty())
-      steps_.push_back({static_cast<std::uint32_t>(order_.size()) - 1, 0});
-    ++steps_.back().count;
-  }
-  return true;
-}
-
-template <SidedMesh Mesh>
-void WindowPlan::find_neighbors(const Mesh& mesh, std::span<const Triangle> triangles) {
-  numbers_.clear();
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) numbers_.add(triangles[i], i);
-  neighbors_.resize(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    for (unsigned s = 0; s < 3; ++s) {
-      const Halfedge there = mesh.opposite(StripMesh::halfedge(triangles[i], s));
-      const bool outside = StripMesh::on_boundary(there) || StripMesh::triangle(there) == triangles[i];
-      neighbors_[i][s] =
-          static_cast<std::uint8_t>(outside ? LocalNumbers::absent : numbers_[StripMesh::triangle(there)]);
-    }
-}
-
-/// Next comes the triangle that leaves the fewest edges between ordered triangles and others; between equals the one
-/// that has waited longest. The last triangle, on the rim of a ball, comes first.
-inline void WindowPlan::find_order() {
-  const std::size_t count = neighbors_.size();
-  place_in_sequence_.assign(count, LocalNumbers::absent);
-  sequence_.clear();
-  constexpr std::uint8_t waits = 254;
-  std::array<std::uint8_t, 256> waiting{};
-  std::size_t waiting_count = 0;
-  std::array<std::int8_t, 256> widens{};  // the number of edges by which a waiting triangle widens the frontier
-  const auto take = [&](std::uint8_t number) {
-    place_in_sequence_[number] = static_cast<std::uint8_t>(sequence_.size());
-    sequence_.push_back(number);
-    for (const std::uint8_t adjacent : neighbors_[number]) {
-      if (adjacent == LocalNumbers::absent || place_in_sequence_[adjacent] < waits) continue;
-      if (place_in_sequence_[adjacent] == waits) {
-        widens[adjacent] = static_cast<std::int8_t>(widens[adjacent] - 2);
-        continue;
-      }
-      place_in_sequence_[adjacent] = waits;
-      waiting[waiting_count++] = adjacent;
-      int edges = 0;
-      for (const std::uint8_t other : neighbors_[adjacent])
-        if (other != LocalNumbers::absent) edges += place_in_sequence_[other] < waits ? -1 : 1;
-      widens[adjacent] = static_cast<std::int8_t>(edges);
-    }
-  };
-  for (std::size_t start = count; start-- > 0;) {
-    if (place_in_sequence_[start] != LocalNumbers::absent) continue;
-    take(static_cast<std::uint8_t>(start));
-    while (waiting_count != 0) {
-      std::size_t best = 0;
-      for (std::size_t i = 1; i < waiting_count; ++i)
-        if (widens[waiting[i]] < widens[waiting[best]]) best = i;
-      const std::uint8_t number = waiting[best];
-      --waiting_count;
-      for (std::size_t i = best; i < waiting_count; ++i) waiting[i] = waiting[i + 1];
-      take(number);
-    }
-  }
-}
-
-template <SidedMesh Mesh>
-bool WindowPlan::place(const Mesh& mesh, std::span<const Triangle> triangles, std::uint32_t number) {
-  using Kind = WindowSide::Kind;
-  WindowTriangle& here = order_.emplace_back();
-  here.triangle = triangles[number];
-  here.present = static_cast<std::uint8_t>(mesh.solid_sides(here.triangle));
-  std::uint32_t freed = 0;
-  for (unsigned s = 0; s < 3; ++s) {
-    WindowSide& side = here.sides[s];
-    const auto bit = static_cast<std::uint8_t>(1U << s);
-    const Halfedge h = StripMesh::halfedge(here.triangle, s);
-    const std::uint8_t adjacent = neighbors_[number][s];
-    std::uint8_t& slot = slots_[number][s];
-    if (adjacent == LocalNumbers::absent) {
-      if ((here.present & bit) == 0) continue;
-      here.ports |= bit;
-      if (!place_port(mesh, h, side, slot)) return false;
-      if (side.kind == Kind::port_back) freed |= 1U << slot;
-    } else if (place_in_sequence_[adjacent] > place_in_sequence_[number]) {
-      here.leaving |= bit;
-      side.kind = Kind::leaving;
-      if (!take_slot(slot)) return false;
-      slots_[adjacent][StripMesh::side(mesh.opposite(h))] = slot;
-    } else {
-      side.kind = Kind::arriving;
-      freed |= 1U << slot;
-    }
-    side.slot = slot;
-  }
-  // Not earlier: within one triangle old and new slots must differ.
-  free_slots_ |= freed;
-  return true;
-}
-
-template <SidedMesh Mesh>
-bool WindowPlan::place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot) {
-  using Kind = WindowSide::Kind;
-  Halfedge in = mesh.opposite(h);
-  side.turn = static_cast<std::uint8_t>(mesh.other_solid_sides(in));
-  if (slot != no_slot) {
-    side.kind = Kind::port_back;
-    return true;
-  }
-  for (std::uint32_t steps = 0; steps < max_walk; ++steps, ++walked_) {
-    const auto step = mesh.strip_step(in);
-    if (!step.goes_on) {
-      side.kind = Kind::port;
-      const unsigned last_turn = mesh.other_solid_sides(mesh.opposite(in));
-      side.far = side.turn == 0 ? ends_there : last_turn == 1 ? ends_wrong : ends_well;
-      return true;
-    }
-    in = step.in;
-    const std::uint32_t back = numbers_[StripMesh::triangle(in)];
-    if (back == LocalNumbers::absent) continue;
-    side.kind = Kind::port_out;
-    if (!take_slot(slot)) return false;
-    slots_[back][StripMesh::side(in)] = slot;
-    return true;
-  }
-  return false;
-}
 
 }  // namespace restrip::detail

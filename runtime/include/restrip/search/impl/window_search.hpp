@@ -57,12 +57,6 @@ struct WindowTally {
 
 class WindowSearch {
  public:
-  /// Limits beyond which states are dropped.
-  struct Limits {
-    std::int64_t slack = 0;  ///< the most that a state may cost above the least of its layer, in units of price()
-    std::size_t states = 0;  ///< the most states of a layer; the most expensive are dropped
-  };
-
   WindowSearch(Cost cost, bool windings, bool stays) noexcept
       : cost_(cost), priced_{cost.swap != 0, cost.swap != 0 && windings}, stays_(stays) {}
 
@@ -72,9 +66,31 @@ class WindowSearch {
            std::int64_t{2} * cost_.swap * (tally.swaps + (priced_.windings ? tally.windings : 0));
   }
 
-  /// Searches. The present colours are never dropped, so that the best costs no more than they do.
-  void run(std::span<const WindowTriangle> triangles, std::span<const WindowPlan::Step> steps, const Limits& limits,
-           PseudoRandom& random);
+  /// Searches. The present colours are never dropped, so that the best costs no more than they do. `slack`: the most
+  /// that a state may cost above the least of its layer, in units of price(); `states`: the most states of a layer; the
+  /// most expensive are dropped.
+  void run(std::span<const WindowTriangle> triangles, std::span<const WindowPlan::Step> steps, std::int64_t slack,
+           std::size_t states, PseudoRandom& random) {
+    tally_of_present_ = tally_of(triangles, steps, [&](std::size_t i) {
+      return unsigned{triangles[steps[i].first].present} & triangles[steps[i].first].leaving;
+    });
+    price_of_present_ = price(tally_of_present_) * unit;
+    least_dropped_ = std::numeric_limits<std::int64_t>::max();
+    constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+    slack_ = slack < no_limit / unit ? slack * unit + unit - 1 : no_limit;
+    nodes_.clear();
+    layer_.assign(1, State{});
+    layer_.front().present = true;
+    for (const WindowPlan::Step& step : steps) {
+      expand(triangles.subspan(step.first, step.count), random);
+      drop_dear(states);
+      layer_.swap(next_);
+    }
+    best_.assign(steps.size(), 0);
+    std::uint32_t node = layer_.front().node;
+    for (std::size_t i = steps.size(); i-- > 0; node = nodes_[node].before) best_[i] = nodes_[node].opened;
+    tally_of_best_ = tally_of(triangles, steps, [&](std::size_t i) { return unsigned{best_[i]}; });
+  }
 
   /// For each step the leaving sides of its first triangle that are solid in the best colouring, one of the best at
   /// random.
@@ -109,18 +125,180 @@ class WindowSearch {
     [[nodiscard]] std::uint8_t end(std::uint8_t end) const noexcept { return windings ? end : ends_well; }
   };
 
+  // Colours one triangle: `opened` are the leaving sides that are solid. False if that is not valid.
   [[nodiscard]] static bool enter(const WindowTriangle& here, unsigned opened, const Marks& marks, Frontier& frontier,
-                                  WindowTally& tally) noexcept;
+                                  WindowTally& tally) noexcept {
+    using Kind = WindowSide::Kind;
+    unsigned solid = here.ports | opened;
+    for (unsigned s = 0; s < 3; ++s)
+      if (here.sides[s].kind == Kind::arriving && frontier[here.sides[s].slot] != 0) solid |= 1U << s;
+    const int degree = sides_in(solid);
+    if (degree > 2) return false;
+    tally.ends += 2 - degree;
+    if (degree == 0) {
+      ++tally.isolated;
+      return true;
+    }
+    std::array<std::uint8_t, 2> far{};
+    std::array<std::uint8_t, 2> own{};
+    std::uint8_t end_here = marks.end(ends_there);  // what the strand of a triangle of degree one ends with
+    std::size_t n = 0;
+    for (unsigned s = 0; s < 3; ++s) {
+      if ((solid >> s & 1U) == 0) continue;
+      const WindowSide& side = here.sides[s];
+      const unsigned turn = marks.turn(solid * 0b1001U >> (s + 1) & 3U);
+      const auto meets = [&](unsigned turn_beyond) {
+        tally.swaps += int{(turn_beyond ^ turn) == 3};
+        end_here = turn_beyond == 1 ? marks.end(ends_wrong) : ends_well;
+        if (far[n] == ends_there) far[n] = turn == 1 ? marks.end(ends_wrong) : ends_well;
+      };
+      own[n] = side.slot;
+      switch (side.kind) {
+        case Kind::leaving:
+          frontier[side.slot] = static_cast<std::uint8_t>(1 + turn);
+          far[n] = side.slot;
+          break;
+        case Kind::arriving:
+          far[n] = frontier[side.slot] >> 2;
+          meets((frontier[side.slot] & 3U) - 1);
+          frontier[side.slot] = 0;
+          break;
+        case Kind::port:
+          far[n] = marks.end(side.far);
+          own[n] = ends_well;
+          meets(marks.turn(side.turn));
+          break;
+        case Kind::port_out:
+          far[n] = side.slot;
+          meets(marks.turn(side.turn));
+          break;
+        case Kind::port_back:
+          far[n] = frontier[side.slot] >> 2;
+          meets(marks.turn(side.turn));
+          frontier[side.slot] = 0;
+          break;
+        case Kind::dashed:
+          break;
+      }
+      ++n;
+    }
+    if (degree == 1)
+      far[1] = end_here;
+    else if (far[0] == own[1] && far[0] < frontier_slots)
+      return false;  // a cycle
+    const bool ends0 = far[0] >= frontier_slots;
+    const bool ends1 = far[1] >= frontier_slots;
+    if (ends0 && ends1) tally.windings += int{far[0] == ends_wrong && far[1] == ends_wrong};
+    if (!ends0) frontier.set_far(far[0], far[1]);
+    if (!ends1) frontier.set_far(far[1], far[0]);
+    return true;
+  }
+
   [[nodiscard]] static bool take(std::span<const WindowTriangle> step, unsigned opened, const Marks& marks,
-                                 Frontier& frontier, WindowTally& tally) noexcept;
+                                 Frontier& frontier, WindowTally& tally) noexcept {
+    for (const WindowTriangle& here : step) {
+      if (!enter(here, opened, marks, frontier, tally)) return false;
+      opened = 0;
+    }
+    return true;
+  }
+
+  // All counts, priced or not.
   template <class Choice>
   [[nodiscard]] static WindowTally tally_of(std::span<const WindowTriangle> triangles,
-                                            std::span<const WindowPlan::Step> steps, Choice&& choice);
-  void expand(std::span<const WindowTriangle> step, PseudoRandom& random);
-  void offer(const State& state, unsigned opened, PseudoRandom& random);
-  void drop_dear(const Limits& limits);
-  void drop_above(std::int64_t highest);
-  void rehash();
+                                            std::span<const WindowPlan::Step> steps, Choice&& choice) {
+    WindowTally tally;
+    Frontier frontier;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if (!take(triangles.subspan(steps[i].first, steps[i].count), choice(i), Marks{}, frontier, tally)) break;
+    return tally;
+  }
+
+  void expand(std::span<const WindowTriangle> step, PseudoRandom& random) {
+    const WindowTriangle& first = step.front();
+    const unsigned present = first.present & first.leaving;
+    next_.clear();
+    std::size_t places = 256;
+    while (places < layer_.size() * 4) places *= 2;
+    table_.assign(places, 0);
+    least_ = std::numeric_limits<std::int64_t>::max();
+    for (const State& from : layer_) {
+      int degree = sides_in(first.ports);
+      for (const WindowSide& side : first.sides)
+        if (side.kind == WindowSide::Kind::arriving && from.frontier[side.slot] != 0) ++degree;
+      for (unsigned opened = first.leaving;; opened = (opened - 1) & first.leaving) {
+        if (degree + sides_in(opened) <= 2) {
+          State state = from;
+          WindowTally tally;
+          ++tried_;
+          if (take(step, opened, priced_, state.frontier, tally)) {
+            state.price += price(tally) * unit;
+            if (stays_) state.price += sides_in(opened ^ present);
+            state.present = from.present && opened == present;
+            const bool dear = least_ < state.price - slack_;
+            if (state.price <= price_of_present_ && (!dear || state.present))
+              offer(state, opened, random);
+            else if (dear)
+              least_dropped_ = std::min(least_dropped_, state.price);
+          }
+        }
+        if (opened == 0) break;
+      }
+    }
+  }
+
+  void offer(const State& state, unsigned opened, PseudoRandom& random) {
+    least_ = std::min(least_, state.price);
+    if (next_.size() * 2 >= table_.size()) rehash();
+    std::size_t at = static_cast<std::size_t>(state.frontier.hash()) & (table_.size() - 1);
+    while (table_[at] != 0 && !(next_[table_[at] - 1].frontier == state.frontier)) at = (at + 1) & (table_.size() - 1);
+    const Node node{state.node, static_cast<std::uint8_t>(opened)};
+    if (table_[at] == 0) {
+      next_.push_back(state);
+      next_.back().ties = 1;
+      next_.back().node = static_cast<std::uint32_t>(nodes_.size());
+      nodes_.push_back(node);
+      table_[at] = static_cast<std::uint32_t>(next_.size());
+      return;
+    }
+    State& there = next_[table_[at] - 1];
+    there.present |= state.present;
+    if (there.price < state.price) return;
+    if (there.price > state.price) {
+      there.price = state.price;
+      there.ties = 1;
+    } else if (there.ties == std::numeric_limits<std::uint16_t>::max() || random.below(++there.ties) != 0) {
+      return;
+    }
+    nodes_[there.node] = node;
+  }
+
+  void rehash() {
+    table_.assign(table_.size() * 2, 0);
+    for (std::uint32_t i = 0; i < next_.size(); ++i) {
+      std::size_t at = static_cast<std::size_t>(next_[i].frontier.hash()) & (table_.size() - 1);
+      while (table_[at] != 0) at = (at + 1) & (table_.size() - 1);
+      table_[at] = i + 1;
+    }
+  }
+
+  void drop_dear(std::size_t states) {
+    if (slack_ < std::numeric_limits<std::int64_t>::max() - least_) drop_above(least_ + slack_);
+    if (next_.size() <= states) return;
+    prices_.clear();
+    for (const State& state : next_) prices_.push_back(state.price);
+    const auto limit = prices_.begin() + static_cast<std::ptrdiff_t>(states);
+    std::nth_element(prices_.begin(), limit, prices_.end());
+    drop_above(*limit - 1);
+  }
+
+  void drop_above(std::int64_t highest) {
+    std::erase_if(next_, [&](const State& state) {
+      const bool drop = state.price > highest && !state.present;
+      if (drop) least_dropped_ = std::min(least_dropped_, state.price);
+      return drop;
+    });
+  }
 
   Cost cost_;
   Marks priced_;
@@ -139,203 +317,5 @@ class WindowSearch {
   WindowTally tally_of_present_;
   std::uint64_t tried_ = 0;
 };
-
-/// Colours one triangle: `opened` are the leaving sides that are solid. False if that is not valid.
-inline bool WindowSearch::enter(const WindowTriangle& here, unsigned opened, const Marks& marks, Frontier& frontier,
-                                WindowTally& tally) noexcept {
-  using Kind = WindowSide::Kind;
-  unsigned solid = here.ports | opened;
-  for (unsigned s = 0; s < 3; ++s)
-    if (here.sides[s].kind == Kind::arriving && frontier[here.sides[s].slot] != 0) solid |= 1U << s;
-  const int degree = sides_in(solid);
-  if (degree > 2) return false;
-  tally.ends += 2 - degree;
-  if (degree == 0) {
-    ++tally.isolated;
-    return true;
-  }
-  std::array<std::uint8_t, 2> far{};
-  std::array<std::uint8_t, 2> own{};
-  std::uint8_t end_here = marks.end(ends_there);  // what the strand of a triangle of degree one ends with
-  std::size_t n = 0;
-  for (unsigned s = 0; s < 3; ++s) {
-    if ((solid >> s & 1U) == 0) continue;
-    const WindowSide& side = here.sides[s];
-    const unsigned turn = marks.turn(solid * 0b1001U >> (s + 1) & 3U);
-    const auto meets = [&](unsigned turn_beyond) {
-      tally.swaps += int{(turn_beyond ^ turn) == 3};
-      end_here = turn_beyond == 1 ? marks.end(ends_wrong) : ends_well;
-      if (far[n] == ends_there) far[n] = turn == 1 ? marks.end(ends_wrong) : ends_well;
-    };
-    own[n] = side.slot;
-    switch (side.kind) {
-      case Kind::leaving:
-        frontier[side.slot] = static_cast<std::uint8_t>(1 + turn);
-        far[n] = side.slot;
-        break;
-      case Kind::arriving:
-        far[n] = frontier[side.slot] >> 2;
-        meets((frontier[side.slot] & 3U) - 1);
-        frontier[side.slot] = 0;
-        break;
-      case Kind::port:
-        far[n] = marks.end(side.far);
-        own[n] = ends_well;
-        meets(marks.turn(side.turn));
-        break;
-      case Kind::port_out:
-        far[n] = side.slot;
-        meets(marks.turn(side.turn));
-        break;
-      case Kind::port_back:
-        far[n] = frontier[side.slot] >> 2;
-        meets(marks.turn(side.turn));
-        frontier[side.slot] = 0;
-        break;
-      case Kind::dashed:
-        break;
-    }
-    ++n;
-  }
-  if (degree == 1)
-    far[1] = end_here;
-  else if (far[0] == own[1] && far[0] < frontier_slots)
-    return false;  // a cycle
-  const bool ends0 = far[0] >= frontier_slots;
-  const bool ends1 = far[1] >= frontier_slots;
-  if (ends0 && ends1) tally.windings += int{far[0] == ends_wrong && far[1] == ends_wrong};
-  if (!ends0) frontier.set_far(far[0], far[1]);
-  if (!ends1) frontier.set_far(far[1], far[0]);
-  return true;
-}
-
-inline bool WindowSearch::take(std::span<const WindowTriangle> step, unsigned opened, const Marks& marks,
-                               Frontier& frontier, WindowTally& tally) noexcept {
-  for (const WindowTriangle& here : step) {
-    if (!enter(here, opened, marks, frontier, tally)) return false;
-    opened = 0;
-  }
-  return true;
-}
-
-/// All counts, priced or not.
-template <class Choice>
-WindowTally WindowSearch::tally_of(std::span<const WindowTriangle> triangles, std::span<const WindowPlan::Step> steps,
-                                   Choice&& choice) {
-  WindowTally tally;
-  Frontier frontier;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (!take(triangles.subspan(steps[i].first, steps[i].count), choice(i), Marks{}, frontier, tally)) break;
-  return tally;
-}
-
-inline void WindowSearch::run(std::span<const WindowTriangle> triangles, std::span<const WindowPlan::Step> steps,
-                              const Limits& limits, PseudoRandom& random) {
-  tally_of_present_ = tally_of(triangles, steps, [&](std::size_t i) {
-    return unsigned{triangles[steps[i].first].present} & triangles[steps[i].first].leaving;
-  });
-  price_of_present_ = price(tally_of_present_) * unit;
-  least_dropped_ = std::numeric_limits<std::int64_t>::max();
-  constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
-  slack_ = limits.slack < no_limit / unit ? limits.slack * unit + unit - 1 : no_limit;
-  nodes_.clear();
-  layer_.assign(1, State{});
-  layer_.front().present = true;
-  for (const WindowPlan::Step& step : steps) {
-    expand(triangles.subspan(step.first, step.count), random);
-    drop_dear(limits);
-    layer_.swap(next_);
-  }
-  best_.assign(steps.size(), 0);
-  std::uint32_t node = layer_.front().node;
-  for (std::size_t i = steps.size(); i-- > 0; node = nodes_[node].before) best_[i] = nodes_[node].opened;
-  tally_of_best_ = tally_of(triangles, steps, [&](std::size_t i) { return unsigned{best_[i]}; });
-}
-
-inline void WindowSearch::expand(std::span<const WindowTriangle> step, PseudoRandom& random) {
-  const WindowTriangle& first = step.front();
-  const unsigned present = first.present & first.leaving;
-  next_.clear();
-  std::size_t places = 256;
-  while (places < layer_.size() * 4) places *= 2;
-  table_.assign(places, 0);
-  least_ = std::numeric_limits<std::int64_t>::max();
-  for (const State& from : layer_) {
-    int degree = sides_in(first.ports);
-    for (const WindowSide& side : first.sides)
-      if (side.kind == WindowSide::Kind::arriving && from.frontier[side.slot] != 0) ++degree;
-    for (unsigned opened = first.leaving;; opened = (opened - 1) & first.leaving) {
-      if (degree + sides_in(opened) <= 2) {
-        State state = from;
-        WindowTally tally;
-        ++tried_;
-        if (take(step, opened, priced_, state.frontier, tally)) {
-          state.price += price(tally) * unit;
-          if (stays_) state.price += sides_in(opened ^ present);
-          state.present = from.present && opened == present;
-          const bool dear = least_ < state.price - slack_;
-          if (state.price <= price_of_present_ && (!dear || state.present))
-            offer(state, opened, random);
-          else if (dear)
-            least_dropped_ = std::min(least_dropped_, state.price);
-        }
-      }
-      if (opened == 0) break;
-    }
-  }
-}
-
-inline void WindowSearch::offer(const State& state, unsigned opened, PseudoRandom& random) {
-  least_ = std::min(least_, state.price);
-  if (next_.size() * 2 >= table_.size()) rehash();
-  std::size_t at = static_cast<std::size_t>(state.frontier.hash()) & (table_.size() - 1);
-  while (table_[at] != 0 && !(next_[table_[at] - 1].frontier == state.frontier)) at = (at + 1) & (table_.size() - 1);
-  const Node node{state.node, static_cast<std::uint8_t>(opened)};
-  if (table_[at] == 0) {
-    next_.push_back(state);
-    next_.back().ties = 1;
-    next_.back().node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back(node);
-    table_[at] = static_cast<std::uint32_t>(next_.size());
-    return;
-  }
-  State& there = next_[table_[at] - 1];
-  there.present |= state.present;
-  if (there.price < state.price) return;
-  if (there.price > state.price) {
-    there.price = state.price;
-    there.ties = 1;
-  } else if (there.ties == std::numeric_limits<std::uint16_t>::max() || random.below(++there.ties) != 0) {
-    return;
-  }
-  nodes_[there.node] = node;
-}
-
-inline void WindowSearch::rehash() {
-  table_.assign(table_.size() * 2, 0);
-  for (std::uint32_t i = 0; i < next_.size(); ++i) {
-    std::size_t at = static_cast<std::size_t>(next_[i].frontier.hash()) & (table_.size() - 1);
-    while (table_[at] != 0) at = (at + 1) & (table_.size() - 1);
-    table_[at] = i + 1;
-  }
-}
-
-inline void WindowSearch::drop_dear(const Limits& limits) {
-  if (slack_ < std::numeric_limits<std::int64_t>::max() - least_) drop_above(least_ + slack_);
-  if (next_.size() <= limits.states) return;
-  prices_.clear();
-  for (const State& state : next_) prices_.push_back(state.price);
-  const auto limit = prices_.begin() + static_cast<std::ptrdiff_t>(limits.states);
-  std::nth_element(prices_.begin(), limit, prices_.end());
-  drop_above(*limit - 1);
-}
-
-inline void WindowSearch::drop_above(std::int64_t highest) {
-  std::erase_if(next_, [&](const State& state) {
-    const bool drop = state.price > highest && !state.present;
-    if (drop) least_dropped_ = std::min(least_dropped_, state.price);
-    return drop;
-  });
-}
 
 }  // namespace restrip::detail
