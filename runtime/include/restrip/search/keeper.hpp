@@ -37,6 +37,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -65,15 +66,12 @@ namespace detail {
 /// The player of baked strips, on a mesh that can split and collapse.
 template <class Mesh>
 struct PlayerOf {
-  struct None {
-    void leave_step() const noexcept {}
-  };
-  using Player = None;
+  void leave_step() const noexcept {}
+  using type = PlayerOf;
 };
 template <class Mesh>
 requires SplittableMesh<Mesh> && CollapsibleMesh<Mesh>
-struct PlayerOf<Mesh> {
-  using Player = BakedPlayer<Mesh>;
+struct PlayerOf<Mesh> : std::type_identity<BakedPlayer<Mesh>> {
 };
 
 }  // namespace detail
@@ -88,7 +86,7 @@ class Keeper {
 
  public:
   using Halfedge = typename Mesh::Halfedge;
-  using Player = typename detail::PlayerOf<Mesh>::Player;
+  using Player = typename detail::PlayerOf<Mesh>::type;
 
   explicit Keeper(Mesh& mesh, Policy policy = default_policy, Cost cost = default_cost)
       : mesh_(&mesh),
@@ -200,16 +198,9 @@ class Keeper {
   Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done, bool improved);
   Rewrite<Halfedge> counted(Rewrite<Halfedge> done, const ColoringChange& change, bool improved);
   template <class Step>
-  Rewrite<Halfedge> count_around(const Step& step);
-  template <class Step>
   Rewrite<Halfedge> search_from_ends(const Step& step);
   template <class Step>
   Rewrite<Halfedge> tunnel_from_patch(const Step& step);
-  [[nodiscard]] std::uint32_t states_now() const noexcept;
-  template <class Sides>
-  Repair absorb(Sides&& sides, StripMesh::Halfedge h);
-  std::size_t improve_strips(std::size_t budget);
-  std::size_t improve_cost(std::size_t budget);
 
   Mesh* mesh_;
   Search search_;   // under the cost of strips

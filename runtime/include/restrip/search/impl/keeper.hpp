@@ -106,7 +106,16 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
   begin();
   unsettled_ = std::numeric_limits<std::size_t>::max();
   if (baked_) baked_->leave_step();
-  if (policy_ == Policy::bare) return count_around(step);
+  if (policy_ == Policy::bare) {
+    around_.clear();
+    step.surround(*mesh_, around_);
+    around_.count_before(*mesh_);
+    const auto h = step.bare(*mesh_);
+    patch_.clear();
+    step.find_new(*mesh_, h, patch_);
+    around_.add(patch_);
+    return counted({h, 0, 0, 0}, around_.change(*mesh_), false);
+  }
   choice_.begin(policy_ == Policy::linked && !weighs(), weighs() && plan_.limits.looks != 0,
                 plan_.from == IndexPlan::From::ends);
   if (weighs()) return search_from_ends(step);
@@ -133,20 +142,6 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, c
   done.strips = change.strips;
   done.isolated = change.isolated;
   return counted(done, improved);
-}
-
-/// The mesh update alone.
-template <class Mesh>
-template <class Step>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::count_around(const Step& step) {
-  around_.clear();
-  step.surround(*mesh_, around_);
-  around_.count_before(*mesh_);
-  const auto h = step.bare(*mesh_);
-  patch_.clear();
-  step.find_new(*mesh_, h, patch_);
-  around_.add(patch_);
-  return counted({h, 0, 0, 0}, around_.change(*mesh_), false);
 }
 
 template <class Mesh>
@@ -191,7 +186,14 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   std::erase_if(patch_, [this](Triangle t) { return !mesh_->has_triangle(t); });
   triangles_ += patch_.size();
   locator_.after_patch(sides, patch_);
-  const std::uint32_t states = states_now();
+  // The longer the strips, the more states it takes to find an end; a high power of the length keeps all levels of
+  // detail close to `enough`.
+  const double short_of =
+      static_cast<double>(search_.enough) * static_cast<double>(locator_.strips()) / static_cast<double>(triangles_);
+  const double square = short_of * short_of;
+  const std::uint32_t states = search_.enough == 0 || short_of >= 1
+                                   ? search_.states
+                                   : static_cast<std::uint32_t>(square * square * search_.states);
   const TunnelCounts before = tunnel_.counts();
   for (const Triangle t : patch_)
     if (sides.solid_degree(t) < 2) tunnel_.join(sides, locator_, t, states);
@@ -203,36 +205,21 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
       });
   done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
   done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
-  Repair repair;
-  if (done.isolated > 0 || Step::may_isolate == detail::MayIsolate::everywhere)
-    for (const Triangle t : patch_) repair += absorb(sides, StripMesh::halfedge(t, 0));
-  // An operation that clears ports may isolate a triangle next to the patch.
-  if (Step::may_isolate != detail::MayIsolate::as_reported)
-    for (const Triangle t : patch_)
-      for (unsigned side = 0; side < 3; ++side) repair += absorb(sides, sides.opposite(StripMesh::halfedge(t, side)));
-  done = detail::with(done, repair);
-  return counted(done, done.strips < by_rule.strips || done.isolated < by_rule.isolated);
-}
-
-// The longer the strips, the more states it takes to find an end; a high power of the length keeps all levels of detail
-// close to `enough`.
-template <class Mesh>
-std::uint32_t Keeper<Mesh>::states_now() const noexcept {
-  const double short_of =
-      static_cast<double>(search_.enough) * static_cast<double>(locator_.strips()) / static_cast<double>(triangles_);
-  if (search_.enough == 0 || short_of >= 1) return search_.states;
-  const double square = short_of * short_of;
-  return static_cast<std::uint32_t>(square * square * search_.states);
-}
-
-/// The triangle of h, if it is isolated.
-template <class Mesh>
-template <class Sides>
-Repair Keeper<Mesh>::absorb(Sides&& sides, StripMesh::Halfedge h) {
   const auto paint = [&](StripMesh::Halfedge g, bool solid) {
     solid ? locator_.link(sides, g) : locator_.cut(sides, g);
   };
-  return detail::absorb_with(sides, h, detail::default_absorptions, paint, [](StripMesh::Halfedge) {});
+  const auto absorb_at = [&](StripMesh::Halfedge h) {
+    return detail::absorb_with(sides, h, detail::default_absorptions, paint, [](StripMesh::Halfedge) {});
+  };
+  Repair repair;
+  if (done.isolated > 0 || Step::may_isolate == detail::MayIsolate::everywhere)
+    for (const Triangle t : patch_) repair += absorb_at(StripMesh::halfedge(t, 0));
+  // An operation that clears ports may isolate a triangle next to the patch.
+  if (Step::may_isolate != detail::MayIsolate::as_reported)
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side) repair += absorb_at(sides.opposite(StripMesh::halfedge(t, side)));
+  done = detail::with(done, repair);
+  return counted(done, done.strips < by_rule.strips || done.isolated < by_rule.isolated);
 }
 
 // ---- background work
@@ -241,27 +228,17 @@ template <class Mesh>
 std::size_t Keeper<Mesh>::improve(std::size_t budget) {
   begin();
   if (baked_) baked_->leave_step();
-  const std::size_t saved = weighs() ? improve_cost(budget) : improve_strips(budget);
-  up_to_date_ = true;
-  return saved;
-}
-
-template <class Mesh>
-std::size_t Keeper<Mesh>::improve_strips(std::size_t budget) {
-  auto&& sides = by_sides(*mesh_);
-  if (!tunnels()) locator_.rebuild(sides);
-  const std::size_t before = locator_.strips();
-  const auto isolated = tunnel_.counts().isolated;
-  rounds_.run(sides, locator_, tunnel_, budget);
-  strips_ = locator_.strips();
-  isolated_ += static_cast<std::size_t>(tunnel_.counts().isolated - isolated);
-  return (before - strips_) * descent_.cost().restart;
-}
-
-template <class Mesh>
-std::size_t Keeper<Mesh>::improve_cost(std::size_t budget) {
   auto&& sides = by_sides(*mesh_);
   const std::size_t before = cost();
+  if (!weighs()) {
+    if (!tunnels()) locator_.rebuild(sides);
+    const auto isolated = tunnel_.counts().isolated;
+    rounds_.run(sides, locator_, tunnel_, budget);
+    strips_ = locator_.strips();
+    isolated_ += static_cast<std::size_t>(tunnel_.counts().isolated - isolated);
+    up_to_date_ = true;
+    return before - cost();
+  }
   const std::uint64_t stop = spent_by_improve() + budget;
   ColoringChange sum;
   constexpr std::size_t at_once = 256;

@@ -78,7 +78,16 @@ class WindowPlan {
   /// alive, at most 128.
   template <SidedMesh Mesh>
   [[nodiscard]] bool make(const Mesh& mesh, std::span<const Triangle> triangles) {
-    find_neighbors(mesh, triangles);
+    numbers_.clear();
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) numbers_.add(triangles[i], i);
+    neighbors_.resize(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (unsigned s = 0; s < 3; ++s) {
+        const Halfedge there = mesh.opposite(StripMesh::halfedge(triangles[i], s));
+        const bool outside = StripMesh::on_boundary(there) || StripMesh::triangle(there) == triangles[i];
+        neighbors_[i][s] =
+            static_cast<std::uint8_t>(outside ? LocalNumbers::absent : numbers_[StripMesh::triangle(there)]);
+      }
     find_order();
     free_slots_ = (1U << frontier_slots) - 1;
     slots_.assign(triangles.size(), {no_slot, no_slot, no_slot});
@@ -109,20 +118,6 @@ class WindowPlan {
   using Kind = WindowSide::Kind;
   using Neighbors = std::array<std::uint8_t, 3>;  // local numbers, absent if none exists
   static constexpr std::uint8_t no_slot = 255;
-
-  template <SidedMesh Mesh>
-  void find_neighbors(const Mesh& mesh, std::span<const Triangle> triangles) {
-    numbers_.clear();
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) numbers_.add(triangles[i], i);
-    neighbors_.resize(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      for (unsigned s = 0; s < 3; ++s) {
-        const Halfedge there = mesh.opposite(StripMesh::halfedge(triangles[i], s));
-        const bool outside = StripMesh::on_boundary(there) || StripMesh::triangle(there) == triangles[i];
-        neighbors_[i][s] =
-            static_cast<std::uint8_t>(outside ? LocalNumbers::absent : numbers_[StripMesh::triangle(there)]);
-      }
-  }
 
   // Next comes the triangle that leaves the fewest edges between ordered triangles and others; between equals the one
   // that has waited longest. The last triangle, on the rim of a ball, comes first.

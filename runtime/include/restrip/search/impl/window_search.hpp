@@ -71,25 +71,46 @@ class WindowSearch {
   /// most expensive are dropped.
   void run(std::span<const WindowTriangle> triangles, std::span<const WindowPlan::Step> steps, std::int64_t slack,
            std::size_t states, PseudoRandom& random) {
-    tally_of_present_ = tally_of(triangles, steps, [&](std::size_t i) {
-      return unsigned{triangles[steps[i].first].present} & triangles[steps[i].first].leaving;
-    });
+    // All counts, priced or not.
+    const auto tally_of = [&](auto&& choice) {
+      WindowTally tally;
+      Frontier frontier;
+      for (std::size_t i = 0; i < steps.size(); ++i)
+        if (!take(triangles.subspan(steps[i].first, steps[i].count), choice(i), Marks{}, frontier, tally)) break;
+      return tally;
+    };
+    tally_of_present_ = tally_of(
+        [&](std::size_t i) { return unsigned{triangles[steps[i].first].present} & triangles[steps[i].first].leaving; });
     price_of_present_ = price(tally_of_present_) * unit;
-    least_dropped_ = std::numeric_limits<std::int64_t>::max();
     constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+    least_dropped_ = no_limit;
     slack_ = slack < no_limit / unit ? slack * unit + unit - 1 : no_limit;
     nodes_.clear();
     layer_.assign(1, State{});
     layer_.front().present = true;
     for (const WindowPlan::Step& step : steps) {
       expand(triangles.subspan(step.first, step.count), random);
-      drop_dear(states);
+      const auto drop_above = [&](std::int64_t highest) {
+        std::erase_if(next_, [&](const State& state) {
+          const bool drop = state.price > highest && !state.present;
+          if (drop) least_dropped_ = std::min(least_dropped_, state.price);
+          return drop;
+        });
+      };
+      if (slack_ < no_limit - least_) drop_above(least_ + slack_);
+      if (next_.size() > states) {
+        prices_.clear();
+        for (const State& state : next_) prices_.push_back(state.price);
+        const auto limit = prices_.begin() + static_cast<std::ptrdiff_t>(states);
+        std::nth_element(prices_.begin(), limit, prices_.end());
+        drop_above(*limit - 1);
+      }
       layer_.swap(next_);
     }
     best_.assign(steps.size(), 0);
     std::uint32_t node = layer_.front().node;
     for (std::size_t i = steps.size(); i-- > 0; node = nodes_[node].before) best_[i] = nodes_[node].opened;
-    tally_of_best_ = tally_of(triangles, steps, [&](std::size_t i) { return unsigned{best_[i]}; });
+    tally_of_best_ = tally_of([&](std::size_t i) { return unsigned{best_[i]}; });
   }
 
   /// For each step the leaving sides of its first triangle that are solid in the best colouring, one of the best at
@@ -203,17 +224,6 @@ class WindowSearch {
     return true;
   }
 
-  // All counts, priced or not.
-  template <class Choice>
-  [[nodiscard]] static WindowTally tally_of(std::span<const WindowTriangle> triangles,
-                                            std::span<const WindowPlan::Step> steps, Choice&& choice) {
-    WindowTally tally;
-    Frontier frontier;
-    for (std::size_t i = 0; i < steps.size(); ++i)
-      if (!take(triangles.subspan(steps[i].first, steps[i].count), choice(i), Marks{}, frontier, tally)) break;
-    return tally;
-  }
-
   void expand(std::span<const WindowTriangle> step, PseudoRandom& random) {
     const WindowTriangle& first = step.front();
     const unsigned present = first.present & first.leaving;
@@ -280,24 +290,6 @@ class WindowSearch {
       while (table_[at] != 0) at = (at + 1) & (table_.size() - 1);
       table_[at] = i + 1;
     }
-  }
-
-  void drop_dear(std::size_t states) {
-    if (slack_ < std::numeric_limits<std::int64_t>::max() - least_) drop_above(least_ + slack_);
-    if (next_.size() <= states) return;
-    prices_.clear();
-    for (const State& state : next_) prices_.push_back(state.price);
-    const auto limit = prices_.begin() + static_cast<std::ptrdiff_t>(states);
-    std::nth_element(prices_.begin(), limit, prices_.end());
-    drop_above(*limit - 1);
-  }
-
-  void drop_above(std::int64_t highest) {
-    std::erase_if(next_, [&](const State& state) {
-      const bool drop = state.price > highest && !state.present;
-      if (drop) least_dropped_ = std::min(least_dropped_, state.price);
-      return drop;
-    });
   }
 
   Cost cost_;
