@@ -130,8 +130,6 @@ class StripLocator {
   [[nodiscard]] bool append(Halfedge h, bool up, std::span<const Triangle> nodes);
   template <SidedMesh Mesh>
   void separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b);
-  template <SidedMesh Mesh>
-  void split_chunk(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b);
   void move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept;
   template <SidedMesh Mesh>
   void divide(const Mesh& mesh, Triangle member);
@@ -141,9 +139,7 @@ class StripLocator {
   // ---- patches (impl/strip_patch.hpp)
   template <SidedMesh Mesh>
   void find_strands(const Mesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
-  void add_end(Halfedge at, std::uint32_t strand);
   [[nodiscard]] Strand* strand_at(Halfedge h) noexcept;
-  [[nodiscard]] bool grew(Halfedge h) noexcept;
   void place_strand(const Strand& strand);
   void renumber_later(Halfedge h, bool up);
 

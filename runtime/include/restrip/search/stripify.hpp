@@ -55,16 +55,6 @@ std::size_t stripify(Mesh& mesh, Effort effort = default_effort, Cost cost = def
 
 namespace detail {
 
-/// Fewer strips than stripify_fast() left, by tunnelling.
-template <SidedMesh Mesh>
-std::size_t tunnel_from_scratch(Mesh& mesh, std::uint64_t states) {
-  StripLocator locator(mesh, StripLocator::chunk_limit_for_long_strips(mesh.triangle_count()));
-  Tunnel tunnel;
-  TunnelRounds rounds;
-  rounds.run(mesh, locator, tunnel, static_cast<std::size_t>(states), connected_components(mesh));
-  return locator.strips();
-}
-
 /// Colours from scratch, or from the present colours if swaps have no weight, as for stripify().
 inline void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit,
                                std::uint64_t seed) {
@@ -117,8 +107,11 @@ std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit, 
     if (effort == Effort::fast) return strips;
     const bool strips_alone = cost.isolated == 0;
     const std::uint64_t states = (effort == Effort::full ? 40 : 1000) * triangles;
-    const std::size_t fewer = detail::tunnel_from_scratch(sides, strips_alone && limit != 0 ? limit : states);
-    if (strips_alone) return fewer;
+    StripLocator locator(sides, StripLocator::chunk_limit_for_long_strips(static_cast<std::size_t>(triangles)));
+    Tunnel tunnel;
+    TunnelRounds().run(sides, locator, tunnel, static_cast<std::size_t>(strips_alone && limit != 0 ? limit : states),
+                       connected_components(sides));
+    if (strips_alone) return locator.strips();
   }
   detail::Annealing annealing(detail::ColoringCopy(sides), cost, seed);
   detail::color_from_scratch(annealing, effort, cost, limit, seed);

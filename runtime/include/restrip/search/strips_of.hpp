@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -30,25 +31,13 @@ template <class Triangles>
 
 namespace detail {
 
-/// Corners and colours of a list, for SidedWriter.
+/// Colours and corners of a list, for SidedWriter, which goes over solid sides alone.
 template <class Element>
-class ListedStrips {
- public:
-  using Halfedge = StripMesh::Halfedge;
+struct ListedStrips : ColoringCopy {
+  TriangleList<Element> list;
 
-  ListedStrips(const TriangleList<Element>& list, const ColoringCopy& colors) noexcept : list_(list), colors_(colors) {}
-
-  [[nodiscard]] std::size_t triangle_count() const noexcept { return colors_.triangle_count(); }
-  [[nodiscard]] std::size_t triangle_bound() const noexcept { return colors_.triangle_bound(); }
-  [[nodiscard]] bool alive(Triangle t) const noexcept { return colors_.alive(t); }
-  [[nodiscard]] unsigned solid_sides(Triangle t) const noexcept { return colors_.solid_sides(t); }
-  [[nodiscard]] unsigned other_solid_sides(Halfedge h) const noexcept { return colors_.other_solid_sides(h); }
-  [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept { return colors_.across_solid(h); }
-  [[nodiscard]] Vertex from(Halfedge h) const noexcept { return list_.corner(h.id); }
-
- private:
-  TriangleList<Element> list_;
-  const ColoringCopy& colors_;
+  [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept { return {across(h.id)}; }
+  [[nodiscard]] Vertex from(Halfedge h) const noexcept { return list.corner(h.id); }
 };
 
 template <class Element>
@@ -56,7 +45,7 @@ std::vector<std::uint32_t> strips_of_list(const TriangleList<Element>& list, std
                                           Cost cost) {
   Annealing annealing(ColoringCopy(list, vertex_count), cost, 1);
   color_from_scratch(annealing, effort, cost, 0, 1);
-  const ListedStrips<Element> strips(list, annealing.colors());
+  const ListedStrips<Element> strips{std::move(annealing.colors()), list};
   return SidedWriter(strips).run();
 }
 

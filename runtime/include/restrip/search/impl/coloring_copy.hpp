@@ -54,9 +54,6 @@ class ColoringCopy {
     mesh.set_colors(solid_);
   }
 
-  /// opposite() of a solid side.
-  [[nodiscard]] Halfedge across_solid(Halfedge h) const noexcept { return {across(h.id)}; }
-
   // The members of SidedMesh.
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
     const std::uint32_t there = across(h.id);

@@ -107,16 +107,9 @@ inline bool StripLocator::append(Halfedge h, bool up, std::span<const Triangle> 
 template <SidedMesh Mesh>
 void StripLocator::separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b) {
   const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
-  if (c == addresses_[StripMesh::triangle(b)].chunk)
-    split_chunk(mesh, a, up_a, b);
-  else
-    lists_.cut(c, up_a != lists_[c].backwards);
-}
-
-// Cuts a strip inside one chunk: the smaller part, found by walking both ways at once, moves to a new chunk.
-template <SidedMesh Mesh>
-void StripLocator::split_chunk(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b) {
-  const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
+  const bool a_first = up_a != lists_[c].backwards;
+  if (c != addresses_[StripMesh::triangle(b)].chunk) return lists_.cut(c, a_first);
+  // Inside one chunk: the smaller part, found by walking both ways at once, moves to a new chunk.
   Triangle at[2] = {StripMesh::triangle(a), StripMesh::triangle(b)};
   unsigned entry[2] = {StripMesh::side(a), StripMesh::side(b)};
   std::vector<Triangle>* const part[2] = {&moving_, &renumbered_};
@@ -127,7 +120,6 @@ void StripLocator::split_chunk(const Mesh& mesh, Halfedge a, bool up_a, Halfedge
     part[smaller]->push_back(at[smaller]);
     if (!step(mesh, at[smaller], entry[smaller]) || addresses_[at[smaller]].chunk != c) break;
   }
-  const bool a_first = up_a != lists_[c].backwards;
   move_to(lists_.cut_off(c, a_first != (smaller == 0)), c, *part[smaller]);
 }
 

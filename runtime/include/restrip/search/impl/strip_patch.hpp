@@ -40,14 +40,10 @@ void StripLocator::find_strands(const Mesh& mesh, std::span<const Triangle> patc
       }
     }
     std::reverse(strand_nodes_.begin() + static_cast<std::ptrdiff_t>(strand.first), strand_nodes_.end());
-    // The start's other solid side.
-    unsigned sides[2];
-    unsigned n = 0;
-    for (unsigned s = 0; s < 3; ++s)
-      if (mesh.solid(StripMesh::halfedge(start, s))) sides[n++ & 1U] = s;
-    if (n == 2) {
+    // Over the start's other solid side.
+    if (mesh.solid_degree(start) == 2) {
       t = start;
-      entry = sides[0];
+      entry = StripMesh::side(detail::lowest_side(start, mesh.solid_sides(start)));
       while (step(mesh, t, entry)) {
         if (marks_[t] != waiting) {
           strand.out = StripMesh::halfedge(t, entry);
@@ -76,6 +72,15 @@ void StripLocator::before_patch(const Mesh& mesh, std::span<const Triangle> patc
   find_strands(mesh, patch, strands_before_);
   first_end_ = mark_ + 1;
   ends_.clear();
+  const auto add_end = [this](Halfedge at, std::uint32_t strand) {
+    const auto name = static_cast<std::uint32_t>(ends_.size());
+    std::uint32_t& mark = marks_[StripMesh::triangle(at)];
+    ends_.push_back({at, strand, none});
+    if (mark - first_end_ < name)
+      ends_[mark - first_end_].other = name;
+    else
+      mark = first_end_ + name;
+  };
   for (std::uint32_t i = 0; i < strands_before_.size(); ++i) {
     Strand& strand = strands_before_[i];
     if (strand.in.id == none) continue;
@@ -95,28 +100,12 @@ void StripLocator::before_patch(const Mesh& mesh, std::span<const Triangle> patc
   }
 }
 
-inline void StripLocator::add_end(Halfedge at, std::uint32_t strand) {
-  const auto name = static_cast<std::uint32_t>(ends_.size());
-  std::uint32_t& mark = marks_[StripMesh::triangle(at)];
-  ends_.push_back({at, strand, none});
-  if (mark - first_end_ < name)
-    ends_[mark - first_end_].other = name;
-  else
-    mark = first_end_ + name;
-}
-
 // The strand before the rewrite that h led into, or null.
 inline StripLocator::Strand* StripLocator::strand_at(Halfedge h) noexcept {
   std::uint32_t e = marks_[StripMesh::triangle(h)] - first_end_;
   if (e >= ends_.size()) return nullptr;
   while (e != none && !(ends_[e].at == h)) e = ends_[e].other;
   return e == none ? nullptr : &strands_before_[ends_[e].strand];
-}
-
-// Whether labels grew across h, into the patch, before the rewrite.
-inline bool StripLocator::grew(Halfedge h) noexcept {
-  const Strand* const strand = strand_at(h);
-  return strand != nullptr && (strand->in == h ? strand->up_in : strand->up_out);
 }
 
 // Once for each chunk, when all strands have their addresses: until then only labels outside the patch are read.
@@ -142,7 +131,9 @@ inline void StripLocator::place_strand(const Strand& strand) {
     return;
   }
   const Address from = addresses_[StripMesh::triangle(strand.in)];
-  const bool up = grew(strand.in);
+  // Whether labels grew across `in`, into the patch, before the rewrite.
+  const Strand* const old = strand_at(strand.in);
+  const bool up = old != nullptr && (old->in == strand.in ? old->up_in : old->up_out);
   if (strand.out.id == none || addresses_[StripMesh::triangle(strand.out)].chunk != from.chunk) {
     if (!append(strand.in, up, nodes)) renumber_later(strand.in, up);
     return;
