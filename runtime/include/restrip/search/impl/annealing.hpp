@@ -81,22 +81,38 @@ class Annealing : private ColoringCopy {
   /// temperature of 1 a change that costs a third of a strip (or a swap, if that weighs more) is accepted with
   /// probability 1 / e.
   void cool(std::uint64_t moves, std::uint32_t heat) {
-    list_flaws();
+    // A triangle without a neighbour cannot move.
+    flaws_.reset(across_.size());
+    for (Triangle t = 0; t < across_.size(); ++t)
+      if (across_[t] != std::array{none, none, none}) note(t);
     const std::uint64_t most = std::max<std::uint64_t>({cost_.restart, std::uint64_t{3} * cost_.swap, cost_.isolated});
     const std::uint64_t hot = 45'426 * most * heat / 300;  // 45,426 = 2^16 ln 2
     const std::uint64_t stage = moves * 9 / 20 + 1;
     tried_ = 0;
     for (std::uint64_t before = none; tried_ < moves && tried_ != before;) {
       before = tried_;
-      sweep([&] {
-        const std::uint64_t at = tried_ / stage;
-        const std::uint64_t into = tried_ - at * stage;
-        const std::uint64_t last = moves - std::min(moves, 2 * stage) + 1;
-        if (at < 2)
-          temperature_ = (hot >> at) - (hot >> (at + 1)) * into / stage;
-        else
-          temperature_ = (hot >> 2) * (last - std::min(into, last)) / last;
-      });
+      // The moves of every flawed triangle once, in the order of their handles, so that memory is read in order. The
+      // temperature changes before the first one of every 4,096 triangles.
+      std::size_t block = none;
+      for (std::size_t word = flaws_.next(0); word != MarkedWords::no_word; word = flaws_.next(word + 1)) {
+        if (std::exchange(block, word / 64) != word / 64) {
+          const std::uint64_t at = tried_ / stage;
+          const std::uint64_t into = tried_ - at * stage;
+          const std::uint64_t last = moves - std::min(moves, 2 * stage) + 1;
+          if (at < 2)
+            temperature_ = (hot >> at) - (hot >> (at + 1)) * into / stage;
+          else
+            temperature_ = (hot >> 2) * (last - std::min(into, last)) / last;
+        }
+        for (std::uint64_t left = flaws_[word]; left != 0; left &= left - 1) {
+          const auto t = static_cast<Triangle>(word * 64 + static_cast<unsigned>(std::countr_zero(left)));
+          if (!flawed(t)) {
+            flaws_.clear(t);
+            continue;
+          }
+          for (unsigned s = 0; s < 3; ++s) try_move(t << 2 | s);
+        }
+      }
     }
   }
 
@@ -151,7 +167,13 @@ class Annealing : private ColoringCopy {
   }
   void flip(std::uint32_t h) noexcept {
     ColoringCopy::flip(h);
-    if (trees_kept_) note_for_trees(h);
+    if (!trees_kept_) return;
+    if (!unsent_.empty() && unsent_.back() >> 1 == h)
+      unsent_.pop_back();  // taken back
+    else if (unsent_.size() < unsent_.capacity())
+      unsent_.push_back(h << 1 | static_cast<std::uint32_t>(solid(h)));
+    else
+      trees_kept_ = false;
   }
 
   // The cost that the solid edge of h adds: its swaps, minus a strip, minus triangles that would be isolated without
@@ -169,22 +191,23 @@ class Annealing : private ColoringCopy {
   // Sets the dashed h if that lowers the cost; its triangle has room for it.
   void settle(std::uint32_t h) {
     const std::uint32_t g = across(h);
-    Cuts cuts;
+    std::uint32_t out = none;  // the solid edge cleared for it
     std::int64_t change = 0;
     if (full(g >> 2)) {
       const std::int64_t after = least_change(h, 0);
       const std::int64_t before = least_change(h, 1);
       if (after >= 0 && before >= 0) return;
-      const std::uint32_t out = (g & ~3U) | ((g & 3U) + (before < after ? 2 : 1)) % 3;
+      out = (g & ~3U) | ((g & 3U) + (before < after ? 2 : 1)) % 3;
       change -= price(out);
       flip(out);
-      cuts = {{out}, 1};
     }
     flip(h);
     change += price(h);
     flip(h);
-    if (change >= 0 || are_ends_of_one(h >> 2, g >> 2, 8 * longest_walk)) return take_back(cuts);
-    flip(h);
+    if (change < 0 && !are_ends_of_one(h >> 2, g >> 2, 8 * longest_walk))
+      flip(h);
+    else if (out != none)
+      flip(out);
   }
 
   // ---- strips from end to end. Nearly all are walked; long ones are looked up in trees.
@@ -192,14 +215,6 @@ class Annealing : private ColoringCopy {
 
   // The trees are built for the first query. Later changes are applied only before the next query; after too many
   // changes the trees are rebuilt.
-  void note_for_trees(std::uint32_t h) noexcept {
-    if (!unsent_.empty() && unsent_.back() >> 1 == h)
-      unsent_.pop_back();  // taken back
-    else if (unsent_.size() < unsent_.capacity())
-      unsent_.push_back(h << 1 | static_cast<std::uint32_t>(solid(h)));
-    else
-      trees_kept_ = false;
-  }
   StripTrees& trees() {
     const auto update = [this](std::uint32_t h, bool linked) {
       if (linked)
@@ -238,12 +253,6 @@ class Annealing : private ColoringCopy {
     return trees().together(t, u);
   }
 
-  // A triangle without a neighbour cannot move.
-  void list_flaws() {
-    flaws_.reset(across_.size());
-    for (Triangle t = 0; t < across_.size(); ++t)
-      if (across_[t] != std::array{none, none, none}) note(t);
-  }
   void note(Triangle t) noexcept {
     if (flawed(t) && !flaws_.empty()) flaws_.mark(t);
   }
@@ -254,33 +263,6 @@ class Annealing : private ColoringCopy {
       if ((solid_[t] >> s & 1U) != 0) note(across_[t][s] >> 2);
   }
 
-  // Tries the moves of every flawed triangle once, in the order of their handles, so that memory is read in order.
-  // Calls now_and_then() before the first one of every 4,096 triangles.
-  template <class NowAndThen>
-  void sweep(NowAndThen&& now_and_then) {
-    std::size_t block = none;
-    for (std::size_t word = flaws_.next(0); word != MarkedWords::no_word; word = flaws_.next(word + 1)) {
-      if (std::exchange(block, word / 64) != word / 64) now_and_then();
-      for (std::uint64_t left = flaws_[word]; left != 0; left &= left - 1) {
-        const auto t = static_cast<Triangle>(word * 64 + static_cast<unsigned>(std::countr_zero(left)));
-        if (!flawed(t)) {
-          flaws_.clear(t);
-          continue;
-        }
-        for (unsigned s = 0; s < 3; ++s) try_move(t << 2 | s);
-      }
-    }
-  }
-
-  // Solid edges cleared by a move.
-  struct Cuts {
-    std::array<std::uint32_t, 2> edges{};
-    unsigned count = 0;
-  };
-  void take_back(const Cuts& cuts) noexcept {
-    for (unsigned i = cuts.count; i-- > 0;) flip(cuts.edges[i]);
-  }
-
   // Clears h if it is solid, or else sets it; drops the move if the cost rises by more than chance allows at this
   // temperature, or if it would close a cycle.
   void try_move(std::uint32_t h) {
@@ -288,12 +270,16 @@ class Annealing : private ColoringCopy {
     if (g == none) return;
     ++tried_;
     const auto allowed = static_cast<std::int64_t>(temperature_ * minus_log2(random_.bits() | 1U) >> 32);
-    Cuts cuts;
+    std::array<std::uint32_t, 2> cuts{};
+    unsigned count = 0;
     std::int64_t change = 0;
     const auto cut = [&](std::uint32_t e) {
       change -= price(e);
       flip(e);
-      cuts.edges[cuts.count++] = e;
+      cuts[count++] = e;
+    };
+    const auto take_back = [&] {
+      while (count > 0) flip(cuts[--count]);
     };
     if (solid(h)) {
       if (-price(h) > allowed) return;
@@ -314,13 +300,13 @@ class Annealing : private ColoringCopy {
         flip(h);
         possible = change <= allowed && !are_ends_of_one(h >> 2, g >> 2);
       }
-      if (!possible) return take_back(cuts);
+      if (!possible) return take_back();
       flip(h);
     }
-    if (change > allowed) return take_back(cuts);
+    if (change > allowed) return take_back();
     note_around(h >> 2);
     note_around(g >> 2);
-    for (unsigned i = 0; i < cuts.count; ++i) note(across(cuts.edges[i]) >> 2);
+    for (unsigned i = 0; i < count; ++i) note(across(cuts[i]) >> 2);
   }
 
   Cost cost_;

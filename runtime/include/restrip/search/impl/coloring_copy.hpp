@@ -93,10 +93,11 @@ class ColoringCopy {
         if (solid(h) && h < across(h) && is_swap(h)) sum += weights.swap;
       }
       if (solid_[t] == 0 || full(t)) continue;
-      const End other_end = end_beyond(t, only_side(t));
-      if (other_end.triangle < t) continue;
+      Triangle other_end = t;
+      for (std::uint32_t h = only_side(t); h != none; h = other(across(h))) other_end = across(h) >> 2;
+      if (other_end < t) continue;
       sum += weights.restart;
-      if (other_end.wrong && begins_wrong(t)) sum += weights.swap;
+      if (begins_wrong(other_end) && begins_wrong(t)) sum += weights.swap;
     }
     return sum;
   }
@@ -122,24 +123,10 @@ class ColoringCopy {
   // Whether it is a swap (restrip::is_swap). False where a strip ends.
   [[nodiscard]] bool is_swap(std::uint32_t h) const noexcept { return (turn(h) ^ turn(across(h))) == 3; }
 
-  struct End {
-    Triangle triangle;
-    bool wrong;  // a strip written from here begins with a turn to the right
-  };
   // Whether the strip that ends at t, written from there, begins with a turn to the right.
   [[nodiscard]] bool begins_wrong(Triangle t) const noexcept {
     return solid_[t] != 0 && turn(across(only_side(t))) == 1;
   }
-  // The end that is reached from t over h, t itself when h is none.
-  [[nodiscard]] End end_beyond(Triangle t, std::uint32_t h) const noexcept {
-    while (h != none) {
-      const std::uint32_t in = across(h);
-      t = in >> 2;
-      h = other(in);
-    }
-    return {t, begins_wrong(t)};
-  }
-
   void flip(std::uint32_t h) noexcept {
     const std::uint32_t g = across(h);
     solid_[h >> 2] = static_cast<std::uint8_t>(solid_[h >> 2] ^ 1U << (h & 3U));

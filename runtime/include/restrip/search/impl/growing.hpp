@@ -37,10 +37,13 @@ class Growing {
     }
     for (Triangle t = first(); t != none; t = first()) {
       left_[t] = taken;
-      const std::uint32_t out = first_way(t);
-      if (out == none) continue;
+      unsigned best = 0;
+      for (unsigned s = 1; s < 3; ++s)
+        if (left_over(t, s) < left_over(t, best)) best = s;
+      if (left_over(t, best) > 3) continue;
       for (unsigned s = 0; s < 3; ++s)
-        if (s != (out & 3U)) update_neighbor(t, s);
+        if (s != best) update_neighbor(t, s);
+      const std::uint32_t out = t << 2 | best;
       const Turn turn = grow(out, Turn::none);
       // In reverse the first turn is the previous one, with sides exchanged.
       const Turn before = turn == Turn::right ? Turn::left : turn == Turn::left ? Turn::right : Turn::none;
@@ -82,13 +85,6 @@ class Growing {
   [[nodiscard]] unsigned left_over(Triangle t, unsigned side) const noexcept {
     const std::uint32_t there = across_[t][side];
     return left_[there == none ? t : there >> 2];
-  }
-  // From the triangle that a strip begins at.
-  [[nodiscard]] std::uint32_t first_way(Triangle t) const noexcept {
-    unsigned best = 0;
-    for (unsigned s = 1; s < 3; ++s)
-      if (left_over(t, s) < left_over(t, best)) best = s;
-    return left_over(t, best) > 3 ? none : t << 2 | best;
   }
   // From the triangle of `in`, entered over that side.
   [[nodiscard]] Way way_on(std::uint32_t in, Turn last) const noexcept {
