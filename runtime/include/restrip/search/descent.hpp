@@ -120,19 +120,12 @@ class Descent {
   static constexpr std::uint32_t max_walk = 3000;
 
  private:
-  struct End;
-  struct Way;
-
-  template <SidedMesh Mesh>
-  void look_at_end(const Mesh& mesh, Halfedge h, End& end) const;
   template <SidedMesh Mesh>
   void add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
   template <SidedMesh Mesh>
   void find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
   template <SidedMesh Mesh>
-  [[nodiscard]] bool step(Mesh& mesh, Triangle t);
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool chain(Mesh& mesh, Triangle t, const DescentLimits& limits);
+  void chain(Mesh& mesh, Triangle t, const DescentLimits& limits);
   template <SidedMesh Mesh>
   void touch(const Mesh& mesh, const StripMove& move);
 

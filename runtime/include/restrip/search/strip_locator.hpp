@@ -118,7 +118,7 @@ class StripLocator {
     std::uint32_t other = none;  // in ends_
   };
 
-  // ---- chunks and their labels (impl/strip_locator.hpp)
+  // ---- chunks and their labels
   template <SidedMesh Mesh>
   bool step(const Mesh& mesh, Triangle& t, unsigned& entry) const noexcept;
   template <SidedMesh Mesh>
@@ -133,10 +133,8 @@ class StripLocator {
   void move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept;
   template <SidedMesh Mesh>
   void divide(const Mesh& mesh, Triangle member);
-  template <SidedMesh Mesh>
-  void join_chunks(const Mesh& mesh, Halfedge h);
 
-  // ---- patches (impl/strip_patch.hpp)
+  // ---- patches
   template <SidedMesh Mesh>
   void find_strands(const Mesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
   [[nodiscard]] Strand* strand_at(Halfedge h) noexcept;
@@ -163,4 +161,3 @@ class StripLocator {
 }  // namespace restrip
 
 #include "restrip/search/impl/strip_locator.hpp"
-#include "restrip/search/impl/strip_patch.hpp"

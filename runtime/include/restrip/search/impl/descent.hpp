@@ -104,6 +104,70 @@ class MoveOverlay {
   std::array<Entry, 6> entries_{};
 };
 
+/// One way in which a triangle makes room for an edge.
+struct EdgeWay {
+  StripMesh::Halfedge given_up{};  // {none}: the triangle has room
+  Triangle freed = none;           // across the edge that is cleared
+  Triangle beyond = none;          // the next one beyond that
+  Triangle kept = none;            // across the edge that is kept
+  unsigned turn = 0;               // of the strip at the triangle, seen from the new edge
+  int swaps = 0;
+  int isolated = 0;
+};
+
+/// One triangle of a dashed edge.
+struct EdgeEnd {
+  std::array<EdgeWay, 2> way{};
+  unsigned count = 0;
+  int fewest_swaps = 0;  // of all ways
+};
+
+// The swaps and isolated triangles that change on this side of a new edge, independently of the other side. The new
+// edge itself is not counted.
+template <SidedMesh Mesh>
+EdgeEnd end_of_edge(const Mesh& mesh, StripMesh::Halfedge h) {
+  using Halfedge = StripMesh::Halfedge;
+  EdgeEnd end;
+  const unsigned others = mesh.other_solid_sides(h);
+  if (others == 0) {
+    end.count = 1;
+    end.way[0].isolated = -1;
+    return end;
+  }
+  // Seen from the edge to a neighbour, the strip turns to the other neighbour or, with the new edge, to the opposite.
+  if (others != 3) {
+    EdgeWay& way = end.way[0];
+    end.count = 1;
+    const Halfedge kept = neighbor_at(mesh, h, others);
+    way.kept = StripMesh::triangle(kept);
+    way.turn = others;
+    way.swaps = int{mesh.other_solid_sides(kept) == others};
+    end.fewest_swaps = way.swaps;
+    return end;
+  }
+  end.count = 2;
+  const std::array<Halfedge, 2> towards{neighbor_at(mesh, h, 1), neighbor_at(mesh, h, 2)};
+  const std::array<unsigned, 2> turn{mesh.other_solid_sides(towards[0]), mesh.other_solid_sides(towards[1])};
+  for (unsigned keeps = 1; keeps <= 2; ++keeps) {
+    const unsigned gives = 3 - keeps;
+    EdgeWay& way = end.way[keeps - 1];
+    way.given_up = towards[gives - 1];
+    way.freed = StripMesh::triangle(way.given_up);
+    way.kept = StripMesh::triangle(towards[keeps - 1]);
+    way.turn = keeps;
+    // The freed triangle becomes an end, so it loses the swap on its other side, if any. (A turn of 0 leads back to the
+    // triangle of h, whose turns are not 0.)
+    const unsigned freed_turn = turn[gives - 1];
+    const Halfedge across_freed = neighbor_at(mesh, way.given_up, freed_turn);
+    way.beyond = StripMesh::triangle(across_freed);
+    way.isolated = int{freed_turn == 0};
+    way.swaps = int{turn[keeps - 1] == keeps} - int{turn[keeps - 1] == gives} - int{freed_turn == keeps} -
+                int{mesh.other_solid_sides(across_freed) == freed_turn};
+  }
+  end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
+  return end;
+}
+
 }  // namespace detail
 
 // By price, stably.
@@ -112,72 +176,10 @@ inline void detail::FoundMoves::sort() noexcept {
     for (std::size_t j = i; j > 0 && moves[j].price < moves[j - 1].price; --j) std::swap(moves[j], moves[j - 1]);
 }
 
-/// One way in which a triangle makes room for an edge.
-struct Descent::Way {
-  Halfedge given_up{};     // {none}: the triangle has room
-  Triangle freed = none;   // across the edge that is cleared
-  Triangle beyond = none;  // the next one beyond that
-  Triangle kept = none;    // across the edge that is kept
-  unsigned turn = 0;       // of the strip at the triangle, seen from the new edge
-  int swaps = 0;
-  int isolated = 0;
-};
-
-/// One triangle of a dashed edge.
-struct Descent::End {
-  std::array<Way, 2> way{};
-  unsigned count = 0;
-  int fewest_swaps = 0;  // of all ways
-};
-
-// The swaps and isolated triangles that change on this side of a new edge, independently of the other side. The new
-// edge itself is not counted.
-template <SidedMesh Mesh>
-void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
-  const unsigned others = mesh.other_solid_sides(h);
-  if (others == 0) {
-    end.count = 1;
-    end.way[0].isolated = -1;
-    return;
-  }
-  // Seen from the edge to a neighbour, the strip turns to the other neighbour or, with the new edge, to the opposite.
-  if (others != 3) {
-    Way& way = end.way[0];
-    end.count = 1;
-    const Halfedge kept = detail::neighbor_at(mesh, h, others);
-    way.kept = StripMesh::triangle(kept);
-    way.turn = others;
-    way.swaps = int{mesh.other_solid_sides(kept) == others};
-    end.fewest_swaps = way.swaps;
-    return;
-  }
-  end.count = 2;
-  const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, h, 1), detail::neighbor_at(mesh, h, 2)};
-  const std::array<unsigned, 2> turn{mesh.other_solid_sides(towards[0]), mesh.other_solid_sides(towards[1])};
-  for (unsigned keeps = 1; keeps <= 2; ++keeps) {
-    const unsigned gives = 3 - keeps;
-    Way& way = end.way[keeps - 1];
-    way.given_up = towards[gives - 1];
-    way.freed = StripMesh::triangle(way.given_up);
-    way.kept = StripMesh::triangle(towards[keeps - 1]);
-    way.turn = keeps;
-    // The freed triangle becomes an end, so it loses the swap on its other side, if any. (A turn of 0 leads back to the
-    // triangle of h, whose turns are not 0.)
-    const unsigned freed_turn = turn[gives - 1];
-    const Halfedge across_freed = detail::neighbor_at(mesh, way.given_up, freed_turn);
-    way.beyond = StripMesh::triangle(across_freed);
-    way.isolated = int{freed_turn == 0};
-    way.swaps = int{turn[keeps - 1] == keeps} - int{turn[keeps - 1] == gives} - int{freed_turn == keeps} -
-                int{mesh.other_solid_sides(across_freed) == freed_turn};
-  }
-  end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
-}
-
 template <SidedMesh Mesh>
 void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
   const Triangle u = StripMesh::triangle(back);
-  End here;
-  look_at_end(mesh, h, here);
+  const detail::EdgeEnd here = detail::end_of_edge(mesh, h);
   const int giving = int{here.count == 2} + int{mesh.other_solid_sides(back) == 3};
   // The other side saves at most three swaps, and at most two triangles stop being isolated.
   if (std::int32_t{cost_.restart} * (giving - 1) + std::int32_t{cost_.swap} * (here.fewest_swaps - 3) -
@@ -186,14 +188,13 @@ void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_
     ++counts_.priced;
     return;
   }
-  End there;
-  look_at_end(mesh, back, there);
+  const detail::EdgeEnd there = detail::end_of_edge(mesh, back);
   for (unsigned i = 0; i < here.count; ++i) {
-    const Way& a = here.way[i];
+    const detail::EdgeWay& a = here.way[i];
     // Two triangles that share two edges and follow each other already.
     if (a.kept == u || a.freed == u) return;
     for (unsigned j = 0; j < there.count; ++j) {
-      const Way& b = there.way[j];
+      const detail::EdgeWay& b = there.way[j];
       StripMove move{h, {a.given_up, b.given_up}};
       const bool entangled = (a.freed != none && (a.freed == b.freed || a.freed == b.kept || a.freed == b.beyond)) ||
                              (b.freed != none && b.freed == a.kept);
@@ -303,27 +304,9 @@ void Descent::touch(const Mesh& mesh, const StripMove& move) {
     if (h.id != none) add(StripMesh::triangle(h));
 }
 
-// The best move at t that lowers the cost, if any.
-template <SidedMesh Mesh>
-bool Descent::step(Mesh& mesh, Triangle t) {
-  const auto looked = std::span<const Triangle>(looked_).first(looked_count_);
-  if (std::find(looked.begin(), looked.end(), t) != looked.end()) return false;
-  find_moves(mesh, t, -1, looked);
-  found_.sort();
-  for (const StripMove& move : found_) {
-    if (!keeps_strips(mesh, move)) continue;
-    make(mesh, move);
-    touched_.clear();
-    touch(mesh, move);
-    return true;
-  }
-  if (looked_count_ < looked_.size()) looked_[looked_count_++] = t;
-  return false;
-}
-
 // A move that costs a little, and the best one after it, if together they lower the cost.
 template <SidedMesh Mesh>
-bool Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
+void Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
   find_moves(mesh, t, limits.worse, {});
   detail::FoundMoves first = found_;
   first.sort();
@@ -333,7 +316,6 @@ bool Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
     if (!keeps_strips(mesh, one)) continue;
     ++tries;
     make(mesh, one);
-    touched_.clear();
     touch(mesh, one);
     StripMove best;
     best.price = -one.price;
@@ -345,15 +327,15 @@ bool Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
     if (best.edge.id != none) {
       make(mesh, best);
       touch(mesh, best);
-      return true;
+      return;
     }
     const bool added = mesh.solid(one.edge);
     mesh.set_solid(one.edge, !added);
     for (const Halfedge h : one.given_up)
       if (h.id != none) mesh.set_solid(h, true);
     done_ += {-one.change.strips, -one.change.swaps, -one.change.isolated};
+    touched_.clear();
   }
-  return false;
 }
 
 template <SidedMesh Mesh>
@@ -364,8 +346,23 @@ ColoringChange Descent::run(Mesh& mesh, std::span<const Triangle> from, const De
   const std::uint64_t stop = counts_.priced + limits.moves;
   for (std::size_t head = 0; head < queue_.size() && counts_.priced < stop; ++head) {
     const Triangle t = queue_[head];
-    if (step(mesh, t) || (limits.tries != 0 && chain(mesh, t, limits)))
-      queue_.insert(queue_.end(), touched_.begin(), touched_.end());
+    touched_.clear();
+    const auto looked = std::span<const Triangle>(looked_).first(looked_count_);
+    if (std::find(looked.begin(), looked.end(), t) == looked.end()) {
+      // The best move at t that lowers the cost, if any.
+      find_moves(mesh, t, -1, looked);
+      found_.sort();
+      const StripMove* const best =
+          std::find_if(found_.begin(), found_.end(), [&](const StripMove& move) { return keeps_strips(mesh, move); });
+      if (best != found_.end()) {
+        make(mesh, *best);
+        touch(mesh, *best);
+      } else if (looked_count_ < looked_.size()) {
+        looked_[looked_count_++] = t;
+      }
+    }
+    if (touched_.empty() && limits.tries != 0) chain(mesh, t, limits);
+    queue_.insert(queue_.end(), touched_.begin(), touched_.end());
   }
   return done_;
 }

@@ -15,54 +15,25 @@ consteval bool has_members_of_numbered_mesh() {
   using Halfedge = typename Mesh::Halfedge;
   static_assert(std::regular<Halfedge>,
                 "restrip: Halfedge of the mesh is not default-constructible, copyable and comparable");
-  static_assert(
-      requires(const Mesh& mesh, Halfedge h) {
-        { mesh.next(h) } -> std::same_as<Halfedge>;
-      },
-      "restrip: the mesh has no Halfedge next(Halfedge) const");
-  static_assert(
-      requires(const Mesh& mesh, Halfedge h) {
-        { mesh.opposite(h) } -> std::same_as<Halfedge>;
-      },
-      "restrip: the mesh has no Halfedge opposite(Halfedge) const");
-  static_assert(
-      requires(const Mesh& mesh, Halfedge h) {
-        { mesh.on_boundary(h) } -> std::convertible_to<bool>;
-      },
-      "restrip: the mesh has no bool on_boundary(Halfedge) const");
-  static_assert(
-      requires(const Mesh& mesh, Halfedge h) {
-        { mesh.solid(h) } -> std::convertible_to<bool>;
-      },
-      "restrip: the mesh has no bool solid(Halfedge) const");
+#define RESTRIP_NEEDS(call, type, member)                       \
+  static_assert(                                                \
+      requires(const Mesh& mesh, Halfedge h, std::uint32_t t) { \
+        { call } -> type;                                       \
+      },                                                        \
+      "restrip: the mesh has no " member)
+  RESTRIP_NEEDS(mesh.next(h), std::same_as<Halfedge>, "Halfedge next(Halfedge) const");
+  RESTRIP_NEEDS(mesh.opposite(h), std::same_as<Halfedge>, "Halfedge opposite(Halfedge) const");
+  RESTRIP_NEEDS(mesh.on_boundary(h), std::convertible_to<bool>, "bool on_boundary(Halfedge) const");
+  RESTRIP_NEEDS(mesh.solid(h), std::convertible_to<bool>, "bool solid(Halfedge) const");
   static_assert(
       requires(Mesh & mesh, Halfedge h, bool solid) { mesh.set_solid(h, solid); },
       "restrip: the mesh has no set_solid(Halfedge, bool)");
-  static_assert(
-      requires(const Mesh& mesh, Halfedge h) {
-        { mesh.triangle(h) } -> std::convertible_to<std::uint32_t>;
-      },
-      "restrip: the mesh has no std::uint32_t triangle(Halfedge) const");
-  static_assert(
-      requires(const Mesh& mesh, std::uint32_t t) {
-        { mesh.halfedge(t) } -> std::same_as<Halfedge>;
-      },
-      "restrip: the mesh has no Halfedge halfedge(std::uint32_t) const");
-  static_assert(
-      requires(const Mesh& mesh, std::uint32_t t) {
-        { mesh.has_triangle(t) } -> std::convertible_to<bool>;
-      },
-      "restrip: the mesh has no bool has_triangle(std::uint32_t) const");
-  static_assert(
-      requires(const Mesh& mesh) {
-        { mesh.triangle_bound() } -> std::convertible_to<std::size_t>;
-      },
-      "restrip: the mesh has no std::size_t triangle_bound() const");
-  static_assert(
-      requires(const Mesh& mesh, Halfedge h) {
-        { mesh.from(h) } -> std::convertible_to<std::uint32_t>;
-      },
-      "restrip: the mesh has no std::uint32_t from(Halfedge) const");
+  RESTRIP_NEEDS(mesh.triangle(h), std::convertible_to<std::uint32_t>, "std::uint32_t triangle(Halfedge) const");
+  RESTRIP_NEEDS(mesh.halfedge(t), std::same_as<Halfedge>, "Halfedge halfedge(std::uint32_t) const");
+  RESTRIP_NEEDS(mesh.has_triangle(t), std::convertible_to<bool>, "bool has_triangle(std::uint32_t) const");
+  RESTRIP_NEEDS(mesh.triangle_bound(), std::convertible_to<std::size_t>, "std::size_t triangle_bound() const");
+  RESTRIP_NEEDS(mesh.from(h), std::convertible_to<std::uint32_t>, "std::uint32_t from(Halfedge) const");
+#undef RESTRIP_NEEDS
   return true;
 }
 
