@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -67,7 +68,11 @@ struct FoundMoves {
   void offer(const StripMove& move, std::int32_t highest) noexcept {
     if (move.price <= highest) moves[count++] = move;
   }
-  void sort() noexcept;
+  /// By price, stably.
+  void sort() noexcept {
+    for (std::size_t i = 1; i < count; ++i)
+      for (std::size_t j = i; j > 0 && moves[j].price < moves[j - 1].price; --j) std::swap(moves[j], moves[j - 1]);
+  }
   [[nodiscard]] const StripMove* begin() const noexcept { return moves.data(); }
   [[nodiscard]] const StripMove* end() const noexcept { return moves.data() + count; }
 };
@@ -120,8 +125,6 @@ class Descent {
   static constexpr std::uint32_t max_walk = 3000;
 
  private:
-  template <SidedMesh Mesh>
-  void add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
   template <SidedMesh Mesh>
   void find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
   template <SidedMesh Mesh>

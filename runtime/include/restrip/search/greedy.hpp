@@ -52,18 +52,15 @@ class GreedyStrips {
         const Triangle t = forced_.back();
         forced_.pop_back();
         while (nodes_[t].open != 0) take(t, lowest(nodes_[t].open));
-      } else if (head < waiting_.size()) {
-        const Triangle t = waiting_[head];
-        if (nodes_[t].open == 0) {
-          ++head;
-        } else {
+      } else if (head < waiting_.size() || scan < nodes_.size()) {
+        const bool grows = head < waiting_.size();
+        const Triangle t = grows ? waiting_[head] : scan;
+        if (nodes_[t].open != 0)
           take(t, preferred(t));
-        }
-      } else if (scan < nodes_.size()) {
-        if (nodes_[scan].open == 0)
-          ++scan;
+        else if (grows)
+          ++head;
         else
-          take(scan, preferred(scan));
+          ++scan;
       } else {
         break;
       }
@@ -83,15 +80,13 @@ class GreedyStrips {
     return static_cast<int>((mask & 1U) + (mask >> 1 & 1U) + (mask >> 2 & 1U));
   }
   [[nodiscard]] int slack(Triangle t) const noexcept { return count(nodes_[t].open) - (2 - nodes_[t].solid); }
-  [[nodiscard]] Triangle neighbor(Triangle t, unsigned s) const noexcept {
-    return StripMesh::triangle(mesh_.opposite(StripMesh::halfedge(t, s)));
-  }
 
   // The first open side towards the end of a strip, or else the first open side.
   [[nodiscard]] unsigned preferred(Triangle t) const noexcept {
     const unsigned open = nodes_[t].open;
     for (unsigned s = 0; s < 3; ++s)
-      if ((open >> s & 1U) != 0 && nodes_[neighbor(t, s)].solid == 1) return s;
+      if ((open >> s & 1U) != 0 && nodes_[StripMesh::triangle(mesh_.opposite(StripMesh::halfedge(t, s)))].solid == 1)
+        return s;
     return lowest(open);
   }
 

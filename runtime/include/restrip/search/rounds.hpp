@@ -34,7 +34,11 @@ class TunnelRounds {
     const auto spent = [&] { return tunnel.counts().states - before + passed / 64; };
     while (locator.strips() > enough && spent() < budget) {
       if (next_ >= mesh.triangle_bound()) {
-        finish_round(locator.strips());
+        const std::size_t strips = locator.strips();
+        const bool poor = strips + strips / 8 >= strips_at_start_;
+        if (poor) states_ = std::min(last_, states_ > last_ / 4 ? last_ : states_ * 4);
+        strips_at_start_ = strips;
+        next_ = 0;
         if (mesh.triangle_count() == 0) break;
       }
       const Triangle t = next_++;
@@ -58,13 +62,6 @@ class TunnelRounds {
   }
 
  private:
-  void finish_round(std::size_t strips) noexcept {
-    const bool poor = strips + strips / 8 >= strips_at_start_;
-    if (poor) states_ = std::min(last_, states_ > last_ / 4 ? last_ : states_ * 4);
-    strips_at_start_ = strips;
-    next_ = 0;
-  }
-
   std::uint32_t first_;
   std::uint32_t last_;
   std::uint32_t states_;

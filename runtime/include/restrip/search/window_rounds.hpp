@@ -2,6 +2,7 @@
 // scratch, and improvement in the background.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ class WindowRounds {
   template <SidedMesh Mesh>
   WindowChange run(Mesh& mesh, std::uint64_t budget, const WindowLimits& limits = {}) {
     WindowChange sum{{}, 0, true};
-    const std::uint64_t stop = add(spent(), budget);
+    const std::uint64_t stop = spent() + std::min(budget, no_limit - spent());
     for (std::size_t left = mesh.triangle_bound(); left > 0 && spent() < stop; --left) {
       if (next_ >= mesh.triangle_bound()) next_ = 0;
       const Triangle t = next_++;
@@ -56,7 +57,6 @@ class WindowRounds {
   [[nodiscard]] WindowCounts counts() const noexcept { return window_.counts(); }
 
  private:
-  static std::uint64_t add(std::uint64_t a, std::uint64_t b) noexcept { return b > no_limit - a ? no_limit : a + b; }
   template <SidedMesh Mesh>
   [[nodiscard]] bool flawed(const Mesh& mesh, Triangle t) const {
     const unsigned solid = mesh.solid_sides(t);

@@ -119,8 +119,28 @@ class Annealing : private ColoringCopy {
   /// Visits all strip ends once and makes the moves there that lower the cost.
   void settle_ends() {
     for (Triangle t = 0; t < across_.size(); ++t)
-      for (unsigned s = 0; s < 3 && !full(t); ++s)
-        if (const std::uint32_t h = t << 2 | s; !solid(h) && across(h) != none) settle(h);
+      for (unsigned s = 0; s < 3 && !full(t); ++s) {
+        const std::uint32_t h = t << 2 | s;
+        if (solid(h) || across(h) == none) continue;
+        const std::uint32_t g = across(h);
+        std::uint32_t out = none;  // the solid edge cleared for it
+        std::int64_t change = 0;
+        if (full(g >> 2)) {
+          const std::int64_t after = least_change(h, 0);
+          const std::int64_t before = least_change(h, 1);
+          if (after >= 0 && before >= 0) continue;
+          out = (g & ~3U) | ((g & 3U) + (before < after ? 2 : 1)) % 3;
+          change -= price(out);
+          flip(out);
+        }
+        flip(h);
+        change += price(h);
+        flip(h);
+        if (change < 0 && !are_ends_of_one(h >> 2, g >> 2, 8 * longest_walk))
+          flip(h);
+        else if (out != none)
+          flip(out);
+      }
   }
   /// Visits all strip ends `rounds` times and makes random moves that cost nothing.
   void stir_ends(unsigned rounds) {
@@ -186,28 +206,6 @@ class Annealing : private ColoringCopy {
     if (b != none && is_swap(b)) ++swaps;
     const unsigned alone = (a == none ? 1U : 0U) + (b == none ? 1U : 0U);
     return std::int64_t{cost_.swap} * swaps - cost_.restart - std::int64_t{cost_.isolated} * alone;
-  }
-
-  // Sets the dashed h if that lowers the cost; its triangle has room for it.
-  void settle(std::uint32_t h) {
-    const std::uint32_t g = across(h);
-    std::uint32_t out = none;  // the solid edge cleared for it
-    std::int64_t change = 0;
-    if (full(g >> 2)) {
-      const std::int64_t after = least_change(h, 0);
-      const std::int64_t before = least_change(h, 1);
-      if (after >= 0 && before >= 0) return;
-      out = (g & ~3U) | ((g & 3U) + (before < after ? 2 : 1)) % 3;
-      change -= price(out);
-      flip(out);
-    }
-    flip(h);
-    change += price(h);
-    flip(h);
-    if (change < 0 && !are_ends_of_one(h >> 2, g >> 2, 8 * longest_walk))
-      flip(h);
-    else if (out != none)
-      flip(out);
   }
 
   // ---- strips from end to end. Nearly all are walked; long ones are looked up in trees.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <utility>
 
 #include "restrip/search/descent.hpp"
 
@@ -170,52 +169,6 @@ EdgeEnd end_of_edge(const Mesh& mesh, StripMesh::Halfedge h) {
 
 }  // namespace detail
 
-// By price, stably.
-inline void detail::FoundMoves::sort() noexcept {
-  for (std::size_t i = 1; i < count; ++i)
-    for (std::size_t j = i; j > 0 && moves[j].price < moves[j - 1].price; --j) std::swap(moves[j], moves[j - 1]);
-}
-
-template <SidedMesh Mesh>
-void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
-  const Triangle u = StripMesh::triangle(back);
-  const detail::EdgeEnd here = detail::end_of_edge(mesh, h);
-  const int giving = int{here.count == 2} + int{mesh.other_solid_sides(back) == 3};
-  // The other side saves at most three swaps, and at most two triangles stop being isolated.
-  if (std::int32_t{cost_.restart} * (giving - 1) + std::int32_t{cost_.swap} * (here.fewest_swaps - 3) -
-          2 * std::int32_t{cost_.isolated} >
-      highest) {
-    ++counts_.priced;
-    return;
-  }
-  const detail::EdgeEnd there = detail::end_of_edge(mesh, back);
-  for (unsigned i = 0; i < here.count; ++i) {
-    const detail::EdgeWay& a = here.way[i];
-    // Two triangles that share two edges and follow each other already.
-    if (a.kept == u || a.freed == u) return;
-    for (unsigned j = 0; j < there.count; ++j) {
-      const detail::EdgeWay& b = there.way[j];
-      StripMove move{h, {a.given_up, b.given_up}};
-      const bool entangled = (a.freed != none && (a.freed == b.freed || a.freed == b.kept || a.freed == b.beyond)) ||
-                             (b.freed != none && b.freed == a.kept);
-      if (entangled) {
-        detail::MoveOverlay colors(mesh);
-        for (const Halfedge g : move.given_up)
-          if (g.id != none) colors.change(g, false);
-        colors.change(h, true);
-        move.change = colors.difference();
-      } else {
-        move.change.swaps = a.swaps + b.swaps + detail::is_swap(a.turn, b.turn);
-        move.change.isolated = a.isolated + b.isolated;
-      }
-      move.change.strips = giving - 1;
-      move.price = move.change.price(cost_);
-      ++counts_.priced;
-      found_.offer(move, highest);
-    }
-  }
-}
-
 template <SidedMesh Mesh>
 std::span<const StripMove> Descent::moves_at(const Mesh& mesh, Triangle t, std::int32_t highest) {
   RESTRIP_ASSERT(mesh.alive(t), "Descent::moves_at", "the triangle is not one of this mesh");
@@ -233,7 +186,42 @@ void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std
     const Halfedge back = mesh.opposite(h);
     if (StripMesh::on_boundary(back)) continue;
     const Triangle u = StripMesh::triangle(back);
-    if (u != t && std::find(looked.begin(), looked.end(), u) == looked.end()) add_moves(mesh, h, back, highest);
+    if (u == t || std::find(looked.begin(), looked.end(), u) != looked.end()) continue;
+    const detail::EdgeEnd here = detail::end_of_edge(mesh, h);
+    const int giving = int{here.count == 2} + int{mesh.other_solid_sides(back) == 3};
+    // The other side saves at most three swaps, and at most two triangles stop being isolated.
+    if (std::int32_t{cost_.restart} * (giving - 1) + std::int32_t{cost_.swap} * (here.fewest_swaps - 3) -
+            2 * std::int32_t{cost_.isolated} >
+        highest) {
+      ++counts_.priced;
+      continue;
+    }
+    const detail::EdgeEnd there = detail::end_of_edge(mesh, back);
+    for (unsigned i = 0; i < here.count; ++i) {
+      const detail::EdgeWay& a = here.way[i];
+      // Two triangles that share two edges and follow each other already.
+      if (a.kept == u || a.freed == u) break;
+      for (unsigned j = 0; j < there.count; ++j) {
+        const detail::EdgeWay& b = there.way[j];
+        StripMove move{h, {a.given_up, b.given_up}};
+        const bool entangled = (a.freed != none && (a.freed == b.freed || a.freed == b.kept || a.freed == b.beyond)) ||
+                               (b.freed != none && b.freed == a.kept);
+        if (entangled) {
+          detail::MoveOverlay colors(mesh);
+          for (const Halfedge g : move.given_up)
+            if (g.id != none) colors.change(g, false);
+          colors.change(h, true);
+          move.change = colors.difference();
+        } else {
+          move.change.swaps = a.swaps + b.swaps + detail::is_swap(a.turn, b.turn);
+          move.change.isolated = a.isolated + b.isolated;
+        }
+        move.change.strips = giving - 1;
+        move.price = move.change.price(cost_);
+        ++counts_.priced;
+        found_.offer(move, highest);
+      }
+    }
   }
   // A cut saves at most three swaps.
   if (std::int32_t{cost_.restart} - 3 * std::int32_t{cost_.swap} > highest) return;
@@ -319,11 +307,9 @@ void Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
     touch(mesh, one);
     StripMove best;
     best.price = -one.price;
-    const std::size_t touched = touched_.size();
-    for (std::size_t i = 0; i < touched; ++i) {
-      for (const StripMove& two : moves_at(mesh, touched_[i], best.price - 1))
+    for (const Triangle touched : touched_)
+      for (const StripMove& two : moves_at(mesh, touched, best.price - 1))
         if (two.price < best.price && keeps_strips(mesh, two)) best = two;
-    }
     if (best.edge.id != none) {
       make(mesh, best);
       touch(mesh, best);

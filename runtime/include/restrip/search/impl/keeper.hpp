@@ -8,7 +8,6 @@
 #include <limits>
 #include <type_traits>
 
-#include "restrip/search/impl/keeper_steps.hpp"
 #include "restrip/search/keeper.hpp"
 
 namespace restrip {

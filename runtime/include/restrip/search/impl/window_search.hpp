@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -146,80 +147,74 @@ class WindowSearch {
     [[nodiscard]] std::uint8_t end(std::uint8_t end) const noexcept { return windings ? end : ends_well; }
   };
 
-  // Colours one triangle: `opened` are the leaving sides that are solid. False if that is not valid.
-  [[nodiscard]] static bool enter(const WindowTriangle& here, unsigned opened, const Marks& marks, Frontier& frontier,
-                                  WindowTally& tally) noexcept {
-    using Kind = WindowSide::Kind;
-    unsigned solid = here.ports | opened;
-    for (unsigned s = 0; s < 3; ++s)
-      if (here.sides[s].kind == Kind::arriving && frontier[here.sides[s].slot] != 0) solid |= 1U << s;
-    const int degree = sides_in(solid);
-    if (degree > 2) return false;
-    tally.ends += 2 - degree;
-    if (degree == 0) {
-      ++tally.isolated;
-      return true;
-    }
-    std::array<std::uint8_t, 2> far{};
-    std::array<std::uint8_t, 2> own{};
-    std::uint8_t end_here = marks.end(ends_there);  // what the strand of a triangle of degree one ends with
-    std::size_t n = 0;
-    for (unsigned s = 0; s < 3; ++s) {
-      if ((solid >> s & 1U) == 0) continue;
-      const WindowSide& side = here.sides[s];
-      const unsigned turn = marks.turn(solid * 0b1001U >> (s + 1) & 3U);
-      const auto meets = [&](unsigned turn_beyond) {
-        tally.swaps += int{(turn_beyond ^ turn) == 3};
-        end_here = turn_beyond == 1 ? marks.end(ends_wrong) : ends_well;
-        if (far[n] == ends_there) far[n] = turn == 1 ? marks.end(ends_wrong) : ends_well;
-      };
-      own[n] = side.slot;
-      switch (side.kind) {
-        case Kind::leaving:
-          frontier[side.slot] = static_cast<std::uint8_t>(1 + turn);
-          far[n] = side.slot;
-          break;
-        case Kind::arriving:
-          far[n] = frontier[side.slot] >> 2;
-          meets((frontier[side.slot] & 3U) - 1);
-          frontier[side.slot] = 0;
-          break;
-        case Kind::port:
-          far[n] = marks.end(side.far);
-          own[n] = ends_well;
-          meets(marks.turn(side.turn));
-          break;
-        case Kind::port_out:
-          far[n] = side.slot;
-          meets(marks.turn(side.turn));
-          break;
-        case Kind::port_back:
-          far[n] = frontier[side.slot] >> 2;
-          meets(marks.turn(side.turn));
-          frontier[side.slot] = 0;
-          break;
-        case Kind::dashed:
-          break;
-      }
-      ++n;
-    }
-    if (degree == 1)
-      far[1] = end_here;
-    else if (far[0] == own[1] && far[0] < frontier_slots)
-      return false;  // a cycle
-    const bool ends0 = far[0] >= frontier_slots;
-    const bool ends1 = far[1] >= frontier_slots;
-    if (ends0 && ends1) tally.windings += int{far[0] == ends_wrong && far[1] == ends_wrong};
-    if (!ends0) frontier.set_far(far[0], far[1]);
-    if (!ends1) frontier.set_far(far[1], far[0]);
-    return true;
-  }
-
+  // Colours the triangles of a step: `opened` are the leaving sides of the first one that are solid. False if that is
+  // not valid.
   [[nodiscard]] static bool take(std::span<const WindowTriangle> step, unsigned opened, const Marks& marks,
                                  Frontier& frontier, WindowTally& tally) noexcept {
+    using Kind = WindowSide::Kind;
     for (const WindowTriangle& here : step) {
-      if (!enter(here, opened, marks, frontier, tally)) return false;
-      opened = 0;
+      unsigned solid = here.ports | std::exchange(opened, 0U);
+      for (unsigned s = 0; s < 3; ++s)
+        if (here.sides[s].kind == Kind::arriving && frontier[here.sides[s].slot] != 0) solid |= 1U << s;
+      const int degree = sides_in(solid);
+      if (degree > 2) return false;
+      tally.ends += 2 - degree;
+      if (degree == 0) {
+        ++tally.isolated;
+        continue;
+      }
+      std::array<std::uint8_t, 2> far{};
+      std::array<std::uint8_t, 2> own{};
+      std::uint8_t end_here = marks.end(ends_there);  // what the strand of a triangle of degree one ends with
+      std::size_t n = 0;
+      for (unsigned s = 0; s < 3; ++s) {
+        if ((solid >> s & 1U) == 0) continue;
+        const WindowSide& side = here.sides[s];
+        const unsigned turn = marks.turn(solid * 0b1001U >> (s + 1) & 3U);
+        const auto meets = [&](unsigned turn_beyond) {
+          tally.swaps += int{(turn_beyond ^ turn) == 3};
+          end_here = turn_beyond == 1 ? marks.end(ends_wrong) : ends_well;
+          if (far[n] == ends_there) far[n] = turn == 1 ? marks.end(ends_wrong) : ends_well;
+        };
+        own[n] = side.slot;
+        switch (side.kind) {
+          case Kind::leaving:
+            frontier[side.slot] = static_cast<std::uint8_t>(1 + turn);
+            far[n] = side.slot;
+            break;
+          case Kind::arriving:
+            far[n] = frontier[side.slot] >> 2;
+            meets((frontier[side.slot] & 3U) - 1);
+            frontier[side.slot] = 0;
+            break;
+          case Kind::port:
+            far[n] = marks.end(side.far);
+            own[n] = ends_well;
+            meets(marks.turn(side.turn));
+            break;
+          case Kind::port_out:
+            far[n] = side.slot;
+            meets(marks.turn(side.turn));
+            break;
+          case Kind::port_back:
+            far[n] = frontier[side.slot] >> 2;
+            meets(marks.turn(side.turn));
+            frontier[side.slot] = 0;
+            break;
+          case Kind::dashed:
+            break;
+        }
+        ++n;
+      }
+      if (degree == 1)
+        far[1] = end_here;
+      else if (far[0] == own[1] && far[0] < frontier_slots)
+        return false;  // a cycle
+      const bool ends0 = far[0] >= frontier_slots;
+      const bool ends1 = far[1] >= frontier_slots;
+      if (ends0 && ends1) tally.windings += int{far[0] == ends_wrong && far[1] == ends_wrong};
+      if (!ends0) frontier.set_far(far[0], far[1]);
+      if (!ends1) frontier.set_far(far[1], far[0]);
     }
     return true;
   }
