@@ -1,7 +1,5 @@
 // The trees of an annealing agree with lists of triangles that are cut and joined in step about which triangles are in
 // one strip, also after reversals; and a set of marked words has the same numbers as a std::set.
-#include "restrip/search/impl/strip_trees.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "restrip/search/impl/marked_words.hpp"
+#include "restrip/search/impl/annealing_sets.hpp"
 
 namespace restrip {
 namespace {

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -45,7 +46,10 @@ class StripLocator {
 
   static constexpr std::uint32_t default_chunk_limit = 64;
   /// The limit for a mesh whose strips are to become as long as the mesh allows.
-  [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept;
+  [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept {
+    return std::clamp(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles)) / 2), default_chunk_limit,
+                      room_for_labels);
+  }
 
   /// Chunks hold at most `chunk_limit` triangles, clamped to 8 … 1024.
   explicit StripLocator(std::uint32_t chunk_limit = default_chunk_limit)
@@ -86,7 +90,11 @@ class StripLocator {
   void after_patch(const Mesh& mesh, std::span<const Triangle> patch);
 
   /// Makes room for this many triangles, so that operations up to there do not allocate.
-  void reserve(std::size_t triangles);
+  void reserve(std::size_t triangles) {
+    addresses_.reserve(triangles);
+    marks_.reserve(triangles);
+    lists_.reserve(triangles / 16, triangles / 16);
+  }
 
  private:
   using Label = std::uint32_t;

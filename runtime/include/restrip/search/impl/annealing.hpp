@@ -20,11 +20,10 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
+#include "restrip/search/impl/annealing_sets.hpp"
 #include "restrip/search/impl/coloring_copy.hpp"
 #include "restrip/search/impl/growing.hpp"
-#include "restrip/search/impl/marked_words.hpp"
 #include "restrip/search/impl/pseudo_random.hpp"
-#include "restrip/search/impl/strip_trees.hpp"
 #include "restrip/search/sided_mesh.hpp"
 
 namespace restrip::detail {

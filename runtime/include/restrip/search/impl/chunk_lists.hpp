@@ -214,26 +214,20 @@ class ChunkLists {
       }
     }
   }
-  std::uint32_t new_list(std::uint32_t size) {
-    if (free_lists_.empty()) {
-      sizes_.push_back(size);
-      return static_cast<std::uint32_t>(sizes_.size() - 1);
+  // Puts an element at an unused place, or at the end.
+  template <class Element>
+  static std::uint32_t put(const Element& element, std::vector<Element>& all, std::vector<std::uint32_t>& unused) {
+    if (unused.empty()) {
+      all.push_back(element);
+      return static_cast<std::uint32_t>(all.size() - 1);
     }
-    const std::uint32_t list = free_lists_.back();
-    free_lists_.pop_back();
-    sizes_[list] = size;
-    return list;
+    const std::uint32_t place = unused.back();
+    unused.pop_back();
+    all[place] = element;
+    return place;
   }
-  Id new_chunk() {
-    if (free_chunks_.empty()) {
-      chunks_.emplace_back();
-      return static_cast<Id>(chunks_.size() - 1);
-    }
-    const Id c = free_chunks_.back();
-    free_chunks_.pop_back();
-    chunks_[c] = {};
-    return c;
-  }
+  std::uint32_t new_list(std::uint32_t size) { return put(size, sizes_, free_lists_); }
+  Id new_chunk() { return put(Chunk{}, chunks_, free_chunks_); }
 
   std::vector<Chunk> chunks_;
   std::vector<Id> free_chunks_;

@@ -112,24 +112,20 @@ struct SplitStep {
     fan_triangles(mesh, where.spokes == Spokes::right_only ? where.right : where.left, patch);
   }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return named([&](auto... name) {
-      return with_split_begun(choice, mesh, where, [&](const auto& change) {
-        const auto done = finish_split(mesh, change, change_by_split(mesh, where, change, name...));
-        choice.begin_after_split(mesh, change, done.halfedge);
-        return done;
-      });
+    return with_split_begun(choice, mesh, where, [&](const auto& change) {
+      const auto done = finish_split(mesh, change, changed(mesh, change));
+      choice.begin_after_split(mesh, change, done.halfedge);
+      return done;
     });
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
-    return named([&](auto... name) {
-      return with_split_begun(choice, mesh, where, [&](const auto& change) {
-        choice.note(change);
-        return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, name...), exchange);
-      });
+    return with_split_begun(choice, mesh, where, [&](const auto& change) {
+      choice.note(change);
+      return finish_split_and_join(mesh, change, changed(mesh, change), exchange);
     });
   }
   Halfedge bare(Mesh& mesh) const {
-    return named([&](auto... name) { return mesh.insert_vertex(where, name...); });
+    return std::apply([&](auto... name) { return mesh.insert_vertex(where, name...); }, names);
   }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
     if (where.spokes != Spokes::right_only) around.add_next_to(mesh, where.left);
@@ -140,9 +136,9 @@ struct SplitStep {
   }
 
  private:
-  template <class Do>
-  auto named(Do&& operation) const {
-    return std::apply(operation, names);
+  template <class Change>
+  auto changed(Mesh& mesh, const Change& change) const {
+    return std::apply([&](auto... name) { return change_by_split(mesh, where, change, name...); }, names);
   }
 };
 

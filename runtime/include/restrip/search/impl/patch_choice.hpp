@@ -5,10 +5,12 @@
 // operation. A patch of up to six inner edges has at most 64 colourings, which are priced before anything is written.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "restrip/mesh/cost.hpp"
@@ -25,13 +27,9 @@ inline constexpr unsigned most_tried_edges = 6;
 template <class Triangles>
 bool strip_partners(const Triangles& triangles, PatchEdges solid, std::array<std::uint8_t, 32>& partner) {
   using tables::PatchTriangle;
-  std::array<std::uint8_t, tables::most_patch_triangles> root;  // of the triangles' strips
-  std::array<std::uint8_t, 32> first;                           // triangle of an inner edge met before
-  for (std::size_t t = 0; t < triangles.size(); ++t) root[t] = static_cast<std::uint8_t>(t);
-  const auto root_of = [&](std::size_t t) {
-    while (root[t] != t) t = root[t];
-    return t;
-  };
+  std::array<std::uint8_t, tables::most_patch_triangles> strip;  // of the triangles
+  std::array<std::uint8_t, 32> first;                            // triangle of an inner edge met before
+  std::iota(strip.begin(), strip.end(), std::uint8_t{0});
   PatchEdges met = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     int degree = 0;
@@ -43,10 +41,10 @@ bool strip_partners(const Triangles& triangles, PatchEdges solid, std::array<std
       if ((met & edge) == 0) {
         first[side] = static_cast<std::uint8_t>(t);
       } else {
-        const std::size_t one = root_of(first[side]);
-        const std::size_t other = root_of(t);
+        const std::uint8_t one = strip[first[side]];
+        const std::uint8_t other = strip[t];
         if (one == other) return false;
-        root[other] = static_cast<std::uint8_t>(one);
+        std::replace(strip.begin(), strip.end(), other, one);
       }
       met |= edge;
     }
@@ -58,7 +56,7 @@ bool strip_partners(const Triangles& triangles, PatchEdges solid, std::array<std
     for (const std::uint8_t side : triangles[t].side) {
       if (side < PatchTriangle::port_side || (solid & edge_of(side)) == 0) continue;
       const auto port = static_cast<std::uint8_t>(side - PatchTriangle::port_side);
-      std::uint8_t& other = port_of[root_of(t)];
+      std::uint8_t& other = port_of[strip[t]];
       partner[port] = port;
       if (other == PatchTriangle::boundary_side) {
         other = port;

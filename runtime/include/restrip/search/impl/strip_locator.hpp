@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "restrip/mesh/invalid_coloring.hpp"
@@ -201,17 +200,6 @@ void StripLocator::link(Mesh& mesh, Halfedge h) {
   if (!append(h, up, moving_)) renumber(mesh, h, up);
 }
 
-inline std::uint32_t StripLocator::chunk_limit_for_long_strips(std::size_t triangles) noexcept {
-  return std::clamp(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles)) / 2), default_chunk_limit,
-                    room_for_labels);
-}
-
-inline void StripLocator::reserve(std::size_t triangles) {
-  addresses_.reserve(triangles);
-  marks_.reserve(triangles);
-  lists_.reserve(triangles / 16, triangles / 16);
-}
-
 template <SidedMesh Mesh>
 void StripLocator::rebuild(const Mesh& mesh) {
   addresses_.assign(mesh.triangle_bound(), {});
@@ -264,37 +252,27 @@ void StripLocator::find_strands(const Mesh& mesh, std::span<const Triangle> patc
   const std::uint32_t waiting = ++mark_;
   const std::uint32_t done = ++mark_;
   for (const Triangle t : patch) marks_[t] = waiting;
+  // Adds the nodes of a path after t, up to its end in the patch. Returns the halfedge that leads back into the patch,
+  // if the path goes on.
+  const auto follow = [&](Triangle t, unsigned entry) -> Halfedge {
+    while (step(mesh, t, entry)) {
+      if (marks_[t] != waiting) return marks_[t] == done ? Halfedge{} : StripMesh::halfedge(t, entry);
+      marks_[t] = done;
+      strand_nodes_.push_back(t);
+    }
+    return {};
+  };
   for (const Triangle start : patch) {
     if (marks_[start] == done) continue;
     Strand strand;
     strand.first = static_cast<std::uint32_t>(strand_nodes_.size());
     // One way to its end, then back through the start to the other end: the nodes come in order.
-    Triangle t = start;
-    unsigned entry = 3;
-    for (;;) {
-      const Triangle here = t;
-      marks_[here] = done;
-      strand_nodes_.push_back(here);
-      if (!step(mesh, t, entry)) break;
-      if (marks_[t] != waiting) {
-        if (marks_[t] != done) strand.in = StripMesh::halfedge(t, entry);
-        break;
-      }
-    }
+    marks_[start] = done;
+    strand_nodes_.push_back(start);
+    strand.in = follow(start, 3);
     std::reverse(strand_nodes_.begin() + static_cast<std::ptrdiff_t>(strand.first), strand_nodes_.end());
-    // Over the start's other solid side.
-    if (mesh.solid_degree(start) == 2) {
-      t = start;
-      entry = StripMesh::side(detail::lowest_side(start, mesh.solid_sides(start)));
-      while (step(mesh, t, entry)) {
-        if (marks_[t] != waiting) {
-          strand.out = StripMesh::halfedge(t, entry);
-          break;
-        }
-        marks_[t] = done;
-        strand_nodes_.push_back(t);
-      }
-    }
+    if (mesh.solid_degree(start) == 2)
+      strand.out = follow(start, StripMesh::side(detail::lowest_side(start, mesh.solid_sides(start))));
     strand.last = static_cast<std::uint32_t>(strand_nodes_.size());
     if (strand.in.id == none) {  // `in` is set if either is
       std::swap(strand.in, strand.out);
