@@ -31,7 +31,7 @@ template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::flip(Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(*mesh_, h) == Refusal::granted, "Keeper::flip",
                  describe(detail::refusal_of_flip(*mesh_, h)));
-  return perform(detail::FlipStep<Mesh>{h});
+  return perform(detail::FlipStep<Mesh>{{h}});
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_face(Halfedge h) {

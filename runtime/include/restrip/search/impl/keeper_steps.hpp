@@ -172,20 +172,20 @@ struct CollapseStep {
   void find_new(const Mesh& /*mesh*/, Halfedge /*spoke*/, std::vector<Triangle>& /*patch*/) const {}
 };
 
+/// The chord is turned.
 template <class Mesh>
-struct FlipStep {
+struct FlipStep : CollapseStep<Mesh> {
   using Halfedge = typename Mesh::Halfedge;
+  using CollapseStep<Mesh>::chord;
   static constexpr bool counts_swaps = false;
-  static constexpr unsigned rings = 0;
   static constexpr MayIsolate may_isolate = MayIsolate::next_to_patch;
-  Halfedge edge;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     patch.clear();
-    add_next_to(mesh, edge, patch);
+    add_next_to(mesh, chord, patch);
   }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.taken(restrip::flip(mesh, edge));
+    return choice.taken(restrip::flip(mesh, chord));
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
     const auto done = by_rules(mesh, choice);
@@ -193,16 +193,11 @@ struct FlipStep {
   }
   /// The colouring would not stay valid with the colours of the two triangles' sides, so all of them are cleared.
   Halfedge bare(Mesh& mesh) const {
-    for (auto h : {edge, mesh.opposite(edge)})
+    for (auto h : {chord, mesh.opposite(chord)})
       for (int side = 0; side < 3; ++side, h = mesh.next(h))
         if (mesh.solid(h)) mesh.set_solid(h, false);
-    return mesh.turn_edge(edge);
+    return mesh.turn_edge(chord);
   }
-  void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
-    around.add_next_to(mesh, edge);
-    around.add_neighbors(mesh);
-  }
-  void find_new(const Mesh& /*mesh*/, Halfedge /*turned*/, std::vector<Triangle>& /*patch*/) const {}
 };
 
 /// A new vertex in the triangle of h, or on its edge. It isolates no triangle.
@@ -258,13 +253,9 @@ struct RemoveStep : CollapseStep<Mesh> {
   }
   Halfedge bare(Mesh& mesh) const {
     const bool no_left = mesh.on_boundary(chord);
-    return merged(mesh, no_left, mesh.remove_vertex(chord));
-  }
-
- private:
-  // From the spoke that a collapse returns to the adjacent mesh edge that replaces two.
-  static Halfedge merged(const Mesh& mesh, bool no_left, Halfedge spoke) {
+    const Halfedge spoke = mesh.remove_vertex(chord);
     if constexpr (!from_edge) return spoke;
+    // From that spoke to the adjacent mesh edge that replaces two.
     return no_left ? mesh.opposite(mesh.next(mesh.next(spoke))) : mesh.next(mesh.opposite(spoke));
   }
 };
