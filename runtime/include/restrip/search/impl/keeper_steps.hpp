@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
