@@ -42,9 +42,8 @@ class GreedyStrips {
       for (unsigned s = 0; s < 3; ++s)
         if (!StripMesh::on_boundary(mesh_.opposite(StripMesh::halfedge(t, s)))) open |= 1U << s;
       nodes_[t].open = static_cast<std::uint8_t>(open);
+      if (open != 0 && slack(t) <= 0) forced_.push_back(t);
     }
-    for (Triangle t = 0; t < nodes_.size(); ++t)
-      if (nodes_[t].open != 0 && slack(t) <= 0) forced_.push_back(t);
     std::size_t head = 0;
     Triangle scan = 0;
     for (;;) {

@@ -70,10 +70,8 @@ class SideView {
   }
   [[nodiscard]] Halfedge named(typename Mesh::Halfedge h) const {
     const auto t = static_cast<Triangle>(mesh_->triangle(h));
-    auto side = mesh_->halfedge(t);
-    if (side == h) return halfedge(t, 0);
-    side = mesh_->next(side);
-    return halfedge(t, side == h ? 1 : 2);
+    const auto first = mesh_->halfedge(t);
+    return halfedge(t, first == h ? 0U : mesh_->next(first) == h ? 1U : 2U);
   }
 
   [[nodiscard]] bool solid(Halfedge h) const { return !on_boundary(h) && bool{mesh_->solid(own(h))}; }

@@ -24,9 +24,9 @@ bool Tunnel::join(Mesh& mesh, StripLocator& locator, Triangle end, std::uint32_t
   seen_[end] = search_;
   const StripLocator::Position at = locator.position(end);
   bool down = false;
-  for (unsigned s = 0; s < 3; ++s) {
-    const Halfedge h = StripMesh::halfedge(end, s);
-    if (mesh.solid(h)) down = locator.position(StripMesh::triangle(mesh.opposite(h))).order < at.order;
+  if (const unsigned solid = mesh.solid_sides(end); solid != 0) {
+    const Halfedge there = mesh.opposite(detail::lowest_side(end, solid));
+    down = locator.position(StripMesh::triangle(there)).order < at.order;
   }
   states_.push_back({none, {}, {}, 0, 0, at.strip, false});
   *room_for(states_.back(), 1) = {down ? 0 : at.order, down ? at.order : ~Order{0}, at.strip,

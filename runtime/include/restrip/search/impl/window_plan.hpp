@@ -94,9 +94,35 @@ class WindowPlan {
     order_.clear();
     steps_.clear();
     for (const std::uint8_t number : sequence_) {
-      if (!place(mesh, triangles, number)) return false;
-      if (order_.back().leaving != 0 || steps_.empty())
-        steps_.push_back({static_cast<std::uint32_t>(order_.size()) - 1, 0});
+      WindowTriangle& here = order_.emplace_back();
+      here.triangle = triangles[number];
+      here.present = static_cast<std::uint8_t>(mesh.solid_sides(here.triangle));
+      std::uint32_t freed = 0;
+      for (unsigned s = 0; s < 3; ++s) {
+        WindowSide& side = here.sides[s];
+        const auto bit = static_cast<std::uint8_t>(1U << s);
+        const Halfedge h = StripMesh::halfedge(here.triangle, s);
+        const std::uint8_t adjacent = neighbors_[number][s];
+        std::uint8_t& slot = slots_[number][s];
+        if (adjacent == LocalNumbers::absent) {
+          if ((here.present & bit) == 0) continue;
+          here.ports |= bit;
+          if (!place_port(mesh, h, side, slot)) return false;
+          if (side.kind == Kind::port_back) freed |= 1U << slot;
+        } else if (place_in_sequence_[adjacent] > place_in_sequence_[number]) {
+          here.leaving |= bit;
+          side.kind = Kind::leaving;
+          if (!take_slot(slot)) return false;
+          slots_[adjacent][StripMesh::side(mesh.opposite(h))] = slot;
+        } else {
+          side.kind = Kind::arriving;
+          freed |= 1U << slot;
+        }
+        side.slot = slot;
+      }
+      // Not earlier: within one triangle old and new slots must differ.
+      free_slots_ |= freed;
+      if (here.leaving != 0 || steps_.empty()) steps_.push_back({static_cast<std::uint32_t>(order_.size()) - 1, 0});
       ++steps_.back().count;
     }
     return true;
@@ -159,39 +185,6 @@ class WindowPlan {
         take(number);
       }
     }
-  }
-
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool place(const Mesh& mesh, std::span<const Triangle> triangles, std::uint32_t number) {
-    WindowTriangle& here = order_.emplace_back();
-    here.triangle = triangles[number];
-    here.present = static_cast<std::uint8_t>(mesh.solid_sides(here.triangle));
-    std::uint32_t freed = 0;
-    for (unsigned s = 0; s < 3; ++s) {
-      WindowSide& side = here.sides[s];
-      const auto bit = static_cast<std::uint8_t>(1U << s);
-      const Halfedge h = StripMesh::halfedge(here.triangle, s);
-      const std::uint8_t adjacent = neighbors_[number][s];
-      std::uint8_t& slot = slots_[number][s];
-      if (adjacent == LocalNumbers::absent) {
-        if ((here.present & bit) == 0) continue;
-        here.ports |= bit;
-        if (!place_port(mesh, h, side, slot)) return false;
-        if (side.kind == Kind::port_back) freed |= 1U << slot;
-      } else if (place_in_sequence_[adjacent] > place_in_sequence_[number]) {
-        here.leaving |= bit;
-        side.kind = Kind::leaving;
-        if (!take_slot(slot)) return false;
-        slots_[adjacent][StripMesh::side(mesh.opposite(h))] = slot;
-      } else {
-        side.kind = Kind::arriving;
-        freed |= 1U << slot;
-      }
-      side.slot = slot;
-    }
-    // Not earlier: within one triangle old and new slots must differ.
-    free_slots_ |= freed;
-    return true;
   }
 
   template <SidedMesh Mesh>
