@@ -133,7 +133,7 @@ inline void Tunnel::lay_out(std::uint32_t s) {
   State& state = states_[s];
   if (state.total != 0) return;
   const State& parent = states_[state.parent];
-  Piece* out = room_for(state, parent.total + (state.touched ? 1 : 2));
+  Piece* out = room_for(state, parent.total + (state.touched ? 1U : 2U));
   const Piece* const old = pieces_.data() + parent.pieces;
   const Piece piece = state.touched ? old[state.where] : Piece::whole(state.where);
   if (state.touched && state.where < parent.current) {
