@@ -128,8 +128,6 @@ class Descent {
   template <SidedMesh Mesh>
   void find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
   template <SidedMesh Mesh>
-  void chain(Mesh& mesh, Triangle t, const DescentLimits& limits);
-  template <SidedMesh Mesh>
   void touch(const Mesh& mesh, const StripMove& move);
 
   Cost cost_;

@@ -67,7 +67,13 @@ class StripLocator {
   /// False if the locator does not know a triangle, because the mesh was changed without it.
   [[nodiscard]] bool knows(Triangle t) const noexcept { return t < addresses_.size() && addresses_[t].chunk != none; }
   /// The position of a triangle that is alive.
-  [[nodiscard]] Position position(Triangle t) const noexcept;
+  [[nodiscard]] Position position(Triangle t) const noexcept {
+    RESTRIP_ASSERT(knows(t), "StripLocator::position", "the locator does not know the triangle");
+    const Address address = addresses_[t];
+    const auto& chunk = lists_[address.chunk];
+    const Label label = chunk.backwards ? ~address.label : address.label;
+    return {chunk.list, std::uint64_t{chunk.rank} << 32 | label};
+  }
   /// Number of strips.
   [[nodiscard]] std::size_t strips() const noexcept { return lists_.lists(); }
 

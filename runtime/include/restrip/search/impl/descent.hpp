@@ -291,38 +291,6 @@ void Descent::touch(const Mesh& mesh, const StripMove& move) {
     if (h.id != none) add(StripMesh::triangle(h));
 }
 
-// A move that costs a little, and the best one after it, if together they lower the cost.
-template <SidedMesh Mesh>
-void Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
-  find_moves(mesh, t, limits.worse, {});
-  detail::FoundMoves first = found_;
-  first.sort();
-  std::uint32_t tries = 0;
-  for (const StripMove& one : first) {
-    if (tries == limits.tries) break;
-    if (!keeps_strips(mesh, one)) continue;
-    ++tries;
-    make(mesh, one);
-    touch(mesh, one);
-    StripMove best;
-    best.price = -one.price;
-    for (const Triangle touched : touched_)
-      for (const StripMove& two : moves_at(mesh, touched, best.price - 1))
-        if (two.price < best.price && keeps_strips(mesh, two)) best = two;
-    if (best.edge.id != none) {
-      make(mesh, best);
-      touch(mesh, best);
-      return;
-    }
-    const bool added = mesh.solid(one.edge);
-    mesh.set_solid(one.edge, !added);
-    for (const Halfedge h : one.given_up)
-      if (h.id != none) mesh.set_solid(h, true);
-    done_ += {-one.change.strips, -one.change.swaps, -one.change.isolated};
-    touched_.clear();
-  }
-}
-
 template <SidedMesh Mesh>
 ColoringChange Descent::run(Mesh& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
   done_ = {};
@@ -346,7 +314,36 @@ ColoringChange Descent::run(Mesh& mesh, std::span<const Triangle> from, const De
         looked_[looked_count_++] = t;
       }
     }
-    if (touched_.empty() && limits.tries != 0) chain(mesh, t, limits);
+    if (touched_.empty() && limits.tries != 0) {
+      // A move that costs a little, and the best one after it, if together they lower the cost.
+      find_moves(mesh, t, limits.worse, {});
+      detail::FoundMoves first = found_;
+      first.sort();
+      std::uint32_t tries = 0;
+      for (const StripMove& one : first) {
+        if (tries == limits.tries) break;
+        if (!keeps_strips(mesh, one)) continue;
+        ++tries;
+        make(mesh, one);
+        touch(mesh, one);
+        StripMove best;
+        best.price = -one.price;
+        for (const Triangle touched : touched_)
+          for (const StripMove& two : moves_at(mesh, touched, best.price - 1))
+            if (two.price < best.price && keeps_strips(mesh, two)) best = two;
+        if (best.edge.id != none) {
+          make(mesh, best);
+          touch(mesh, best);
+          break;
+        }
+        const bool added = mesh.solid(one.edge);
+        mesh.set_solid(one.edge, !added);
+        for (const Halfedge h : one.given_up)
+          if (h.id != none) mesh.set_solid(h, true);
+        done_ += {-one.change.strips, -one.change.swaps, -one.change.isolated};
+        touched_.clear();
+      }
+    }
     queue_.insert(queue_.end(), touched_.begin(), touched_.end());
   }
   return done_;

@@ -29,14 +29,6 @@ bool StripLocator::step(const Mesh& mesh, Triangle& t, unsigned& entry) const no
   return next.goes_on;
 }
 
-inline StripLocator::Position StripLocator::position(Triangle t) const noexcept {
-  RESTRIP_ASSERT(knows(t), "StripLocator::position", "the locator does not know the triangle");
-  const Address address = addresses_[t];
-  const auto& chunk = lists_[address.chunk];
-  const Label label = chunk.backwards ? ~address.label : address.label;
-  return {chunk.list, std::uint64_t{chunk.rank} << 32 | label};
-}
-
 // Whether labels of the chunk of h's triangle grow across the solid edge of h.
 template <SidedMesh Mesh>
 bool StripLocator::labels_grow(const Mesh& mesh, Halfedge h) const noexcept {
