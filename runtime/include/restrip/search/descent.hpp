@@ -104,19 +104,15 @@ class Descent {
   /// moves refused because a walk is too long (max_walk).
   ///
   /// Throws std::bad_alloc; the colouring is valid then, but the changes are not reported.
-  template <SidedMesh Mesh>
-  ColoringChange run(Mesh& mesh, std::span<const Triangle> from, const DescentLimits& limits = {});
+  ColoringChange run(SidedMesh auto& mesh, std::span<const Triangle> from, const DescentLimits& limits = {});
 
   /// The moves at the edges of t whose price is at most `highest`, in a fixed order, without a test for cycles. At most
   /// six. Constant time.
-  template <SidedMesh Mesh>
-  [[nodiscard]] std::span<const StripMove> moves_at(const Mesh& mesh, Triangle t, std::int32_t highest);
+  [[nodiscard]] std::span<const StripMove> moves_at(const SidedMesh auto& mesh, Triangle t, std::int32_t highest);
   /// True when the move closes no solid cycle. Walks along the strip; also false when neither walk ends.
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool keeps_strips(const Mesh& mesh, const StripMove& move);
+  [[nodiscard]] bool keeps_strips(const SidedMesh auto& mesh, const StripMove& move);
   /// Makes the move, which must keep strips.
-  template <SidedMesh Mesh>
-  void make(Mesh& mesh, const StripMove& move);
+  void make(SidedMesh auto& mesh, const StripMove& move);
 
   [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
   [[nodiscard]] const DescentCounts& counts() const noexcept { return counts_; }
@@ -125,10 +121,8 @@ class Descent {
   static constexpr std::uint32_t max_walk = 3000;
 
  private:
-  template <SidedMesh Mesh>
-  void find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
-  template <SidedMesh Mesh>
-  void touch(const Mesh& mesh, const StripMove& move);
+  void find_moves(const SidedMesh auto& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
+  void touch(const SidedMesh auto& mesh, const StripMove& move);
 
   Cost cost_;
   DescentCounts counts_;

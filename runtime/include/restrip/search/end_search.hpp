@@ -63,13 +63,11 @@ class EndSearch {
   /// never rises.
   ///
   /// Throws std::bad_alloc only while the mesh is watched; the colouring is valid then, but changes are not reported.
-  template <SidedMesh Mesh>
-  ColoringChange run(Mesh& mesh, std::span<const Triangle> from, const EndLimits& limits = {});
+  ColoringChange run(SidedMesh auto& mesh, std::span<const Triangle> from, const EndLimits& limits = {});
 
   /// The moves that begin at an end and whose price is at most `highest`, in a fixed order, without a test for cycles.
   /// At most six. Constant time. `given_up` is {none} and the edge that the triangle beyond loses, if any.
-  template <SidedMesh Mesh>
-  [[nodiscard]] std::span<const StripMove> moves_at(const Mesh& mesh, Triangle end, std::int32_t highest);
+  [[nodiscard]] std::span<const StripMove> moves_at(const SidedMesh auto& mesh, Triangle end, std::int32_t highest);
 
   [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
   [[nodiscard]] const EndCounts& counts() const noexcept { return counts_; }
@@ -86,16 +84,12 @@ class EndSearch {
   };
   using Found = detail::FoundMoves;
 
-  template <SidedMesh Mesh>
-  void find_moves(const Mesh& mesh, Triangle end, std::int32_t highest, Found& found);
+  void find_moves(const SidedMesh auto& mesh, Triangle end, std::int32_t highest, Found& found);
   void look_later(Triangle end) noexcept;
-  template <SidedMesh Mesh>
-  void consider(const Mesh& mesh, Triangle t) noexcept;
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
+  void consider(const SidedMesh auto& mesh, Triangle t) noexcept;
+  [[nodiscard]] bool chain(SidedMesh auto& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
                            const EndLimits& limits);
-  template <SidedMesh Mesh>
-  void make(Mesh& mesh, const StripMove& move);
+  void make(SidedMesh auto& mesh, const StripMove& move);
 
   Cost cost_;
   EndCounts counts_;

@@ -49,8 +49,8 @@ class TunnelRounds {
     }
     return spent();
   }
-  template <SidedMesh Mesh>
-  std::size_t run(Mesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
+  std::size_t run(SidedMesh auto& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget,
+                  std::size_t enough = 1) {
     return run(mesh, locator, tunnel, budget, enough, [](Triangle) { return true; });
   }
 

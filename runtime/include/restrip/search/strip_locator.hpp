@@ -55,14 +55,13 @@ class StripLocator {
   explicit StripLocator(std::uint32_t chunk_limit = default_chunk_limit)
       : chunk_limit_(std::clamp(chunk_limit, 8U, room_for_labels)) {}
   /// Reads a valid colouring; throws std::invalid_argument when it is not. Linear time.
-  template <SidedMesh Mesh>
-  explicit StripLocator(const Mesh& mesh, std::uint32_t chunk_limit = default_chunk_limit) : StripLocator(chunk_limit) {
+  explicit StripLocator(const SidedMesh auto& mesh, std::uint32_t chunk_limit = default_chunk_limit)
+      : StripLocator(chunk_limit) {
     rebuild(mesh);
   }
   /// Reads the whole colouring again, as the constructor does. After an exception the locator must not be used until
   /// rebuild() succeeds.
-  template <SidedMesh Mesh>
-  void rebuild(const Mesh& mesh);
+  void rebuild(const SidedMesh auto& mesh);
 
   /// False if the locator does not know a triangle, because the mesh was changed without it.
   [[nodiscard]] bool knows(Triangle t) const noexcept { return t < addresses_.size() && addresses_[t].chunk != none; }
@@ -80,20 +79,16 @@ class StripLocator {
   // Preconditions are checked in debug builds (precondition.hpp).
 
   /// Makes the solid dual edge of h dashed.
-  template <SidedMesh Mesh>
-  void cut(Mesh& mesh, Halfedge h);
+  void cut(SidedMesh auto& mesh, Halfedge h);
   /// Makes the dashed dual edge of h solid. Both its triangles must be ends, of different strips.
-  template <SidedMesh Mesh>
-  void link(Mesh& mesh, Halfedge h);
+  void link(SidedMesh auto& mesh, Halfedge h);
 
   /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
   /// with the new triangles. Colours outside, and of the dual edges between outside and patch, may only change from
   /// solid to dashed, and solid paths through the patch may only join dual edges into it that were joined before
   /// (docs/explanation/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
-  template <SidedMesh Mesh>
-  void before_patch(const Mesh& mesh, std::span<const Triangle> patch);
-  template <SidedMesh Mesh>
-  void after_patch(const Mesh& mesh, std::span<const Triangle> patch);
+  void before_patch(const SidedMesh auto& mesh, std::span<const Triangle> patch);
+  void after_patch(const SidedMesh auto& mesh, std::span<const Triangle> patch);
 
   /// Makes room for this many triangles, so that operations up to there do not allocate.
   void reserve(std::size_t triangles) {
@@ -133,24 +128,17 @@ class StripLocator {
   };
 
   // ---- chunks and their labels
-  template <SidedMesh Mesh>
-  bool step(const Mesh& mesh, Triangle& t, unsigned& entry) const noexcept;
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool labels_grow(const Mesh& mesh, Halfedge h) const noexcept;
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool is_last(const Mesh& mesh, Triangle end) const noexcept;
-  template <SidedMesh Mesh>
-  void renumber(const Mesh& mesh, Halfedge h, bool up);
+  bool step(const SidedMesh auto& mesh, Triangle& t, unsigned& entry) const noexcept;
+  [[nodiscard]] bool labels_grow(const SidedMesh auto& mesh, Halfedge h) const noexcept;
+  [[nodiscard]] bool is_last(const SidedMesh auto& mesh, Triangle end) const noexcept;
+  void renumber(const SidedMesh auto& mesh, Halfedge h, bool up);
   [[nodiscard]] bool append(Halfedge h, bool up, std::span<const Triangle> nodes);
-  template <SidedMesh Mesh>
-  void separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  void separate(const SidedMesh auto& mesh, Halfedge a, bool up_a, Halfedge b);
   void move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept;
-  template <SidedMesh Mesh>
-  void divide(const Mesh& mesh, Triangle member);
+  void divide(const SidedMesh auto& mesh, Triangle member);
 
   // ---- patches
-  template <SidedMesh Mesh>
-  void find_strands(const Mesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
+  void find_strands(const SidedMesh auto& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
   [[nodiscard]] Strand* strand_at(Halfedge h) noexcept;
   void place_strand(const Strand& strand);
   void renumber_later(Halfedge h, bool up);

@@ -49,8 +49,7 @@ class Tunnel {
   ///
   /// Complexity: O(max_states * length of the chains), where chains have about 5 moves at 100 states, 12 at 1,000, 25
   /// at 10,000. Does nothing when `end` is inside a strip.
-  template <SidedMesh Mesh>
-  bool join(Mesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
+  bool join(SidedMesh auto& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
             OnFailure on_failure = OnFailure::stay);
 
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return counts_; }
@@ -93,14 +92,11 @@ class Tunnel {
     std::uint32_t current = 0;  // the number in the path of the new end,
     std::uint32_t total = 0;    // and in all paths
   };
-  template <SidedMesh Mesh>
-  bool move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x);
-  template <SidedMesh Mesh>
-  bool reach(Mesh& mesh, StripLocator& locator, const State& state);
+  bool move(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x);
+  bool reach(SidedMesh auto& mesh, StripLocator& locator, const State& state);
   void lay_out(std::uint32_t s);
   Piece* room_for(State& state, std::uint32_t total);
-  template <SidedMesh Mesh>
-  void commit(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join = {});
+  void commit(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join = {});
 
   std::vector<State> states_;
   std::vector<Piece> pieces_;  // as large as in the largest search

@@ -86,11 +86,9 @@ class Window {
   /// watched mesh.
   ///
   /// Throws std::bad_alloc; nothing has changed then, or the mesh is watched and its colouring is valid.
-  template <SidedMesh Mesh>
-  WindowChange around(Mesh& mesh, Triangle middle, const WindowLimits& limits = {});
+  WindowChange around(SidedMesh auto& mesh, Triangle middle, const WindowLimits& limits = {});
   /// Optimises a window of these triangles: alive, all different, at most max_triangles.
-  template <SidedMesh Mesh>
-  WindowChange inside(Mesh& mesh, std::span<const Triangle> triangles, const WindowLimits& limits = {});
+  WindowChange inside(SidedMesh auto& mesh, std::span<const Triangle> triangles, const WindowLimits& limits = {});
 
   /// The triangles of the last window.
   [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return ball_; }
@@ -98,8 +96,7 @@ class Window {
   [[nodiscard]] WindowCounts counts() const noexcept { return {windows_, refused_, search_.tried(), plan_.walked()}; }
 
  private:
-  template <SidedMesh Mesh>
-  WindowChange solve(Mesh& mesh, const WindowLimits& limits);
+  WindowChange solve(SidedMesh auto& mesh, const WindowLimits& limits);
 
   Cost cost_;
   detail::PseudoRandom random_;

@@ -33,8 +33,7 @@ class WindowRounds {
   /// triangle have been tried (one window may exceed it). Eight triangles that a window walks past, or 64 that the
   /// round passes, count as one. Returns the changes. The price of the mesh never rises. Deterministic: the same calls
   /// on the same mesh have the same result. One colouring costs about 50 ns.
-  template <SidedMesh Mesh>
-  WindowChange run(Mesh& mesh, std::uint64_t budget, const WindowLimits& limits = {}) {
+  WindowChange run(SidedMesh auto& mesh, std::uint64_t budget, const WindowLimits& limits = {}) {
     WindowChange sum{{}, 0, true};
     const std::uint64_t stop = spent() + std::min(budget, no_limit - spent());
     for (std::size_t left = mesh.triangle_bound(); left > 0 && spent() < stop; --left) {
@@ -57,8 +56,7 @@ class WindowRounds {
   [[nodiscard]] WindowCounts counts() const noexcept { return window_.counts(); }
 
  private:
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool flawed(const Mesh& mesh, Triangle t) const {
+  [[nodiscard]] bool flawed(const SidedMesh auto& mesh, Triangle t) const {
     const unsigned solid = mesh.solid_sides(t);
     if (std::popcount(solid) < 2) return true;
     if (window_.cost().swap == 0) return false;

@@ -19,8 +19,7 @@ class ColoringCopy {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  template <SidedMesh Mesh>
-  explicit ColoringCopy(const Mesh& mesh)
+  explicit ColoringCopy(const SidedMesh auto& mesh)
       : across_(mesh.triangle_bound()), alive_(mesh.triangle_bound(), false), solid_(mesh.triangle_bound(), 0) {
     for (Triangle t = 0; t < across_.size(); ++t) {
       across_[t] = {none, none, none};
@@ -49,10 +48,7 @@ class ColoringCopy {
     }
   }
   /// Colours the mesh.
-  template <SidedMesh Mesh>
-  void give(Mesh& mesh) const {
-    mesh.set_colors(solid_);
-  }
+  void give(SidedMesh auto& mesh) const { mesh.set_colors(solid_); }
 
   // The members of SidedMesh.
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {

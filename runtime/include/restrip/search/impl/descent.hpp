@@ -122,8 +122,7 @@ struct EdgeEnd {
 
 // The swaps and isolated triangles that change on this side of a new edge, independently of the other side. The new
 // edge itself is not counted.
-template <SidedMesh Mesh>
-EdgeEnd end_of_edge(const Mesh& mesh, StripMesh::Halfedge h) {
+EdgeEnd end_of_edge(const SidedMesh auto& mesh, StripMesh::Halfedge h) {
   using Halfedge = StripMesh::Halfedge;
   EdgeEnd end;
   const unsigned others = mesh.other_solid_sides(h);
@@ -168,16 +167,15 @@ EdgeEnd end_of_edge(const Mesh& mesh, StripMesh::Halfedge h) {
 
 }  // namespace detail
 
-template <SidedMesh Mesh>
-std::span<const StripMove> Descent::moves_at(const Mesh& mesh, Triangle t, std::int32_t highest) {
+std::span<const StripMove> Descent::moves_at(const SidedMesh auto& mesh, Triangle t, std::int32_t highest) {
   RESTRIP_ASSERT(mesh.alive(t), "Descent::moves_at", "the triangle is not one of this mesh");
   find_moves(mesh, t, highest, {});
   return {found_.begin(), found_.end()};
 }
 
 // `looked`: triangles whose moves are known to be useless.
-template <SidedMesh Mesh>
-void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked) {
+void Descent::find_moves(const SidedMesh auto& mesh, Triangle t, std::int32_t highest,
+                         std::span<const Triangle> looked) {
   found_.count = 0;
   const unsigned solid = mesh.solid_sides(t);
   for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
@@ -238,8 +236,7 @@ void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std
   }
 }
 
-template <SidedMesh Mesh>
-bool Descent::keeps_strips(const Mesh& mesh, const StripMove& move) {
+bool Descent::keeps_strips(const SidedMesh auto& mesh, const StripMove& move) {
   if (mesh.solid(move.edge)) return true;
   const Halfedge back = mesh.opposite(move.edge);
   const Triangle t = StripMesh::triangle(move.edge);
@@ -268,8 +265,7 @@ bool Descent::keeps_strips(const Mesh& mesh, const StripMove& move) {
   return false;  // neither walk has ended
 }
 
-template <SidedMesh Mesh>
-void Descent::make(Mesh& mesh, const StripMove& move) {
+void Descent::make(SidedMesh auto& mesh, const StripMove& move) {
   const bool adds = !mesh.solid(move.edge);
   for (const Halfedge h : move.given_up)
     if (h.id != none) mesh.set_solid(h, false);
@@ -280,8 +276,7 @@ void Descent::make(Mesh& mesh, const StripMove& move) {
 }
 
 // The triangles of the edges that a move changes.
-template <SidedMesh Mesh>
-void Descent::touch(const Mesh& mesh, const StripMove& move) {
+void Descent::touch(const SidedMesh auto& mesh, const StripMove& move) {
   const auto add = [&](Triangle t) {
     if (std::find(touched_.begin(), touched_.end(), t) == touched_.end()) touched_.push_back(t);
   };
@@ -291,8 +286,7 @@ void Descent::touch(const Mesh& mesh, const StripMove& move) {
     if (h.id != none) add(StripMesh::triangle(h));
 }
 
-template <SidedMesh Mesh>
-ColoringChange Descent::run(Mesh& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
+ColoringChange Descent::run(SidedMesh auto& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
   done_ = {};
   looked_count_ = 0;
   queue_.assign(from.begin(), from.end());

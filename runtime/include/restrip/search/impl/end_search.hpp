@@ -16,13 +16,11 @@ constexpr bool is_strip_end(unsigned solid) noexcept { return (0b00010111U >> so
 /// Trial moves, undone before the search returns. A watched StripMesh does not report them.
 class TrialColors {
  public:
-  template <SidedMesh Mesh>
-  static void make(Mesh& mesh, const StripMove& move) noexcept {
+  static void make(SidedMesh auto& mesh, const StripMove& move) noexcept {
     if (move.given_up[1].id != none) color(mesh, move.given_up[1], false);
     color(mesh, move.edge, true);
   }
-  template <SidedMesh Mesh>
-  static void take_back(Mesh& mesh, const StripMove& move) noexcept {
+  static void take_back(SidedMesh auto& mesh, const StripMove& move) noexcept {
     color(mesh, move.edge, false);
     if (move.given_up[1].id != none) color(mesh, move.given_up[1], true);
   }
@@ -39,8 +37,7 @@ class TrialColors {
 
 }  // namespace detail
 
-template <SidedMesh Mesh>
-void EndSearch::find_moves(const Mesh& mesh, Triangle end, std::int32_t highest, Found& found) {
+void EndSearch::find_moves(const SidedMesh auto& mesh, Triangle end, std::int32_t highest, Found& found) {
   ++counts_.looked;
   found.count = 0;
   const unsigned solid = mesh.solid_sides(end);
@@ -103,8 +100,7 @@ void EndSearch::find_moves(const Mesh& mesh, Triangle end, std::int32_t highest,
   }
 }
 
-template <SidedMesh Mesh>
-std::span<const StripMove> EndSearch::moves_at(const Mesh& mesh, Triangle end, std::int32_t highest) {
+std::span<const StripMove> EndSearch::moves_at(const SidedMesh auto& mesh, Triangle end, std::int32_t highest) {
   RESTRIP_ASSERT(mesh.alive(end) && detail::is_strip_end(mesh.solid_sides(end)), "EndSearch::moves_at",
                  "no strip ends in the triangle");
   find_moves(mesh, end, highest, found_);
@@ -125,8 +121,7 @@ inline void EndSearch::look_later(Triangle end) noexcept {
 }
 
 // The triangle, or the end across its only dashed edge.
-template <SidedMesh Mesh>
-void EndSearch::consider(const Mesh& mesh, Triangle t) noexcept {
+void EndSearch::consider(const SidedMesh auto& mesh, Triangle t) noexcept {
   const unsigned solid = mesh.solid_sides(t);
   const Halfedge back = mesh.opposite(detail::lowest_side(t, 7U & ~solid));
   // On the boundary this is t itself.
@@ -136,8 +131,7 @@ void EndSearch::consider(const Mesh& mesh, Triangle t) noexcept {
 
 // ---- moves
 
-template <SidedMesh Mesh>
-void EndSearch::make(Mesh& mesh, const StripMove& move) {
+void EndSearch::make(SidedMesh auto& mesh, const StripMove& move) {
   const bool joins = move.given_up[1].id == none;
   if (!joins) mesh.set_solid(move.given_up[1], false);
   mesh.set_solid(move.edge, true);
@@ -151,8 +145,7 @@ void EndSearch::make(Mesh& mesh, const StripMove& move) {
 
 // Continues a chain of `made` trial moves with a total price of `price`. They are unchanged unless this finds a chain
 // that lowers the cost.
-template <SidedMesh Mesh>
-bool EndSearch::chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
+bool EndSearch::chain(SidedMesh auto& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
                       const EndLimits& limits) {
   const bool last = made + 1 == length;
   Found found;
@@ -182,8 +175,7 @@ bool EndSearch::chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t p
   return false;
 }
 
-template <SidedMesh Mesh>
-ColoringChange EndSearch::run(Mesh& mesh, std::span<const Triangle> from, const EndLimits& limits) {
+ColoringChange EndSearch::run(SidedMesh auto& mesh, std::span<const Triangle> from, const EndLimits& limits) {
   done_ = {};
   end_count_ = 0;
   for (const Triangle t : from) {

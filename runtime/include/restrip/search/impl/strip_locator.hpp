@@ -11,8 +11,7 @@ namespace restrip {
 
 // Continues along the strip from t, which was entered over side `entry` (3: nowhere). While a patch is rewritten,
 // strands that are not placed yet are skipped.
-template <SidedMesh Mesh>
-bool StripLocator::step(const Mesh& mesh, Triangle& t, unsigned& entry) const noexcept {
+bool StripLocator::step(const SidedMesh auto& mesh, Triangle& t, unsigned& entry) const noexcept {
   if (pending_ != 0 && marks_[t] - first_end_ < ends_.size()) {
     for (std::uint32_t e = marks_[t] - first_end_; e != none; e = ends_[e].other) {
       const Strand& strand = strands_before_[ends_[e].strand];
@@ -30,8 +29,7 @@ bool StripLocator::step(const Mesh& mesh, Triangle& t, unsigned& entry) const no
 }
 
 // Whether labels of the chunk of h's triangle grow across the solid edge of h.
-template <SidedMesh Mesh>
-bool StripLocator::labels_grow(const Mesh& mesh, Halfedge h) const noexcept {
+bool StripLocator::labels_grow(const SidedMesh auto& mesh, Halfedge h) const noexcept {
   const Address here = addresses_[StripMesh::triangle(h)];
   const Address there = addresses_[StripMesh::triangle(mesh.opposite(h))];
   if (here.chunk == there.chunk) return there.label > here.label;
@@ -40,8 +38,7 @@ bool StripLocator::labels_grow(const Mesh& mesh, Halfedge h) const noexcept {
 }
 
 // Whether the end of a strip is its last triangle; true for an isolated triangle.
-template <SidedMesh Mesh>
-bool StripLocator::is_last(const Mesh& mesh, Triangle end) const noexcept {
+bool StripLocator::is_last(const SidedMesh auto& mesh, Triangle end) const noexcept {
   const Address address = addresses_[end];
   const auto& chunk = lists_[address.chunk];
   if (chunk.after != chunk.before) return chunk.after == none;
@@ -52,8 +49,7 @@ bool StripLocator::is_last(const Mesh& mesh, Triangle end) const noexcept {
 }
 
 // Spreads the labels of a chunk evenly. Labels grow across h if `up`; h's triangle is a member.
-template <SidedMesh Mesh>
-void StripLocator::renumber(const Mesh& mesh, Halfedge h, bool up) {
+void StripLocator::renumber(const SidedMesh auto& mesh, Halfedge h, bool up) {
   Triangle t = StripMesh::triangle(h);
   unsigned entry = StripMesh::side(h);
   const ChunkId c = addresses_[t].chunk;
@@ -95,8 +91,7 @@ inline bool StripLocator::append(Halfedge h, bool up, std::span<const Triangle> 
 
 // Cuts the strip between the triangles of a and b: b's follows a's across a, though triangles of a patch may have been
 // between them.
-template <SidedMesh Mesh>
-void StripLocator::separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b) {
+void StripLocator::separate(const SidedMesh auto& mesh, Halfedge a, bool up_a, Halfedge b) {
   const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
   const bool a_first = up_a != lists_[c].backwards;
   if (c != addresses_[StripMesh::triangle(b)].chunk) return lists_.cut(c, a_first);
@@ -121,8 +116,7 @@ inline void StripLocator::move_to(ChunkId to, ChunkId from, std::span<const Tria
 }
 
 // Divides a chunk that has grown too large into pieces, in one pass from one of its ends to the other.
-template <SidedMesh Mesh>
-void StripLocator::divide(const Mesh& mesh, Triangle member) {
+void StripLocator::divide(const SidedMesh auto& mesh, Triangle member) {
   const ChunkId c = addresses_[member].chunk;
   Triangle t = member;
   Triangle last = none;
@@ -152,8 +146,7 @@ void StripLocator::divide(const Mesh& mesh, Triangle member) {
   }
 }
 
-template <SidedMesh Mesh>
-void StripLocator::cut(Mesh& mesh, Halfedge h) {
+void StripLocator::cut(SidedMesh auto& mesh, Halfedge h) {
   RESTRIP_ASSERT(mesh.alive(h), "StripLocator::cut", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(mesh.solid(h), "StripLocator::cut", "the dual edge is dashed already");
   const bool up = labels_grow(mesh, h);
@@ -161,8 +154,7 @@ void StripLocator::cut(Mesh& mesh, Halfedge h) {
   separate(mesh, h, up, mesh.opposite(h));
 }
 
-template <SidedMesh Mesh>
-void StripLocator::link(Mesh& mesh, Halfedge h) {
+void StripLocator::link(SidedMesh auto& mesh, Halfedge h) {
   RESTRIP_ASSERT(mesh.alive(h), "StripLocator::link", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(!StripMesh::on_boundary(h) && !StripMesh::on_boundary(mesh.opposite(h)), "StripLocator::link",
                  describe(Refusal::boundary_edge));
@@ -192,8 +184,7 @@ void StripLocator::link(Mesh& mesh, Halfedge h) {
   if (!append(h, up, moving_)) renumber(mesh, h, up);
 }
 
-template <SidedMesh Mesh>
-void StripLocator::rebuild(const Mesh& mesh) {
+void StripLocator::rebuild(const SidedMesh auto& mesh) {
   addresses_.assign(mesh.triangle_bound(), {});
   marks_.assign(mesh.triangle_bound(), 0);
   mark_ = 0;
@@ -236,8 +227,8 @@ void StripLocator::rebuild(const Mesh& mesh) {
 // strip. A strand that lies entirely in the patch is a new strip.
 
 // Splits the solid edges of a patch into paths.
-template <SidedMesh Mesh>
-void StripLocator::find_strands(const Mesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands) {
+void StripLocator::find_strands(const SidedMesh auto& mesh, std::span<const Triangle> patch,
+                                std::vector<Strand>& strands) {
   strands.clear();
   strand_nodes_.clear();
   if (marks_.size() < mesh.triangle_bound()) marks_.resize(mesh.triangle_bound(), 0);
@@ -274,8 +265,7 @@ void StripLocator::find_strands(const Mesh& mesh, std::span<const Triangle> patc
   }
 }
 
-template <SidedMesh Mesh>
-void StripLocator::before_patch(const Mesh& mesh, std::span<const Triangle> patch) {
+void StripLocator::before_patch(const SidedMesh auto& mesh, std::span<const Triangle> patch) {
   // Marks that this rewrite needs: two for the patch before and two after it, two for the ends of each strand.
   if ((none - mark_) / 2 < patch.size() + 2) {
     std::fill(marks_.begin(), marks_.end(), 0U);
@@ -361,8 +351,7 @@ inline void StripLocator::place_strand(const Strand& strand) {
   if (gap == 0) renumber_later(strand.in, up);
 }
 
-template <SidedMesh Mesh>
-void StripLocator::after_patch(const Mesh& mesh, std::span<const Triangle> patch) {
+void StripLocator::after_patch(const SidedMesh auto& mesh, std::span<const Triangle> patch) {
   if (addresses_.size() < mesh.triangle_bound()) addresses_.resize(mesh.triangle_bound());
   find_strands(mesh, patch, strands_after_);
   pending_ = 0;

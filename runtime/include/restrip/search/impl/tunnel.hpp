@@ -7,8 +7,8 @@
 
 namespace restrip {
 
-template <SidedMesh Mesh>
-bool Tunnel::join(Mesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states, OnFailure on_failure) {
+bool Tunnel::join(SidedMesh auto& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
+                  OnFailure on_failure) {
   RESTRIP_ASSERT(mesh.alive(end) && locator.knows(end), "Tunnel::join",
                  "the triangle is not one of this mesh, or the locator does not know it");
   if (max_states == 0 || locator.strips() < 2 || mesh.solid_degree(end) > 1) return false;
@@ -52,8 +52,7 @@ bool Tunnel::join(Mesh& mesh, StripLocator& locator, Triangle end, std::uint32_t
 
 // Adds a state, unless its end was already reached. True when the new end lies next to the end of another strip, and
 // the two have been joined: most searches end here, so looking ahead spares expanding half of all states.
-template <SidedMesh Mesh>
-bool Tunnel::reach(Mesh& mesh, StripLocator& locator, const State& state) {
+bool Tunnel::reach(SidedMesh auto& mesh, StripLocator& locator, const State& state) {
   const Triangle y = StripMesh::triangle(state.cut);
   if (seen_[y] == search_ || states_.size() >= max_states_) return false;
   seen_[y] = search_;
@@ -72,8 +71,7 @@ bool Tunnel::reach(Mesh& mesh, StripLocator& locator, const State& state) {
 }
 
 // The moves over one dashed edge, to x. True when one of them has joined two strips.
-template <SidedMesh Mesh>
-bool Tunnel::move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
+bool Tunnel::move(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
   // A triangle next to x in its strip: the halfedge that leads from it to x.
   struct Neighbor {
     Halfedge towards_x;
@@ -188,8 +186,7 @@ inline void Tunnel::lay_out(std::uint32_t s) {
 }
 
 // Makes the moves that lead to a state, and then `last_join`, if any; each leaves a valid colouring.
-template <SidedMesh Mesh>
-void Tunnel::commit(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join) {
+void Tunnel::commit(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join) {
   const auto link = [&](Halfedge h) {
     for (const Halfedge side : {h, mesh.opposite(h)})
       counts_.isolated -= mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;

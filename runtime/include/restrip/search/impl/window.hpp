@@ -14,8 +14,7 @@ namespace restrip {
 
 // The ball grows ring by ring, in an order drawn at random. A triangle with two neighbours inside is added immediately,
 // so that the rim is short.
-template <SidedMesh Mesh>
-WindowChange Window::around(Mesh& mesh, Triangle middle, const WindowLimits& limits) {
+WindowChange Window::around(SidedMesh auto& mesh, Triangle middle, const WindowLimits& limits) {
   const auto size = std::min<std::size_t>(limits.triangles, max_triangles);
   ball_.clear();
   in_ball_.clear();
@@ -55,15 +54,13 @@ WindowChange Window::around(Mesh& mesh, Triangle middle, const WindowLimits& lim
   return solve(mesh, limits);
 }
 
-template <SidedMesh Mesh>
-WindowChange Window::inside(Mesh& mesh, std::span<const Triangle> triangles, const WindowLimits& limits) {
+WindowChange Window::inside(SidedMesh auto& mesh, std::span<const Triangle> triangles, const WindowLimits& limits) {
   RESTRIP_ASSERT(triangles.size() <= max_triangles, "Window::inside", "the window has too many triangles");
   ball_.assign(triangles.begin(), triangles.end());
   return solve(mesh, limits);
 }
 
-template <SidedMesh Mesh>
-WindowChange Window::solve(Mesh& mesh, const WindowLimits& limits) {
+WindowChange Window::solve(SidedMesh auto& mesh, const WindowLimits& limits) {
   ++windows_;
   if (!plan_.make(mesh, ball_)) {
     ++refused_;

@@ -76,8 +76,7 @@ class WindowPlan {
 
   /// False if a frontier gets too wide or a strip outside too long; then no plan exists. `triangles` are all different,
   /// alive, at most 128.
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool make(const Mesh& mesh, std::span<const Triangle> triangles) {
+  [[nodiscard]] bool make(const SidedMesh auto& mesh, std::span<const Triangle> triangles) {
     numbers_.clear();
     for (std::uint32_t i = 0; i < triangles.size(); ++i) numbers_.add(triangles[i], i);
     neighbors_.resize(triangles.size());
@@ -187,8 +186,7 @@ class WindowPlan {
     }
   }
 
-  template <SidedMesh Mesh>
-  [[nodiscard]] bool place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot) {
+  [[nodiscard]] bool place_port(const SidedMesh auto& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot) {
     Halfedge in = mesh.opposite(h);
     side.turn = static_cast<std::uint8_t>(mesh.other_solid_sides(in));
     if (slot != no_slot) {
