@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <regex>
 #include <string>
 
 #include "run_program.hpp"
-#include "scratch_folder.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -38,49 +36,40 @@ TEST(Counted, ThePluralOfOneIsRecognised) {
     EXPECT_EQ(plural_of_one(right), "") << right;
 }
 
-class CountedByTheProgram : public ScratchFolder {
+class CountedByTheProgram : public ProgramFolder {
  protected:
-  /// Writes a mesh of these lines of an .obj file.
-  void make(const std::string& lines) { std::ofstream(file("mesh.obj")) << lines; }
-  /// What a command reports about the mesh, on both streams, after checking its exit code and its English.
-  std::string reported(const std::string& command, const std::string& more = "") {
-    const Outcome outcome = run_program(fmt::format("{} '{}' {}", command, file("mesh.obj"), more), true);
+  /// Runs a command, which reports these words of counts on one of both streams, in correct English.
+  void expect(const std::string& command, const char* words) const {
+    const Outcome outcome = run(command, true);
     EXPECT_EQ(outcome.code, 0) << command << outcome.out;
     EXPECT_EQ(plural_of_one(outcome.out), "") << command;
-    return outcome.out;
-  }
-  std::string reported_and_written(const std::string& command, const char* out) {
-    return reported(command, fmt::format("-o '{}'", file(out)));
-  }
-  static void expect(const std::string& text, const char* part) {
-    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in:\n" << text;
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " is not in:\n" << outcome.out;
   }
 };
 
 TEST_F(CountedByTheProgram, OneTriangle) {
-  make("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  expect(reported("stats"), "in 1 loop\n");
-  expect(reported_and_written("stripify", "a.glb"),
-         "1 triangle (0 degenerate ones left out) in 1 strip, 1 connected component\n");
-  expect(reported_and_written("convert", "a.ply"), "3 vertices, 1 triangle\n");
-  expect(reported_and_written("simplify", "a.pm"), "1 triangle and 0 splits to 1\n");
-  expect(reported_and_written("simplify", "b.glb"), "1 of 1 triangle, in 1 strip\n");
-  expect(reported_and_written("replay", "a.bin"), "1 triangle in 1 strip\n");
-  expect(reported("replay", "--repeats 0 --walk 1 --seed 1"), "walk of 1 step, seed 1: ");
-  expect(reported_and_written("bake", "a.baked"), "1 triangle and 0 records to 1\n1 strip at the base");
-  expect(reported_and_written("draw", "a.svg"), "1 triangle in 1 strip; ");
-  expect(reported("paper", fmt::format("-o '{}'", file("figures"))), "mesh.obj: 1 triangle, base 1\n");
+  put(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect("stats a.obj", "in 1 loop\n");
+  expect("stripify a.obj -o a.glb", "1 triangle (0 degenerate ones left out) in 1 strip, 1 connected component\n");
+  expect("convert a.obj -o a.ply", "3 vertices, 1 triangle\n");
+  expect("simplify a.obj -o a.pm", "1 triangle and 0 splits to 1\n");
+  expect("simplify a.obj -o b.glb", "1 of 1 triangle, in 1 strip\n");
+  expect("replay a.obj -o a.bin", "1 triangle in 1 strip\n");
+  expect("replay a.obj --repeats 0 --walk 1 --seed 1", "walk of 1 step, seed 1: ");
+  expect("bake a.obj -o a.baked", "1 triangle and 0 records to 1\n1 strip at the base");
+  expect("draw a.obj -o a.svg", "1 triangle in 1 strip; ");
+  expect("paper a.obj -o figures", "a.obj: 1 triangle, base 1\n");
 }
 
 TEST_F(CountedByTheProgram, OneFault) {
-  make("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\nf 1 1 2\n");
-  expect(reported("stripify"), "(1 degenerate one left out)");
-  expect(reported("stripify"), "\n1 edge lies between");
-  expect(reported("stripify", "--orient"), "oriented: 1 triangle turned\n");
-  expect(reported("replay", "--repeats 0"), "left out: 1 degenerate triangle\n");
-  make("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 2 4 5\n");
-  expect(reported("stripify"), "\n1 vertex lies where others do");
-  expect(reported("stripify", "--weld"), "welded: 1 vertex with others");
+  put(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\nf 1 1 2\n");
+  expect("stripify a.obj", "(1 degenerate one left out)");
+  expect("stripify a.obj", "\n1 edge lies between");
+  expect("stripify a.obj --orient", "oriented: 1 triangle turned\n");
+  expect("replay a.obj --repeats 0", "left out: 1 degenerate triangle\n");
+  put(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 2 4 5\n");
+  expect("stripify a.obj", "\n1 vertex lies where others do");
+  expect("stripify a.obj --weld", "welded: 1 vertex with others");
 }
 
 }  // namespace

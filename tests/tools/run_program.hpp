@@ -1,4 +1,4 @@
-// Runs the program through the shell and returns exit code and output.
+// Runs the program through the shell, in the folder of a test, and returns exit code and output.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,7 +6,10 @@
 
 #include <array>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string>
+
+#include "scratch_folder.hpp"
 
 namespace restrip::tools {
 
@@ -15,19 +18,32 @@ struct Outcome {
   std::string out;
 };
 
-/// Standard output of a shell command.
-inline Outcome run_command(const std::string& command) {
-  Outcome outcome;
-  FILE* pipe = popen(command.c_str(), "r");
-  std::array<char, 4096> block{};
-  while (const std::size_t size = fread(block.data(), 1, block.size(), pipe)) outcome.out.append(block.data(), size);
-  outcome.code = WEXITSTATUS(pclose(pipe));
-  return outcome;
-}
+class ProgramFolder : public ScratchFolder {
+ protected:
+  /// Standard output of a shell command; $restrip is the program.
+  [[nodiscard]] Outcome shell(const std::string& command) const {
+    const std::string inside = fmt::format("restrip='{}'; cd '{}'; {}", RESTRIP_PROGRAM, folder_.string(), command);
+    Outcome outcome;
+    FILE* pipe = popen(inside.c_str(), "r");
+    std::array<char, 4096> block{};
+    while (const std::size_t size = fread(block.data(), 1, block.size(), pipe)) outcome.out.append(block.data(), size);
+    outcome.code = WEXITSTATUS(pclose(pipe));
+    return outcome;
+  }
 
-/// Standard output, followed by standard error if `errors`.
-inline Outcome run_program(const std::string& arguments, bool errors = false) {
-  return run_command(fmt::format("'{}' {} {}", RESTRIP_PROGRAM, arguments, errors ? "2>&1" : "2>/dev/null"));
-}
+  /// Standard output of the program, followed by standard error if `errors`.
+  [[nodiscard]] Outcome run(const std::string& arguments, bool errors = false) const {
+    return shell(fmt::format("\"$restrip\" {} {}", arguments, errors ? "2>&1" : "2>/dev/null"));
+  }
+
+  void expect_done(const std::string& arguments) const { ASSERT_EQ(run(arguments).code, 0) << arguments; }
+
+  /// What a command reports by --json.
+  [[nodiscard]] nlohmann::json report_of(const std::string& arguments) const {
+    const Outcome outcome = run(arguments + " --json -");
+    EXPECT_EQ(outcome.code, 0) << arguments;
+    return nlohmann::json::parse(outcome.out);
+  }
+};
 
 }  // namespace restrip::tools
