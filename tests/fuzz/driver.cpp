@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "common/random.hpp"
-#include "fuzz.hpp"
 #include "support/failing_new.hpp"
+#include "target.hpp"
 
 namespace restrip::fuzz {
 namespace {

@@ -1,5 +1,4 @@
-#include "fuzz.hpp"
-
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -7,17 +6,12 @@
 #include <optional>
 #include <stdexcept>
 
+#include "target.hpp"
+
 namespace restrip::fuzz {
 namespace {
 
 std::optional<Target> chosen;
-
-std::vector<Target> all_targets() {
-  std::vector<Target> all = mesh_targets();
-  for (auto* more : {&table_targets, &operation_targets, &shard_targets})
-    for (Target& target : more()) all.push_back(std::move(target));
-  return all;
-}
 
 }  // namespace
 
@@ -41,10 +35,11 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     if (argument.starts_with(to_folder)) folder = argument.substr(to_folder.size());
   }
   std::string names;
-  for (Target& target : all_targets()) {
-    names += ' ' + target.name;
-    if (target.name == wanted) chosen = std::move(target);
-  }
+  for (auto* targets : {&mesh_targets, &table_targets, &shard_targets})
+    for (Target& target : targets()) {
+      names += ' ' + target.name;
+      if (target.name == wanted) chosen = std::move(target);
+    }
   if (!chosen) {
     std::fprintf(stderr, "restrip-fuzz: name a target, --target=NAME:%s\n", names.c_str());
     std::exit(2);
@@ -58,6 +53,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   return 0;
 }
 
+/// Reads the bytes with the chosen target.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // A copy of exactly this size, so that sanitizers detect reads beyond it.
   const std::vector<char> bytes(data, data + size);

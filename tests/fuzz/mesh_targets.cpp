@@ -96,17 +96,6 @@ std::string text_gltf() {
          R"("buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 }
 
-template <class Read>
-std::function<bool(std::string_view)> refusing(Read&& read) {
-  return [read](std::string_view bytes) {
-    try {
-      return read(bytes);
-    } catch (const BadInput&) {
-      return false;
-    }
-  };
-}
-
 std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: other files do not exist"); }
 
 bool check_pm(std::string_view bytes) {

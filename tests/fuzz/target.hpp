@@ -6,6 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "common/file_error.hpp"
+
+/// Parses --target=NAME and --write-seeds=FOLDER (writes one file for each seed, then exits): the command line shared
+/// by libFuzzer and our driver.
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
+
 namespace restrip::fuzz {
 
 struct Target {
@@ -17,14 +23,27 @@ struct Target {
   unsigned runs = 0;  ///< default number of runs in a test; about two seconds with sanitizers
 };
 
-/// Readers of meshes, of tables (by the verifier), of custom operations (by the verifier), and of the generator's
-/// shards.
+/// Readers of meshes, of tables and custom operations (by the verifier), and of the generator's shards.
 [[nodiscard]] std::vector<Target> mesh_targets();
 [[nodiscard]] std::vector<Target> table_targets();
-[[nodiscard]] std::vector<Target> operation_targets();
 [[nodiscard]] std::vector<Target> shard_targets();
 
 /// A promise of a reader: throws std::logic_error if it is broken.
 void promise(bool kept, const char* what);
+
+/// False if the reader throws this exception.
+template <class Error = files::FileError, class Read>
+std::function<bool(std::string_view)> refusing(Read&& read) {
+  return [read](std::string_view bytes) {
+    try {
+      return read(bytes);
+    } catch (const Error&) {
+      return false;
+    }
+  };
+}
+
+/// The target chosen in LLVMFuzzerInitialize.
+[[nodiscard]] const Target& chosen_target();
 
 }  // namespace restrip::fuzz
