@@ -8,14 +8,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "common/file_error.hpp"
 #include "common/output.hpp"
 #include "common/reading.hpp"
 #include "common/system_calls.hpp"
 #include "support/failing_new.hpp"
+#include "support/refusal_of.hpp"
 #include "tools/scratch_folder.hpp"
 
 namespace restrip::files {
@@ -84,10 +85,10 @@ class Faults : public tools::ScratchFolder {
 
   using Contents = std::map<std::string, std::string>;
 
-  /// Does the work in a folder that `prepare` fills again, each time with another failure. `may_be` says whether the
-  /// folder may look so after a failure; without one it looks like `wanted`. Returns the number of system calls.
+  /// Does the work in a folder that `prepare` fills again, each time with another failure. After a failure the folder
+  /// looks like `old`, if it matters; without one it looks like `wanted`. Returns the number of system calls.
   int each_in_turn(const std::function<void()>& prepare, const std::function<void()>& work,
-                   const std::function<bool(const Contents&)>& may_be, const Contents& wanted) {
+                   const std::optional<Contents>& old, const Contents& wanted) {
     const auto start_over = [&] {
       fs::remove_all(folder_);
       fs::create_directories(folder_);
@@ -98,8 +99,7 @@ class Faults : public tools::ScratchFolder {
     const auto check = [&](bool refused) {
       EXPECT_EQ(open_descriptors(), descriptors);
       const Contents found = contents_of(folder_);
-      if (refused ? may_be(found) : found == wanted) return;
-      ADD_FAILURE() << (refused ? "refused" : "done") << ", and the folder holds " << testing::PrintToString(found);
+      EXPECT_EQ(found, refused ? old.value_or(found) : wanted) << (refused ? "refused" : "done");
     };
     const std::size_t allocations = testing_support::for_each_allocation(work, [&] {
       check(true);
@@ -111,14 +111,10 @@ class Faults : public tools::ScratchFolder {
       start_over();
       hit = hit_closing = false;
       countdown = n;
-      bool refused = false;
-      try {
-        work();
-      } catch (const FileError& error) {
-        refused = true;
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-      }
+      const std::string said = refusal_of(work);
       countdown = 0;
+      const bool refused = !said.empty();
+      EXPECT_EQ(said.find('\n'), std::string::npos);
       check(refused);
       // Nothing is lost when a file that was only read, or a probe, cannot be closed. Every other failure must be
       // noticed.
@@ -135,10 +131,8 @@ TEST_F(Faults, WritingOneFile) {
   const Contents old{{"a", "the old text"}};
   const Contents wanted{{"a", "the new text"}};
   // Probe: open, close. Draft: open, permissions, four pieces, sync, close, rename.
-  EXPECT_EQ(each_in_turn([&] { put(file("a"), "the old text"); }, write,
-                         [&](const Contents& found) { return found == old; }, wanted),
-            11);
-  EXPECT_EQ(each_in_turn([] {}, write, [](const Contents& found) { return found.empty(); }, wanted), 10);
+  EXPECT_EQ(each_in_turn([&] { put(file("a"), "the old text"); }, write, old, wanted), 11);
+  EXPECT_EQ(each_in_turn([] {}, write, Contents(), wanted), 10);
 }
 
 TEST_F(Faults, WritingThroughALink) {
@@ -149,8 +143,7 @@ TEST_F(Faults, WritingThroughALink) {
     fs::create_symlink("b", file("a"));
   };
   EXPECT_EQ(each_in_turn(
-                prepare, [&] { Output(file("a")).write("the new text"); },
-                [&](const Contents& found) { return found == old; }, wanted),
+                prepare, [&] { Output(file("a")).write("the new text"); }, old, wanted),
             11);
 }
 
@@ -166,9 +159,7 @@ TEST_F(Faults, WritingASet) {
   const Contents old{{"a", "old a"}, {"index", "old index"}};
   const Contents wanted{{"a", "new a"}, {"more", "no file"}, {"more/b", "new b"}, {"index", "new index"}};
   // Files that already have their new name go back.
-  EXPECT_GT(each_in_turn(
-                prepare, work, [&](const Contents& found) { return found == old; }, wanted),
-            30);
+  EXPECT_GT(each_in_turn(prepare, work, old, wanted), 30);
 }
 
 // Renames fail from the n-th on, so nothing can be restored either.
@@ -192,13 +183,10 @@ TEST_F(Faults, WritingASetWithoutAWayBack) {
     put(file("c"), "old c");
     put(file("index"), "old index");
     renames_left = n;
-    std::string message;
-    try {
+    const std::string message = refusal_of([&] {
       OutputSet set(folder_, {"a", "b", "c", "index"});
       set.write({{"a", "new a"}, {"b", "new b"}, {"c", "new c"}, {"index", "new index"}});
-    } catch (const FileError& error) {
-      message = error.what();
-    }
+    });
     const Contents found = contents_of(folder_);
     if (message.empty()) {
       EXPECT_EQ(found, (Contents{{"a", "new a"}, {"b", "new b"}, {"c", "new c"}, {"index", "new index"}}));
@@ -226,9 +214,7 @@ TEST_F(Faults, WritingASetWithoutAWayBack) {
 TEST_F(Faults, Reading) {
   const Contents there{{"a", "text"}};
   const auto read = [&] { EXPECT_EQ(read_whole(file("a")), "text"); };
-  EXPECT_EQ(
-      each_in_turn([&] { put(file("a"), "text"); }, read, [&](const Contents& found) { return found == there; }, there),
-      4);
+  EXPECT_EQ(each_in_turn([&] { put(file("a"), "text"); }, read, there, there), 4);
 }
 
 TEST_F(Faults, InterruptedCallsGoOn) {

@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <thread>
 
-#include "common/file_error.hpp"
 #include "common/reading.hpp"
 #include "common/system_calls.hpp"
+#include "support/refusal_of.hpp"
 #include "tools/scratch_folder.hpp"
 
 namespace restrip::files {
@@ -29,12 +29,7 @@ class Outputs : public tools::ScratchFolder {
   /// What is said of this output before anything is written; the folder must stay as it is.
   [[nodiscard]] std::string complaint(const fs::path& file, const OutputRules& rules = {}) const {
     const auto before = contents_of(folder_);
-    std::string said;
-    try {
-      const Output output(file, rules);
-    } catch (const FileError& error) {
-      said = error.what();
-    }
+    const std::string said = refusal_of([&] { const Output output(file, rules); });
     EXPECT_EQ(contents_of(folder_), before);
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     return said;
@@ -239,13 +234,8 @@ TEST_F(Outputs, AFullDiskLeavesTheOldFile) {
   const rlimit small{1000, usual.rlim_max};
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   std::string said;
-  for (const char* name : {"target", "link", "fresh"}) {
-    try {
-      Output(at(name)).write(std::string(1001, 'x'));
-    } catch (const FileError& error) {
-      said = error.what();
-    }
-  }
+  for (const char* name : {"target", "link", "fresh"})
+    said = refusal_of([&] { Output(at(name)).write(std::string(1001, 'x')); });
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &usual), 0);
   EXPECT_SAYS(said, "fresh: cannot be written: File too large; raise the limit");
   EXPECT_EQ(contents_of(folder_), before);

@@ -7,7 +7,7 @@
 
 #include <thread>
 
-#include "common/file_error.hpp"
+#include "support/refusal_of.hpp"
 #include "tools/scratch_folder.hpp"
 
 namespace restrip::files {
@@ -16,12 +16,7 @@ namespace {
 using Reading = tools::ScratchFolder;
 
 std::string complaint(const std::filesystem::path& file, const ReadLimits& limits = {}) {
-  try {
-    (void)read_whole(file, limits);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { (void)read_whole(file, limits); });
 }
 
 TEST_F(Reading, EveryByteArrives) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "../support/refusal_of.hpp"
 #include "common/digest.hpp"
 #include "tables/certificate_text.hpp"
 
@@ -47,12 +48,7 @@ class Shards : public testing::Test {
 
   /// The message about the directory; empty if all is well.
   [[nodiscard]] std::string complaint(const std::string& own_id = id) const {
-    try {
-      (void)read_shards(directory_, own_id);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
+    return refusal_of<std::runtime_error>([&] { (void)read_shards(directory_, own_id); });
   }
 
   /// The message if the first shard has one piece of text replaced and is sealed again.

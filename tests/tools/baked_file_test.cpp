@@ -8,7 +8,6 @@
 #include <map>
 #include <random>
 
-#include "common/bad_input.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
@@ -16,6 +15,7 @@
 #include "replay/replay.hpp"
 #include "restrip/formats/baked_file.hpp"
 #include "shapes.hpp"
+#include "support/refusal_of.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -25,12 +25,7 @@ BakedMesh small(const Soup& soup, double base) {
 }
 
 std::string refusal(std::string_view bytes) {
-  try {
-    (void)parse_baked(bytes, "some.baked");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { (void)parse_baked(bytes, "some.baked"); });
 }
 
 std::string with_checksum(std::string bytes) {

@@ -18,6 +18,7 @@
 #include "meshes/made_mesh.hpp"
 #include "scratch_folder.hpp"
 #include "shapes.hpp"
+#include "support/refusal_of.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -30,12 +31,7 @@ Soup full_obj(std::string_view bytes, const std::string& name) { return read_obj
 Soup full_ply(std::string_view bytes, const std::string& name) { return read_ply(bytes, name, ReadAttributes::yes); }
 
 std::string refusal(Reader read, std::string_view bytes) {
-  try {
-    (void)read(bytes, "some.file");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { (void)read(bytes, "some.file"); });
 }
 
 void expect_refused(Reader read, std::string_view bytes, const std::string& because) {
@@ -162,8 +158,7 @@ TEST(Off, WhatIsLeftOutIsReported) {
 
 // For every text format: a byte order mark, and each kind of line end.
 TEST(Texts, MayBeginWithAByteOrderMarkAndEndLinesInAnyWay) {
-  using Read = Soup (*)(std::string_view, const std::string&);
-  for (const auto& [read, text] : std::vector<std::pair<Read, std::string>>{
+  for (const auto& [read, text] : std::vector<std::pair<Reader, std::string>>{
            {bare_obj, "v 0 0 0\nv 1 0 0 # c\nv 0 1 0\nf 1 2 3\n"},
            {full_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"},
            {read_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
@@ -417,14 +412,7 @@ TEST_F(InFolder, WhatIsWrittenIsRead) {
 }
 
 TEST_F(InFolder, Refusals) {
-  const auto refused = [](const std::filesystem::path& file) {
-    try {
-      (void)read_mesh(file);
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
+  const auto refused = [](const std::filesystem::path& file) { return refusal_of([&] { (void)read_mesh(file); }); };
   EXPECT_NE(refused(folder_ / "none.obj").find("none.obj: no such file"), std::string::npos);
   EXPECT_NE(refused(folder_).find("is a directory"), std::string::npos);
   std::ofstream(folder_ / "empty.ply");

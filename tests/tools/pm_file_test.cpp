@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "common/bad_input.hpp"
 #include "common/reading.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
@@ -12,17 +11,13 @@
 #include "replay/replay.hpp"
 #include "replay/ways.hpp"
 #include "shapes.hpp"
+#include "support/refusal_of.hpp"
 
 namespace restrip::tools {
 namespace {
 
 std::string pm_refusal(std::string_view bytes) {
-  try {
-    (void)parse_pm(bytes, "some.pm");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { (void)parse_pm(bytes, "some.pm"); });
 }
 
 TEST(PmFile, WhatIsWrittenIsRead) {

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <random>
 
+#include "../support/refusal_of.hpp"
 #include "certificate/certificate.hpp"
 #include "certificate/certificate_form.hpp"
 #include "corpus.hpp"
@@ -25,13 +26,6 @@ struct Sample {
   Family family;  ///< of linked rules the local one
   std::string text;
   std::string linked;  ///< name of the linked family, empty for others
-
-  void parse(const std::string& altered) const {
-    if (linked.empty())
-      parse_certificate("file", altered, family);
-    else
-      parse_linked_certificate("file", altered, {linked, family});
-  }
 };
 
 std::vector<Sample> certificates(const std::string& folder, unsigned max_k) {
@@ -56,12 +50,12 @@ unsigned byte_at(const std::string& text, std::size_t place) { return static_cas
 
 /// The parser's reason to reject the text; empty if it accepts it.
 std::string rejection(const Sample& sample, const std::string& text) {
-  try {
-    sample.parse(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of<InputError>([&] {
+    if (sample.linked.empty())
+      parse_certificate("file", text, sample.family);
+    else
+      parse_linked_certificate("file", text, {sample.linked, sample.family});
+  });
 }
 
 class AlteredBytes : public testing::Test {

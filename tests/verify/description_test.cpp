@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "../support/refusal_of.hpp"
 #include "corpus.hpp"
 #include "model/input.hpp"
 #include "verdict.hpp"
@@ -15,12 +16,7 @@ namespace {
 
 /// The message; empty when the text is accepted.
 std::string complaint(const std::string& text) {
-  try {
-    (void)parse_descriptions("f", text);
-  } catch (const files::FileError& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of([&] { (void)parse_descriptions("f", text); });
 }
 
 const std::string good = text_to_alter("two.json");
