@@ -7,8 +7,6 @@
 namespace restrip::verify::test {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 bool includes(int whole, int part) { return (whole | part) == whole; }
 
 }  // namespace
@@ -34,21 +32,15 @@ NaiveLinked::NaiveLinked(const std::string& family, const NaiveSection& section)
         recoloring = {{__builtin_popcount(static_cast<unsigned>(inner)), -first.isolated(true, colors)},
                       first.joined(true, colors),
                       {}};
-      recoloring.sound = soundness(first, true, colors);
+      for (const Pairs& outside : first.worlds(ports))
+        recoloring.sound.push_back(first.valid(true, colors) && first.fits(true, colors, outside));
       recolorings_.back().push_back(recoloring);
     }
   }
 }
 
-std::vector<bool> NaiveLinked::soundness(const NaiveOperation& operation, bool after, NaiveColors colors) const {
-  std::vector<bool> sound;
-  for (const Pairs& outside : operation.worlds(colors.ports))
-    sound.push_back(operation.valid(after, colors) && operation.fits(after, colors, outside));
-  return sound;
-}
-
 const NaiveLinked::Recoloring& NaiveLinked::at(int ports, int inner) const {
-  return recolorings_[index(ports)][index(inner)];
+  return recolorings_[static_cast<std::size_t>(ports)][static_cast<std::size_t>(inner)];
 }
 
 NaiveLists NaiveLinked::good() const {
@@ -141,51 +133,6 @@ std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families) 
     if (family.name == "split" || family.name == "collapse")
       for (const NaiveSection& section : family.sections) result.emplace_back("linked-" + family.name, section);
   return result;
-}
-
-void for_each_doubtful(const NaiveLinked& linked, const std::function<bool(const DoubtfulLists&)>& visit) {
-  const NaiveLists good = linked.good();
-  bool go_on = true;
-  const auto offer = [&](const std::string& what, int ports, NaiveLists lists) {
-    if (!go_on) return;
-    lists.count();
-    go_on = visit({fmt::format("{}, {} {}, ports {:x}", what, good.family, good.position, ports), std::move(lists)});
-  };
-  for (const auto& [ports, list] : good.lists) {
-    NaiveLists missing = good;
-    missing.lists.erase(ports);
-    offer("list left out", ports, missing);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto place = static_cast<std::ptrdiff_t>(i);
-      if (list.size() > 1) {
-        NaiveLists bad = good;
-        bad.lists[ports].erase(bad.lists[ports].begin() + place);
-        offer("row left out", ports, bad);
-      }
-      NaiveLists twice = good;
-      twice.lists[ports].insert(twice.lists[ports].begin() + place, list[i]);
-      offer("row twice", ports, twice);
-      if (i + 1 < list.size()) {
-        NaiveLists bad = good;
-        std::swap(bad.lists[ports][i], bad.lists[ports][i + 1]);
-        offer("rows exchanged", ports, bad);
-      }
-      for (int inner = 0; inner < linked.recolorings(); ++inner) {
-        // All recolourings of the smallest patch; for others, recolourings that differ in at most two edges.
-        const int differing = __builtin_popcount(static_cast<unsigned>(inner ^ list[i]));
-        if (differing == 0 || (differing > 2 && linked.recolorings() > 64)) continue;
-        NaiveLists bad = good;
-        bad.lists[ports][i] = inner;
-        offer("row replaced", ports, bad);
-      }
-    }
-  }
-  for (std::size_t i = 0; i < good.claims.size(); ++i)
-    for (const int difference : {-1, 1}) {
-      NaiveLists bad = good;
-      bad.claims[i].second += difference;
-      if (go_on) go_on = visit({fmt::format("claim {}, {} {}", bad.claims[i].first, good.family, good.position), bad});
-    }
 }
 
 }  // namespace restrip::verify::test

@@ -39,7 +39,6 @@ class NaiveLinked {
     std::vector<bool> sound;  ///< in each world of the ports
   };
 
-  std::vector<bool> soundness(const NaiveOperation& operation, bool after, NaiveColors colors) const;
   bool best_beside(int ports, const std::vector<int>& list, std::size_t world) const;
   const Recoloring& at(int ports, int inner) const;
 
@@ -53,14 +52,5 @@ std::string certificate_text(const std::string& family, const std::vector<NaiveL
 
 /// The sections of `linked-split` and `linked-collapse`. `families` must outlive them.
 std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families);
-
-/// A list that may be wrong.
-struct DoubtfulLists {
-  std::string damage;  ///< "row left out, linked-split k 4 a 2, ports f"
-  NaiveLists lists;
-};
-
-/// Rows left out, exchanged, repeated, replaced; wrong claims. Stops when the callback returns false.
-void for_each_doubtful(const NaiveLinked& linked, const std::function<bool(const DoubtfulLists&)>& visit);
 
 }  // namespace restrip::verify::test
