@@ -31,7 +31,7 @@ class Components {
   }
   /// Whether the number of edges is the nodes minus the components.
   bool acyclic() const { return edges_ == -components_; }
-  std::vector<int> numbers() const { return {number_.begin(), number_.begin() + nodes_}; }
+  int of(unsigned node) const { return number_[node]; }
 
  private:
   int nodes_;
@@ -39,6 +39,15 @@ class Components {
   int edges_ = 0;
   int components_ = 0;  ///< minus the nodes
 };
+
+/// The triangles of a side, connected by its solid edges, and further nodes.
+Components connected(const Side& side, int inner, int further = 0) {
+  Components found(static_cast<int>(side.triangles) + further);
+  for (std::size_t i = 0; i < side.edges.size(); ++i)
+    if (has(inner, static_cast<int>(i)))
+      found.connect(static_cast<int>(side.edges[i][0]), static_cast<int>(side.edges[i][1]));
+  return found;
+}
 
 bool is_named(const Side& side, unsigned triangle, const char* name) {
   return triangle < side.names.size() && side.names[triangle] == name;
@@ -108,23 +117,14 @@ bool NaiveOperation::valid(bool after, NaiveColors colors, Dropped dropped) cons
   return fits(after, {colors.inner, 0}, {}) || cycle_allowed(after, colors.inner, dropped);
 }
 
-/// The number of the component of each triangle.
-std::vector<int> NaiveOperation::components(bool after, int inner) const {
-  Components found(static_cast<int>(side(after).triangles));
-  for (std::size_t i = 0; i < side(after).edges.size(); ++i)
-    if (has(inner, static_cast<int>(i)))
-      found.connect(static_cast<int>(side(after).edges[i][0]), static_cast<int>(side(after).edges[i][1]));
-  return found.numbers();
-}
-
 int NaiveOperation::joined(bool after, NaiveColors colors) const {
-  const std::vector<int> component = components(after, colors.inner);
+  const Components component = connected(side(after), colors.inner);
+  const std::vector<unsigned>& owner = side(after).owner_of_port;
   int pairs = 0;
   for (int j = 0; j < static_cast<int>(operation_.ports()); ++j)
     for (int i = 0; i < j; ++i)
       if (has(colors.ports, i) && has(colors.ports, j) &&
-          component[side(after).owner_of_port[static_cast<std::size_t>(i)]] ==
-              component[side(after).owner_of_port[static_cast<std::size_t>(j)]])
+          component.of(owner[static_cast<std::size_t>(i)]) == component.of(owner[static_cast<std::size_t>(j)]))
         pairs += pair_bit(i, j);
   return pairs;
 }
@@ -169,10 +169,7 @@ std::vector<Pairs> NaiveOperation::worlds_of(int ports) const {
 
 bool NaiveOperation::fits(bool after, NaiveColors colors, const Pairs& world) const {
   const int triangles = static_cast<int>(side(after).triangles);
-  Components found(triangles + ports());
-  for (std::size_t i = 0; i < side(after).edges.size(); ++i)
-    if (has(colors.inner, static_cast<int>(i)))
-      found.connect(static_cast<int>(side(after).edges[i][0]), static_cast<int>(side(after).edges[i][1]));
+  Components found = connected(side(after), colors.inner, ports());
   // A node for each port's block: the node of the smallest port connected with it.
   for (int port = 0; port < ports(); ++port) {
     if (!has(colors.ports, port)) continue;
@@ -187,7 +184,7 @@ bool NaiveOperation::fits(bool after, NaiveColors colors, const Pairs& world) co
 long NaiveOperation::counted(const Term& term, NaiveColors configuration, NaiveColors after) const {
   const Side& patch = operation_.after;
   const std::vector<int> degree = degrees(true, after);
-  const std::vector<int> component = components(true, after.inner);
+  const Components component = connected(patch, after.inner);
   long count = 0;
   switch (term.count) {
     case Count::strips:
@@ -223,7 +220,7 @@ long NaiveOperation::counted(const Term& term, NaiveColors configuration, NaiveC
   }
   for (std::size_t i = 0; i < patch.owner_of_port.size(); ++i)  // ordered pairs of ports of one component
     for (std::size_t j = 0; j < patch.owner_of_port.size(); ++j)
-      count += component[patch.owner_of_port[i]] == component[patch.owner_of_port[j]] ? 1 : 0;
+      count += component.of(patch.owner_of_port[i]) == component.of(patch.owner_of_port[j]) ? 1 : 0;
   return count;
 }
 

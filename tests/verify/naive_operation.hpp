@@ -77,7 +77,6 @@ class NaiveOperation {
  private:
   const Side& side(bool after) const { return after ? operation_.after : operation_.before; }
   std::vector<int> degrees(bool after, NaiveColors colors) const;
-  std::vector<int> components(bool after, int inner) const;
   bool cycle_allowed(bool after, int inner, Dropped dropped) const;
   std::vector<Pairs> worlds_of(int ports) const;
   long counted(const Term& term, NaiveColors configuration, NaiveColors after) const;

@@ -5,9 +5,11 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "automaton/automaton_certificate.hpp"
@@ -18,9 +20,11 @@
 namespace restrip::verify::test {
 namespace {
 
+using Words = std::vector<std::string>;
+
 /// The parts between these characters: lines, including the empty one after the last line break, or words.
-std::vector<std::string> parts_of(const std::string& text, char between) {
-  std::vector<std::string> parts(1);
+Words parts_of(const std::string& text, char between) {
+  Words parts(1);
   for (const char c : text)
     if (c == between)
       parts.emplace_back();
@@ -29,17 +33,13 @@ std::vector<std::string> parts_of(const std::string& text, char between) {
   return parts;
 }
 
-/// The words of a line, and a line of words.
-std::vector<std::string> words_of(const std::string& line) { return parts_of(line, ' '); }
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
-
 /// The text with the right last line. Everything outside the frame is a row.
-std::string sealed_again(const std::vector<std::string>& lines) {
+std::string sealed_again(const Words& lines) {
   std::string text;
   std::size_t rows = 0;
   for (std::size_t i = 0; i + 2 < lines.size(); ++i) {
     text += lines[i] + "\n";
-    const std::string word = words_of(lines[i])[0];
+    const std::string word = parts_of(lines[i], ' ')[0];
     rows += word != "restrip-certificate" && word != "family" && word != "section" && word != "claim";
   }
   const ByteSums sums = sums_of(text);
@@ -59,38 +59,38 @@ std::string verdict_of(const std::string& text) {
   }
 }
 
-/// A change of one row; empty if it does not apply to this row.
-using RowChange = std::function<std::optional<std::string>(std::vector<std::string> words)>;
+/// Changes the words of a row; false if the change does not apply to it.
+using RowChange = std::function<bool(Words&)>;
 
 /// The word at this index, plus one.
 RowChange one_more(std::size_t word) {
-  return [word](std::vector<std::string> words) {
+  return [word](Words& words) {
     words[word] = std::to_string(std::stoi(words[word]) + 1);
-    return joined(words);
+    return true;
   };
 }
 
 class AutomatonRejects : public testing::Test {
  protected:
-  const std::vector<std::string>& good() const {
-    static const std::vector<std::string> lines =
-        parts_of(read_file(RESTRIP_TABLES_DIR "/certificates/automaton.cert"), '\n');
+  const Words& good() const {
+    static const Words lines = parts_of(read_file(RESTRIP_TABLES_DIR "/certificates/automaton.cert"), '\n');
     return lines;
   }
 
   /// Changes `count` rows of a kind, one at a time, spread over the file; each must be noticed.
   void expect_noticed(const std::string& kind, const RowChange& change, const std::string& message,
                       std::size_t count = 1) const {
-    std::vector<std::size_t> rows;
+    std::vector<std::pair<std::size_t, std::string>> rows;
     for (std::size_t i = 0; i < good().size(); ++i)
-      if (good()[i].rfind(kind + " ", 0) == 0 && change(words_of(good()[i]))) rows.push_back(i);
+      if (Words words = parts_of(good()[i], ' '); words[0] == kind && change(words))
+        rows.emplace_back(i, fmt::format("{}", fmt::join(words, " ")));
     ASSERT_GE(rows.size(), count) << kind;
     for (std::size_t n = 0; n < count; ++n) {
-      const std::size_t row = rows[(2 * n + 1) * rows.size() / (2 * count)];
-      std::vector<std::string> lines = good();
-      lines[row] = change(words_of(lines[row])).value();
+      const auto& [row, line] = rows[(2 * n + 1) * rows.size() / (2 * count)];
+      Words lines = good();
+      lines[row] = line;
       const std::string verdict = verdict_of(sealed_again(lines));
-      EXPECT_NE(verdict.find(message), std::string::npos) << good()[row] << " -> " << lines[row] << ": " << verdict;
+      EXPECT_NE(verdict.find(message), std::string::npos) << good()[row] << " -> " << line << ": " << verdict;
     }
   }
 };
@@ -99,16 +99,11 @@ TEST_F(AutomatonRejects, NothingInAGoodCertificate) { EXPECT_EQ(verdict_of(seale
 
 /// A cost that differs from the rows.
 TEST_F(AutomatonRejects, WrongWeights) {
-  expect_noticed("weights", one_more(1), "altered.cert:");
-  expect_noticed("weights", one_more(2), "altered.cert:");
-  expect_noticed("weights", one_more(3), "altered.cert:");
+  for (const std::size_t word : {1U, 2U, 3U}) expect_noticed("weights", one_more(word), "altered.cert:");
 }
 
 TEST_F(AutomatonRejects, WrongValues) {
-  const RowChange of_several = [](std::vector<std::string> words) -> std::optional<std::string> {
-    if (words[2] == "--") return {};
-    return one_more(3)(words);
-  };
+  const auto of_several = [](Words& words) { return words[2] != "--" && one_more(3)(words); };
   expect_noticed("value", of_several, "wrong", 2);
 }
 
@@ -117,65 +112,57 @@ TEST_F(AutomatonRejects, WrongCosts) { expect_noticed("step", one_more(4), "wron
 TEST_F(AutomatonRejects, WrongSteps) { expect_noticed("step", one_more(3), "altered.cert:", 2); }
 
 TEST_F(AutomatonRejects, WrongOrigins) {
-  const RowChange other = [](std::vector<std::string> words) -> std::optional<std::string> {
-    if (words[4] == "--" || words[4] == "tt") return {};
+  const auto other = [](Words& words) {
+    if (words[4] == "--" || words[4] == "tt") return false;
     words[4] = words[4] == "ee" ? "pp" : "ee";
-    return joined(words);
+    return true;
   };
   expect_noticed("from", other, "wrong origin");
 }
 
 TEST_F(AutomatonRejects, UnsoundClosings) {
-  const RowChange cycle = [](std::vector<std::string> words) {
+  const auto cycle = [](Words& words) {
     words[2] = "tt";
-    return joined(words);
+    return true;
   };
   expect_noticed("close", cycle, "unsound closing");
 }
 
 TEST_F(AutomatonRejects, InferiorClosings) {
-  const RowChange all_dashed = [](std::vector<std::string> words) -> std::optional<std::string> {
-    if (words[2] == "--") return {};
-    words[2] = "--";
-    return joined(words);
-  };
+  const auto all_dashed = [](Words& words) { return std::exchange(words[2], "--") != "--"; };
   expect_noticed("close", all_dashed, " closing");
 }
 
 TEST_F(AutomatonRejects, InferiorMeetings) {
-  const RowChange all_dashed = [](std::vector<std::string> words) -> std::optional<std::string> {
-    if (words[3] == "--" || words[4] == "--") return {};
+  const auto all_dashed = [](Words& words) {
+    if (words[3] == "--" || words[4] == "--") return false;
     words[3] = words[4] = "--";
     words[5] = "-";
-    return joined(words);
+    return true;
   };
   expect_noticed("meet", all_dashed, " meeting");
   // A and D keep a solid edge each: dropping the chord leaves only worse meetings.
-  const RowChange without_chord = [](std::vector<std::string> words) -> std::optional<std::string> {
+  const auto without_chord = [](Words& words) {
     const bool edge_at_a = words[3][0] != '-' || words[4][1] != '-';
     const bool edge_at_d = words[3][1] != '-' || words[4][0] != '-';
-    if (words[5] != "chord" || !edge_at_a || !edge_at_d) return {};
-    words[5] = "-";
-    return joined(words);
+    return edge_at_a && edge_at_d && std::exchange(words[5], "-") == "chord";
   };
   expect_noticed("meet", without_chord, " meeting", 4);
 }
 
 TEST_F(AutomatonRejects, UnsoundMeetings) {
-  const RowChange three_edges = [](std::vector<std::string> words) -> std::optional<std::string> {
-    const bool three_at_a = words[3][0] != '-' && words[4][1] != '-';
-    if (!three_at_a || words[5] == "chord") return {};
-    words[5] = "chord";
-    return joined(words);
+  const auto three_edges = [](Words& words) {
+    const bool two_at_a = words[3][0] != '-' && words[4][1] != '-';
+    return two_at_a && std::exchange(words[5], "chord") != "chord";
   };
   expect_noticed("meet", three_edges, "unsound meeting");
 }
 
 TEST_F(AutomatonRejects, WrongWitnesses) {
-  const RowChange longer = [](std::vector<std::string> words) -> std::optional<std::string> {
-    if (words[2] == "-") return {};
+  const auto longer = [](Words& words) {
+    if (words[2] == "-") return false;
     words[2].insert(words[2].begin(), 'd');
-    return joined(words);
+    return true;
   };
   expect_noticed("class", longer, "wrong witness");
 }
@@ -183,58 +170,53 @@ TEST_F(AutomatonRejects, WrongWitnesses) {
 /// Another row or column of meetings.
 TEST_F(AutomatonRejects, WrongRowsAndColumns) {
   for (const std::size_t word : {3U, 4U}) {
-    const RowChange first_one = [word](std::vector<std::string> words) -> std::optional<std::string> {
-      if (words[word] == "-" || std::stoi(words[word]) < 5) return {};
-      words[word] = "0";
-      return joined(words);
+    const auto first_one = [word](Words& words) {
+      const std::string was = std::exchange(words[word], "0");
+      return was != "-" && std::stoi(was) >= 5;
     };
     expect_noticed("class", first_one, "altered.cert:");
   }
 }
 
-/// Malformed files: no claim is checked.
+/// Malformed files: no claim is checked. The first row that begins so is left out or replaced.
 TEST_F(AutomatonRejects, MalformedFiles) {
-  const auto row_of = [&](const std::string& start) {
-    for (std::size_t i = 0; i < good().size(); ++i)
-      if (good()[i].rfind(start, 0) == 0) return i;
-    ADD_FAILURE() << "no row " << start;
-    return std::size_t{0};
-  };
-  const auto without = [&](const std::string& start) {
-    std::vector<std::string> lines = good();
-    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(row_of(start)));
-    return verdict_of(sealed_again(lines));
-  };
-  const auto with = [&](const std::string& start, const std::string& line) {
-    std::vector<std::string> lines = good();
-    lines[row_of(start)] = line;
-    return verdict_of(sealed_again(lines));
-  };
-  EXPECT_NE(without("weights ").find("altered.cert:"), std::string::npos);
-  EXPECT_NE(without("class 5 ").find("does not exist"), std::string::npos);
-  EXPECT_NE(without("value 7 ").find("altered.cert:"), std::string::npos);
-  EXPECT_NE(without("step 3 s ").find("expected the letter d, found \"s\""), std::string::npos);
-  EXPECT_NE(without("from 3 s ").find("for each case"), std::string::npos);
-  EXPECT_NE(without("close 5 ").find("expected 5, found"), std::string::npos);
-  EXPECT_NE(without("meet 2 9 ").find("expected 9, found 10"), std::string::npos);
-  EXPECT_NE(without("section meetings").find("expected"), std::string::npos);
-  EXPECT_NE(without("claim rows").find("claim rows missing"), std::string::npos);
-  EXPECT_NE(with("weights ", "weights 1000 1 1").find("expected 0, found 1"), std::string::npos);
-  EXPECT_NE(with("weights ", "weights 3 0 1").find("expected 1000, found 3"), std::string::npos);
-  EXPECT_NE(with("close 2 ", "close 2 xy").find("is not a case"), std::string::npos);
-  EXPECT_NE(with("meet 2 9 ", "meet 2 9 -- -- cord").find("expected \"chord\" or \"-\""), std::string::npos);
-  EXPECT_NE(with("class 2 ", "class 2 sxs 1 1").find("is not a witness"), std::string::npos);
-  EXPECT_NE(with("class 2 ", "class 2 s - 1").find("expected"), std::string::npos);
-  EXPECT_NE(with("class 2 ", "class 2 s 70 1").find("expected a number from 0 to 1"), std::string::npos);
-  EXPECT_NE(with("step 0 d ", "step 0 d 65000 0").find("class 65000 does not exist"), std::string::npos);
-  EXPECT_NE(with("value 1 --", "value 1 -- -1").find("expected a number from 0"), std::string::npos);
-  EXPECT_NE(with("family ", "family split").find("expected"), std::string::npos);
-  std::string bytes = sealed_again(good());
-  bytes.resize(bytes.size() / 2);
-  EXPECT_THROW(parse_automaton("half.cert", bytes), InputError);
-  bytes = sealed_again(good());
-  bytes[bytes.size() / 3] = bytes[bytes.size() / 3] == '1' ? '2' : '1';
-  EXPECT_THROW(parse_automaton("altered.cert", bytes), InputError);
+  for (const auto& [start, by, said] : std::vector<std::array<std::string, 3>>{
+           {"weights ", "", "altered.cert:"},
+           {"class 5 ", "", "does not exist"},
+           {"value 7 ", "", "altered.cert:"},
+           {"step 3 s ", "", "expected the letter d, found \"s\""},
+           {"from 3 s ", "", "for each case"},
+           {"close 5 ", "", "expected 5, found"},
+           {"meet 2 9 ", "", "expected 9, found 10"},
+           {"section meetings", "", "expected"},
+           {"claim rows", "", "claim rows missing"},
+           {"weights ", "weights 1000 1 1", "expected 0, found 1"},
+           {"weights ", "weights 3 0 1", "expected 1000, found 3"},
+           {"close 2 ", "close 2 xy", "is not a case"},
+           {"meet 2 9 ", "meet 2 9 -- -- cord", "expected \"chord\" or \"-\""},
+           {"class 2 ", "class 2 sxs 1 1", "is not a witness"},
+           {"class 2 ", "class 2 s - 1", "expected"},
+           {"class 2 ", "class 2 s 70 1", "expected a number from 0 to 1"},
+           {"step 0 d ", "step 0 d 65000 0", "class 65000 does not exist"},
+           {"value 1 --", "value 1 -- -1", "expected a number from 0"},
+           {"family ", "family split", "expected"},
+       }) {
+    Words lines = good();
+    const auto row = std::find_if(lines.begin(), lines.end(),
+                                  [&begin = start](const std::string& line) { return line.starts_with(begin); });
+    ASSERT_NE(row, lines.end()) << start;
+    if (by.empty())
+      lines.erase(row);
+    else
+      *row = by;
+    const std::string verdict = verdict_of(sealed_again(lines));
+    EXPECT_NE(verdict.find(said), std::string::npos) << start << " -> " << by << ": " << verdict;
+  }
+  const std::string bytes = sealed_again(good());
+  EXPECT_THROW(parse_automaton("half.cert", bytes.substr(0, bytes.size() / 2)), InputError);
+  std::string altered = bytes;
+  altered[bytes.size() / 3] = altered[bytes.size() / 3] == '1' ? '2' : '1';
+  EXPECT_THROW(parse_automaton("altered.cert", altered), InputError);
 }
 
 }  // namespace
