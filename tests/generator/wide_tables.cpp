@@ -1,11 +1,12 @@
 // Compiled tables beyond k = 8: every rule and every list of k = 9 is as good as the result of the runtime's exact
 // solver, and so is the choice of the linked look-up if no strip is followed to its end. Run by wide_tables.sh.
-#include <bit>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "../runtime/naive_patch.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/rules/exact.hpp"
 #include "restrip/tables/boundary_split.hpp"
@@ -25,28 +26,9 @@ namespace tables = restrip::tables;
 
 constexpr unsigned k = 9;
 
-/// A row of elements, each joined to the next, perhaps in a ring, perhaps with a chord; some have a port.
-struct Shape {
-  unsigned elements = k;
-  bool ring = false;
-  unsigned chord_from = 0;
-  unsigned chord_to = 0;  ///< no chord if both are 0
-};
-
-Value value_of(const Shape& shape, Word colors, Word ports, Word elements_without_port) {
-  Word covered = 0;
-  const auto cover = [&](unsigned edge, unsigned u, unsigned v) {
-    if ((colors >> edge & 1U) != 0) covered |= Word{1} << u | Word{1} << v;
-  };
-  const unsigned edges = shape.ring ? shape.elements : shape.elements - 1;
-  for (unsigned e = 0; e < edges; ++e) cover(e, e, (e + 1) % shape.elements);
-  if (shape.chord_to != 0) cover(edges, shape.chord_from, shape.chord_to);
-  unsigned port = 0;
-  for (unsigned element = 0; element < shape.elements; ++element) {
-    if ((elements_without_port >> element & 1U) != 0) continue;
-    covered |= (ports >> port++ & 1U) << element;
-  }
-  return {std::popcount(colors), static_cast<int>(shape.elements) - std::popcount(covered)};
+Value value_of(const naive::Patch& patch, Word colors, Word ports) {
+  const auto found = naive::analyze(patch, naive::bits_of(colors, patch.edges.size()), naive::bits_of(ports, k));
+  return found.valid ? Value{found.solid, found.isolated} : Value{-1, -1};
 }
 
 int checked = 0;
@@ -56,8 +38,6 @@ void expect(const Value& found, const Value& best) {
   ++checked;
   wrong += found == best ? 0 : 1;
 }
-
-using Keys = std::set<std::pair<Word, Word>>;
 
 template <class Table, class Rows>
 Word cell(const Table& table, const Rows& rows, unsigned place, Word ports, Word joined) {
@@ -69,6 +49,7 @@ Word partner(Word pairing, unsigned port) { return pairing >> (4 * port) & 15U; 
 /// The first alternative of a list that joins only ports joined according to the key: nothing else is known.
 template <class Table>
 Word first_of(const Table& table, unsigned place, Word ports, Word joined) {
+  const auto known = naive::pairs_of(naive::closed_fan(k), naive::bits_of(ports, k), naive::bits_of(joined, k));
   const std::size_t list = table.first[k] + (std::size_t{place} << k) + ports;
   for (std::size_t at = table.start[list]; at < table.start[list + 1]; ++at) {
     const Word pairing = tables::pairings[table.rules[at].pairing];
@@ -76,16 +57,7 @@ Word first_of(const Table& table, unsigned place, Word ports, Word joined) {
     for (unsigned port = 0; port < k; ++port) {
       const auto other = static_cast<unsigned>(partner(pairing, port));
       if (other >= k || partner(pairing, other) != port) return ~Word{0};
-      if (other == port) continue;
-      // The predecessor of the port, or the port that it precedes.
-      const auto precedes = [&](unsigned low, unsigned high) {
-        if ((joined >> high & 1U) == 0) return false;
-        unsigned i = high;
-        do i = (i + k - 1) % k;
-        while ((ports >> i & 1U) == 0);
-        return i == low;
-      };
-      sound = sound && (precedes(other, port) || precedes(port, other));
+      sound = sound && (other == port || known.count({std::min(port, other), std::max(port, other)}) != 0);
     }
     if (sound) return table.rules[at].recoloring;
   }
@@ -95,31 +67,29 @@ Word first_of(const Table& table, unsigned place, Word ports, Word joined) {
 void closed_families(Word loop, Word ports, Word joined) {
   const auto nothing_seen = [](std::size_t) { return restrip::out_of_sight; };
   for (unsigned a = 1; 2 * a <= k; ++a) {
-    const Shape ring{k + 2, true, 0, a + 1};
-    const Word inserted = Word{1} | Word{1} << (a + 1);
+    const naive::Patch ring = naive::ring_with_chord(k, a);
     const Value best = restrip::exact::best_split(k, a, ports, joined).value;
-    expect(value_of(ring, cell(tables::split, tables::closed_rows, a - 1, ports, joined), ports, inserted), best);
-    expect(value_of(ring, first_of(tables::linked_split, a - 1, ports, joined), ports, inserted), best);
-    expect(value_of(ring, restrip::linked_split_rule({k, a}, loop, ports, nothing_seen).colors, ports, inserted), best);
+    expect(value_of(ring, cell(tables::split, tables::closed_rows, a - 1, ports, joined), ports), best);
+    expect(value_of(ring, first_of(tables::linked_split, a - 1, ports, joined), ports), best);
+    expect(value_of(ring, restrip::linked_split_rule({k, a}, loop, ports, nothing_seen).colors, ports), best);
   }
-  const Shape fan{k, true, 0, 0};
   const Value best = restrip::exact::best_collapse(k, ports, joined).value;
-  expect(value_of(fan, cell(tables::collapse, tables::closed_rows, 0, ports, joined), ports, 0), best);
-  expect(value_of(fan, first_of(tables::linked_collapse, 0, ports, joined), ports, 0), best);
+  const naive::Patch fan = naive::closed_fan(k);
+  expect(value_of(fan, cell(tables::collapse, tables::closed_rows, 0, ports, joined), ports), best);
+  expect(value_of(fan, first_of(tables::linked_collapse, 0, ports, joined), ports), best);
 }
 
 void open_families(Word ports, Word joined) {
   unsigned place = 0;
   for (unsigned i = 0; i < k; ++i)
     for (unsigned j = i + 1; j <= k && i + j <= k; ++j)
-      expect(value_of({k + 2, false, i, j + 1}, cell(tables::open_split, tables::open_rows, place++, ports, joined),
-                      ports, Word{1} << i | Word{1} << (j + 1)),
+      expect(value_of(naive::path_with_chord(k, i, j),
+                      cell(tables::open_split, tables::open_rows, place++, ports, joined), ports),
              restrip::exact::best_open_split(k, i, j, ports, joined).value);
   for (unsigned i = 0; 2 * i <= k; ++i)
-    expect(value_of({k + 1, false, 0, 0}, cell(tables::boundary_split, tables::open_rows, i, ports, joined), ports,
-                    Word{1} << i),
+    expect(value_of(naive::path(k, i), cell(tables::boundary_split, tables::open_rows, i, ports, joined), ports),
            restrip::exact::best_boundary_split(k, i, ports, joined).value);
-  expect(value_of({k, false, 0, 0}, cell(tables::fan_collapse, tables::open_rows, 0, ports, joined), ports, 0),
+  expect(value_of(naive::open_fan(k), cell(tables::fan_collapse, tables::open_rows, 0, ports, joined), ports),
          restrip::exact::best_fan_collapse(k, ports, joined).value);
 }
 
@@ -127,7 +97,7 @@ void open_families(Word ports, Word joined) {
 
 int main() {
   std::map<std::pair<Word, Word>, Word> closed_keys;  // each with a loop that has it
-  Keys open_keys;
+  std::set<std::pair<Word, Word>> open_keys;
   for (Word loop = 0; loop < Word{1} << k; ++loop)
     for (Word ports = 0; ports < Word{1} << k; ++ports) {
       if (restrip::valid_closed(k, loop, ports)) closed_keys[{ports, restrip::joined_closed(k, loop, ports)}] = loop;
