@@ -131,7 +131,7 @@ TEST_F(Faults, WritingOneFile) {
   const Contents old{{"a", "the old text"}};
   const Contents wanted{{"a", "the new text"}};
   // Probe: open, close. Draft: open, permissions, four pieces, sync, close, rename.
-  EXPECT_EQ(each_in_turn([&] { put(file("a"), "the old text"); }, write, old, wanted), 11);
+  EXPECT_EQ(each_in_turn([&] { put("a", "the old text"); }, write, old, wanted), 11);
   EXPECT_EQ(each_in_turn([] {}, write, Contents(), wanted), 10);
 }
 
@@ -139,7 +139,7 @@ TEST_F(Faults, WritingThroughALink) {
   const Contents old{{"a", "-> b"}, {"b", "the old text"}};
   const Contents wanted{{"a", "-> b"}, {"b", "the new text"}};
   const auto prepare = [&] {
-    put(file("b"), "the old text");
+    put("b", "the old text");
     fs::create_symlink("b", file("a"));
   };
   EXPECT_EQ(each_in_turn(
@@ -149,8 +149,8 @@ TEST_F(Faults, WritingThroughALink) {
 
 TEST_F(Faults, WritingASet) {
   const auto prepare = [&] {
-    put(file("a"), "old a");
-    put(file("index"), "old index");
+    put("a", "old a");
+    put("index", "old index");
   };
   const auto work = [&] {
     OutputSet set(folder_, {"a", "more/b", "index"});
@@ -179,9 +179,9 @@ TEST_F(Faults, WritingASetWithoutAWayBack) {
     SCOPED_TRACE(fmt::format("{} renames", n));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    put(file("a"), "old a");
-    put(file("c"), "old c");
-    put(file("index"), "old index");
+    put("a", "old a");
+    put("c", "old c");
+    put("index", "old index");
     renames_left = n;
     const std::string message = refusal_of([&] {
       OutputSet set(folder_, {"a", "b", "c", "index"});
@@ -214,7 +214,7 @@ TEST_F(Faults, WritingASetWithoutAWayBack) {
 TEST_F(Faults, Reading) {
   const Contents there{{"a", "text"}};
   const auto read = [&] { EXPECT_EQ(read_whole(file("a")), "text"); };
-  EXPECT_EQ(each_in_turn([&] { put(file("a"), "text"); }, read, there, there), 4);
+  EXPECT_EQ(each_in_turn([&] { put("a", "text"); }, read, there, there), 4);
 }
 
 TEST_F(Faults, InterruptedCallsGoOn) {

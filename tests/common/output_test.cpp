@@ -69,7 +69,7 @@ TEST_F(Outputs, PermissionsComeFromTheUmaskOrTheReplacedFile) {
   Output(at("fresh")).write("x");
   ::umask(before);
   EXPECT_EQ(mode_of(at("fresh")), 0640U);
-  put(at("secret"), "old");
+  put("secret", "old");
   fs::permissions(at("secret"), fs::perms::owner_read | fs::perms::owner_write);
   Output(at("secret")).write("new");
   EXPECT_EQ(mode_of(at("secret")), 0600U);
@@ -78,7 +78,7 @@ TEST_F(Outputs, PermissionsComeFromTheUmaskOrTheReplacedFile) {
 
 TEST_F(Outputs, GoThroughLinks) {
   fs::create_directory(at("store"));
-  put(at("store/file"), "old");
+  put("store/file", "old");
   fs::create_symlink("file", at("store/inner"));
   fs::create_symlink("store/inner", at("outer"));
   fs::create_symlink("store/fresh", at("dangling"));
@@ -98,7 +98,7 @@ TEST_F(Outputs, GoThroughLinks) {
 
 TEST_F(Outputs, BystandersStay) {
   // A file with the name of a draft may exist.
-  put(at("precious"), "precious");
+  put("precious", "precious");
   for (int i = 0; i < 5; ++i) {
     const fs::path name = folder_ / fmt::format(".restrip-{}-{}", ::getpid(), i);
     if (i % 2 == 0)
@@ -106,7 +106,7 @@ TEST_F(Outputs, BystandersStay) {
     else
       fs::create_symlink("precious", name);
   }
-  for (const char* name : {"a.part", "a.partial", "a.tmp"}) put(at(name), "mine");
+  for (const char* name : {"a.part", "a.partial", "a.tmp"}) put(name, "mine");
   auto wanted = contents_of(folder_);
   Output(at("a")).write("new");
   wanted["a"] = "new";
@@ -128,7 +128,7 @@ TEST_F(Outputs, TwoWritersDoNotMeet) {
 }
 
 TEST_F(Outputs, MustNotBeInputs) {
-  put(at("in"), "input");
+  put("in", "input");
   fs::create_symlink("in", at("link"));
   fs::create_hard_link(at("in"), at("hard"));
   fs::create_directory(at("sub"));
@@ -141,7 +141,7 @@ TEST_F(Outputs, MustNotBeInputs) {
 }
 
 TEST_F(Outputs, AreNeitherReadNorWrittenTwiceWhileTheyLive) {
-  put(at("in"), "input");
+  put("in", "input");
   fs::create_hard_link(at("in"), at("hard"));
   fs::create_symlink("new", at("link"));
   {
@@ -167,8 +167,8 @@ TEST_F(Outputs, MustBeOfTheFormat) {
   EXPECT_SAYS(complaint(at("a.obj"), rules), "a.obj: has the extension '.obj', but what is written is .pm or .svg");
   EXPECT_SAYS(complaint(at("a"), rules), "has the extension ''");
   // Also through links; a store of files without extensions is allowed.
-  put(at("mesh.obj"), "precious");
-  put(at("store"), "");
+  put("mesh.obj", "precious");
+  put("store", "");
   fs::create_symlink("mesh.obj", at("b.pm"));
   fs::create_symlink("store", at("c.pm"));
   EXPECT_SAYS(complaint(at("b.pm"), rules), "leads to");
@@ -177,7 +177,7 @@ TEST_F(Outputs, MustBeOfTheFormat) {
 }
 
 TEST_F(Outputs, WhatCannotBeWrittenIsNamedBeforehand) {
-  put(at("file"), "x");
+  put("file", "x");
   EXPECT_SAYS(complaint(""), "is empty; name a file");
   EXPECT_SAYS(complaint(folder_), "it is a folder; name a file inside it");
   EXPECT_SAYS(complaint(folder_ / ""), "it is a folder; name a file inside it");
@@ -186,7 +186,7 @@ TEST_F(Outputs, WhatCannotBeWrittenIsNamedBeforehand) {
   EXPECT_SAYS(complaint(at("file/a")), "Not a directory; name a file in a folder that you may write to");
   EXPECT_SAYS(complaint("/proc/self/a"), "cannot be written");  // not even by root
   if (::geteuid() == 0) return;                                 // who may write everywhere else
-  put(at("protected"), "x");
+  put("protected", "x");
   fs::permissions(at("protected"), fs::perms::owner_read);
   EXPECT_SAYS(complaint(at("protected")), "Permission denied");
   fs::create_directory(at("locked"));
@@ -226,7 +226,7 @@ TEST_F(Outputs, ADescriptorThatIsOpenIsUsed) {
 
 TEST_F(Outputs, AFullDiskLeavesTheOldFile) {
   ignore_file_size_signal();
-  put(at("target"), "old");
+  put("target", "old");
   fs::create_symlink("target", at("link"));
   const auto before = contents_of(folder_);
   rlimit usual{};
@@ -243,7 +243,7 @@ TEST_F(Outputs, AFullDiskLeavesTheOldFile) {
 
 TEST_F(Outputs, SignalsWaitUntilTheFileExists) {
   // Interrupted in the middle of writing, a child process first finishes the file.
-  put(at("a"), "old");
+  put("a", "old");
   const pid_t child = ::fork();
   if (child == 0) {
     system_calls().fsync = [](int file) {
@@ -269,7 +269,7 @@ TEST_F(Outputs, ASetIsWrittenWithItsFolders) {
 }
 
 TEST_F(Outputs, ASetThatIsNotWrittenLeavesNothing) {
-  put(at("file"), "x");
+  put("file", "x");
   const auto before = contents_of(folder_);
   { const OutputSet set(at("x/y"), {"a", "z/b", "index"}); }
   EXPECT_EQ(contents_of(folder_), before);

@@ -24,7 +24,7 @@ TEST_F(Reading, EveryByteArrives) {
        {std::size_t{0}, std::size_t{1}, std::size_t{1000}, std::size_t{1} << 20, (std::size_t{1} << 20) + 1}) {
     std::string bytes(size, '\0');
     for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<char>(i * i >> 3);
-    put(file("a"), bytes);
+    put("a", bytes);
     EXPECT_EQ(read_whole(file("a")), bytes) << size;
   }
   EXPECT_EQ(read_whole("/dev/null"), "");
@@ -35,7 +35,7 @@ TEST_F(Reading, EveryByteArrives) {
 TEST_F(Reading, APipeIsReadToItsEnd) {
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
   const std::string bytes(2'500'000, 'x');
-  std::thread writer([&] { put(file("pipe"), bytes); });
+  std::thread writer([&] { put("pipe", bytes); });
   EXPECT_EQ(read_whole(file("pipe")), bytes);
   writer.join();
 }
@@ -43,7 +43,7 @@ TEST_F(Reading, APipeIsReadToItsEnd) {
 TEST_F(Reading, WhatNeverEndsIsRefusedWithItsLimit) {
   EXPECT_NE(complaint("/dev/zero", {1 << 20, 5 << 20}).find("is larger than 5 MiB, the limit for a pipe or device"),
             std::string::npos);
-  put(file("a"), std::string(1001, 'x'));
+  put("a", std::string(1001, 'x'));
   EXPECT_NE(complaint(file("a"), {1000, 1}).find("a: is larger than 1000 bytes, the limit for a file; cut it"),
             std::string::npos);
   EXPECT_EQ(complaint(file("a"), {1001, 1}), "");
@@ -55,7 +55,7 @@ TEST_F(Reading, WhatNeverEndsIsRefusedWithItsLimit) {
 TEST_F(Reading, WhatCannotBeReadIsNamed) {
   EXPECT_NE(complaint(file("none")).find("none: no such file; check the path"), std::string::npos);
   EXPECT_NE(complaint(folder_).find("is a directory; name a file inside it"), std::string::npos);
-  put(file("a"), "x");
+  put("a", "x");
   EXPECT_NE(complaint(folder_ / "a" / "b").find("cannot be opened: Not a directory"), std::string::npos);
 }
 

@@ -54,10 +54,8 @@ TEST(Bake, ReportsWhatEveryLevelHas) {
   }
 }
 
-Plan played_from(const BakedMesh& baked) {
-  Plan::Given given;
-  given.baked = &baked;
-  return {way_named("baked"), baked.mesh, given};
+ReplayReport played(const BakedMesh& baked, const Soup& soup, std::size_t cycles = 0) {
+  return replay({way_named("baked"), baked.mesh, {.baked = &baked}}, soup.triangles, {.repeats = 0, .cycles = cycles});
 }
 
 TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
@@ -65,14 +63,11 @@ TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
   const Soup soup = make_mesh(4000);
   const BakedMesh baked = bake(simplify(soup, {0.02, BoundaryPolicy::move}).mesh, {}, &report);
   EXPECT_EQ(report.most_strips, 1U);
-  ReplayOptions options;
-  options.repeats = 0;
-  options.cycles = 3;
-  const ReplayReport played = replay(played_from(baked), soup.triangles, options);
-  EXPECT_TRUE(played.valid());
-  EXPECT_EQ(played.most_strips, 1U);
-  EXPECT_EQ(played.operations_isolating, 0U);
-  EXPECT_EQ(played.levels_compared, 2 * 3 * played.levels.size());
+  const ReplayReport replayed = played(baked, soup, 3);
+  EXPECT_TRUE(replayed.valid());
+  EXPECT_EQ(replayed.most_strips, 1U);
+  EXPECT_EQ(replayed.operations_isolating, 0U);
+  EXPECT_EQ(replayed.levels_compared, 2 * 3 * replayed.levels.size());
 }
 
 // Every level has fewer indices, most by a seventh, and the changed colours take few bytes.
@@ -81,10 +76,8 @@ TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   const ProgressiveMesh mesh = simplify(soup, {0.05, BoundaryPolicy::move}).mesh;
   const BakedMesh strips = bake(mesh);
   const BakedMesh indices = bake(mesh, {.cost = Cost::indices()});
-  ReplayOptions options;
-  options.repeats = 0;
-  const ReplayReport of_strips = replay(played_from(strips), soup.triangles, options);
-  const ReplayReport of_indices = replay(played_from(indices), soup.triangles, options);
+  const ReplayReport of_strips = played(strips, soup);
+  const ReplayReport of_indices = played(indices, soup);
   EXPECT_TRUE(of_indices.valid());
   EXPECT_GT(of_indices.levels_compared, 0U);
   ASSERT_EQ(of_strips.levels.size(), of_indices.levels.size());
@@ -97,9 +90,7 @@ TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
 TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {
   const Soup soup = make_mesh(1000);
   BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000, Cost::strips()});
-  ReplayOptions options;
-  options.repeats = 0;
-  EXPECT_TRUE(replay(played_from(baked), soup.triangles, options).valid());
+  EXPECT_TRUE(played(baked, soup).valid());
   // A flip in the last record that closes a cycle or gives a triangle three solid edges: all inner edges solid.
   const StripMesh top = [&] {
     StripMesh mesh = baked.base;
@@ -110,7 +101,7 @@ TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {
   for (unsigned side = 0; side < 3; ++side)
     if (!top.solid(StripMesh::halfedge(0, side))) baked.records.flips.push_back(StripMesh::halfedge(0, side));
   baked.records.first.back() = static_cast<std::uint32_t>(baked.records.flips.size());
-  EXPECT_FALSE(replay(played_from(baked), soup.triangles, options).valid());
+  EXPECT_FALSE(played(baked, soup).valid());
 }
 
 TEST(Bake, IsReproducible) {

@@ -11,6 +11,7 @@
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
+#include "meshes/little_endian.hpp"
 #include "meshes/made_mesh.hpp"
 #include "replay/replay.hpp"
 #include "restrip/formats/baked_file.hpp"
@@ -31,16 +32,13 @@ std::string refusal(std::string_view bytes) {
 std::string with_checksum(std::string bytes) {
   bytes.resize(bytes.size() - 8);
   const std::uint64_t hash = fnv1a(bytes);
-  for (unsigned i = 0; i < 8; ++i) bytes.push_back(static_cast<char>(hash >> (8 * i) & 0xFFU));
+  put(bytes, static_cast<std::uint32_t>(hash));
+  put(bytes, static_cast<std::uint32_t>(hash >> 32));
   return bytes;
 }
 
 /// The number of records, as the header has it.
-std::size_t records_of(const std::string& bytes) {
-  std::size_t records = 0;
-  for (std::size_t i = 0; i < 4; ++i) records |= std::size_t{static_cast<unsigned char>(bytes[20 + i])} << (8 * i);
-  return records;
-}
+std::size_t records_of(const std::string& bytes) { return little_endian(bytes, 20); }
 
 std::vector<std::byte> as_vector(std::string_view bytes) {
   const auto all = std::as_bytes(std::span(bytes));
@@ -112,9 +110,9 @@ TEST(BakedFile, APayloadThatDoesNotFitIsRefused) {
                                                                        {5, "too early"},
                                                                        {1U << 20, "announces more"},
                                                                        {0xFFFFFFFF, "announces more"}}) {
-    std::string forged = loaded;
-    for (std::size_t i = 0; i < 4; ++i) forged[24 + i] = static_cast<char>(said >> (8 * i) & 255U);
-    const std::string reported = refusal(with_checksum(forged));
+    std::string forged = loaded.substr(0, 24);
+    put(forged, said);
+    const std::string reported = refusal(with_checksum(forged + loaded.substr(28)));
     EXPECT_TRUE(reported.find(text) != std::string::npos || reported.find("record") != std::string::npos) << reported;
     EXPECT_NE(reported, "");
   }
@@ -128,15 +126,9 @@ TEST(BakedFile, WhatIsWrittenIsRead) {
     // The same progressive mesh, with its vertices in order of appearance.
     EXPECT_EQ(pm_bytes(again.mesh), pm_bytes(baked.mesh));
     EXPECT_EQ(baked_bytes(again), bytes);
-    ReplayOptions options;
-    options.repeats = 0;
-    const auto played_from = [](const BakedMesh& played) {
-      Plan::Given given;
-      given.baked = &played;
-      return Plan(way_named("baked"), played.mesh, given);
-    };
-    const ReplayReport first = replay(played_from(baked), soup.triangles, options);
-    const ReplayReport second = replay(played_from(again), {}, options);
+    const Way& way = way_named("baked");
+    const ReplayReport first = replay({way, baked.mesh, {.baked = &baked}}, soup.triangles, {.repeats = 0});
+    const ReplayReport second = replay({way, again.mesh, {.baked = &again}}, {}, {.repeats = 0});
     EXPECT_TRUE(first.valid());
     EXPECT_TRUE(second.valid());
     ASSERT_EQ(first.levels.size(), second.levels.size());

@@ -48,7 +48,7 @@ class CountedByTheProgram : public ProgramFolder {
 };
 
 TEST_F(CountedByTheProgram, OneTriangle) {
-  put(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   expect("stats a.obj", "in 1 loop\n");
   expect("stripify a.obj -o a.glb", "1 triangle (0 degenerate ones left out) in 1 strip, 1 connected component\n");
   expect("convert a.obj -o a.ply", "3 vertices, 1 triangle\n");
@@ -62,12 +62,12 @@ TEST_F(CountedByTheProgram, OneTriangle) {
 }
 
 TEST_F(CountedByTheProgram, OneFault) {
-  put(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\nf 1 1 2\n");
+  put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\nf 1 1 2\n");
   expect("stripify a.obj", "(1 degenerate one left out)");
   expect("stripify a.obj", "\n1 edge lies between");
   expect("stripify a.obj --orient", "oriented: 1 triangle turned\n");
   expect("replay a.obj --repeats 0", "left out: 1 degenerate triangle\n");
-  put(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 2 4 5\n");
+  put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 2 4 5\n");
   expect("stripify a.obj", "\n1 vertex lies where others do");
   expect("stripify a.obj --weld", "welded: 1 vertex with others");
 }

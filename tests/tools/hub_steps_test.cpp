@@ -179,11 +179,7 @@ TEST(ToolsHubSteps, StoppingShortIsLinear) {
 TEST(ToolsHubSteps, ReplayingIsLinear) {
   for (const char* way : {"local", "quick"})
     expect_linear(3'000, [way](const Soup& soup, const ProgressiveMesh& mesh) {
-      ReplayOptions options;
-      options.repeats = 0;
-      options.cycles = 1;
-      const Plan plan(way, mesh);
-      EXPECT_TRUE(replay(plan, soup.triangles, options).valid());
+      EXPECT_TRUE(replay(Plan(way, mesh), soup.triangles, {.repeats = 0, .cycles = 1}).valid());
     });
 }
 

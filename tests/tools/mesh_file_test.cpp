@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <fstream>
 #include <utility>
 
 #include "common/bad_input.hpp"
 #include "common/output.hpp"
 #include "common/reading.hpp"
 #include "lod/mesh_files.hpp"
+#include "meshes/little_endian.hpp"
 #include "meshes/made_mesh.hpp"
 #include "scratch_folder.hpp"
 #include "shapes.hpp"
@@ -335,17 +335,11 @@ TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
 }
 
 std::string stl_binary(const Soup& soup) {
-  std::string bytes(80, ' ');
-  bytes.replace(0, 5, "solid");  // as many programs write it, although it is not text
-  const auto put = [&](std::uint32_t value) {
-    for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-  };
-  put(static_cast<std::uint32_t>(soup.triangles.size()));
+  std::string bytes = "solid" + std::string(75, ' ');  // as many programs write it, although it is not text
+  put(bytes, static_cast<std::uint32_t>(soup.triangles.size()));
   for (const Corners& t : soup.triangles) {
-    for (unsigned i = 0; i < 3; ++i) put(0);
-    for (const std::uint32_t v : t)
-      for (const double x : {soup.points[v].x, soup.points[v].y, soup.points[v].z})
-        put(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+    bytes += std::string(12, '\0');
+    for (const std::uint32_t v : t) put(bytes, soup.points[v]);
     bytes += std::string(2, '\0');
   }
   return bytes;
@@ -415,9 +409,9 @@ TEST_F(InFolder, Refusals) {
   const auto refused = [](const std::filesystem::path& file) { return refusal_of([&] { (void)read_mesh(file); }); };
   EXPECT_NE(refused(folder_ / "none.obj").find("none.obj: no such file"), std::string::npos);
   EXPECT_NE(refused(folder_).find("is a directory"), std::string::npos);
-  std::ofstream(folder_ / "empty.ply");
+  put("empty.ply", "");
   EXPECT_NE(refused(folder_ / "empty.ply").find("the file is empty"), std::string::npos);
-  std::ofstream(folder_ / "a.xyz") << "0 0 0\n";
+  put("a.xyz", "0 0 0\n");
   EXPECT_NE(refused(folder_ / "a.xyz").find("unknown extension '.xyz'; name the format by --from"), std::string::npos);
 }
 

@@ -213,7 +213,7 @@ TEST_F(Program, BakedStripsArePlayed) {
 }
 
 TEST_F(Program, AnOutputThatIsNotAFileIsWrittenTo) {
-  put(file("target"), "old");
+  put("target", "old");
   std::filesystem::create_symlink(file("target"), file("link.json"));
   expect_done("replay --built-in --triangles 500 --repeats 0 --json link.json");
   EXPECT_TRUE(std::filesystem::is_symlink(file("link.json")));
@@ -295,12 +295,11 @@ TEST_F(Meshes, AnInputIsNeverAnOutput) {
 
 // For every subcommand: no output is another output, nor a file that the input names.
 TEST_F(Meshes, NoFileIsWrittenTwice) {
-  put(file("x.gltf"),
+  put("x.gltf",
       R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
       R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[)"
       R"({"byteLength":36,"uri":"x.bin"}]})");
-  put(file("x.bin"),
-      std::string("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0", 36));
+  put("x.bin", std::string("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0", 36));
   std::filesystem::create_hard_link(file("x.bin"), file("hard.json"));
   std::filesystem::create_symlink("new.json", file("link.json"));
   const std::string buffer = bytes_of(file("x.bin"));
@@ -374,18 +373,18 @@ TEST_F(Meshes, OutputsAreTestedBeforeTheWork) {
 }
 
 TEST_F(Meshes, InputsThatCannotBeReadAreNamed) {
-  put(file("bad.obj"), "v 0 0 1e300\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put("bad.obj", "v 0 0 1e300\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::string unfinished = bytes_of(file("a.pm"));
   const std::uint32_t not_a_number = 0x7FC00000U;
   std::memcpy(unfinished.data() + 20, &not_a_number, 4);
-  put(file("nan.pm"), unfinished);
+  put("nan.pm", unfinished);
   std::filesystem::create_directory(file("folder.obj"));
-  put(file("what"), "what is this?\n");
+  put("what", "what is this?\n");
   for (const char* name : {"zero.xyz", "zero.obj"}) std::filesystem::create_symlink("/dev/zero", file(name));
   // A line of a gigabyte, and a file of a terabyte: both are sparse and take no room on the disk.
   for (const auto& [name, bytes] :
        {std::pair{"line.off", std::uintmax_t{65} << 20}, {"huge.ply", std::uintmax_t{1} << 40}}) {
-    put(file(name), "");
+    put(name, "");
     std::filesystem::resize_file(file(name), bytes);
   }
   expect_refused({
@@ -409,7 +408,7 @@ TEST_F(Meshes, InputsThatCannotBeReadAreNamed) {
 }
 
 TEST_F(Meshes, AFullDiskLeavesTheTargetAlone) {
-  put(file("old.json"), "mine");
+  put("old.json", "mine");
   std::filesystem::create_symlink("old.json", file("link.json"));
   const auto before = contents_of(folder_);
   // The limit on file sizes, at most a kilobyte, simulates a full disk.
@@ -425,7 +424,7 @@ TEST_F(Meshes, AFullDiskLeavesTheTargetAlone) {
 TEST_F(Meshes, AProgressiveMeshThatDoesNotFitIsNamed) {
   std::string bytes = bytes_of(file("a.pm"));
   bytes.replace(bytes.size() - 4, 4, 4, '\0');
-  put(file("bad.pm"), bytes);
+  put("bad.pm", bytes);
   for (const char* command : {"draw bad.pm -o b.svg", "bake bad.pm -o b.baked", "stats bad.pm",
                               "convert bad.pm -o b.obj", "replay bad.pm --policy baked"})
     expect_refused(command, "bad.pm: split ");
@@ -436,13 +435,13 @@ TEST_F(Meshes, AProgressiveMeshThatDoesNotFitIsNamed) {
 
 // A terminal executes some bytes, and a line of a megabyte is unreadable.
 TEST_F(Meshes, MessagesArePlainAndShort) {
-  put(file("bad.ply"), "ply\nformat \033[2J\u009b1m\377\n");
+  put("bad.ply", "ply\nformat \033[2J\u009b1m\377\n");
   std::string name = "\033]0;x\a";
   name.resize(100'000, 'n');
-  put(file("long.gltf"), fmt::format(R"({{"asset":{{"version":"2.0"}},"extensionsRequired":[{{"{}":1}}]}})", name));
-  put(file("long.ply"), fmt::format("ply\nformat ascii 1.0\nelement vertex 1\nproperty float {0}\nelement face 1\n"
-                                    "property list uchar int {0}\nend_header\n0\n9\n",
-                                    name));
+  put("long.gltf", fmt::format(R"({{"asset":{{"version":"2.0"}},"extensionsRequired":[{{"{}":1}}]}})", name));
+  put("long.ply", fmt::format("ply\nformat ascii 1.0\nelement vertex 1\nproperty float {0}\nelement face 1\n"
+                              "property list uchar int {0}\nend_header\n0\n9\n",
+                              name));
   for (const char* command :
        {"stats bad.ply", "stats long.gltf", "stats long.ply", "stats \"$(printf '\\033[31m.obj')\"",
         "stats --json \"$(printf '\\033[31m')\" a.obj", "stats \"$(printf -- '--\\033[31m')\""}) {

@@ -17,10 +17,6 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-inline void put(const std::filesystem::path& file, const std::string& bytes) {
-  std::ofstream(file, std::ios::binary) << bytes;
-}
-
 /// Every file below the folder, hidden ones as well, with its bytes; links with where they lead.
 inline std::map<std::string, std::string> contents_of(const std::filesystem::path& folder) {
   std::map<std::string, std::string> contents;
@@ -45,6 +41,10 @@ class ScratchFolder : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
+  /// Writes a file of this name.
+  void put(const std::filesystem::path& name, const std::string& bytes) const {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+  }
   std::filesystem::path folder_ = [] {
     const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
     return std::filesystem::path(testing::TempDir()) /
