@@ -42,83 +42,6 @@ std::string argument(const std::string& line) {
   return space == std::string::npos ? std::string{} : line.substr(space + 1);
 }
 
-/// Applies instructions to files, in order.
-class Editor {
- public:
-  explicit Editor(fs::path folder) : folder_(std::move(folder)) {}
-  ~Editor() = default;
-
-  void carry_out(const std::string& instruction) {
-    const std::string verb = instruction.substr(0, instruction.find(' '));
-    const std::string what = argument(instruction);
-    if (verb == "file") {
-      file_ = folder_ / what;
-      place_ = 0;
-    } else if (verb == "section") {
-      place_ = position_of("section " + what) + 1;
-    } else if (verb == "-") {
-      std::vector<std::string> lines = lines_of(bytes_of(file_));
-      place_ = position_of(what);
-      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(place_));
-      save(lines);
-    } else if (verb == "+") {
-      std::vector<std::string> lines = lines_of(bytes_of(file_));
-      lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place_++), what);
-      save(lines);
-    } else if (verb == "cut") {
-      const std::string bytes = bytes_of(file_);
-      write(file_, bytes.substr(0, bytes.size() - std::stoul(what)));
-    } else if (verb == "create") {
-      write(folder_ / what, "not listed\n");
-    } else if (verb == "link") {
-      fs::create_directory_symlink("certificates", folder_ / what);
-    } else if (verb == "delete") {
-      fs::remove(file_);
-    } else {
-      throw std::runtime_error("unknown instruction: " + instruction);
-    }
-  }
-
- private:
-  std::size_t position_of(const std::string& line) const {
-    const std::vector<std::string> lines = lines_of(bytes_of(file_));
-    const auto found =
-        std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(place_), lines.end(), [&](const std::string& other) {
-          return other == line || (line.starts_with("end ") && other.starts_with(line + ' '));
-        });
-    if (found == lines.end()) throw std::runtime_error(fmt::format("{}: no line \"{}\"", file_.string(), line));
-    return static_cast<std::size_t>(found - lines.begin());
-  }
-  void save(const std::vector<std::string>& lines) const { write(file_, fmt::format("{}\n", fmt::join(lines, "\n"))); }
-
-  fs::path folder_;
-  fs::path file_;
-  std::size_t place_ = 0;
-};
-
-void read_damages(const fs::path& file, std::vector<Damage>& all) {
-  const std::size_t before = all.size();
-  for (const std::string& line : lines_of(bytes_of(file))) {
-    if (line.starts_with("case ")) {
-      all.push_back({argument(line), 0, "", {}});
-      continue;
-    }
-    if (all.size() == before) throw std::runtime_error(file.string() + ": no case before the first line");
-    Damage& damage = all.back();
-    if (line.empty() || line.starts_with("why "))
-      continue;
-    else if (line.starts_with("expect "))
-      damage.exit_code = std::stoi(argument(line));
-    else if (line.starts_with("message "))
-      damage.message = argument(line);
-    else
-      damage.instructions.push_back(line);
-  }
-  for (std::size_t i = before; i < all.size(); ++i)
-    if (all[i].message.empty() || all[i].exit_code == 0 || all[i].instructions.empty())
-      throw std::runtime_error(fmt::format("{}: {}: incomplete", file.string(), all[i].name));
-}
-
 /// By the name of a file in tests/corpus/altered.
 fs::path altered(const std::string& name) { return fs::path(RESTRIP_CORPUS_DIR) / "altered" / name; }
 
@@ -128,7 +51,24 @@ fs::path small_tables() { return fs::path(RESTRIP_CORPUS_DIR) / "accept" / "smal
 
 std::vector<Damage> damages() {
   std::vector<Damage> all;
-  for (const char* kind : {"reject.txt", "malformed.txt"}) read_damages(fs::path(RESTRIP_CORPUS_DIR) / kind, all);
+  for (const char* kind : {"reject.txt", "malformed.txt"})
+    for (const std::string& line : lines_of(bytes_of(fs::path(RESTRIP_CORPUS_DIR) / kind))) {
+      if (line.empty() || line.starts_with("why ")) continue;
+      if (line.starts_with("case ")) {
+        all.push_back({argument(line), 0, "", {}});
+        continue;
+      }
+      Damage& damage = all.at(all.size() - 1);
+      if (line.starts_with("expect "))
+        damage.exit_code = std::stoi(argument(line));
+      else if (line.starts_with("message "))
+        damage.message = argument(line);
+      else
+        damage.instructions.push_back(line);
+    }
+  for (const Damage& damage : all)
+    if (damage.message.empty() || damage.exit_code == 0 || damage.instructions.empty())
+      throw std::runtime_error(damage.name + ": incomplete");
   return all;
 }
 
@@ -197,16 +137,49 @@ DamagedTables::DamagedTables(const Damage& damage)
     : path_(fs::temp_directory_path() / fmt::format("restrip-corpus-{}-{}", getpid(), damage.name)) {
   fs::remove_all(path_);
   fs::copy(small_tables(), path_, fs::copy_options::recursive);
-  Editor editor(path_);
   bool refresh = true;
   bool sums = true;
+  fs::path file;
+  std::ptrdiff_t place = 0;  // of a line in it
   for (const std::string& instruction : damage.instructions) {
-    if (instruction == "keep-manifest")
+    const std::string verb = instruction.substr(0, instruction.find(' '));
+    const std::string what = argument(instruction);
+    std::vector<std::string> lines = lines_of(bytes_of(file));
+    const auto go_to = [&](const std::string& line) {
+      const auto found = std::find_if(lines.begin() + place, lines.end(), [&](const std::string& other) {
+        return other == line || (line.starts_with("end ") && other.starts_with(line + ' '));
+      });
+      if (found == lines.end()) throw std::runtime_error(fmt::format("{}: no line \"{}\"", file.string(), line));
+      place = found - lines.begin();
+    };
+    if (verb == "keep-manifest") {
       refresh = false;
-    else if (instruction == "keep-sums")
+    } else if (verb == "keep-sums") {
       sums = false;
-    else
-      editor.carry_out(instruction);
+    } else if (verb == "file") {
+      file = path_ / what;
+      place = 0;
+    } else if (verb == "section") {
+      go_to(instruction);
+      ++place;
+    } else if (verb == "-") {
+      go_to(what);
+      lines.erase(lines.begin() + place);
+      write(file, fmt::format("{}\n", fmt::join(lines, "\n")));
+    } else if (verb == "+") {
+      lines.insert(lines.begin() + place++, what);
+      write(file, fmt::format("{}\n", fmt::join(lines, "\n")));
+    } else if (verb == "cut") {
+      fs::resize_file(file, fs::file_size(file) - std::stoul(what));
+    } else if (verb == "create") {
+      write(path_ / what, "not listed\n");
+    } else if (verb == "link") {
+      fs::create_directory_symlink("certificates", path_ / what);
+    } else if (verb == "delete") {
+      fs::remove(file);
+    } else {
+      throw std::runtime_error("unknown instruction: " + instruction);
+    }
   }
   if (sums)
     for (const fs::directory_entry& entry : fs::directory_iterator(path_ / "certificates"))
