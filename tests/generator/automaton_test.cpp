@@ -9,8 +9,6 @@
 #include <set>
 #include <string>
 
-#include "automaton/emit_automaton.hpp"
-
 namespace restrip::generator {
 namespace {
 
@@ -69,12 +67,6 @@ TEST_F(AutomatonTest, ClassesAreAsCountedBefore) {
   EXPECT_EQ(automaton.classes.size(), 201U);
   EXPECT_EQ(automaton.meets.size(), 66U);
   EXPECT_EQ(automaton.meets[0].size(), 103U);
-}
-
-TEST_F(AutomatonTest, TextsAreTheSameEachTime) {
-  const Automaton again = make_automaton();
-  EXPECT_EQ(automaton_header(automaton).text, automaton_header(again).text);
-  EXPECT_EQ(automaton_certificate(automaton).text, automaton_certificate(again).text);
 }
 
 }  // namespace

@@ -128,17 +128,12 @@ TEST(OperationFiles, AreRefusedWithTheirPlace) {
        "b.json:7:3: expected names of members of at most 60 bytes"},
       {"\"none\"", "[0" + many(", 0", 64) + "]",
        "b.json:7:14: give_up: expected a list of at most 4 ports, found a list of 65"},
-      {"\"bisect-graph\"", "\"linked-bisect\"",
-       "b.json:3:11: name: expected a name that does not begin with \"linked-\""},
       {"\"bisect-graph\"", "\"bisect\"",
        "b.json:3:11: name: \"bisect\" is an operation of restrip, tables/operations/bisect.json"},
       {"\"bisect-graph\"", "\"math-errhandling\"",
        "b.json:3:11: name: \"math-errhandling\" is a macro of C, C++ or POSIX"},
-      {"\"give_up\"", "\"at_most\": 1, \"give_up\"",
-       "b.json:7:14: at_most: expected a list of at most 64 bounds, found 1"},
       {"\"give_up\"", "\"at_most\": [{}" + many(", {}", 64) + "], \"give_up\"",
        "b.json:7:14: at_most: expected a list of at most 64 bounds, found a list of 65"},
-      {"\"give_up\"", "\"at_most\": [{\"swaps\": 1}], \"give_up\"", "b.json:7:16: at_most[0].swaps: unknown member"},
       {"\"give_up\"", "\"at_most\": [{\"strips\": 17}], \"give_up\"",
        "b.json:7:26: at_most[0].strips: expected a number from -16 to 16"}};
   for (const std::string name : {"int", "co-await", "split", "rule-of", "fn"})
@@ -196,7 +191,6 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
       {"t[i,k)", "[i,k)", "expected a name"},
       {"\"ring\"", "\"circle\"", "operations[0].after.circle: unknown member"},
       {"[\"D\", \"A\"]", "[\"D\"]", "operations[0].after.chord: expected a list of 2 triangles, found a list of 1"},
-      {"[\"k\", \"i\"]", "[\"k\", \"k\"]", "numbers[1]: this number is listed already"},
       {"\"listed\"", "\"cost\": [[{\"count\": \"solid\", \"edges\": [0]}]], \"listed\"",
        "cost[0][0].edges: a pattern has different ones at each position"},
       {"\"listed\"", "\"give_up\": [0], \"listed\"", "give_up: expected \"none\" or \"all\""},
@@ -205,7 +199,6 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
       {"t[i,k)", "t[i," + many("9999k+", 2000) + "k)", "after.ring[3]: \"t[i,9999k+9999k"},
       {"[\"k\", \"i\"]", "[\"k\", \"" + std::string(21, 'i') + "\"]",
        "numbers[1]: expected 1 to 20 lower-case letters"},
-      {"k {k} i {i}", "k {k} i {i} {0}", "position: expected braces only around k, i, each at most once"},
       {"k {k} i {i}", "k {k} i {i} {i}", "position: expected braces only around k, i, each at most once"},
       {"\"listed\"", "\"section\": \"k {k} {i\", \"listed\"", "section: expected braces only around k, i"},
       {"\"listed\"", "\"at_most\": [{\"where\": \"m = 1\"}], \"listed\"",
@@ -219,8 +212,6 @@ TEST(FamiliesFile, WithAPositionThatIsNotAPatchIsRefused) {
       {"t[i,k)", "t[i,i-1)", "expected indices from 0 to 64, found t[1,0)"},
       {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]",
        "w.json:4:12: operations[0].after: expected the same number of ports as before, 5, found 4 (wheel k 4 i 1)"},
-      {"t[i,k)", "t[i,9999 k)", "expected indices from 0 to 64, found t[1,39996)"},
-      {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B does not occur"},
       {"[\"D\", \"A\"]", "[\"D\", \"t[2,3)\"]", "triangle 2 has more than three edges"}};
   expect_refused(wheel, faults, [](const std::string& text) {
     const std::vector<Description> families = parse_descriptions("w.json", text);

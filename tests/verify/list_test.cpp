@@ -88,7 +88,6 @@ TEST(Lists, EveryCrimeIsCounted) {
 
 TEST(Lists, EveryFlippedEdgeOfTheShippedOnesIsNoticed) {
   std::uint64_t flips = 0;
-  std::uint64_t survivors = 0;
   for (const LinkedFamily& family : linked_families()) {
     const std::string file = std::string(RESTRIP_TABLES_DIR) + "/certificates/" + family.name + ".cert";
     const LinkedCertificate certificate = parse_linked_certificate(file, read_file(file), family);
@@ -105,18 +104,17 @@ TEST(Lists, EveryFlippedEdgeOfTheShippedOnesIsNoticed) {
             ListFailures failures;
             check_list(after, recolorings, ports, bad, file, failures);
             ++flips;
-            if (failures.present.count + failures.legal.count + failures.ordered.count + failures.uncovered.count +
-                    failures.complete.count ==
-                0)
-              ++survivors;
+            // An alternative with one edge more or less is never as good, so no alteration may pass.
+            EXPECT_GT(failures.present.count + failures.legal.count + failures.ordered.count +
+                          failures.uncovered.count + failures.complete.count,
+                      0U)
+                << file << ", ports " << ports << ", row " << row << ", edge " << bit;
           }
       }
     }
   }
   std::cout << flips << " flips\n";
   EXPECT_GT(flips, 0U);
-  // An alternative with one edge more or less is never as good, so no alteration may pass.
-  EXPECT_EQ(survivors, 0U);
 }
 
 }  // namespace

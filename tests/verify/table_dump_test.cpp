@@ -15,21 +15,19 @@
 #include "model/input.hpp"
 #include "naive_tables.hpp"
 
-namespace restrip::verify {
+namespace restrip::verify::test {
 namespace {
 
-using test::NaiveColors;
-
-test::NaiveOperation naive_at(const Operation& operation) {
-  return test::NaiveOperation(test::operation_by_hand(operation.family, operation.numbers));
+NaiveOperation naive_at(const Operation& operation) {
+  return NaiveOperation(operation_by_hand(operation.family, operation.numbers));
 }
 
 /// The right answers by the naive method: several if several are optimal, none if no answer is allowed.
-std::vector<NaiveColors> right_answers(const test::NaiveOperation& naive, NaiveColors before) {
+std::vector<NaiveColors> right_answers(const NaiveOperation& naive, NaiveColors before) {
   std::vector<NaiveColors> best;
   if (!naive.valid(false, before)) return best;
-  const std::vector<test::NaiveCandidate> sound = naive.sound(before);
-  for (const test::NaiveCandidate& one : sound)
+  const std::vector<NaiveCandidate> sound = naive.sound(before);
+  for (const NaiveCandidate& one : sound)
     if (std::all_of(sound.begin(), sound.end(), [&](const auto& other) { return one.cost <= other.cost; }))
       best.push_back(one.after);
   return best;
@@ -37,12 +35,12 @@ std::vector<NaiveColors> right_answers(const test::NaiveOperation& naive, NaiveC
 
 /// The first right answer to each configuration.
 std::string right_table(const Operation& operation) {
-  const test::NaiveOperation naive = naive_at(operation);
+  const NaiveOperation naive = naive_at(operation);
   const auto first = [&](NaiveColors before) -> std::optional<NaiveColors> {
     const std::vector<NaiveColors> right = right_answers(naive, before);
     return right.empty() ? std::nullopt : std::optional(right.front());
   };
-  return test::table_text(naive, first, true);
+  return table_text(naive, first, true);
 }
 
 struct Tables {
@@ -58,15 +56,15 @@ struct Tables {
 
   Tables() {
     certificates.reserve(families.size());
-    for (const test::NaiveFamily& naive : test::naive_families(3)) {
+    for (const NaiveFamily& naive : naive_families(3)) {
       const Family& family = families[certificates.size()];
-      std::vector<test::NaiveTable> tables;
-      for (const test::NaiveSection& section : naive.sections) {
-        tables.push_back(test::naive_table(family.name, section, true).value());
-        for (const test::NaiveOperation& operation : section.operations)
-          texts.push_back(test::table_text(operation, test::answers_of(operation, tables.back()), true));
+      std::vector<NaiveTable> tables;
+      for (const NaiveSection& section : naive.sections) {
+        tables.push_back(naive_table(family.name, section, true).value());
+        for (const NaiveOperation& operation : section.operations)
+          texts.push_back(table_text(operation, answers_of(operation, tables.back()), true));
       }
-      certificates.push_back(parse_certificate("c", test::certificate_text(family.name, tables), family));
+      certificates.push_back(parse_certificate("c", certificate_text(family.name, tables), family));
       for (std::size_t s = 0; s < family.sections.size(); ++s)
         for (const Operation& operation : family.sections[s].operations)
           expected.tables.push_back({&operation, Against::certificate, &certificates.back().sections[s]});
@@ -83,7 +81,7 @@ struct Tables {
       }
   }
 
-  std::string dump() const { return test::dump_text(texts); }
+  std::string dump() const { return dump_text(texts); }
 };
 
 DumpComparison comparison_of(const ExpectedDump& expected, std::string text) {
@@ -158,11 +156,11 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
   std::size_t tried = 0;
   for (const Family& family : all_families(3))
     for (const Operation& operation : family.unlisted) {
-      const test::NaiveOperation naive = naive_at(operation);
+      const NaiveOperation naive = naive_at(operation);
       ExpectedDump expected;
       expected.tables.push_back({&operation, Against::own_patch, nullptr});
       const auto wrong = [&](const std::string& table) {
-        const DumpComparison comparison = comparison_of(expected, test::dump_text({table}));
+        const DumpComparison comparison = comparison_of(expected, dump_text({table}));
         EXPECT_EQ(comparison.fault, "");
         return comparison.of(Against::own_patch).wrong.count;
       };
@@ -180,7 +178,7 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
           bad += is_right ? 0U : 1U;
           return inner < answers ? std::optional(other) : std::nullopt;
         };
-        const std::string table = test::table_text(naive, altered, true);
+        const std::string table = table_text(naive, altered, true);
         EXPECT_EQ(wrong(table), bad) << operation.name() << ", answer " << inner;
       }
     }
@@ -190,7 +188,7 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
 TEST(TableDump, OneAlterationIsNamed) {
   const Tables tables;
   const std::string good = tables.dump();
-  for (const test::Alteration& alteration : test::alterations("tables_dump.txt")) {
+  for (const Alteration& alteration : alterations("tables_dump.txt")) {
     const std::string found = difference(tables, alteration.in(good));
     EXPECT_NE(found.find(alteration.says), std::string::npos)
         << "expected: " << alteration.says << "\nfound: " << found;
@@ -247,4 +245,4 @@ TEST(Input, WithoutEndIsRefused) {
 }
 
 }  // namespace
-}  // namespace restrip::verify
+}  // namespace restrip::verify::test
