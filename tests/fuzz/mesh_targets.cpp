@@ -13,7 +13,6 @@
 #include "meshes/mend.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/stripify.hpp"
 #include "target.hpp"
 #include "tools/shapes.hpp"
 
@@ -40,9 +39,7 @@ void check_strips_of_file(const Soup& soup) {
 bool play(Soup soup) {
   for (const Corners& t : soup.triangles)
     for (const std::uint32_t corner : t) promise(corner < soup.points.size(), "a corner is a vertex");
-  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-  stripify(mesh, Effort::fast, Cost::strips());
-  promise(find_faults(mesh).empty(), "strips from scratch are valid");
+  promise(find_faults(stripified(soup)).empty(), "strips from scratch are valid");
   if (!soup.strips.empty()) check_strips_of_file(soup);
   Mended mended;
   weld(soup, mended);
@@ -63,13 +60,11 @@ bool play(Soup soup) {
 std::string glb_of(std::string json, const std::string& binary) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string glb = "glTF";
-  const auto put = [&glb](std::size_t value) {
-    for (unsigned i = 0; i < 4; ++i) glb.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-  };
-  put(2), put(28 + json.size() + binary.size());
-  put(json.size()), put(0x4E4F534A);
+  for (const std::size_t value :
+       {std::size_t{2}, 28 + json.size() + binary.size(), json.size(), std::size_t{0x4E4F534A}})
+    put(glb, static_cast<std::uint32_t>(value));
   glb += json;
-  put(binary.size()), put(0x004E4942);
+  put(glb, static_cast<std::uint32_t>(binary.size())), put(glb, 0x004E4942);
   return glb + binary;
 }
 
@@ -122,7 +117,7 @@ bool check_pm(std::string_view bytes) {
 std::string sealed(std::string_view bytes) {
   std::string all(bytes.substr(0, bytes.size() - std::min<std::size_t>(bytes.size(), 8)));
   const std::uint64_t hash = fnv1a(all);
-  for (unsigned i = 0; i < 8; ++i) all.push_back(static_cast<char>(hash >> (8 * i) & 0xFFU));
+  put(all, static_cast<std::uint32_t>(hash)), put(all, static_cast<std::uint32_t>(hash >> 32));
   return all;
 }
 
@@ -174,9 +169,7 @@ std::string big_endian_ply() {
 
 std::string ply_of_strips() {
   const Soup shape = sheet(2);
-  StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
-  stripify(mesh, Effort::fast, Cost::strips());
-  const std::vector<std::uint32_t> indices = strip_indices(mesh);
+  const std::vector<std::uint32_t> indices = strip_indices(stripified(shape));
   return written_strips(*format_named(".ply"), shape.points, indices).bytes;
 }
 
@@ -195,9 +188,7 @@ Soup textured_sheet() {
 
 std::string glb_of_strips(StripForm form) {
   const Soup shape = textured_sheet();
-  StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
-  stripify(mesh, Effort::fast, Cost::strips());
-  const std::vector<std::uint32_t> indices = strip_indices(mesh);
+  const std::vector<std::uint32_t> indices = strip_indices(stripified(shape));
   return written_strips(*format_named(".glb"), shape.points, indices, {form}, shape.attributes).bytes;
 }
 
@@ -256,7 +247,7 @@ std::vector<Target> mesh_targets() {
         "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element edge 1\nproperty int a\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 "
         "0 0\n0 1 0\n7\n3 0 1 2\n",
-        ply_of_strips(), ply_bytes(textured),
+         ply_of_strips(), ply_bytes(textured),
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
         "double "
         "u\nproperty double v\nproperty ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort "

@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "restrip/output/strips.hpp"
-#include "restrip/search/stripify.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {
 namespace {
-
-StripMesh mesh_of(const Soup& soup) { return StripMesh::build(soup.triangles, soup.points.size()); }
 
 /// Colours the fan of an interior vertex all solid: a cycle.
 void close_a_cycle(StripMesh& mesh, Vertex v) {
@@ -24,8 +21,7 @@ void close_a_cycle(StripMesh& mesh, Vertex v) {
 
 TEST(FindFaults, PassesGreedyStrips) {
   for (const Soup& soup : {tetrahedron(), sheet(6), bow_tie()}) {
-    StripMesh mesh = mesh_of(soup);
-    stripify(mesh, Effort::fast, Cost::strips());
+    const StripMesh mesh = stripified(soup);
     EXPECT_TRUE(find_faults(mesh).empty());
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v) EXPECT_EQ(find_fault_around(mesh, v), "");
   }
@@ -65,8 +61,7 @@ TEST(DecodeStrips, FollowsTheRulesOfTheCard) {
 }
 
 TEST(DecodeStrips, GivesTheMeshBackAndNoticesAMissingIndex) {
-  StripMesh mesh = mesh_of(sheet(7));
-  stripify(mesh, Effort::fast, Cost::strips());
+  const StripMesh mesh = stripified(sheet(7));
   std::vector<std::uint32_t> indices = strip_indices(mesh, extract_strips(mesh));
   const auto expected = sorted_triangles(sheet(7).triangles);
   EXPECT_EQ(sorted_triangles(decode_strips(indices)), expected);

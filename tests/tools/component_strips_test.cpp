@@ -20,11 +20,10 @@ TEST(ComponentStrips, SomeStripsAreNeededWhateverTheColors) {
   // A triangle and its three neighbours: three ends, so two strips.
   const std::vector<Corners> star{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}};
   EXPECT_EQ(strips_at_least(StripMesh::build(star, 6)), 2U);
-  EXPECT_EQ(strips_at_least(StripMesh::build(tetrahedron().triangles, 4)), 1U);
+  EXPECT_EQ(strips_at_least(mesh_of(tetrahedron())), 1U);
   EXPECT_EQ(strips_at_least(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {3, 4, 5}}, 6)), 2U);
   // A sheet has two corners with one neighbour each: the ends of one strip.
-  const Soup square = sheet(5);
-  EXPECT_EQ(strips_at_least(StripMesh::build(square.triangles, square.points.size())), 1U);
+  EXPECT_EQ(strips_at_least(mesh_of(sheet(5))), 1U);
 }
 
 TEST(ComponentStrips, FollowSplits) {

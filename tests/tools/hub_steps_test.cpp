@@ -192,8 +192,7 @@ TEST(ToolsHubSteps, BakingIsLinear) {
 
 TEST(ToolsHubSteps, DrawingIsLinear) {
   expect_linear(3'000, [](const Soup& soup, const ProgressiveMesh&) {
-    StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-    stripify(mesh, Effort::fast, Cost::strips());
+    const StripMesh mesh = stripified(soup);
     const Strips order = extract_strips(mesh);
     std::vector<StripCorners> strips(order.size());
     for (std::size_t s = 0; s < order.size(); ++s)

@@ -126,16 +126,14 @@ TEST(Mend, StripsOfTheFileStayWhatIsDrawn) {
 }
 
 TEST(FileStrips, BecomeTheColouring) {
-  const Soup shape = sheet(5);
-  StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
   Soup soup;
-  soup.points = shape.points;
+  soup.points = sheet(5).points;
   soup.triangles = {{0, 0, 1}};  // listed, and in no strip
   const std::vector<std::uint32_t> strip{0, 6, 7, 13, strip_end, 1, 0, 7, strip_end, 7, 13, 8, 14, 9};
   soup.strips = strip;
   for (const Corners& t : decode_strips(strip)) soup.triangles.push_back(t);
   std::vector<std::uint32_t> origin;
-  mesh = StripMesh::build(soup.triangles, soup.points.size(), nullptr, &origin);
+  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), nullptr, &origin);
   const FileStrips done = color_as_in_file(mesh, soup, origin);
   EXPECT_TRUE(find_faults(mesh).empty());
   EXPECT_EQ(count_strips(mesh), mesh.triangle_count() - done.solid);

@@ -25,7 +25,6 @@
 #include "meshes/made_mesh.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/stripify.hpp"
 #include "scratch_folder.hpp"
 #include "shapes.hpp"
 
@@ -63,9 +62,7 @@ struct Everything {
   std::string baked;
 
   explicit Everything(Soup soup) : mesh(std::move(soup)) {
-    StripMesh strips = StripMesh::build(mesh.triangles, mesh.points.size());
-    stripify(strips, Effort::fast, Cost::strips());
-    indices = strip_indices(strips);
+    indices = strip_indices(stripified(mesh));
     drawn = decode_strips(indices);
     progressive = simplify(mesh, {0.2, BoundaryPolicy::move}).mesh;
     baked = baked_bytes(bake(progressive, {20'000}, &report));

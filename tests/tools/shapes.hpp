@@ -5,8 +5,18 @@
 #include <initializer_list>
 
 #include "meshes/soup.hpp"
+#include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
+
+inline StripMesh mesh_of(const Soup& soup) { return StripMesh::build(soup.triangles, soup.points.size()); }
+
+/// With greedy strips.
+inline StripMesh stripified(const Soup& soup) {
+  StripMesh mesh = mesh_of(soup);
+  stripify(mesh, Effort::fast, Cost::strips());
+  return mesh;
+}
 
 /// Closed, genus 0, four vertices.
 inline Soup tetrahedron() {

@@ -76,7 +76,7 @@ TEST(Simplify, StopsWhereNoCollapseIsLegal) {
 /// Edges of the base that may collapse, whatever the decimater decides.
 std::size_t legal_edges(const Soup& soup, const Simplification& result, BoundaryPolicy policy) {
   // The base alone would have other faults than the original mesh.
-  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
+  StripMesh mesh = mesh_of(soup);
   for (auto record = result.mesh.splits.rbegin(); record != result.mesh.splits.rend(); ++record)
     mesh.remove_vertex(mesh.spoke(record->v_s, record->v_t));
   EXPECT_EQ(sorted_triangles(triangles_of(mesh)), sorted_triangles(result.mesh.base));

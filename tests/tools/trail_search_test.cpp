@@ -31,7 +31,7 @@ std::size_t solid_edges_that_differ(const StripMesh& one, const StripMesh& other
 
 TEST(TrailSearch, EverySuccessIsOneStripLess) {
   for (const Soup& soup : {make_mesh(2000), sheet(20), tetrahedron()}) {
-    StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
+    StripMesh mesh = mesh_of(soup);
     StripLocator locator(mesh);  // every triangle isolated
     TrailSearch search;
     std::size_t joined = 0;
@@ -61,8 +61,7 @@ TEST(TrailSearch, EverySuccessIsOneStripLess) {
 }
 
 TEST(TrailSearch, KeepsToItsBudget) {
-  const Soup soup = make_mesh(2000);
-  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
+  StripMesh mesh = mesh_of(make_mesh(2000));
   stripify(mesh, Effort::full, Cost::strips());
   StripLocator locator(mesh);
   TrailSearch search;

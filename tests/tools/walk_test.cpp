@@ -11,17 +11,10 @@
 #include "meshes/made_mesh.hpp"
 #include "replay/ways.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/stripify.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {
 namespace {
-
-StripMesh stripified(const Soup& soup) {
-  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-  stripify(mesh, Effort::fast, Cost::strips());
-  return mesh;
-}
 
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
