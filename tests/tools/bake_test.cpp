@@ -124,9 +124,9 @@ TEST(Bake, NamesASplitThatDoesNotFit) {
 class OneStrip : public testing::TestWithParam<const char*> {};
 
 TEST_P(OneStrip, AtEveryLevelOfARealMesh) {
-  if (real_mesh(GetParam()).empty()) GTEST_SKIP() << GetParam() << " is missing: set RESTRIP_MESHES";
+  const auto file = REAL_MESH(GetParam());
   BakeReport report;
-  (void)bake(simplify(read_mesh(real_mesh(GetParam())), {0.02, BoundaryPolicy::move}).mesh, {}, &report);
+  (void)bake(simplify(read_mesh(file), {0.02, BoundaryPolicy::move}).mesh, {}, &report);
   EXPECT_EQ(report.most_strips, 1U);
 }
 

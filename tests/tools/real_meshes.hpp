@@ -7,9 +7,9 @@
 #include <filesystem>
 
 /// In a test: `const auto file = REAL_MESH("bunny.obj");`. Skips the test, visibly, if the mesh is missing.
-#define REAL_MESH(name)                             \
-  [] { return restrip::tools::real_mesh(name); }(); \
-  if (restrip::tools::real_mesh(name).empty())      \
+#define REAL_MESH(name)                        \
+  restrip::tools::real_mesh(name);             \
+  if (restrip::tools::real_mesh(name).empty()) \
   GTEST_SKIP() << (name) << " is missing: set RESTRIP_MESHES to the folder that holds the real meshes"
 
 namespace restrip::tools {

@@ -92,25 +92,15 @@ TEST(Replay, ReportsSomeOfManyCycles) {
   for (std::size_t i = 0; i + 1 < report.cycles.size(); ++i) EXPECT_EQ(report.cycles[i].number, 1 + 4 * i);
 }
 
-TEST(Replay, FindsAMissingTriangle) {
+TEST(Replay, FindsMissingAndTurnedTrianglesAndASplitThatDoesNotFit) {
   const Soup soup = make_mesh(500);
   ProgressiveMesh mesh = simplify(soup).mesh;
-  std::vector<Corners> original = soup.triangles;
-  original.pop_back();
-  EXPECT_FALSE(replay(Plan("local", mesh), original, quick).valid());
-}
-
-TEST(Replay, FindsATurnedTriangle) {
-  const Soup soup = make_mesh(500);
-  std::vector<Corners> original = soup.triangles;
-  std::swap(original.front()[0], original.front()[1]);
-  const ProgressiveMesh mesh = simplify(soup).mesh;
-  EXPECT_FALSE(replay(Plan("local", mesh), original, quick).valid());
-}
-
-TEST(Replay, FindsASplitThatDoesNotFit) {
-  const Soup soup = make_mesh(500);
-  ProgressiveMesh mesh = simplify(soup).mesh;
+  std::vector<Corners> missing = soup.triangles;
+  missing.pop_back();
+  EXPECT_FALSE(replay(Plan("local", mesh), missing, quick).valid());
+  std::vector<Corners> turned = soup.triangles;
+  std::swap(turned.front()[0], turned.front()[1]);
+  EXPECT_FALSE(replay(Plan("local", mesh), turned, quick).valid());
   mesh.splits[7].v_l = mesh.splits.back().v_t;  // does not exist yet
   const ReplayReport report = replay(Plan("local", mesh), soup.triangles, quick);
   EXPECT_GT(report.operations_without_rule, 0U);
@@ -138,8 +128,8 @@ class WithoutLoss : public testing::TestWithParam<Real> {};
 
 TEST_P(WithoutLoss, NoSplitIsolatesATriangle) {
   const Real& real = GetParam();
-  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is missing: set RESTRIP_MESHES";
-  const ReplayReport report = replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::lock);
+  const auto file = REAL_MESH(real.file);
+  const ReplayReport report = replay_of(read_mesh(file), BoundaryPolicy::lock);
   EXPECT_TRUE(report.valid());
   EXPECT_EQ(report.operations_without_rule, 0U);
   EXPECT_EQ(report.operations_isolating, 0U);
@@ -149,8 +139,8 @@ TEST_P(WithoutLoss, NoSplitIsolatesATriangle) {
 
 TEST_P(WithoutLoss, LinkedRulesKeepLongerStrips) {
   const Real& real = GetParam();
-  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is missing: set RESTRIP_MESHES";
-  const ReplayReport report = replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::move, {2, 0, 0}, "linked");
+  const auto file = REAL_MESH(real.file);
+  const ReplayReport report = replay_of(read_mesh(file), BoundaryPolicy::move, {2, 0, 0}, "linked");
   EXPECT_TRUE(report.valid());
   EXPECT_EQ(report.operations_isolating, 0U);
   const Level& top = report.levels.back();
