@@ -2,29 +2,25 @@
 #include "tables/shard.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
 #include <set>
 #include <stdexcept>
 
 #include "../support/refusal_of.hpp"
+#include "../tools/scratch_folder.hpp"
 #include "common/digest.hpp"
 #include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string id = "1.2.3 abc";
 
-/// A directory for this test with both shards of the tables up to k = 3.
-class Shards : public testing::Test {
+/// A folder with both shards of the tables up to k = 3.
+class Shards : public tools::ScratchFolder {
  protected:
   void SetUp() override {
-    directory_ = fs::temp_directory_path() / ("restrip-shards-" + std::to_string(getpid()));
-    fs::remove_all(directory_);
+    ScratchFolder::SetUp();
     const std::vector<Patches> patches = patches_of(families(), 3);
     all_ = solve_all(patches, 1, Watched::no);
     all_texts_ = section_texts(all_, 1);
@@ -36,19 +32,15 @@ class Shards : public testing::Test {
         texts.push_back(all_texts_[i]);
       }
       texts_.push_back(shard_text({index, 2}, 3, id, share, texts));
-      put(index, texts_.back());
+      put(file_name({index, 2}), texts_.back());
     }
   }
-  void TearDown() override { fs::remove_all(directory_); }
 
-  void put(unsigned index, const std::string& text) const {
-    fs::create_directories(directory_);
-    std::ofstream(directory_ / file_name({index, 2})) << text;
-  }
+  void put_first(const std::string& text) const { put(file_name({1, 2}), text); }
 
-  /// The message about the directory; empty if all is well.
+  /// The message about the folder; empty if all is well.
   [[nodiscard]] std::string complaint(const std::string& own_id = id) const {
-    return refusal_of<std::runtime_error>([&] { (void)read_shards(directory_, own_id); });
+    return refusal_of<std::runtime_error>([&] { (void)read_shards(folder_, own_id); });
   }
 
   /// The message if the first shard has one piece of text replaced and is sealed again.
@@ -58,11 +50,10 @@ class Shards : public testing::Test {
     EXPECT_NE(at, std::string::npos) << piece;
     if (at == std::string::npos) return "";
     text.replace(at, piece.size(), by);
-    put(1, text + "end " + sha256(text) + "\n");
+    put_first(text + "end " + sha256(text) + "\n");
     return complaint();
   }
 
-  fs::path directory_;
   std::vector<Section> all_;
   std::vector<std::string> all_texts_;
   std::vector<std::string> texts_;  ///< of both shards
@@ -91,7 +82,7 @@ TEST(Shares, LongSectionsAreSpread) {
 }
 
 TEST_F(Shards, AreReadBack) {
-  const Merged merged = read_shards(directory_, id);
+  const Merged merged = read_shards(folder_, id);
   EXPECT_EQ(merged.max_k, 3U);
   ASSERT_EQ(merged.sections.size(), all_.size());
   for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -113,12 +104,12 @@ TEST_F(Shards, EveryAlteredByteAndEveryTruncationIsRefused) {
   for (std::size_t i = 0; i < whole.size(); i += 5 + i % 7) {
     std::string altered = whole;
     altered[i] = static_cast<char>(altered[i] ^ 1);
-    put(1, altered);
+    put_first(altered);
     EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or altered"), std::string::npos) << i;
-    put(1, whole.substr(0, i));
+    put_first(whole.substr(0, i));
     EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or altered"), std::string::npos) << i;
   }
-  put(1, whole);
+  put_first(whole);
   EXPECT_EQ(complaint(), "");
 }
 
@@ -159,7 +150,7 @@ TEST_F(Shards, SealedNonsenseIsRefusedByLine) {
   }
   const std::string body = texts_[0].substr(0, texts_[0].rfind("end "));
   for (const std::string& more : {std::string("end 1\n"), std::string("section k 4 a 1\n"), std::string("\n")}) {
-    put(1, body + more + "end " + sha256(body + more) + "\n");
+    put_first(body + more + "end " + sha256(body + more) + "\n");
     EXPECT_NE(complaint(), "") << more;
   }
 }

@@ -49,11 +49,6 @@ TEST(Obj, CornersWithTextureAndNormalIndices) {
   EXPECT_EQ(soup.triangles, std::vector<Corners>(4, Corners{0, 1, 2}));
 }
 
-TEST(Obj, NegativeCornersCountFromTheVerticesBefore) {
-  const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf -4 -3 -1\n", "f");
-  EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}, {0, 1, 3}}));
-}
-
 TEST(Obj, PolygonsBecomeFansAndAreCounted) {
   const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\n", "f");
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}));
@@ -61,21 +56,17 @@ TEST(Obj, PolygonsBecomeFansAndAreCounted) {
   EXPECT_EQ(soup.stubs, 1U);
 }
 
-TEST(Obj, DegenerateAndDuplicateFacesArrive) {
-  const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2\nf 1 2 3\nf 1 2 3\n", "f");
-  EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 0, 1}, {0, 1, 2}, {0, 1, 2}}));
-}
-
-TEST(Obj, LinesMayEndInAnyWayAndGoOn) {
-  const Soup soup = read_obj("v 0 0 0\r\nv 1 0 0\r\nv 0 1 \\\n 0\r\nf 1 \\\r\n 2 3", "f");
-  EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
-}
-
-TEST(Obj, ALineContinuesAfterABackslash) {
-  for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/2\\\n 3/3", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\\\r3\\",
-                           "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\\\nf 1 2 3\\\r\n"})
-    EXPECT_EQ(read_obj(text, "f").triangles, (std::vector<Corners>{{0, 1, 2}})) << text;
-  EXPECT_EQ(read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib c:\\m\\f 1 1 1\nf 1 2 3\n", "f").triangles.size(), 1U);
+TEST(Obj, LinesAfterThreeVertices) {
+  const Corners one{0, 1, 2};
+  for (const auto& [lines, triangles] : std::vector<std::pair<std::string, std::vector<Corners>>>{
+           {"f -3 -2 -1\nv 0 0 1\nf -4 -3 -1\n", {one, {0, 1, 3}}},  // negative ones count from the vertices before
+           {"f 1 1 2\nf 1 2 3\nf 1 2 3\n", {{0, 0, 1}, one, one}},   // degenerate and duplicate faces arrive
+           {"v 0 1 \\\n 0\r\nf 1 \\\r\n 2 3", {one}},  // lines end in any way, and go on after a backslash
+           {"f 1/1 2/2\\\n 3/3", {one}},
+           {"f 1 2\\\r3\\", {one}},
+           {"usemtl a\\\nf 1 2 3\\\r\n", {one}},
+           {"mtllib c:\\m\\f 1 1 1\nf 1 2 3\n", {one}}})
+    EXPECT_EQ(read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + lines, "f").triangles, triangles) << lines;
 }
 
 TEST(Obj, ValuesThatFacesNameAndTheFileLacksAreMissing) {
