@@ -35,6 +35,7 @@ naive::Patch patch_of(std::span<const tables::PatchTriangle> triangles, unsigned
       else if (side != tables::PatchTriangle::boundary_side)
         patch.port_node.at(side - tables::PatchTriangle::port_side) = t;
   for (const auto& pair : ends) patch.edges.emplace_back(pair.at(0), pair.at(1));
+  EXPECT_EQ(std::count(patch.port_node.begin(), patch.port_node.end(), patch.nodes), 0) << "a port of no triangle";
   return patch;
 }
 
