@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -133,10 +132,9 @@ void write_manifest(const fs::path& tables_dir) {
   write(tables_dir / "MANIFEST", text);
 }
 
-DamagedTables::DamagedTables(const Damage& damage)
-    : path_(fs::temp_directory_path() / fmt::format("restrip-corpus-{}-{}", getpid(), damage.name)) {
-  fs::remove_all(path_);
-  fs::copy(small_tables(), path_, fs::copy_options::recursive);
+void make_damaged_tables(const Damage& damage, const fs::path& folder) {
+  fs::remove_all(folder);
+  fs::copy(small_tables(), folder, fs::copy_options::recursive);
   bool refresh = true;
   bool sums = true;
   fs::path file;
@@ -157,7 +155,7 @@ DamagedTables::DamagedTables(const Damage& damage)
     } else if (verb == "keep-sums") {
       sums = false;
     } else if (verb == "file") {
-      file = path_ / what;
+      file = folder / what;
       place = 0;
     } else if (verb == "section") {
       go_to(instruction);
@@ -172,9 +170,9 @@ DamagedTables::DamagedTables(const Damage& damage)
     } else if (verb == "cut") {
       fs::resize_file(file, fs::file_size(file) - std::stoul(what));
     } else if (verb == "create") {
-      write(path_ / what, "not listed\n");
+      write(folder / what, "not listed\n");
     } else if (verb == "link") {
-      fs::create_directory_symlink("certificates", path_ / what);
+      fs::create_directory_symlink("certificates", folder / what);
     } else if (verb == "delete") {
       fs::remove(file);
     } else {
@@ -182,14 +180,9 @@ DamagedTables::DamagedTables(const Damage& damage)
     }
   }
   if (sums)
-    for (const fs::directory_entry& entry : fs::directory_iterator(path_ / "certificates"))
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "certificates"))
       write(entry.path(), with_sums(bytes_of(entry.path())));
-  if (refresh) write_manifest(path_);
-}
-
-DamagedTables::~DamagedTables() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  if (refresh) write_manifest(folder);
 }
 
 }  // namespace restrip::verify::test

@@ -36,18 +36,8 @@ std::filesystem::path small_tables();
 /// All damages.
 std::vector<Damage> damages();
 
-/// A damaged copy of the small tables; deleted with the object.
-class DamagedTables {
- public:
-  explicit DamagedTables(const Damage& damage);
-  ~DamagedTables();
-  DamagedTables(const DamagedTables&) = delete;
-  DamagedTables& operator=(const DamagedTables&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+/// Makes this folder a damaged copy of the small tables.
+void make_damaged_tables(const Damage& damage, const std::filesystem::path& folder);
 
 /// A text that is altered in one place, and the expected message: a case of a file of tests/corpus/altered. Consecutive
 /// lines of one kind form one text, and "#" begins a comment:
