@@ -10,6 +10,7 @@
 #include "lod/mesh_formats.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
+#include "meshes/little_endian.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
@@ -247,7 +248,7 @@ std::vector<Target> mesh_targets() {
         "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element edge 1\nproperty int a\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 "
         "0 0\n0 1 0\n7\n3 0 1 2\n",
-         ply_of_strips(), ply_bytes(textured),
+        ply_of_strips(), ply_bytes(textured),
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
         "double "
         "u\nproperty double v\nproperty ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort "

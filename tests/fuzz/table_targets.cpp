@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "certificate/certificate.hpp"
-#include "certificate/manifest.hpp"
 #include "certificate/certificate_form.hpp"
+#include "certificate/manifest.hpp"
 #include "judge/table_dump.hpp"
 #include "linked/linked_certificate.hpp"
 #include "linked/linked_dump.hpp"
