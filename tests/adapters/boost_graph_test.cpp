@@ -120,7 +120,6 @@ TEST(BoostGraph, AlgorithmsRunOnForeignMeshes) {
   for (StripMesh mesh : sample::manifold_meshes()) {
     stripify(mesh);
     sample::HandMade foreign(mesh);
-    foreign.take_colors(mesh);
     const DualGraph graph(foreign);  // its numbers begin at 7
     EXPECT_EQ(components(solid_edges(graph)), static_cast<int>(count_strips(mesh)));
     EXPECT_EQ(num_edges(graph), adjacent(mesh).size());

@@ -32,6 +32,7 @@
 #include "restrip/tables/operations/refine_face.hpp"
 #include "restrip/tables/operations/split_face.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace {
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
@@ -87,13 +88,6 @@ class Throwing {
   bool late_;
 };
 
-std::vector<std::array<Vertex, 3>> corners(const StripMesh& mesh) {
-  std::vector<std::array<Vertex, 3>> all;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) all.push_back(mesh.corners(t));
-  return all;
-}
-
 using Operation = std::function<void(Throwing&)>;
 
 /// Begins the operation with every call failing in turn; returns how many failed.
@@ -110,7 +104,9 @@ std::size_t fail_everywhere(const StripMesh& start, const Operation& operation, 
       operation(mesh);
     } catch (const Injected&) {
       EXPECT_TRUE(check_coloring(now).valid) << "call " << call;
-      EXPECT_TRUE(corners(now) == corners(start) || corners(now) == corners(after)) << "call " << call;
+      const auto triangles = sample::triangles_of(now);
+      EXPECT_TRUE(triangles == sample::triangles_of(start) || triangles == sample::triangles_of(after))
+          << "call " << call;
       if (!testing::Test::HasFailure()) continue;
     }
     return call;
@@ -149,8 +145,7 @@ std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge 
       apply(m, tables::merge, h,
             [&](const auto& patch) { return m.next(m.opposite(m.remove_vertex(patch.between(3, 2)))); });
     });
-  std::vector<StripMesh::Halfedge> spokes;
-  for_each_spoke(mesh, mesh.from(h), [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
+  const std::vector<StripMesh::Halfedge> spokes = sample::spokes_around(mesh, mesh.from(h));
   const Where::Spokes kinds[] = {Where::Spokes::both, Where::Spokes::left_only, Where::Spokes::right_only};
   for (const Where::Spokes kind : kinds) {
     const Where where{h, spokes[random() % spokes.size()], kind};
@@ -187,8 +182,7 @@ TEST(Exceptions, InLongFansLeaveAValidColoring) {
     StripMesh mesh = start;
     for (const double share : {0.6, 0.95}) {
       color_at_random(mesh, share, random);
-      std::vector<StripMesh::Halfedge> spokes;
-      for_each_spoke(mesh, 0, [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
+      const std::vector<StripMesh::Halfedge> spokes = sample::spokes_around(mesh, 0);
       const auto h = spokes[spokes.size() / 3];
       const auto all = operations_at(mesh, h, random);
       ASSERT_GE(all.size(), 3U);
@@ -236,21 +230,7 @@ TEST(Exceptions, WhilePlayingManyFlipsLeaveAValidColoring) {
   ASSERT_GT(flips.size(), detail::flips_without_allocation);
   Throwing played(mesh, never, false);
   split_baked(played, where, flips);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(mesh.solid_sides(t), wanted.solid_sides(t));
-}
-
-/// Is every triangle in which the two meshes differ in the list?
-bool names_all_changes(const std::vector<Triangle>& list, const StripMesh& before, const StripMesh& now) {
-  for (Triangle t = 0; t < std::max(before.triangle_bound(), now.triangle_bound()); ++t) {
-    bool same = before.alive(t) == now.alive(t);
-    if (same && now.alive(t)) {
-      same = before.corners(t) == now.corners(t) && before.solid_sides(t) == now.solid_sides(t);
-      for (unsigned side = 0; side < 3; ++side)
-        same = same && before.opposite(StripMesh::halfedge(t, side)) == now.opposite(StripMesh::halfedge(t, side));
-    }
-    if (!same && std::find(list.begin(), list.end(), t) == list.end()) return false;
-  }
-  return true;
+  EXPECT_EQ(sample::colors_of(mesh), sample::colors_of(wanted));
 }
 
 // Every allocation of a keeper, its mesh and the list of changes fails in turn. The list names what has changed all the
@@ -301,7 +281,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
             ++failed;
             ASSERT_EQ(keeper.locator(), nullptr);
             // The mesh may be as it was or changed; the next operation is one that is possible there.
-            if (corners(mesh) == corners(colored) && allocation % 2 == 0)
+            if (sample::triangles_of(mesh) == sample::triangles_of(colored) && allocation % 2 == 0)
               operate();
             else
               keeper.rebuild();

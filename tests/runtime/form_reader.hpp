@@ -2,19 +2,19 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/output/strip_format.hpp"
+#include "sample_meshes.hpp"
 
 namespace restrip::form_reader {
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;  // from the smallest corner, in order
+using Triangles = std::vector<sample::Corners>;  // from the smallest corner, in order
 
 class Reader {
  public:
@@ -52,27 +52,25 @@ class Reader {
     std::sort(all.begin(), all.end());
     return static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
   }
-  [[nodiscard]] Triangles triangles() && {
-    std::sort(drawn_.begin(), drawn_.end());
-    return std::move(drawn_);
-  }
+  [[nodiscard]] Triangles triangles() && { return sample::sorted(std::move(drawn_)); }
 
  private:
   // Without an area nothing is drawn; a vertex that restarts elsewhere would be read beyond the vertex buffer.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a == b || b == c || c == a) return;
-    if (b < a && b < c)
-      drawn_.push_back({b, c, a});
-    else if (c < a && c < b)
-      drawn_.push_back({c, a, b});
-    else
-      drawn_.push_back({a, b, c});
+    if (a != b && b != c && c != a) drawn_.push_back({a, b, c});
   }
 
   std::uint32_t restart_;
   std::vector<std::uint32_t> indices_;
   Triangles drawn_;
 };
+
+// What strips with restart indices draw.
+inline Triangles read_strips(std::span<const std::uint32_t> indices) {
+  Reader reader(std::as_bytes(indices), 4);
+  reader.strip(0, indices.size(), true);
+  return std::move(reader).triangles();
+}
 
 // Everything that the buffer draws, batch by batch.
 inline Triangles read(const IndexBuffer& buffer) {

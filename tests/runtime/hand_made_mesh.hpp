@@ -1,7 +1,6 @@
 #pragma once
 // A mesh that is not a StripMesh, for functions that must work on any mesh.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,14 +13,16 @@
 namespace restrip::sample {
 
 /// A half-edge structure as a user may have one: three halfedges a triangle, ~h beyond the boundary, flips, and a list
-/// of what changed. Triangle and vertex numbers begin at 7 and 1000, so that they are not the indices of arrays.
+/// of what changed. Triangle and vertex numbers begin at 7 and 1000, so that they are not the indices of arrays. It has
+/// the triangles and colours of a StripMesh that has not removed any.
 class HandMade {
  public:
   using Halfedge = int;
   explicit HandMade(const StripMesh& from) {
-    for (Triangle t = 0; t < from.triangle_bound(); ++t)
-      for (const Vertex v : from.corners(t)) from_.push_back(static_cast<int>(v) + 1000);
-    solid_.resize(from_.size());
+    for (const StripMesh::Halfedge h : sides_of(from)) {
+      from_.push_back(static_cast<int>(from.from(h)) + 1000);
+      solid_.push_back(from.solid(h));
+    }
     for (int h = 0; h < size(); ++h) {
       twin_.push_back(~h);
       for (int g = 0; g < size(); ++g)
@@ -71,21 +72,15 @@ class HandMade {
   [[nodiscard]] std::size_t triangle_bound() const { return from_.size() / 3 + 7; }
   [[nodiscard]] int from(int h) const { return at(from_, h); }
 
-  /// The colours of the mesh that it was made from.
-  void take_colors(const StripMesh& mesh) {
-    for (int h = 0; h < size(); ++h)
-      if (mesh.solid(StripMesh::halfedge(static_cast<Triangle>(h / 3), static_cast<unsigned>(h % 3))))
-        set_solid(h, true);
-  }
+  /// The halfedge that was this one of the StripMesh.
+  static int named(StripMesh::Halfedge h) { return static_cast<int>(3 * StripMesh::triangle(h) + StripMesh::side(h)); }
   [[nodiscard]] int size() const { return static_cast<int>(from_.size()); }
   /// From their smallest corners, in order.
   [[nodiscard]] std::vector<Corners> triangles() const {
     std::vector<Corners> all;
     for (int h = 0; h < size(); h += 3)
       all.push_back({static_cast<Vertex>(from(h)), static_cast<Vertex>(from(h + 1)), static_cast<Vertex>(from(h + 2))});
-    for (Corners& c : all) std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    std::sort(all.begin(), all.end());
-    return all;
+    return sorted(std::move(all));
   }
   /// No two neighbours of the two triangles are one, and no mesh edge is doubled.
   [[nodiscard]] bool can_flip(int h) const {

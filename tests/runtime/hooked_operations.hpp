@@ -20,12 +20,8 @@ namespace restrip::hooked {
 using Spoke = StripMesh::Halfedge;
 
 inline void expect_same_colors(const StripMesh& one, const StripMesh& two) {
-  ASSERT_EQ(one.triangle_bound(), two.triangle_bound());
-  for (Triangle t = 0; t < one.triangle_bound(); ++t) {
-    ASSERT_EQ(one.alive(t), two.alive(t));
-    for (unsigned s = 0; s < 3 && one.alive(t); ++s)
-      ASSERT_EQ(one.solid(StripMesh::halfedge(t, s)), two.solid(StripMesh::halfedge(t, s)));
-  }
+  ASSERT_EQ(sample::sides_of(one), sample::sides_of(two));
+  ASSERT_EQ(sample::colors_of(one), sample::colors_of(two));
 }
 
 inline void expect_same(const Rewrite<Spoke>& one, const Rewrite<Spoke>& two) {

@@ -20,6 +20,7 @@
 #include "restrip/tables/operations/merge_matching.hpp"
 #include "restrip/tables/operations/refine_face.hpp"
 #include "restrip/tables/operations/split_face.hpp"
+#include "sample_meshes.hpp"
 
 namespace restrip {
 
@@ -89,10 +90,8 @@ Checked stir(Mesh& by, const StripMesh& mesh, std::mt19937& random, std::size_t 
 /// Its dual edges that are solid, by the vertices of the mesh edge.
 inline std::set<std::pair<Vertex, Vertex>> solid_edges_of(const StripMesh& mesh) {
   std::set<std::pair<Vertex, Vertex>> solid;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned s = 0; mesh.alive(t) && s < 3; ++s)
-      if (const StripMesh::Halfedge h = StripMesh::halfedge(t, s); mesh.solid(h))
-        solid.insert(std::minmax({mesh.from(h), mesh.to(h)}));
+  for (const StripMesh::Halfedge h : sample::sides_of(mesh))
+    if (mesh.solid(h)) solid.insert(std::minmax({mesh.from(h), mesh.to(h)}));
   return solid;
 }
 

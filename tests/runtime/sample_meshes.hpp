@@ -5,36 +5,62 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
 
 namespace restrip::sample {
 
 using Corners = std::array<Vertex, 3>;
 
-// The triangles of the mesh, each from its smallest corner, in order: equal meshes are equal lists.
-inline std::vector<Corners> triangles_of(const StripMesh& mesh) {
-  std::vector<Corners> triangles;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    Corners c = mesh.corners(t);
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    triangles.push_back(c);
-  }
+// Each triangle from its smallest corner, the list in order: equal meshes are equal lists.
+inline std::vector<Corners> sorted(std::vector<Corners> triangles) {
+  for (Corners& c : triangles) std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
   std::sort(triangles.begin(), triangles.end());
   return triangles;
 }
 
+inline std::vector<Corners> triangles_of(const StripMesh& mesh) {
+  std::vector<Corners> triangles;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) triangles.push_back(mesh.corners(t));
+  return sorted(std::move(triangles));
+}
+
+// The three sides of every triangle.
+inline std::vector<StripMesh::Halfedge> sides_of(const StripMesh& mesh) {
+  std::vector<StripMesh::Halfedge> sides;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side) sides.push_back(StripMesh::halfedge(t, side));
+  return sides;
+}
+
 // All dual edges, each from one side.
 inline std::vector<StripMesh::Halfedge> dual_edges(const StripMesh& mesh) {
-  std::vector<StripMesh::Halfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side)
-      if (const StripMesh::Halfedge h = StripMesh::halfedge(t, side); h.id < mesh.opposite(h).id)
-        if (!StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
+  std::vector<StripMesh::Halfedge> edges = sides_of(mesh);
+  std::erase_if(edges, [&](StripMesh::Halfedge h) {
+    return StripMesh::on_boundary(mesh.opposite(h)) || mesh.opposite(h).id < h.id;
+  });
   return edges;
+}
+
+// The halfedges that leave a manifold vertex, boundary spokes included.
+inline std::vector<StripMesh::Halfedge> spokes_around(const StripMesh& mesh, Vertex v) {
+  std::vector<StripMesh::Halfedge> spokes;
+  for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) { spokes.push_back(h); });
+  return spokes;
+}
+
+// The solid sides of every triangle, by its number; 0 if it does not exist.
+inline std::vector<std::uint8_t> colors_of(const StripMesh& mesh) {
+  std::vector<std::uint8_t> colors(mesh.triangle_bound(), 0);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) colors[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
+  return colors;
 }
 
 // Those whose colours differ between two colourings of the same mesh.
@@ -108,21 +134,18 @@ inline StripMesh tube(Vertex columns, Vertex rows, unsigned seed = 1) {
 
 // A subdivided octahedron: closed, genus 0.
 inline StripMesh sphere(unsigned subdivisions) {
+  const StripMesh start = octahedron();
   std::vector<Corners> triangles;
-  {
-    const StripMesh start = octahedron();
-    for (Triangle t = 0; t < 8; ++t) triangles.push_back(start.corners(t));
-  }
+  for (Triangle t = 0; t < 8; ++t) triangles.push_back(start.corners(t));
   Vertex vertices = 6;
   for (unsigned i = 0; i < subdivisions; ++i) {
     const StripMesh coarse = StripMesh::build(triangles, vertices);
     std::vector<std::array<Vertex, 3>> middle(coarse.triangle_bound());
-    for (Triangle t = 0; t < coarse.triangle_bound(); ++t)
-      for (unsigned s = 0; s < 3; ++s) {
-        const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-        const StripMesh::Halfedge g = coarse.opposite(h);
-        if (h.id < g.id) middle[t][s] = middle[StripMesh::triangle(g)][StripMesh::side(g)] = vertices++;
-      }
+    for (const StripMesh::Halfedge h : dual_edges(coarse)) {
+      const StripMesh::Halfedge g = coarse.opposite(h);
+      middle[StripMesh::triangle(h)][StripMesh::side(h)] = middle[StripMesh::triangle(g)][StripMesh::side(g)] =
+          vertices++;
+    }
     triangles.clear();
     for (Triangle t = 0; t < coarse.triangle_bound(); ++t) {
       const auto [a, b, c] = coarse.corners(t);
@@ -134,16 +157,26 @@ inline StripMesh sphere(unsigned subdivisions) {
   return StripMesh::build(triangles, vertices);
 }
 
+inline StripMesh tetrahedron() {
+  return StripMesh::build(std::vector<Corners>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, 4);
+}
+
 inline std::vector<StripMesh> meshes() {
-  std::vector<StripMesh> all;
-  all.push_back(octahedron());
-  all.push_back(rectangle(9, 7));
-  all.push_back(tube(8, 11));
-  all.push_back(torus(12, 9));
-  all.push_back(sphere(2));
-  // Two triangles that share two edges (a vertex of valence two), and a mesh in two pieces.
-  all.push_back(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {1, 0, 2}, {3, 4, 5}, {4, 3, 6}}, 7));
-  all.push_back(StripMesh::build(std::vector<Corners>{{0, 1, 3}, {1, 0, 3}, {0, 2, 1}, {2, 0, 4}, {1, 2, 4}}, 5));
+  // The last two: two triangles that share two edges (a vertex of valence two), and a mesh in two pieces.
+  return {octahedron(),
+          rectangle(9, 7),
+          tube(8, 11),
+          torus(12, 9),
+          sphere(2),
+          StripMesh::build(std::vector<Corners>{{0, 1, 2}, {1, 0, 2}, {3, 4, 5}, {4, 3, 6}}, 7),
+          StripMesh::build(std::vector<Corners>{{0, 1, 3}, {1, 0, 3}, {0, 2, 1}, {2, 0, 4}, {1, 2, 4}}, 5)};
+}
+
+// Meshes of at most 15 dual edges, so at most 2^15 colourings.
+inline std::vector<StripMesh> tiny_meshes() {
+  std::vector<StripMesh> all{octahedron(), double_cone(2), double_cone(3), rectangle(3, 2), tube(3, 2)};
+  for (StripMesh& mesh : meshes())
+    if (mesh.triangle_count() < 8) all.push_back(std::move(mesh));
   return all;
 }
 

@@ -1,5 +1,5 @@
 // Split, collapse and flip, and the definition of a good mesh, on bare lists of vertex triples: the other side of
-// checks_test.cpp. Nothing here uses StripMesh, and every question is answered by a scan of the whole list.
+// checks_test.cpp. Nothing here uses a StripMesh, and every question is answered by a scan of the whole list.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "sample_meshes.hpp"
+
 namespace restrip::bare {
 
 using Name = std::uint32_t;
 using Corners = std::array<Name, 3>;  // counter-clockwise
 using List = std::vector<Corners>;
-
-// Each triangle from its smallest corner, the list in order: equal meshes are equal lists.
-inline List sorted(List list) {
-  for (Corners& c : list) std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-  std::sort(list.begin(), list.end());
-  return list;
-}
+using sample::sorted;
 
 // The neighbours of a vertex in order around it, counter-clockwise: a path, or a cycle that names its first one once.
 struct Link {

@@ -1,33 +1,25 @@
 // The whole state of a StripMesh: its members, the names of its next insertions, and whether its parts agree.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "restrip/mesh/checks.hpp"
-#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
+#include "sample_meshes.hpp"
 
 namespace restrip {
 
-struct Look {
-  std::vector<std::uint32_t> numbers;
-  friend bool operator==(const Look&, const Look&) = default;
-};
 /// Handles, corners, neighbours, colours, first spokes; and the handles of insertions until none is free any more.
+using Look = std::vector<std::uint32_t>;
 inline Look look_at(const StripMesh& mesh) {
-  Look look;
-  look.numbers = {static_cast<std::uint32_t>(mesh.triangle_bound()), static_cast<std::uint32_t>(mesh.vertex_bound())};
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    look.numbers.push_back(t);
-    for (unsigned s = 0; s < 3; ++s) {
-      const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-      look.numbers.insert(look.numbers.end(), {mesh.from(h), mesh.opposite(h).id, mesh.solid(h) ? 1U : 0U});
-    }
-  }
-  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) look.numbers.push_back(mesh.spoke(v).id);
+  Look look{static_cast<std::uint32_t>(mesh.triangle_bound()), static_cast<std::uint32_t>(mesh.vertex_bound())};
+  for (const StripMesh::Halfedge h : sample::sides_of(mesh))
+    look.insert(look.end(), {h.id, mesh.from(h), mesh.opposite(h).id, mesh.solid(h) ? 1U : 0U});
+  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) look.push_back(mesh.spoke(v).id);
   StripMesh next = mesh;
   Vertex v = 0;
   while (v < next.vertex_bound() &&
@@ -38,7 +30,7 @@ inline Look look_at(const StripMesh& mesh) {
       continue;
     }
     const auto chord = next.insert_vertex({h, turn_ccw(next, h)});
-    look.numbers.insert(look.numbers.end(), {chord.id, next.to(chord)});
+    look.insert(look.end(), {chord.id, next.to(chord)});
   }
   return look;
 }
@@ -47,17 +39,13 @@ inline Look look_at(const StripMesh& mesh) {
 /// whole.
 inline std::string fault_of(const StripMesh& mesh) {
   std::vector<std::size_t> corners(mesh.vertex_bound(), 0);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    for (unsigned s = 0; s < 3; ++s) {
-      const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-      const StripMesh::Halfedge g = mesh.opposite(h);
-      if (mesh.from(h) != mesh.to(g) || mesh.to(h) != mesh.from(g)) return "opposite halfedges disagree";
-      if (!(mesh.opposite(g) == h)) return "opposite is not an involution";
-      if (!StripMesh::on_boundary(g) && !mesh.alive(g)) return "a link to a removed triangle";
-      if (mesh.solid(h) != mesh.solid(g)) return "a colour differs between the two sides";
-      ++corners[mesh.from(h)];
-    }
+  for (const StripMesh::Halfedge h : sample::sides_of(mesh)) {
+    const StripMesh::Halfedge g = mesh.opposite(h);
+    if (mesh.from(h) != mesh.to(g) || mesh.to(h) != mesh.from(g)) return "opposite halfedges disagree";
+    if (!(mesh.opposite(g) == h)) return "opposite is not an involution";
+    if (!StripMesh::on_boundary(g) && !mesh.alive(g)) return "a link to a removed triangle";
+    if (mesh.solid(h) != mesh.solid(g)) return "a colour differs between the two sides";
+    ++corners[mesh.from(h)];
   }
   for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
     if ((mesh.spoke(v).id == none) != (corners[v] == 0)) return "a first spoke without triangles, or the reverse";
@@ -68,6 +56,29 @@ inline std::string fault_of(const StripMesh& mesh) {
     if (met != corners[v]) return "a fan that is not whole from its first spoke";
   }
   return "";
+}
+
+/// The triangles that only one of two meshes has, and those with other corners, neighbours or colours.
+inline std::set<Triangle> differing_triangles(const StripMesh& one, const StripMesh& other) {
+  const auto numbers = [](const StripMesh& mesh, Triangle t) {
+    Look look;
+    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side) {
+      const StripMesh::Halfedge h = StripMesh::halfedge(t, side);
+      look.insert(look.end(), {mesh.from(h), mesh.opposite(h).id, mesh.solid(h) ? 1U : 0U});
+    }
+    return look;
+  };
+  std::set<Triangle> differing;
+  for (Triangle t = 0; t < std::max(one.triangle_bound(), other.triangle_bound()); ++t)
+    if (numbers(one, t) != numbers(other, t)) differing.insert(t);
+  return differing;
+}
+
+/// Is every triangle in which two meshes differ in the list?
+inline bool names_all_changes(const std::vector<Triangle>& list, const StripMesh& before, const StripMesh& now) {
+  const std::set<Triangle> named(list.begin(), list.end());
+  const std::set<Triangle> differing = differing_triangles(before, now);
+  return std::includes(named.begin(), named.end(), differing.begin(), differing.end());
 }
 
 }  // namespace restrip

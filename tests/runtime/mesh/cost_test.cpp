@@ -23,17 +23,14 @@ TEST(Swaps, AreTurnsAroundOneVertex) {
   for (const double share : {0.5, 0.9, 1.0})
     for (StripMesh& mesh : sample::meshes()) {
       color_at_random(mesh, share, random);
-      sample::HandMade other(mesh);
-      other.take_colors(mesh);
+      const sample::HandMade other(mesh);
       int swaps = 0;
-      for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-        for (unsigned side = 0; side < 3; ++side) {
-          const StripMesh::Halfedge h = StripMesh::halfedge(t, side);
-          if (!mesh.solid(h)) continue;
-          EXPECT_EQ(is_swap(mesh, h), is_swap(mesh, mesh.opposite(h)));
-          EXPECT_EQ(is_swap(mesh, h), is_swap(other, static_cast<int>(3 * t + side)));
-          swaps += is_swap(mesh, h) ? 1 : 0;
-        }
+      for (const StripMesh::Halfedge h : sample::sides_of(mesh)) {
+        if (!mesh.solid(h)) continue;
+        EXPECT_EQ(is_swap(mesh, h), is_swap(mesh, mesh.opposite(h)));
+        EXPECT_EQ(is_swap(mesh, h), is_swap(other, sample::HandMade::named(h)));
+        swaps += is_swap(mesh, h) ? 1 : 0;
+      }
       EXPECT_EQ(swaps, 2 * cost_of(mesh).swaps);
       all += swaps;
     }

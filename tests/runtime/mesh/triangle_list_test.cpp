@@ -97,13 +97,12 @@ void expect_table(const std::vector<Corners>& list, std::size_t vertices) {
   ASSERT_EQ(of_mesh.boundary_edges, report.boundary_edges);
   ASSERT_EQ(of_mesh.non_manifold_edges, report.non_manifold_edges);
   ASSERT_EQ(of_mesh.inconsistent_edges, report.inconsistent_edges);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned s = 0; s < 3; ++s) {
-      const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
-      const std::uint32_t named =
-          StripMesh::on_boundary(there) ? none : 4 * origin[StripMesh::triangle(there)] + StripMesh::side(there);
-      ASSERT_EQ(named, across[origin[t]][s]);
-    }
+  for (const StripMesh::Halfedge h : sample::sides_of(mesh)) {
+    const StripMesh::Halfedge there = mesh.opposite(h);
+    const std::uint32_t named =
+        StripMesh::on_boundary(there) ? none : 4 * origin[StripMesh::triangle(there)] + StripMesh::side(there);
+    ASSERT_EQ(named, across[origin[StripMesh::triangle(h)]][StripMesh::side(h)]);
+  }
 }
 
 TEST(TriangleList, NeighborsAreRightInEverySoup) {

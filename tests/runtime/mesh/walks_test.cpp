@@ -50,27 +50,25 @@ std::vector<std::pair<Triangle, Triangle>> neighbors(const StripMesh& mesh) {
 TEST(Walks, VisitWhatALookThroughAllTrianglesFinds) {
   for (const StripMesh& mesh : sample::manifold_meshes()) {
     std::vector<Triangle> patch;
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-      for (unsigned side = 0; side < 3; ++side) {
-        const Halfedge h = StripMesh::halfedge(t, side);
-        for (const Halfedge chord : {h, mesh.opposite(h)}) {
-          edge_triangles(mesh, chord, patch);
-          EXPECT_EQ(in_order(patch), triangles_around(mesh, {mesh.from(h), mesh.to(h)}));
-        }
-        fan_triangles(mesh, h, patch);
-        const std::vector<Triangle> around = triangles_around(mesh, {mesh.from(h)});
-        EXPECT_EQ(in_order(patch), around);
-        // One more spoke than triangles where the fan is open.
-        std::set<Vertex> ends;
-        for_each_spoke(mesh, mesh.from(h), [&](Halfedge spoke) {
-          EXPECT_EQ(mesh.from(spoke), mesh.from(h));
-          ends.insert(mesh.to(spoke));
-        });
-        EXPECT_EQ(spoke_count(mesh, mesh.from(h)), around.size() + (mesh.leaves_boundary(h) ? 1U : 0U));
-        EXPECT_LE(ends.size(), spoke_count(mesh, mesh.from(h)));
-        for (const Triangle u : around)
-          for (const Vertex v : mesh.corners(u)) EXPECT_TRUE(v == mesh.from(h) || ends.contains(v));
+    for (const Halfedge h : sample::sides_of(mesh)) {
+      for (const Halfedge chord : {h, mesh.opposite(h)}) {
+        edge_triangles(mesh, chord, patch);
+        EXPECT_EQ(in_order(patch), triangles_around(mesh, {mesh.from(h), mesh.to(h)}));
       }
+      fan_triangles(mesh, h, patch);
+      const std::vector<Triangle> around = triangles_around(mesh, {mesh.from(h)});
+      EXPECT_EQ(in_order(patch), around);
+      // One more spoke than triangles where the fan is open.
+      std::set<Vertex> ends;
+      for_each_spoke(mesh, mesh.from(h), [&](Halfedge spoke) {
+        EXPECT_EQ(mesh.from(spoke), mesh.from(h));
+        ends.insert(mesh.to(spoke));
+      });
+      EXPECT_EQ(spoke_count(mesh, mesh.from(h)), around.size() + (mesh.leaves_boundary(h) ? 1U : 0U));
+      EXPECT_LE(ends.size(), spoke_count(mesh, mesh.from(h)));
+      for (const Triangle u : around)
+        for (const Vertex v : mesh.corners(u)) EXPECT_TRUE(v == mesh.from(h) || ends.contains(v));
+    }
   }
 }
 

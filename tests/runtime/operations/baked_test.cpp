@@ -20,13 +20,7 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 using Spokes = Where::Spokes;
-
-std::vector<bool> colors(const StripMesh& mesh) {
-  std::vector<bool> out;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3; ++side) out.push_back(mesh.alive(t) && mesh.solid(StripMesh::halfedge(t, side)));
-  return out;
-}
+using sample::colors_of;
 
 std::size_t valid_strips(const StripMesh& mesh) {
   const ColoringReport report = check_coloring(mesh);
@@ -52,7 +46,7 @@ TEST(Baked, FlipsGiveTheColoringTheyWereTakenFromAndTakeItBack) {
       if (check_split(mesh, where) != Refusal::granted) continue;
       one_sided += where.spokes == Spokes::both ? 0U : 1U;
       const std::size_t strips = valid_strips(mesh);
-      const std::vector<bool> before = colors(mesh);
+      const std::vector<std::uint8_t> before = colors_of(mesh);
 
       StripMesh by_rules = mesh;
       split(by_rules, where);
@@ -63,14 +57,14 @@ TEST(Baked, FlipsGiveTheColoringTheyWereTakenFromAndTakeItBack) {
       const std::vector<Halfedge> flips = sample::recolored_edges(plain, by_rules);
       const auto done = split_baked(mesh, where, std::span<const Halfedge>(flips));
       ASSERT_EQ(done.halfedge, plainly.halfedge);
-      ASSERT_EQ(colors(mesh), colors(by_rules));
+      ASSERT_EQ(colors_of(mesh), colors_of(by_rules));
       ASSERT_EQ(static_cast<int>(valid_strips(mesh)), static_cast<int>(strips) + done.strips);
 
       StripMesh back = mesh;
       const auto undone = collapse_baked(back, done.halfedge, std::span<const Halfedge>(flips));
       ASSERT_EQ(undone.strips, -done.strips);
       ASSERT_EQ(valid_strips(back), strips);
-      std::vector<bool> again = colors(back);
+      std::vector<std::uint8_t> again = colors_of(back);
       again.resize(before.size());
       ASSERT_EQ(again, before);
     }
@@ -85,7 +79,7 @@ struct Sequence {
   StripMesh base;
   std::vector<Step> steps;
   BakedRecords<Halfedge> records;
-  std::vector<std::vector<bool>> levels;
+  std::vector<std::vector<std::uint8_t>> levels;
 
   [[nodiscard]] static Where where(const StripMesh& mesh, const Step& step) {
     const Halfedge left = step.v_l == none ? Halfedge{} : mesh.spoke(step.v_s, step.v_l);
@@ -96,7 +90,7 @@ struct Sequence {
 
 Sequence sequence_on(StripMesh mesh, unsigned seed, int tries) {
   stripify(mesh, Effort::fast, Cost::strips());
-  Sequence sequence{mesh, {}, {}, {colors(mesh)}};
+  Sequence sequence{mesh, {}, {}, {colors_of(mesh)}};
   std::mt19937 random(seed);
   for (int n = 0; n < tries; ++n) {
     const Where where = random_place(mesh, random);
@@ -112,7 +106,7 @@ Sequence sequence_on(StripMesh mesh, unsigned seed, int tries) {
     split_and_join(mesh, where, v_t);
     for (const Halfedge h : sample::recolored_edges(plain, mesh)) sequence.records.flips.push_back(h);
     sequence.records.first.push_back(static_cast<std::uint32_t>(sequence.records.flips.size()));
-    sequence.levels.push_back(colors(mesh));
+    sequence.levels.push_back(colors_of(mesh));
   }
   return sequence;
 }
@@ -124,7 +118,7 @@ TEST(Baked, RoundTripsAreTheSameBitForBit) {
     BakedPlayer<StripMesh> player(mesh, sequence.records);
     const auto expect_level = [&](std::size_t level) {
       ASSERT_EQ(player.level(), level);
-      std::vector<bool> now = colors(mesh);
+      std::vector<std::uint8_t> now = colors_of(mesh);
       now.resize(sequence.levels[level].size());
       ASSERT_EQ(now, sequence.levels[level]);
     };
@@ -201,7 +195,7 @@ TEST(Baked, OutOfOrderIsNoticedAndDoneByTheRules) {
   player.restart();
   for (std::size_t i = 0; i < n; ++i) player.split(i, Sequence::where(mesh, sequence.steps[i]), sequence.steps[i].v_t);
   EXPECT_TRUE(player.in_step());
-  EXPECT_EQ(colors(mesh), sequence.levels.back());
+  EXPECT_EQ(colors_of(mesh), sequence.levels.back());
   player.leave_step();
   EXPECT_FALSE(player.can_collapse(n - 1));
 }

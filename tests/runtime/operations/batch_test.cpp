@@ -22,6 +22,7 @@
 
 #include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -78,8 +79,7 @@ class Chooser {
   std::optional<SplitRequest> any_split(const StripMesh& mesh) {
     const Vertex v = mesh.from(any_halfedge(mesh));
     if (mesh.non_manifold(v)) return std::nullopt;
-    std::vector<Halfedge> spokes;
-    for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
+    const std::vector<Halfedge> spokes = sample::spokes_around(mesh, v);
     SplitRequest request;
     request.where = {spokes[pick(spokes.size())], spokes[pick(spokes.size())], Spokes::both};
     if (mesh.leaves_boundary(spokes[0]) && pick(3) == 0)
@@ -445,14 +445,8 @@ TEST(Batch, BoundarySpokesThatMeetInNonManifoldMeshes) {
 /// What an operation wrote that was there before.
 Patch written(const StripMesh& before, const StripMesh& after) {
   Patch patch;
-  for (Triangle t = 0; t < before.triangle_bound(); ++t) {
-    bool same = !before.alive(t) || before.corners(t) == after.corners(t);
-    for (unsigned s = 0; s < 3 && before.alive(t); ++s) {
-      const Halfedge h = StripMesh::halfedge(t, s);
-      same = same && before.opposite(h) == after.opposite(h) && before.solid(h) == after.solid(h);
-    }
-    if (!same) patch.insert({'t', t});
-  }
+  for (const Triangle t : differing_triangles(before, after))
+    if (before.alive(t)) patch.insert({'t', t});
   for (Vertex v = 0; v < before.vertex_bound(); ++v)
     if (!(before.spoke(v) == after.spoke(v))) patch.insert({'v', v});
   return patch;

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "census.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/refine.hpp"
@@ -93,12 +94,9 @@ TEST(Join, FindsWhetherTwoEndsAreOfOneStrip) {
 
 TEST(Join, AllLeavesNoEndsThatMeet) {
   for (StripMesh mesh : meshes()) {
-    const Ends before = count_ends(mesh);  // all isolated
-    const Repair done = join_all(mesh);
-    ASSERT_TRUE(check_coloring(mesh).valid);
-    const Ends after = count_ends(mesh);
-    EXPECT_EQ(static_cast<int>(after.strips), static_cast<int>(before.strips) + done.strips);
-    EXPECT_EQ(static_cast<int>(after.isolated), static_cast<int>(before.isolated) + done.isolated);
+    Census expected = census_of(mesh);  // all isolated
+    expected += join_all(mesh);
+    ASSERT_EQ(census_of(mesh), expected);
     expect_bound(mesh);
   }
 }
@@ -194,12 +192,10 @@ TEST(Join, ManyEndsAroundOneVertex) {
     // Each strip is a pair of triangles, one at each apex, except for a few longer ones.
     for (Vertex i = 0; i < k; ++i) mesh.set_solid(mesh.spoke(2 + i, 2 + (i + 1) % k), true);
     ASSERT_EQ(count_strips(mesh), k);
-    const ColoringReport before = check_coloring(mesh);
-    const Repair done = join_around(mesh, mesh.spoke(0, 2));
-    const ColoringReport after = check_coloring(mesh);
-    ASSERT_TRUE(after.valid);
-    EXPECT_EQ(static_cast<int>(after.strips), static_cast<int>(before.strips) + done.strips);
-    EXPECT_LE(after.strips, k / 2);
+    Census expected = census_of(mesh);
+    expected += join_around(mesh, mesh.spoke(0, 2));
+    EXPECT_EQ(census_of(mesh), expected);
+    EXPECT_LE(count_strips(mesh), k / 2);
     expect_bound(mesh);
   }
 }
@@ -209,14 +205,13 @@ TEST(Join, ManyEndsAroundOneVertex) {
 TEST(Join, GoesAroundTheWholeFan) {
   for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
-      std::vector<StripMesh::Halfedge> spokes;
-      for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) { spokes.push_back(h); });
-      for (const StripMesh::Halfedge start : spokes) {
+      const std::vector<Halfedge> spokes = sample::spokes_around(mesh, v);
+      for (const Halfedge start : spokes) {
         StripMesh copy = mesh;
-        const Repair done = join_around(copy, start);
-        EXPECT_EQ(static_cast<long>(check_coloring(copy).isolated),
-                  static_cast<long>(mesh.triangle_count()) + done.isolated);
-        for (const StripMesh::Halfedge h : spokes)
+        Census expected = census_of(mesh);
+        expected += join_around(copy, start);
+        EXPECT_EQ(census_of(copy), expected);
+        for (const Halfedge h : spokes)
           EXPECT_TRUE(StripMesh::on_boundary(h) || copy.solid_degree(StripMesh::triangle(h)) > 0) << "vertex " << v;
       }
     }

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "naive_patch.hpp"
-#include "outside_frontier.hpp"
+#include "census.hpp"
+#include "patch_in_mesh.hpp"
 #include "random_colors.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
@@ -39,8 +39,7 @@ class Walk {
       : mesh(std::move(start)), random_(seed), every_(check_every) {}
 
   void run(std::size_t operations) {
-    report_ = check_coloring(mesh);
-    ASSERT_TRUE(report_.valid);
+    reported_ = census_of(mesh);
     ASSERT_EQ(fault_of(mesh), "");
     const std::size_t low = mesh.triangle_count() / 2;
     const std::size_t high = mesh.triangle_count() * 2;
@@ -67,28 +66,17 @@ class Walk {
     return pick(4) == 0 ? mesh.opposite(h) : h;
   }
 
-  /// Does an operation and notes what it reports, for check().
-  template <class Operation>
-  Rewrite<Halfedge> perform(Operation&& operation) {
-    const Rewrite<Halfedge> rewrite = operation();
-    strips_ += rewrite.strips;
-    isolated_ += rewrite.isolated;
-    return rewrite;
-  }
-
   bool try_split() {
-    std::vector<Halfedge> spokes;
-    for_each_spoke(mesh, mesh.from(any_halfedge()), [&](Halfedge h) { spokes.push_back(h); });
-    Where where;
-    where.left = spokes[pick(spokes.size())];
-    where.right = spokes[pick(spokes.size())];
+    const std::vector<Halfedge> spokes = sample::spokes_around(mesh, mesh.from(any_halfedge()));
+    Where where{spokes[pick(spokes.size())], spokes[pick(spokes.size())]};
     if (mesh.leaves_boundary(where.left) && pick(3) == 0)
       where.spokes = pick(2) == 0 ? Where::Spokes::left_only : Where::Spokes::right_only;
     if (check_split(mesh, where) != Refusal::granted) return false;
     one_sided_splits += where.spokes == Where::Spokes::both ? 0U : 1U;
     const std::size_t before = mesh.triangle_count();
     // A vertex that is named, if only as none, takes a shorter way through the mesh.
-    const auto rewrite = perform([&] { return pick(2) == 0 ? split(mesh, where) : split(mesh, where, none); });
+    const auto rewrite = pick(2) == 0 ? split(mesh, where) : split(mesh, where, none);
+    reported_ += rewrite;
     EXPECT_EQ(mesh.triangle_count(), before + (where.spokes == Where::Spokes::both ? 2U : 1U));
     split_valences.insert(rewrite.valence);
     return true;
@@ -98,7 +86,7 @@ class Walk {
     const Halfedge h = any_halfedge();
     if (check_collapse(mesh, h) != Refusal::granted) return false;
     boundary_collapses += StripMesh::on_boundary(h) || StripMesh::on_boundary(mesh.opposite(h)) ? 1U : 0U;
-    perform([&] { return collapse(mesh, h); });
+    reported_ += collapse(mesh, h);
     return true;
   }
 
@@ -107,7 +95,7 @@ class Walk {
     if (check_flip(mesh, h) != Refusal::granted) return false;
     const Vertex u = mesh.from(h);
     const Vertex v = mesh.to(h);
-    perform([&] { return flip(mesh, h); });
+    reported_ += flip(mesh, h);
     EXPECT_EQ(mesh.spoke(u, v).id, none);
     ++flips;
     return true;
@@ -115,20 +103,13 @@ class Walk {
 
   void check() {
     ASSERT_EQ(fault_of(mesh), "") << "after operation " << done_;
-    const ColoringReport now = check_coloring(mesh);
-    ASSERT_TRUE(now.valid) << "after operation " << done_;
-    ASSERT_EQ(static_cast<long>(now.strips), static_cast<long>(report_.strips) + strips_)
-        << "after operation " << done_;
-    ASSERT_EQ(static_cast<long>(now.isolated), static_cast<long>(report_.isolated) + isolated_)
-        << "after operation " << done_;
+    ASSERT_EQ(census_of(mesh), reported_) << "after operation " << done_;
   }
 
   std::mt19937 random_;
   std::size_t every_;
   std::size_t done_ = 0;
-  long strips_ = 0;
-  long isolated_ = 0;
-  ColoringReport report_;
+  Census reported_;
 };
 
 TEST(Operations, SmallMeshesCheckedAfterEveryOperation) {
@@ -167,24 +148,17 @@ TEST(Operations, AnyValence) {
     StripMesh mesh = sample::double_cone(k);
     // Give the fan some strips first, by operations of the rules themselves.
     for (unsigned round = 0; round < 3; ++round) {
-      std::vector<Halfedge> spokes;
-      for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+      const std::vector<Halfedge> spokes = sample::spokes_around(mesh, 0);
       const Where where{spokes[1], spokes[1 + spokes.size() / (2 + round)], Where::Spokes::both};
       ASSERT_EQ(check_split(mesh, where), Refusal::granted);
-      const ColoringReport before = check_coloring(mesh);
+      Census reported = census_of(mesh);
       const auto up = split(mesh, where);
-      const ColoringReport between = check_coloring(mesh);
-      ASSERT_TRUE(between.valid);
       EXPECT_EQ(up.valence, spokes.size());
-      EXPECT_EQ(static_cast<long>(between.strips), static_cast<long>(before.strips) + up.strips);
-      EXPECT_EQ(static_cast<long>(between.isolated), static_cast<long>(before.isolated) + up.isolated);
+      ASSERT_EQ(census_of(mesh), reported += up);
       const auto down = collapse(mesh, up.halfedge);
-      const ColoringReport after = check_coloring(mesh);
-      ASSERT_TRUE(after.valid);
       ASSERT_EQ(fault_of(mesh), "");
       EXPECT_EQ(down.valence, spokes.size());
-      EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(between.strips) + down.strips);
-      EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(between.isolated) + down.isolated);
+      ASSERT_EQ(census_of(mesh), reported += down);
     }
   }
 }
@@ -210,17 +184,14 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
           SCOPED_TRACE(testing::Message() << k << (closed ? " closed" : " open") << (cycle ? " cycle" : " degree")
                                           << (collapses ? " collapse" : " split"));
           StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
-          std::vector<Halfedge> spokes;
-          for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+          std::vector<Halfedge> spokes = sample::spokes_around(mesh, 0);
           const Where where{spokes[k / 2], spokes[1]};
           Halfedge chord{};
           if (collapses) {
             chord = split(mesh, where).halfedge;
             mesh.clear_colors();
-            spokes.clear();
             // One end of the new mesh edge is inside.
-            const Vertex center = mesh.leaves_boundary(chord) ? mesh.to(chord) : mesh.from(chord);
-            for_each_spoke(mesh, center, [&](Halfedge h) { spokes.push_back(h); });
+            spokes = sample::spokes_around(mesh, mesh.leaves_boundary(chord) ? mesh.to(chord) : mesh.from(chord));
           }
           if (cycle) {
             for (const Halfedge h : spokes) mesh.set_solid(h, true);
@@ -263,87 +234,13 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
   }
 }
 
-// A fan of any size under random colours, as docs/reference/notation.md has it: its triangles in order, and what a list
-// of edges and union-find say of them.
-class LargeFan {
- public:
-  // Counter-clockwise from where the spokes begin; one spoke more than triangles where the fan is open.
-  LargeFan(const std::vector<Halfedge>& spokes, bool closed) : closed_(closed), k_(spokes.size() - (closed ? 0U : 1U)) {
-    for (std::size_t i = 0; i < k_; ++i) {
-      triangles_.push_back(StripMesh::triangle(spokes[i]));
-      ports_.push_back(StripMesh::next(spokes[i]));
-    }
-    fan_ = closed ? naive::closed_fan(k_) : naive::open_fan(k_);
-    split_ = fan_;
-    split_triangles_ = triangles_;
-  }
-
-  // After a split: the new triangles stand before these triangles of the fan, the lower position first.
-  void insert(std::vector<std::pair<std::size_t, Triangle>> added) {
-    split_triangles_ = triangles_;
-    for (std::size_t n = added.size(); n-- > 0;)
-      split_triangles_.insert(split_triangles_.begin() + static_cast<std::ptrdiff_t>(added[n].first), added[n].second);
-    split_ = closed_            ? naive::ring_with_chord(k_, added[1].first)
-             : added.size() > 1 ? naive::path_with_chord(k_, added[0].first, added[1].first)
-                                : naive::path(k_, added[0].first);
-  }
-
-  [[nodiscard]] naive::Analysis fan(const StripMesh& mesh) const { return analysis(mesh, fan_, triangles_); }
-  [[nodiscard]] naive::Analysis split(const StripMesh& mesh) const { return analysis(mesh, split_, split_triangles_); }
-  [[nodiscard]] long best_fan(const StripMesh& mesh, const naive::Analysis& before) const {
-    return best(mesh, fan_, before);
-  }
-  [[nodiscard]] long best_split(const StripMesh& mesh, const naive::Analysis& before) const {
-    return best(mesh, split_, before);
-  }
-
- private:
-  [[nodiscard]] naive::Bits solid_ports(const StripMesh& mesh) const {
-    naive::Bits solid;
-    for (const Halfedge h : ports_) solid.push_back(mesh.solid(h));
-    return solid;
-  }
-  [[nodiscard]] naive::Analysis analysis(const StripMesh& mesh, const naive::Patch& patch,
-                                         const std::vector<Triangle>& nodes) const {
-    naive::Bits inner;
-    for (const auto& [u, v] : patch.edges) {
-      bool solid = false;
-      bool found = false;
-      for (unsigned side = 0; side < 3; ++side) {
-        const Halfedge h = StripMesh::halfedge(nodes[u], side);
-        const Halfedge across = mesh.opposite(h);
-        if (StripMesh::on_boundary(across) || StripMesh::triangle(across) != nodes[v]) continue;
-        found = true;
-        solid = mesh.solid(h);
-      }
-      EXPECT_TRUE(found) << "no dual edge from node " << u << " to node " << v;
-      inner.push_back(solid);
-    }
-    return naive::analyze(patch, inner, solid_ports(mesh));
-  }
-  [[nodiscard]] long best(const StripMesh& mesh, const naive::Patch& after, const naive::Analysis& before) const {
-    const naive::Bits ports = solid_ports(mesh);
-    return naive::best_for_key(after, ports, naive::key_of(fan_, ports, before.joined));
-  }
-
-  bool closed_;
-  std::size_t k_;
-  std::vector<Triangle> triangles_;
-  std::vector<Halfedge> ports_;
-  naive::Patch fan_;
-  naive::Patch split_;
-  std::vector<Triangle> split_triangles_;
-};
-
-// A count finds the reported change, and the patch is as good as the second search says.
-void expect_best(const ColoringReport& before, const StripMesh& mesh, const Rewrite<Halfedge>& reported,
-                 const naive::Analysis& outcome, long best) {
-  const ColoringReport after = check_coloring(mesh);
-  ASSERT_TRUE(after.valid);
-  ASSERT_TRUE(outcome.valid);
-  EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + reported.strips);
-  EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + reported.isolated);
-  EXPECT_EQ(outcome.solid * 1000000L - outcome.isolated, best);
+// A count finds the reported change, and no colouring of the patch is better that joins what was joined.
+void expect_best(const StripMesh& before, const std::set<Vertex>& centers, const StripMesh& after,
+                 const std::set<Vertex>& around, const Rewrite<Halfedge>& done) {
+  Census expected = census_of(before);
+  EXPECT_EQ(census_of(after), expected += done);
+  const PatchInMesh patch(after, around);
+  EXPECT_EQ(patch.value(), patch.best_anywhere(PatchInMesh(before, centers).pairs()));
 }
 
 TEST(Operations, LargeFansGetTheBestColors) {
@@ -355,40 +252,23 @@ TEST(Operations, LargeFansGetTheBestColors) {
     SCOPED_TRACE(testing::Message() << "number " << n << (closed ? " closed " : " open ") << k);
     StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
     color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
-    std::vector<Halfedge> spokes;
-    for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
-    Where where;
-    std::size_t left = random() % spokes.size();
-    std::size_t right = (left + 1 + random() % (spokes.size() - 1)) % spokes.size();
-    if (closed) {  // a closed fan begins at the left spoke
-      std::rotate(spokes.begin(), spokes.begin() + static_cast<std::ptrdiff_t>(left), spokes.end());
-      right = (right + spokes.size() - left) % spokes.size();
-      left = 0;
-    }
-    where = {spokes[left], spokes[right]};
+    const std::vector<Halfedge> spokes = sample::spokes_around(mesh, 0);
+    const std::size_t left = random() % spokes.size();
+    const std::size_t right = (left + 1 + random() % (spokes.size() - 1)) % spokes.size();
+    Where where{spokes[left], spokes[right]};
     if (n % 3 == 1) where.spokes = n % 2 == 0 ? Where::Spokes::left_only : Where::Spokes::right_only;
     if (check_split(mesh, where) != Refusal::granted) continue;
-    LargeFan fan(spokes, closed);
-    const naive::Analysis fan_before = fan.fan(mesh);
-    ASSERT_TRUE(fan_before.valid);
-    const ColoringReport before = check_coloring(mesh);
+    const StripMesh fan = mesh;
     const auto up = split(mesh, where);
-    std::vector<std::pair<std::size_t, Triangle>> added;
-    if (where.spokes != Where::Spokes::right_only) added.emplace_back(left, StripMesh::triangle(up.halfedge));
-    if (where.spokes != Where::Spokes::left_only)
-      added.emplace_back(right, StripMesh::triangle(mesh.opposite(up.halfedge)));
-    std::sort(added.begin(), added.end());
-    fan.insert(added);
-    expect_best(before, mesh, up, fan.split(mesh), fan.best_split(mesh, fan_before));
+    const std::set<Vertex> ends{mesh.from(up.halfedge), mesh.to(up.halfedge)};
+    expect_best(fan, {0}, mesh, ends, up);
     if (HasFailure()) return;
     ++splits;
 
     color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
-    const naive::Analysis split_before = fan.split(mesh);
-    ASSERT_TRUE(split_before.valid);
-    const ColoringReport between = check_coloring(mesh);
+    const StripMesh divided = mesh;
     const auto down = collapse(mesh, up.halfedge);
-    expect_best(between, mesh, down, fan.fan(mesh), fan.best_fan(mesh, split_before));
+    expect_best(divided, ends, mesh, {mesh.from(down.halfedge)}, down);
     if (HasFailure()) return;
   }
   EXPECT_GT(splits, 50U);
@@ -396,7 +276,6 @@ TEST(Operations, LargeFansGetTheBestColors) {
 
 TEST(Operations, GoingDownAndUpGivesTheSameHandles) {
   StripMesh mesh = sample::sphere(3);
-  const StripMesh::Halfedge h = mesh.spoke(5);
   const auto corners = [&] {
     std::vector<std::array<Vertex, 3>> all;
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) all.push_back(mesh.corners(t));
@@ -404,8 +283,7 @@ TEST(Operations, GoingDownAndUpGivesTheSameHandles) {
   };
   // A split and its collapse leave the triangles as they were; so does the other order, after a first round has set the
   // handles.
-  std::vector<Halfedge> spokes;
-  for_each_spoke(mesh, mesh.from(h), [&](Halfedge s) { spokes.push_back(s); });
+  const std::vector<Halfedge> spokes = sample::spokes_around(mesh, 5);
   const auto first = split(mesh, Where{spokes[0], spokes[2], Where::Spokes::both});
   const auto up = corners();
   const Vertex v_s = mesh.from(first.halfedge);
@@ -449,8 +327,7 @@ TEST(Operations, RefusedOperationsSayWhy) {
   EXPECT_EQ(check_split(mesh, Where{h, mesh.opposite(h), Where::Spokes::both}), Refusal::different_vertices);
   EXPECT_EQ(check_split(mesh, Where{h, h, Where::Spokes::left_only}), Refusal::spoke_on_boundary);
   EXPECT_EQ(check_split(mesh, Where{}), Refusal::no_such_edge);
-  const StripMesh tetrahedron =
-      StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, 4);
+  const StripMesh tetrahedron = sample::tetrahedron();
   EXPECT_EQ(check_collapse(tetrahedron, h), Refusal::too_few_triangles);
   EXPECT_EQ(check_flip(tetrahedron, h), Refusal::edge_exists);
   const StripMesh pair = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}}, 4);

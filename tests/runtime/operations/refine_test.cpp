@@ -12,6 +12,7 @@
 #include <set>
 
 #include "../../support/sanitizers.hpp"
+#include "census.hpp"
 #include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
@@ -62,17 +63,6 @@ bare::List refined_list(const bare::List& list, Refining kind, Vertex from, Vert
   return bare::sorted(result);
 }
 
-struct Census {
-  long strips = 0;
-  long isolated = 0;
-};
-
-Census census_of(const StripMesh& mesh) {
-  const ColoringReport report = check_coloring(mesh);
-  EXPECT_TRUE(report.valid);
-  return {static_cast<long>(report.strips), static_cast<long>(report.isolated)};
-}
-
 class RefineWalk {
  public:
   RefineWalk(StripMesh start, unsigned seed) : mesh_(std::move(start)), random_(seed) {}
@@ -85,9 +75,11 @@ class RefineWalk {
       const Halfedge h = random_halfedge();
       const bool did = random_() % 3 == 0 ? others(h, grow) : ours(h, grow);
       done_ += did ? 1 : 0;
-      if (did && done_ % 32 == 0) compare();
+      if (did && done_ % 32 == 0) {
+        EXPECT_EQ(census_of(mesh_), reported_);
+      }
     }
-    compare();
+    EXPECT_EQ(census_of(mesh_), reported_);
   }
 
   std::array<std::size_t, 4> granted{};
@@ -96,17 +88,6 @@ class RefineWalk {
   Halfedge random_halfedge() {
     const Halfedge h = restrip::random_halfedge(mesh_, random_);
     return random_() % 2 == 0 ? h : mesh_.opposite(h);
-  }
-
-  void note(const Rewrite<Halfedge>& done) {
-    reported_.strips += done.strips;
-    reported_.isolated += done.isolated;
-  }
-
-  void compare() {
-    const Census counted = census_of(mesh_);
-    EXPECT_EQ(reported_.strips, counted.strips);
-    EXPECT_EQ(reported_.isolated, counted.isolated);
   }
 
   bool ours(Halfedge h, bool grow) {
@@ -123,7 +104,7 @@ class RefineWalk {
     }
     if (!done) return false;
     ++granted[static_cast<std::size_t>(kind)];
-    note(done.rewrite);
+    reported_ += done.rewrite;
     const Halfedge made = done.rewrite.halfedge;
     EXPECT_EQ(mesh_.from(made), from);
     if (!look) return true;
@@ -140,21 +121,18 @@ class RefineWalk {
   }
 
   bool others(Halfedge h, bool grow) {
+    Checked done;
     if (random_() % 4 == 0) {
-      const Checked done = checked_flip(mesh_, h);
-      if (done) note(done.rewrite);
-      return done.granted();
+      done = checked_flip(mesh_, h);
+    } else if (!grow) {
+      done = checked_collapse(mesh_, h);
+    } else {
+      VertexSplit<Halfedge> where{h, h};
+      for (unsigned turns = 1 + random_() % 4; turns > 0; --turns)
+        if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh_, where.right);
+      done = checked_split(mesh_, where);
     }
-    if (!grow) {
-      const Checked done = checked_collapse(mesh_, h);
-      if (done) note(done.rewrite);
-      return done.granted();
-    }
-    VertexSplit<Halfedge> where{h, h};
-    for (unsigned turns = 1 + random_() % 4; turns > 0; --turns)
-      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh_, where.right);
-    const Checked done = checked_split(mesh_, where);
-    if (done) note(done.rewrite);
+    if (done) reported_ += done.rewrite;
     return done.granted();
   }
 
@@ -223,13 +201,10 @@ TEST(Refine, KeepersFollow) {
         done = keeper.merge(h);
       else
         continue;
-      reported.strips += done.strips;
-      reported.isolated += done.isolated;
+      reported += done;
       if (n % 16 != 0) continue;
-      const Census counted = census_of(mesh);
-      ASSERT_EQ(reported.strips, counted.strips);
-      ASSERT_EQ(reported.isolated, counted.isolated);
-      ASSERT_EQ(static_cast<long>(keeper.strips()), counted.strips);
+      ASSERT_EQ(census_of(mesh), reported);
+      ASSERT_EQ(static_cast<long>(keeper.strips()), reported.strips);
       if (keeper.locator() != nullptr) {
         ASSERT_TRUE(agrees(*keeper.locator(), mesh));
       }
@@ -242,9 +217,8 @@ TEST(Refine, RefusesOtherValences) {
   const StripMesh sphere = sample::sphere(1);
   std::set<std::size_t> seen;
   for (Vertex v = 0; v < sphere.vertex_bound(); ++v) {
-    std::size_t valence = 0;
-    Halfedge chord = sphere.opposite(sphere.spoke(v));
-    for_each_spoke(sphere, v, [&](Halfedge) { ++valence; });
+    const std::size_t valence = spoke_count(sphere, v);
+    const Halfedge chord = sphere.opposite(sphere.spoke(v));
     seen.insert(valence);
     EXPECT_EQ(check_merge(sphere, chord), valence == 4 ? Refusal::granted : Refusal::other_valence);
     EXPECT_EQ(check_join_faces(sphere, chord), Refusal::other_valence);

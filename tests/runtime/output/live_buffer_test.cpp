@@ -60,11 +60,6 @@ class Device {
   std::size_t bytes_ = 0;
 };
 
-form_reader::Triangles triangles_of(const StripMesh& mesh) {
-  const auto corners = sample::triangles_of(mesh);
-  return {corners.begin(), corners.end()};
-}
-
 TEST(LiveBuffer, DrawsTheMeshInEveryForm) {
   std::mt19937 random(21);
   std::size_t outgrown = 0;
@@ -84,7 +79,7 @@ TEST(LiveBuffer, DrawsTheMeshInEveryForm) {
           changed.clear();
           device.upload(buffer, upload);
           ASSERT_TRUE(device.equals(buffer));
-          ASSERT_EQ(device.drawn(buffer, form), triangles_of(mesh));
+          ASSERT_EQ(device.drawn(buffer, form), sample::triangles_of(mesh));
           std::vector<IndexRange> draws;
           buffer.draws(draws);
           if (form == StripForm::list) {
@@ -132,7 +127,7 @@ TEST(LiveBuffer, WidensWhenAVertexNeedsIt) {
     EXPECT_TRUE(upload.outgrown);
     EXPECT_EQ(buffer.index_bytes(), 4U);
     device.upload(buffer, upload);
-    EXPECT_EQ(device.drawn(buffer, form), triangles_of(mesh));
+    EXPECT_EQ(device.drawn(buffer, form), sample::triangles_of(mesh));
     EXPECT_THROW(narrow.update(mesh, changed), std::length_error);
   }
 }
@@ -157,7 +152,7 @@ TEST(LiveBuffer, ReservesRoomOnTheDevice) {
         const Upload upload = buffer.update(mesh, changed);
         ASSERT_EQ(upload.outgrown, round == 0);
         device.upload(buffer, upload);
-        ASSERT_EQ(device.drawn(buffer, form), triangles_of(mesh));
+        ASSERT_EQ(device.drawn(buffer, form), sample::triangles_of(mesh));
       }
       EXPECT_GT(mesh.triangle_count(), 100U);
       mesh.watch(nullptr);
@@ -186,7 +181,7 @@ TEST(LiveBuffer, DrawsAStitchedBufferInWindows) {
           form_reader::Reader reader(buffer.bytes(), buffer.index_bytes());
           for (std::size_t first = 0; first + 2 < buffer.size(); first += n - 2)
             reader.strip(first, std::min(n, buffer.size() - first), false);
-          ASSERT_EQ(std::move(reader).triangles(), triangles_of(mesh));
+          ASSERT_EQ(std::move(reader).triangles(), sample::triangles_of(mesh));
         }
         for (auto n = random() % 8; n > 0; --n) random_operation(keeper, random, mesh.triangle_count() < 60);
       }
@@ -208,17 +203,18 @@ TEST(LiveBuffer, OfALiveMeshThroughUndo) {
       std::vector<std::vector<std::byte>> looks;
       for (int frame = 0; frame < 60; ++frame) {
         const std::vector<std::byte> before(live.bytes().begin(), live.bytes().end());
-        const auto triangles = triangles_of(live.mesh());
+        const auto triangles = sample::triangles_of(live.mesh());
         for (int n = 0; n < 6; ++n) random_operation(live.keeper(), random, frame < 40);
         const bool ended = random() % 2 == 0;
         if (ended) device.upload(live, live.update());
-        if (random() % 2 == 0 && live.undo() && triangles_of(live.mesh()) == triangles && form != StripForm::list) {
+        if (random() % 2 == 0 && live.undo() && sample::triangles_of(live.mesh()) == triangles &&
+            form != StripForm::list) {
           ASSERT_TRUE(std::equal(before.begin(), before.end(), live.bytes().begin(), live.bytes().end()));
         }
         device.upload(live, live.update());
-        ASSERT_EQ(device.drawn(live, form), triangles_of(live.mesh()));
+        ASSERT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
         if (random() % 4 == 0 && live.redo()) device.upload(live, live.update());
-        ASSERT_EQ(device.drawn(live, form), triangles_of(live.mesh()));
+        ASSERT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
       }
     }
 }

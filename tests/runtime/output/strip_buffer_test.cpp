@@ -216,12 +216,10 @@ static_assert(NumberedMesh<sample::HandMade> && NumberedMesh<StripMesh> && Flipp
 TEST(StripBuffer, FollowsAMeshMadeByHand) {
   for (const StripMesh& shape : {sample::rectangle(6, 5), sample::torus(6, 6)}) {
     std::mt19937 random(14);
-    StripMesh colors = shape;
-    stripify(colors, Effort::fast, Cost::strips());
-    sample::HandMade mesh(shape);
-    mesh.take_colors(colors);
+    StripMesh colored = shape;
+    stripify(colored, Effort::fast, Cost::strips());
+    sample::HandMade mesh(colored);
     StripBuffer buffer(mesh);
-    mesh.changed.clear();
     ASSERT_EQ(triangles_of_strips(buffer.indices()), mesh.triangles());
     int flips = 0;
     for (int i = 0; i < 400; ++i) {

@@ -21,11 +21,6 @@ using Indices = std::vector<std::uint32_t>;
 
 constexpr std::array all_forms{StripForm::restart, StripForm::stitched, StripForm::lengths, StripForm::list};
 
-form_reader::Triangles expected_triangles(const StripMesh& mesh) {
-  const auto corners = sample::triangles_of(mesh);
-  return {corners.begin(), corners.end()};
-}
-
 /// Meshes with all kinds of strips: of any length, from either end, isolated triangles.
 template <class Use>
 void for_each_colored(Use&& use) {
@@ -52,7 +47,7 @@ TEST(StripFormat, EveryFormDrawsTheMesh) {
         ASSERT_EQ(buffer.form, form);
         ASSERT_EQ(buffer.index_bytes(), width == IndexWidth::bits32 ? 4U : 2U);
         ASSERT_EQ(buffer.triangles, mesh.triangle_count());
-        ASSERT_EQ(form_reader::read(buffer), expected_triangles(mesh));
+        ASSERT_EQ(form_reader::read(buffer), sample::triangles_of(mesh));
       }
   });
 }
@@ -79,7 +74,7 @@ TEST(StripFormat, BatchesKeepTheirLimits) {
            {std::pair<std::size_t, std::size_t>{3, 0}, {0, 4}, {7, 9}, {64, 0}, {0, 50}}) {
         const IndexBuffer buffer = format_strips(
             plain, {.form = form, .list_if_shorter = false, .most_vertices = vertices, .most_indices = indices});
-        ASSERT_EQ(form_reader::read(buffer), expected_triangles(mesh));
+        ASSERT_EQ(form_reader::read(buffer), sample::triangles_of(mesh));
         const form_reader::Reader reader(buffer.bytes(), buffer.index_bytes());
         std::size_t end = 0;
         for (const IndexRange& batch : buffer.batches) {
@@ -101,7 +96,7 @@ TEST(StripFormat, TakesStitchedStripsApart) {
     const auto& indices = std::get<0>(stitched.indices);
     for (const StripForm form : all_forms) {
       const IndexBuffer again = format_strips(indices, {.form = form, .list_if_shorter = false});
-      ASSERT_EQ(form_reader::read(again), expected_triangles(mesh));
+      ASSERT_EQ(form_reader::read(again), sample::triangles_of(mesh));
     }
     ASSERT_LE(format_strips(indices, {.list_if_shorter = false}).size(), plain.size() + count_strips(mesh));
   });

@@ -30,17 +30,9 @@ struct Known {
 
 Known known(const StripMesh& mesh) {
   Known all;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    const auto corners = mesh.corners(t);
-    Numbers turned(corners.begin(), corners.end());
-    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-    all.triangles.insert(turned);
-    for (unsigned side = 0; side < 3; ++side) {
-      const auto h = StripMesh::halfedge(t, side);
-      if (mesh.solid(h)) all.solid.insert({std::min(mesh.from(h), mesh.to(h)), std::max(mesh.from(h), mesh.to(h))});
-    }
-  }
+  for (const sample::Corners& c : sample::triangles_of(mesh)) all.triangles.emplace(c.begin(), c.end());
+  for (const auto h : sample::dual_edges(mesh))
+    if (mesh.solid(h)) all.solid.insert({std::min(mesh.from(h), mesh.to(h)), std::max(mesh.from(h), mesh.to(h))});
   return all;
 }
 

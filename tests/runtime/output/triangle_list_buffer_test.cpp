@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "buffer_changes.hpp"
+#include "form_reader.hpp"
 #include "random_operation.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/keeper.hpp"
@@ -39,14 +40,9 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
         expect_only_reported_changes(narrow_before, narrow_after, narrow_ranges);
         changed.clear();
         ASSERT_EQ(buffer.indices().size(), 3 * mesh.triangle_count());
-        std::vector<sample::Corners> listed;
-        for (std::size_t i = 0; i < buffer.indices().size(); i += 3) {
-          sample::Corners& c = listed.emplace_back();
-          std::copy_n(buffer.indices().begin() + static_cast<std::ptrdiff_t>(i), 3, c.begin());
-          std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-        }
-        std::sort(listed.begin(), listed.end());
-        ASSERT_EQ(listed, sample::triangles_of(mesh));
+        form_reader::Reader reader(std::as_bytes(buffer.indices()), 4);
+        reader.list(0, buffer.indices().size());
+        ASSERT_EQ(std::move(reader).triangles(), sample::triangles_of(mesh));
         // With 16 bits one more index makes a multiple of four bytes if necessary.
         ASSERT_EQ(narrow.indices().size(), (buffer.indices().size() + 1) / 2 * 2);
         ASSERT_TRUE(std::equal(buffer.indices().begin(), buffer.indices().end(), narrow.indices().begin()));

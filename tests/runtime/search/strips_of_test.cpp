@@ -64,10 +64,7 @@ std::size_t index_count(const Triangles& list, StripForm form, Effort effort) {
   Vertex vertices = 0;
   for (const Corners& c : list) vertices = std::max(vertices, *std::max_element(c.begin(), c.end()) + 1);
   const IndexBuffer buffer = strips_of(list, vertices, {.form = form}, effort);
-  form_reader::Triangles expected(list.begin(), list.end());
-  for (Corners& c : expected) std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-  std::sort(expected.begin(), expected.end());
-  EXPECT_EQ(form_reader::read(buffer), expected);
+  EXPECT_EQ(form_reader::read(buffer), sample::sorted(list));
   return buffer.size();
 }
 
@@ -95,9 +92,7 @@ TEST(StripsOf, DrawsEverySoupUnderEveryEffort) {
         c = {static_cast<Vertex>(random() % vertices), static_cast<Vertex>(random() % vertices),
              static_cast<Vertex>(random() % vertices)};
       while (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]);
-    form_reader::Triangles expected(list.begin(), list.end());
-    for (Corners& c : expected) std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    std::sort(expected.begin(), expected.end());
+    const form_reader::Triangles expected = sample::sorted(list);
     for (const Effort effort : {Effort::fast, Effort::full, Effort::best})
       for (const Cost cost : {Cost::indices(), Cost::strips()}) {
         const IndexBuffer buffer = strips_of(list, vertices, {}, effort, cost);

@@ -251,7 +251,6 @@ TEST(Window, IsAsGoodOnAMeshOfAnotherKind) {
     const WindowChange expected = window.around(own, t, {.triangles = 12, .slack = WindowLimits::no_limit});
     std::vector<Triangle> patch(window.triangles().begin(), window.triangles().end());
     sample::HandMade other(mesh);
-    other.take_colors(mesh);
     for (Triangle& triangle : patch) triangle += 7;  // as they are numbered there
     auto sides = by_sides(other);
     const WindowChange done = window.inside(sides, patch, exact);
