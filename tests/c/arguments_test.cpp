@@ -2,7 +2,6 @@
 // arrays that are too short come back as codes, each with a text, and leave the mesh as it was. If any allocation
 // fails, the answer is RESTRIP_OUT_OF_MEMORY, and mesh and colours are valid.
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <set>
 #include <string>
@@ -278,9 +277,16 @@ TEST(CArguments, EveryCodeHasATextOfItsOwn) {
   EXPECT_FALSE(std::string(restrip_version()).empty());
 }
 
+using Work = restrip_status (*)(restrip_mesh*);
+
+restrip_status update(restrip_mesh* mesh) {
+  const restrip_range* ranges = nullptr;
+  std::size_t count = 0;
+  return restrip_live_update(mesh, &ranges, &count);
+}
+
 /// The work with every allocation failing in turn, each time on a new mesh.
-std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost,
-                            const std::function<restrip_status(restrip_mesh*)>& work) {
+std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost, Work work) {
   restrip_status status = RESTRIP_OK;
   Handle mesh;
   std::size_t short_of = 0;
@@ -301,9 +307,7 @@ std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost,
                         // The next operation is done, and reported as it is.
                         const restrip_halfedge next = restrip_mesh_find(mesh.get(), 21, 22);
                         EXPECT_EQ(restrip_mesh_collapse(mesh.get(), next, nullptr), RESTRIP_OK);
-                        const restrip_range* ranges = nullptr;
-                        std::size_t count = 0;
-                        EXPECT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+                        updated(mesh.get());
                         EXPECT_EQ(strip_count(mesh.get()), counted(mesh.get()).strips);
                         fresh();
                       });
@@ -312,47 +316,35 @@ std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost,
 }
 
 TEST(CArguments, MemoryMayRunOut) {
+  const Work works[] = {
+      [](restrip_mesh* mesh) {
+        return restrip_mesh_split(mesh, restrip_mesh_find(mesh, 0, 2), restrip_mesh_find(mesh, 0, 9), RESTRIP_NONE,
+                                  nullptr);
+      },
+      [](restrip_mesh* mesh) { return restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 5, 6), nullptr); },
+      [](restrip_mesh* mesh) { return restrip_mesh_bisect(mesh, restrip_mesh_find(mesh, 5, 6), nullptr); },
+      [](restrip_mesh* mesh) {
+        const restrip_halfedge chord = restrip_mesh_find(mesh, 5, 6);  // a fan so large that a batch allocates for it
+        return restrip_mesh_collapse_batch(mesh, &chord, 1, 1, nullptr, nullptr);
+      },
+      [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, &fewest_strips); },
+      [](restrip_mesh* mesh) { return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr); },
+      [](restrip_mesh* mesh) {
+        const std::uint8_t colors[80] = {};
+        return restrip_mesh_set_colors(mesh, colors, 80);
+      },
+      update,
+      [](restrip_mesh* mesh) {
+        std::int32_t done = 0;
+        restrip_status status = restrip_live_history(mesh, 1000);
+        if (status == RESTRIP_OK) status = update(mesh);
+        if (status == RESTRIP_OK) status = restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
+        return status == RESTRIP_OK ? restrip_live_undo(mesh, &done) : status;
+      }};
   for (std::int32_t policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_BEST; ++policy)
     for (const restrip_cost* cost : {static_cast<const restrip_cost*>(nullptr), &fewest_strips}) {
       std::size_t failures = 0;
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        return restrip_mesh_split(mesh, restrip_mesh_find(mesh, 0, 2), restrip_mesh_find(mesh, 0, 9), RESTRIP_NONE,
-                                  nullptr);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        return restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        return restrip_mesh_bisect(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        const restrip_halfedge chord = restrip_mesh_find(mesh, 5, 6);  // a fan so large that a batch allocates for it
-        return restrip_mesh_collapse_batch(mesh, &chord, 1, 1, nullptr, nullptr);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, &fewest_strips);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        const std::uint8_t colors[80] = {};
-        return restrip_mesh_set_colors(mesh, colors, 80);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        const restrip_range* ranges = nullptr;
-        std::size_t count = 0;
-        return restrip_live_update(mesh, &ranges, &count);
-      });
-      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        const restrip_range* ranges = nullptr;
-        std::size_t count = 0;
-        std::int32_t done = 0;
-        restrip_status status = restrip_live_history(mesh, 1000);
-        if (status == RESTRIP_OK) status = restrip_live_update(mesh, &ranges, &count);
-        if (status == RESTRIP_OK) status = restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
-        return status == RESTRIP_OK ? restrip_live_undo(mesh, &done) : status;
-      });
+      for (const Work& work : works) failures += fail_everywhere(policy, cost, work);
       EXPECT_GT(failures, 20U) << "policy " << policy;
     }
   std::size_t built = 0;

@@ -146,10 +146,8 @@ TEST(CBaked, ACustomOperationLeavesTheLevels) {
     EXPECT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_BAKED);
     EXPECT_EQ(colors_of(m), base);
     EXPECT_EQ(strip_count(m), counted(m).strips);
-    const restrip_range* ranges = nullptr;
-    std::size_t count = 0;
-    ASSERT_EQ(restrip_live_update(m, &ranges, &count), RESTRIP_OK);
-    ASSERT_EQ(count, 1U);  // the whole buffer
+    const auto ranges = updated(m);
+    ASSERT_EQ(ranges.size(), 1U);  // the whole buffer
     EXPECT_EQ(ranges[0].count, 3 * restrip_mesh_triangle_count(m));
   }
 }
@@ -219,10 +217,8 @@ TEST(CBaked, MemoryMayRunOut) {
                         ASSERT_EQ(restrip_baked_move(made, 0, SIZE_MAX, nullptr), RESTRIP_OUT_OF_STEP);
                         ASSERT_EQ(strip_count(made), counted(made).strips);
                         ASSERT_EQ(restrip_baked_restart(made), RESTRIP_OK);
-                        const restrip_range* ranges = nullptr;
-                        std::size_t count = 0;
                         ASSERT_EQ(restrip_live_begin(made, RESTRIP_STRIPS_U32), RESTRIP_OK);
-                        ASSERT_EQ(restrip_live_update(made, &ranges, &count), RESTRIP_OK);
+                        updated(made);
                       });
   ASSERT_EQ(status, RESTRIP_OK);
   EXPECT_GT(failures, 2U);

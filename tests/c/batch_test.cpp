@@ -42,10 +42,8 @@ void expect_same(restrip_mesh* mesh, const StripMesh& mine, std::span<const rest
     EXPECT_EQ(reported[i].strips, done[i].strips);
     EXPECT_EQ(reported[i].isolated, done[i].isolated);
   }
-  const restrip_range* ranges = nullptr;
-  std::size_t count = 0;
-  ASSERT_EQ(restrip_live_update(mesh, &ranges, &count), RESTRIP_OK);
-  ASSERT_EQ(count, 1U);  // the whole buffer
+  const auto ranges = updated(mesh);
+  ASSERT_EQ(ranges.size(), 1U);  // the whole buffer
   const void* indices = nullptr;
   std::size_t size = 0;
   ASSERT_EQ(restrip_live_indices(mesh, &indices, &size), RESTRIP_OK);

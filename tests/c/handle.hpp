@@ -7,9 +7,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
+#include "runtime/sample_meshes.hpp"
 
 namespace restrip::c_test {
 
@@ -42,12 +44,7 @@ inline std::vector<std::uint8_t> colors_of(const restrip_mesh* mesh) {
   colors.pop_back();
   return colors;
 }
-inline std::vector<std::uint8_t> colors_of(const StripMesh& mesh) {
-  std::vector<std::uint8_t> colors(mesh.triangle_bound(), 0);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) colors[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
-  return colors;
-}
+using sample::colors_of;
 
 /// Every triangle by its number; {RESTRIP_NONE, …} if it does not exist.
 inline std::vector<std::array<std::uint32_t, 3>> corners_of(const restrip_mesh* mesh) {
@@ -73,6 +70,13 @@ inline std::size_t strip_count(const restrip_mesh* mesh) {
   std::size_t strips = 0;
   EXPECT_EQ(restrip_mesh_strip_count(mesh, &strips), RESTRIP_OK);
   return strips;
+}
+/// Updates the live buffer.
+inline std::span<const restrip_range> updated(restrip_mesh* mesh) {
+  const restrip_range* ranges = nullptr;
+  std::size_t count = 0;
+  EXPECT_EQ(restrip_live_update(mesh, &ranges, &count), RESTRIP_OK);
+  return {ranges, count};
 }
 
 }  // namespace restrip::c_test

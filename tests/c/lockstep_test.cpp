@@ -1,7 +1,7 @@
 // The C interface does what the library does: driven at random under every policy and cost, in step with a StripMesh
 // and its keeper, a mesh has the same triangles, colours and index buffers after every operation, and the same
-// refusals. The reported change is what counting finds, under the bare policy too, which the library does not have. A
-// copy of the live buffer that receives only the reported ranges draws the triangles of the mesh.
+// refusals. The reported change is what counting finds. A copy of the live buffer that receives only the reported
+// ranges draws the triangles of the mesh.
 #include <algorithm>
 #include <map>
 #include <random>
@@ -67,61 +67,29 @@ Move draw(const restrip_mesh* mesh, std::mt19937& random) {
   return move;
 }
 
+/// The operations that take one halfedge: all but the split, in the order of their kinds.
+struct AtHalfedge {
+  restrip_status (*apply)(restrip_mesh*, restrip_halfedge, restrip_change*);
+  restrip_status (*ask)(const restrip_mesh*, restrip_halfedge);
+  Refusal (*refusal)(const StripMesh&, Halfedge);
+};
+constexpr std::array<AtHalfedge, 6> at_halfedge{{
+    {restrip_mesh_collapse, restrip_mesh_check_collapse, check_collapse},
+    {restrip_mesh_flip, restrip_mesh_check_flip, check_flip},
+    {restrip_mesh_split_face, restrip_mesh_check_split_face, check_split_face},
+    {restrip_mesh_join_faces, restrip_mesh_check_join_faces, check_join_faces},
+    {restrip_mesh_bisect, restrip_mesh_check_bisect, check_bisect},
+    {restrip_mesh_merge, restrip_mesh_check_merge, check_merge},
+}};
+const AtHalfedge& row_of(const Move& move) { return at_halfedge.at(static_cast<std::size_t>(move.kind) - 1); }
+
 restrip_status apply(restrip_mesh* mesh, const Move& move, restrip_change* change) {
-  switch (move.kind) {
-    case Move::Kind::split:
-      return restrip_mesh_split(mesh, move.a, move.b, RESTRIP_NONE, change);
-    case Move::Kind::collapse:
-      return restrip_mesh_collapse(mesh, move.a, change);
-    case Move::Kind::flip:
-      return restrip_mesh_flip(mesh, move.a, change);
-    case Move::Kind::split_face:
-      return restrip_mesh_split_face(mesh, move.a, change);
-    case Move::Kind::join_faces:
-      return restrip_mesh_join_faces(mesh, move.a, change);
-    case Move::Kind::bisect:
-      return restrip_mesh_bisect(mesh, move.a, change);
-    case Move::Kind::merge:
-      break;
-  }
-  return restrip_mesh_merge(mesh, move.a, change);
+  if (move.kind == Move::Kind::split) return restrip_mesh_split(mesh, move.a, move.b, RESTRIP_NONE, change);
+  return row_of(move).apply(mesh, move.a, change);
 }
 restrip_status ask(const restrip_mesh* mesh, const Move& move) {
-  switch (move.kind) {
-    case Move::Kind::split:
-      return restrip_mesh_check_split(mesh, move.a, move.b, RESTRIP_NONE);
-    case Move::Kind::collapse:
-      return restrip_mesh_check_collapse(mesh, move.a);
-    case Move::Kind::flip:
-      return restrip_mesh_check_flip(mesh, move.a);
-    case Move::Kind::split_face:
-      return restrip_mesh_check_split_face(mesh, move.a);
-    case Move::Kind::join_faces:
-      return restrip_mesh_check_join_faces(mesh, move.a);
-    case Move::Kind::bisect:
-      return restrip_mesh_check_bisect(mesh, move.a);
-    case Move::Kind::merge:
-      break;
-  }
-  return restrip_mesh_check_merge(mesh, move.a);
-}
-
-Refusal refusal_of(const StripMesh& mesh, const Move& move) {
-  const Halfedge h{move.a};
-  switch (move.kind) {
-    case Move::Kind::collapse:
-      return check_collapse(mesh, h);
-    case Move::Kind::flip:
-      return check_flip(mesh, h);
-    case Move::Kind::split_face:
-      return check_split_face(mesh, h);
-    case Move::Kind::join_faces:
-      return check_join_faces(mesh, h);
-    case Move::Kind::bisect:
-      return check_bisect(mesh, h);
-    default:
-      return check_merge(mesh, h);
-  }
+  if (move.kind == Move::Kind::split) return restrip_mesh_check_split(mesh, move.a, move.b, RESTRIP_NONE);
+  return row_of(move).ask(mesh, move.a);
 }
 
 /// The operations of refine.hpp, whose halfedge is the same under every policy and cost.
@@ -154,7 +122,7 @@ std::pair<Refusal, Rewrite<Halfedge>> apply(Keeper& keeper, const Move& move) {
     const Refusal refusal = check_split(mesh, where);
     return {refusal, refusal == Refusal::granted ? keeper.split(where) : Rewrite<Halfedge>{}};
   }
-  const Refusal refusal = refusal_of(mesh, move);
+  const Refusal refusal = row_of(move).refusal(mesh, {move.a});
   if (refusal != Refusal::granted) return {refusal, {}};
   if (move.kind == Move::Kind::flip) return {refusal, keeper.flip({move.a})};
   return {refusal, move.kind == Move::Kind::collapse ? keeper.collapse({move.a}) : refine(keeper, move)};
@@ -201,6 +169,11 @@ void play(restrip_mesh* mesh, std::mt19937& random, int operations, Tally& repor
     if (testing::Test::HasFatalFailure()) return;
     before = counted(mesh);  // `beside` may have improved the strips
   }
+}
+
+void play(restrip_mesh* mesh, std::mt19937& random, int operations) {
+  Tally reported;
+  play(mesh, random, operations, reported, [](const Move&, restrip_status, const restrip_change&) {});
 }
 
 template <class Keeper>
@@ -251,113 +224,63 @@ TEST(CInterface, IsInStepWithTheLibrary) {
   EXPECT_GE(reported.refused.size(), 10U);  // the number of different refusals
 }
 
-TEST(CInterface, BareOperationsReportWhatCountingFinds) {
-  std::mt19937 random(17);
-  Tally reported;
-  for (const StripMesh& start : sample::meshes())
-    for (int round = 0; round < 4; ++round) {
-      StripMesh mine = start;
-      const Handle mesh = handle_of(start);
-      ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_BARE, &fewest_strips), RESTRIP_OK);
-      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
-      Keeper keeper(mine, Policy::local, Cost::strips());
-      play(mesh.get(), random, 120, reported,
-           [&](const Move& move, restrip_status status, const restrip_change& change) {
-             const auto [refusal, rewrite] = apply(keeper, move);
-             ASSERT_EQ(status == RESTRIP_OK, refusal == Refusal::granted);
-             ASSERT_EQ(change.halfedge, status == RESTRIP_OK ? rewrite.halfedge.id : 0);
-             ASSERT_EQ(corners_of(mesh.get()), corners_of(mine));
-           });
-      if (HasFatalFailure()) return;
-    }
-  EXPECT_GT(reported.done, 300U);
-  EXPECT_EQ(reported.kinds.size(), 7U);
+form_reader::Triangles sorted_triangles(const restrip_mesh* mesh) {
+  std::vector<Corners> all = corners_of(mesh);
+  std::erase_if(all, [](const Corners& c) { return c[0] == RESTRIP_NONE; });
+  return sample::sorted(std::move(all));
 }
 
-/// The triangles that indices draw, each from its smallest corner; a strip's in its turn.
-std::vector<Corners> drawn(std::span<const std::uint32_t> indices, std::uint32_t restart, bool list) {
-  std::vector<Corners> all;
-  std::size_t from = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] == restart) from = i + 1;
-    if (indices[i] == restart || i < from + 2 || (list && i % 3 != 2)) continue;
-    Corners c{indices[i - 2], indices[i - 1], indices[i]};
-    if (!list && (i - from) % 2 != 0) std::swap(c[0], c[1]);
-    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    all.push_back(c);
+/// Copies the ranges to a buffer on a device.
+void upload(const void* indices, std::span<const restrip_range> ranges, std::size_t width,
+            std::vector<std::byte>& device) {
+  for (const restrip_range& range : ranges) {
+    ASSERT_LE((range.first + range.count) * width, device.size());
+    std::copy_n(static_cast<const std::byte*>(indices) + range.first * width, range.count * width,
+                device.begin() + static_cast<std::ptrdiff_t>(range.first * width));
   }
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
-/// The copy on a device, which receives ranges and the length.
-template <class Index>
-class Device {
- public:
-  void follow(restrip_mesh* mesh) {
-    const restrip_range* ranges = nullptr;
-    std::size_t count = 0;
+void follow_live_buffer(int form, std::size_t width, bool list, std::mt19937& random) {
+  const Handle mesh = handle_of(sample::tube(9, 12));
+  std::vector<std::byte> device;
+  const auto expect_drawn = [&] {
+    const auto ranges = updated(mesh.get());
     const void* indices = nullptr;
     std::size_t size = 0;
-    ASSERT_EQ(restrip_live_update(mesh, &ranges, &count), RESTRIP_OK);
-    ASSERT_EQ(restrip_live_indices(mesh, &indices, &size), RESTRIP_OK);
-    const std::span<const Index> now(static_cast<const Index*>(indices), size);
-    copy_.resize(size);
-    for (const restrip_range& range : std::span(ranges, count)) {
-      ASSERT_LE(range.first + range.count, size);
-      std::copy_n(now.begin() + static_cast<std::ptrdiff_t>(range.first), range.count,
-                  copy_.begin() + static_cast<std::ptrdiff_t>(range.first));
-    }
-  }
-  [[nodiscard]] std::vector<Corners> drawn(bool list) const {
-    return c_test::drawn(copy_, std::numeric_limits<Index>::max(), list);
-  }
-
- private:
-  std::vector<std::uint32_t> copy_;
-};
-
-template <class Index>
-void follow_live_buffer(int form, bool list, std::mt19937& random) {
-  const Handle mesh = handle_of(sample::tube(9, 12));
-  const auto expect_drawn = [&](Device<Index>& device) {
-    device.follow(mesh.get());
-    std::vector<Corners> all;
-    for (Corners c : corners_of(mesh.get())) {
-      if (c[0] == RESTRIP_NONE) continue;
-      std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-      all.push_back(c);
-    }
-    std::sort(all.begin(), all.end());
-    ASSERT_EQ(device.drawn(list), all);
+    ASSERT_EQ(restrip_live_indices(mesh.get(), &indices, &size), RESTRIP_OK);
+    device.resize(size * width);
+    upload(indices, ranges, width, device);
+    form_reader::Reader reader(device, width);
+    if (list)
+      reader.list(0, size);
+    else
+      reader.strip(0, size, true);
+    ASSERT_EQ(std::move(reader).triangles(), sorted_triangles(mesh.get()));
   };
-  Device<Index> device;
   ASSERT_EQ(restrip_live_begin(mesh.get(), form), RESTRIP_OK);
   for (int round = 0; round < 12; ++round) {
-    expect_drawn(device);
+    expect_drawn();
     if (round == 4) {
       ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
     }
     if (round == 8) {
       ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_QUICK, &fewest_strips), RESTRIP_OK);
     }
-    Tally reported;
-    play(mesh.get(), random, 25, reported, [](const Move&, restrip_status, const restrip_change&) {});
+    play(mesh.get(), random, 25);
     if (testing::Test::HasFatalFailure()) return;
   }
-  Device<Index> other;  // begun again in the middle
+  device.clear();  // begun again in the middle
   ASSERT_EQ(restrip_live_begin(mesh.get(), form), RESTRIP_OK);
-  expect_drawn(other);
+  expect_drawn();
 }
 
 TEST(CInterface, ReportedRangesCoverAllChanges) {
   std::mt19937 random(18);
   for (int round = 0; round < 3; ++round) {
-    follow_live_buffer<std::uint32_t>(RESTRIP_STRIPS_U32, false, random);
-    follow_live_buffer<std::uint16_t>(RESTRIP_STRIPS_U16, false, random);
-    follow_live_buffer<std::uint32_t>(RESTRIP_LIST_U32, true, random);
-    follow_live_buffer<std::uint16_t>(RESTRIP_LIST_U16, true, random);
+    follow_live_buffer(RESTRIP_STRIPS_U32, 4, false, random);
+    follow_live_buffer(RESTRIP_STRIPS_U16, 2, false, random);
+    follow_live_buffer(RESTRIP_LIST_U32, 4, true, random);
+    follow_live_buffer(RESTRIP_LIST_U16, 2, true, random);
   }
 }
 
@@ -371,16 +294,6 @@ form_reader::Triangles read_view(const void* indices, std::size_t bytes, const r
       reader.strip(draw.first, draw.count, view.form == RESTRIP_FORM_RESTART);
   }
   return std::move(reader).triangles();
-}
-form_reader::Triangles sorted_triangles(const restrip_mesh* mesh) {
-  form_reader::Triangles all;
-  for (Corners c : corners_of(mesh)) {
-    if (c[0] == RESTRIP_NONE) continue;
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    all.push_back(c);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
 /// Undo and redo restore triangles, numbers and colours exactly, and the buffer draws them. Strips from scratch start
@@ -402,9 +315,7 @@ TEST(CInterface, FramesAreUndone) {
   EXPECT_EQ(restrip_live_undo(mesh.get(), nullptr), RESTRIP_NULL_ARGUMENT);
   ASSERT_EQ(restrip_live_history(mesh.get(), 1'000'000), RESTRIP_OK);
   const auto end_frame = [&] {
-    const restrip_range* ranges = nullptr;
-    std::size_t count = 0;
-    ASSERT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+    updated(mesh.get());
     restrip_buffer_view view{};
     ASSERT_EQ(restrip_live_buffer(mesh.get(), &view, nullptr), RESTRIP_OK);
     ASSERT_EQ(read_view(view.indices, 4 * view.index_count, view), sorted_triangles(mesh.get()));
@@ -420,9 +331,7 @@ TEST(CInterface, FramesAreUndone) {
   std::size_t at = 0;
   for (int round = 0; round < 400; ++round) {
     if (random() % 2 == 0) {
-      Tally reported;
-      play(mesh.get(), random, 1 + static_cast<int>(random() % 6), reported,
-           [](const Move&, restrip_status, const restrip_change&) {});
+      play(mesh.get(), random, 1 + static_cast<int>(random() % 6));
       const State after = state();
       if (after != states[at] && random() % 4 == 0) {  // undo() ends the frame
         ASSERT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
@@ -479,20 +388,14 @@ TEST(CInterface, BuffersInEveryForm) {
         ASSERT_EQ(width, bits == 32 ? 4U : 2U);
         ASSERT_EQ(view.form, form);
         if (outgrown != 0) device.assign(room * width, std::byte{1});
-        for (const restrip_range& range : std::span(ranges, count)) {
-          ASSERT_EQ(range.first * width % 16, 0U);
-          ASSERT_LE((range.first + range.count) * width, device.size());
-          std::copy_n(static_cast<const std::byte*>(view.indices) + range.first * width, range.count * width,
-                      device.begin() + static_cast<std::ptrdiff_t>(range.first * width));
-        }
+        for (const restrip_range& range : std::span(ranges, count)) ASSERT_EQ(range.first * width % 16, 0U);
+        upload(view.indices, {ranges, count}, width, device);
         ASSERT_EQ(read_view(device.data(), view.index_count * width, view), sorted_triangles(mesh.get()));
-        Tally reported;
-        play(mesh.get(), random, 8, reported, [](const Move&, restrip_status, const restrip_change&) {});
+        play(mesh.get(), random, 8);
       }
       ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
       std::vector<std::uint32_t> list;
-      for (const Corners& c : corners_of(mesh.get()))
-        if (c[0] != RESTRIP_NONE) list.insert(list.end(), c.begin(), c.end());
+      for (const Corners& c : sorted_triangles(mesh.get())) list.insert(list.end(), c.begin(), c.end());
       const std::vector<std::uint16_t> narrow(list.begin(), list.end());
       const std::size_t vertices = restrip_mesh_vertex_bound(mesh.get());
       for (const std::size_t most : {0U, 40U}) {
@@ -564,13 +467,11 @@ TEST(CInterface, OperationsKeepToSixteenBits) {
   const restrip_halfedge right = restrip_mesh_spoke(mesh.get(), 5);
   const restrip_halfedge left = restrip_mesh_opposite(
       mesh.get(), restrip_mesh_next(mesh.get(), restrip_mesh_next(mesh.get(), right)));  // turned counter-clockwise
-  const restrip_range* ranges = nullptr;
-  std::size_t count = 0;
   for (const std::int32_t bits : {16, 0}) {
     const restrip_status expected = bits == 16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
     const restrip_format format{RESTRIP_FORM_RESTART, bits, 0, 0, 0};
     ASSERT_EQ(restrip_live_begin_format(mesh.get(), &format), RESTRIP_OK);
-    ASSERT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+    updated(mesh.get());
     const auto before = corners_of(mesh.get());
     EXPECT_EQ(restrip_mesh_check_split(mesh.get(), left, right, 65'536), expected);
     EXPECT_EQ(restrip_mesh_check_split(mesh.get(), left, right, 20'000), RESTRIP_OK);
@@ -582,7 +483,7 @@ TEST(CInterface, OperationsKeepToSixteenBits) {
       EXPECT_EQ(corners_of(mesh.get()), before);
     }
     EXPECT_EQ(restrip_mesh_bisect(mesh.get(), right, nullptr), expected);
-    ASSERT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+    updated(mesh.get());
   }
 }
 
@@ -593,8 +494,9 @@ TEST(CInterface, BuffersOutDrawTheMesh) {
   std::size_t count = 0;
   ASSERT_EQ(restrip_mesh_strip_indices_u16(mesh.get(), small.data(), small.size(), &count), RESTRIP_OK);
   small.resize(count);
-  EXPECT_EQ(drawn(std::vector<std::uint32_t>(small.begin(), small.end()), 0xFFFF, false),
-            drawn(indices_of(mesh.get()), RESTRIP_NONE, false));
+  form_reader::Reader reader(std::as_bytes(std::span(small)), 2);
+  reader.strip(0, small.size(), true);
+  EXPECT_EQ(std::move(reader).triangles(), form_reader::read_strips(indices_of(mesh.get())));
   std::vector<std::uint32_t> triangles(restrip_mesh_triangle_count(mesh.get()));
   std::vector<std::size_t> starts(strip_count(mesh.get()) + 1);
   ASSERT_EQ(restrip_mesh_strip_triangles(mesh.get(), triangles.data(), triangles.size(), &count), RESTRIP_OK);

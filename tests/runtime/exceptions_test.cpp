@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <new>
@@ -17,6 +16,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "../support/failing_new.hpp"
 #include "locator_agrees.hpp"
 #include "random_colors.hpp"
 #include "random_operation.hpp"
@@ -34,24 +34,10 @@
 #include "sample_meshes.hpp"
 #include "whole_mesh.hpp"
 
-namespace {
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-std::size_t allocations_left = never;
-}  // namespace
-
-// Not inlined, or the compiler takes the pair of malloc and free below for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (allocations_left == 0) throw std::bad_alloc();
-  if (allocations_left != never) --allocations_left;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
 namespace restrip {
 namespace {
 
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 using Where = VertexSplit<StripMesh::Halfedge>;
 
 struct Injected : std::runtime_error {
@@ -264,14 +250,14 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
           };
           std::vector<Triangle> changed;
           if (round >= 4) mesh.watch(&changed);
-          allocations_left = allocation;
+          testing_support::fail_allocation(allocation + 1, testing_support::Shortage::for_good);
           bool threw = false;
           try {
             operate();
           } catch (const std::bad_alloc&) {
             threw = true;
           }
-          allocations_left = never;
+          testing_support::end_shortage();
           mesh.watch(nullptr);
           ASSERT_TRUE(round < 4 || names_all_changes(changed, colored, mesh)) << "allocation " << allocation;
           const ColoringReport report = check_coloring(mesh);
@@ -331,7 +317,7 @@ TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
       if (undoes) upload(live.update());
       std::span<const IndexRange> ranges;
       bool threw = false;
-      allocations_left = allocation;
+      testing_support::fail_allocation(allocation + 1, testing_support::Shortage::for_good);
       try {
         if (undoes)
           live.undo();
@@ -340,7 +326,7 @@ TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
       } catch (const std::bad_alloc&) {
         threw = true;
       }
-      allocations_left = never;
+      testing_support::end_shortage();
       if (!threw) upload(ranges);
       upload(live.update());
       expect_drawn("after the next update");

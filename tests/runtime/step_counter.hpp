@@ -7,10 +7,11 @@
 
 #include <cstdint>
 
+#include "../support/failing_new.hpp"
+
 namespace restrip::counter {
 
 std::uint64_t steps() noexcept;
-std::uint64_t allocations() noexcept;
 
 /// What `run` took.
 struct Work {
@@ -19,9 +20,9 @@ struct Work {
 };
 template <class Run>
 Work work_of(Run&& run) {
-  const Work before{steps(), allocations()};
+  const Work before{steps(), testing_support::allocations()};
   run();
-  return {steps() - before.steps, allocations() - before.allocations};
+  return {steps() - before.steps, testing_support::allocations() - before.allocations};
 }
 
 /// Whether work grows as promised from one size to twice the size.

@@ -10,6 +10,7 @@ namespace {
 std::atomic<std::size_t> countdown{0};  // 0: allocations succeed
 std::atomic<bool> for_good{false};
 std::atomic<bool> failed{false};
+std::atomic<std::size_t> count{0};
 
 bool runs_out() noexcept {
   if (countdown == 0) return false;
@@ -23,6 +24,7 @@ bool runs_out() noexcept {
 }
 
 void* allocate(std::size_t size, std::size_t alignment) {
+  ++count;
   void* memory = runs_out() ? nullptr
                  : alignment <= alignof(std::max_align_t)
                      ? std::malloc(size == 0 ? 1 : size)
@@ -43,6 +45,8 @@ bool end_shortage() noexcept {
   countdown = 0;
   return failed;
 }
+
+std::size_t allocations() noexcept { return count; }
 
 }  // namespace restrip::testing_support
 

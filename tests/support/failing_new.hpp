@@ -1,4 +1,4 @@
-// Simulated shortage of memory: a program that links failing_new.cpp can make a chosen allocation fail.
+// Simulated shortage of memory: a program that links failing_new.cpp can make a chosen allocation fail, and count them.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,8 @@ enum class Shortage { once, for_good };  ///< only that allocation fails, or all
 void fail_allocation(std::size_t countdown, Shortage shortage) noexcept;
 /// Ends the shortage. True if an allocation has failed since the call above.
 bool end_shortage() noexcept;
+/// How many there have been, those that failed included.
+std::size_t allocations() noexcept;
 
 /// Calls `work` with its first allocation failing, then with its second, and so on until none fails, each under both
 /// shortages. Calls `check` after each failure. Exceptions other than std::bad_alloc propagate. Returns the number of

@@ -3,28 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <cstdlib>
 #include <iostream>
-#include <new>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "../../support/failing_new.hpp"
 #include "fan_operation.hpp"
 #include "outside_frontier.hpp"
-
-namespace {
-std::size_t allocations = 0;
-}  // namespace
-
-// Not inlined, or the compiler takes the pair of malloc and free below for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace restrip::exact {
 namespace {
@@ -35,13 +21,9 @@ void check(const FanOperation& operation, const RandomKey& key) {
   const std::vector<Word> ports = naive::words_of(key.ports);
   const std::vector<Word> joined = naive::words_of(key.joined);
   std::vector<Word> out(words_for(colors), ~Word{0});
-  const std::size_t allocated = allocations;
+  const std::size_t allocated = testing_support::allocations();
   const Value value = operation.best(BitSpan{ports.data()}, BitSpan{joined.data()}, MutableBitSpan{out.data()});
-  if (operation.k <= 64) {
-    EXPECT_EQ(allocations, allocated);
-  } else {
-    EXPECT_LE(allocations, allocated + 1);
-  }
+  EXPECT_LE(testing_support::allocations(), allocated + (operation.k <= 64 ? 0 : 1));
   for (std::size_t e = colors; e < out.size() * word_bits; ++e) EXPECT_FALSE(BitSpan{out.data()}[e]);
 
   const naive::Analysis truth = naive::analyze(patch, naive::bits_from(out, colors), key.ports);
