@@ -1,13 +1,16 @@
-// The operations on fans by number, with all answers of restrip::exact for them.
+// The operations on fans by number, with all answers of restrip::exact for them, and the keys of the patches that they
+// leave.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "naive_patch.hpp"
 #include "restrip/rules/exact.hpp"
+#include "restrip/rules/key.hpp"
 
 namespace restrip::exact {
 
@@ -51,11 +54,53 @@ struct FanOperation {
     }
   }
 
+  template <class... Colors>
+  auto joined(const Colors&... colors) const {
+    switch (family) {
+      case 0:
+        return joined_ring(k, i, colors...);
+      case 1:
+        return joined_closed(k, colors...);
+      case 2:
+        return joined_path_with_chord(k, i, j, colors...);
+      case 3:
+        return joined_path(k, i, colors...);
+      default:
+        return joined_open(k, colors...);
+    }
+  }
+  template <class... Colors>
+  bool valid(const Colors&... colors) const {
+    switch (family) {
+      case 0:
+        return valid_ring(k, i, colors...);
+      case 1:
+        return valid_closed(k, colors...);
+      case 2:
+        return valid_path_with_chord(k, i, j, colors...);
+      case 3:
+        return valid_path(k, i, colors...);
+      default:
+        return valid_open(k, colors...);
+    }
+  }
+
   std::string text() const {
     return std::string(names[family]) + " k " + std::to_string(k) + " at " + std::to_string(i) + " " +
            std::to_string(j);
   }
 };
+
+// At every position.
+inline std::vector<FanOperation> fan_operations(int family, std::size_t k) {
+  if (family == 1 || family == 4) return {{family, k, 0, 0}};
+  std::vector<FanOperation> all;
+  for (std::size_t i = family == 0 ? 1 : 0; i < (family == 3 ? k + 1 : k); ++i) {
+    if (family != 2) all.push_back({family, k, i, 0});
+    for (std::size_t j = i + 1; family == 2 && j <= k; ++j) all.push_back({family, k, i, j});
+  }
+  return all;
+}
 
 // A random position, more often at either end.
 inline FanOperation random_operation(std::mt19937_64& random, std::size_t k) {

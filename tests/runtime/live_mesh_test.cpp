@@ -161,31 +161,6 @@ TEST(LiveMesh, OperationsByVerticesAndRefusals) {
   EXPECT_FALSE(without.undo());
 }
 
-// The new vertex comes and goes in one frame, and first spokes stay changed.
-TEST(LiveMesh, UndoAfterASplitThatWasCollapsedBack) {
-  const std::vector<std::array<std::uint32_t, 3>> tetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  LiveMesh live(tetrahedron, 4, {.history = 1000});
-  const Look start = look_at(live.mesh());
-  ASSERT_TRUE(live.split({live.edge(2, 1), live.edge(2, 3)}));
-  live.update();
-  const Look first = look_at(live.mesh());
-  const Checked up = live.split({live.edge(1, 2), live.edge(1, 0)});
-  ASSERT_TRUE(up);
-  ASSERT_TRUE(live.collapse(up.rewrite.halfedge));
-  const Look second = look_at(live.mesh());
-  live.update();
-  ASSERT_FALSE(second == first);
-  for (const Look* look : {&first, &start}) {
-    ASSERT_TRUE(live.undo());
-    EXPECT_EQ(fault_of(live.mesh()), "");
-    EXPECT_EQ(look_at(live.mesh()), *look);
-  }
-  EXPECT_FALSE(live.undo());
-  ASSERT_TRUE(live.redo());
-  ASSERT_TRUE(live.redo());
-  EXPECT_EQ(look_at(live.mesh()), second);
-}
-
 // The lines that the viewer's page prints for C++, as they are printed there.
 TEST(LiveMesh, LinesOfThePageKeepTheBufferInStep) {
   const std::vector<std::uint32_t> triangles = list_of(sample::torus(20, 20));

@@ -84,29 +84,6 @@ TEST(History, AFrameThatSplitsAndCollapsesBackIsAFrame) {
   EXPECT_GT(triangles_as_they_were, 100U);
 }
 
-TEST(History, CollapsesToAFewAndReturnsToTheSameNumberOfStrips) {
-  StripMesh mesh = sample::torus(40, 40);
-  stripify(mesh, Effort::full, Cost::strips());
-  std::vector<Triangle> changed;
-  mesh.watch(&changed);
-  Keeper keeper(mesh, Policy::local, Cost::strips());
-  History history(mesh);
-  const std::size_t strips = keeper.strips();
-  const Look before = look_at(mesh);
-  std::mt19937 random(4);
-  for (int tries = 0; mesh.triangle_count() > 160 && tries < 100'000; ++tries) {
-    if (!checked_collapse(keeper, random_halfedge(mesh, random))) continue;
-    history.frame(mesh, changed);
-    changed.clear();
-  }
-  EXPECT_LE(mesh.triangle_count(), 160U);
-  while (history.undo(mesh)) {
-  }
-  keeper.rebuild();
-  EXPECT_EQ(keeper.strips(), strips);
-  EXPECT_EQ(look_at(mesh), before);
-}
-
 TEST(History, ForgetsWhatIsTooMuch) {
   StripMesh mesh = sample::torus(12, 12);
   std::vector<Triangle> changed;

@@ -1,13 +1,10 @@
-// A watched mesh names every triangle that changes, for every kind of change.
+// A watched mesh names every triangle that changes, for every kind of change. Buffers that are kept by its list are in
+// tests/adapters.
 #include "restrip/mesh/watched.hpp"
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "restrip/operations/test_adapter.hpp"
-#include "restrip/output/check_buffer.hpp"
-#include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -38,27 +35,6 @@ TEST(Watched, AListThatForgetsIsFound) {
   const AdapterReport report = test_adapter(forgetful, StripMesh::halfedge(0), &forgetful.changed());
   EXPECT_EQ(report.broken, Contract::changes_named);
   EXPECT_STREQ(report.during, "turn_edge");
-}
-
-TEST(Watched, KeepsABufferInStepUnderAKeeper) {
-  StripMesh mesh = sample::torus(12, 10);
-  Watched watched(mesh);
-  Keeper keeper(watched, Policy::quick, Cost::strips());
-  StripBuffer buffer(watched);
-  TriangleListBuffer list(watched);
-  std::mt19937 random(2);
-  for (int n = 0; n < 600; ++n) {
-    const StripMesh::Halfedge h = StripMesh::halfedge(static_cast<Triangle>(random() % mesh.triangle_bound()));
-    if (!mesh.alive(h)) continue;
-    if (check_flip(mesh, h) == Refusal::granted && n % 3 == 0) keeper.flip(h);
-    if (check_collapse(mesh, h) == Refusal::granted && n % 3 == 1 && mesh.triangle_count() > 100) keeper.collapse(h);
-    if (check_split_face(mesh, h) == Refusal::granted && n % 3 == 2) keeper.split_face(h);
-    buffer.update(watched, watched.changed());
-    list.update(watched, watched.changed());
-    watched.changed().clear();
-    ASSERT_TRUE(check_buffer(buffer, watched).right());
-    ASSERT_TRUE(check_buffer(list, watched).right());
-  }
 }
 
 }  // namespace

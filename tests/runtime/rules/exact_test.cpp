@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "fan_operation.hpp"
 #include "naive_patch.hpp"
 
 // The best recolouring by looking at all of them, for every key of one patch.
@@ -201,45 +202,14 @@ void check_all_keys(const naive::Patch& patch, Answer answer) {
   EXPECT_EQ(keys, patch.cyclic ? words - k : (words + 1) / 2);
 }
 
-TEST(Exact, Split) {
-  for (std::size_t k = 2; k <= largest(); ++k) {
-    for (std::size_t a = 1; a < k; ++a) {
-      SCOPED_TRACE(a);
-      check_all_keys(naive::ring_with_chord(k, a), [&](Word p, Word j) { return best_split(k, a, p, j); });
-    }
-  }
-}
-
-TEST(Exact, Collapse) {
-  for (std::size_t k = 3; k <= largest(); ++k) {
-    check_all_keys(naive::closed_fan(k), [&](Word p, Word j) { return best_collapse(k, p, j); });
-  }
-}
-
-TEST(Exact, OpenSplit) {
-  for (std::size_t k = 1; k <= largest(); ++k) {
-    for (std::size_t i = 0; i < k; ++i) {
-      for (std::size_t j = i + 1; j <= k; ++j) {
-        SCOPED_TRACE(testing::Message() << "gaps " << i << " " << j);
-        check_all_keys(naive::path_with_chord(k, i, j), [&](Word p, Word q) { return best_open_split(k, i, j, p, q); });
+TEST(Exact, EveryKeyAtEveryPosition) {
+  constexpr std::size_t smallest[] = {2, 3, 1, 1, 1};
+  for (int family = 0; family < 5; ++family)
+    for (std::size_t k = smallest[family]; k <= largest(); ++k)
+      for (const FanOperation& operation : fan_operations(family, k)) {
+        SCOPED_TRACE(operation.text());
+        check_all_keys(operation.patch(), [&](Word ports, Word joined) { return operation.best(ports, joined); });
       }
-    }
-  }
-}
-
-TEST(Exact, BoundarySplit) {
-  for (std::size_t k = 1; k <= largest(); ++k) {
-    for (std::size_t i = 0; i <= k; ++i) {
-      SCOPED_TRACE(i);
-      check_all_keys(naive::path(k, i), [&](Word p, Word j) { return best_boundary_split(k, i, p, j); });
-    }
-  }
-}
-
-TEST(Exact, FanCollapse) {
-  for (std::size_t k = 1; k <= largest(); ++k) {
-    check_all_keys(naive::open_fan(k), [&](Word p, Word j) { return best_fan_collapse(k, p, j); });
-  }
 }
 
 // From colours to colours: for every valid configuration the answer to its key is best among the recolourings that join

@@ -111,14 +111,6 @@ TEST(StripsOf, TakesShortIndicesAndAnEmptyList) {
   EXPECT_TRUE(strips_of(std::vector<Corners>{}, 0, plain, Effort::fast).empty());
 }
 
-TEST(StripsOf, TakesFewerIndicesThanTheFewestStripsAndMoreWithLessEffort) {
-  const StripMesh mesh = sample::torus(60, 50);
-  const std::vector<Corners> list = sample::triangles_of(mesh);
-  const std::size_t fast = strips_of(list, mesh.vertex_bound(), plain, Effort::fast).size();
-  EXPECT_LT(fast, strips_of(list, mesh.vertex_bound(), plain, Effort::fast, Cost::strips()).size());
-  EXPECT_LT(strips_of(list, mesh.vertex_bound(), plain, Effort::full).size(), fast);
-}
-
 /// Triangles without neighbours: a list has fewer indices than strips with restarts, and the call says so.
 TEST(StripsOf, NeverMoreThanTheListUnlessAskedFor) {
   std::vector<Corners> islands(1000);

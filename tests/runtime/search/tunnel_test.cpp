@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "locator_agrees.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -15,20 +17,14 @@ TEST(Tunnel, EachJoinTakesOneStripAway) {
   for (StripMesh& mesh : sample::meshes()) {
     StripLocator locator(mesh);  // all isolated
     Tunnel tunnel;
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      const std::size_t before = locator.strips();
-      const bool joined = tunnel.join(mesh, locator, t, 20);
-      ASSERT_EQ(locator.strips(), before - (joined ? 1 : 0));
-      ASSERT_TRUE(check_coloring(mesh).valid);
-      ASSERT_TRUE(agrees(locator, mesh));
-    }
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      const std::size_t before = locator.strips();
-      const bool joined = tunnel.join(mesh, locator, t, 50, Tunnel::OnFailure::wander);
-      ASSERT_EQ(locator.strips(), before - (joined ? 1 : 0));
-      ASSERT_TRUE(check_coloring(mesh).valid);
-      ASSERT_TRUE(agrees(locator, mesh));
-    }
+    for (const auto& [states, on_failure] : {std::pair{20U, Tunnel::OnFailure::stay}, {50U, Tunnel::OnFailure::wander}})
+      for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+        const std::size_t before = locator.strips();
+        const bool joined = tunnel.join(mesh, locator, t, states, on_failure);
+        ASSERT_EQ(locator.strips(), before - (joined ? 1 : 0));
+        ASSERT_TRUE(check_coloring(mesh).valid);
+        ASSERT_TRUE(agrees(locator, mesh));
+      }
   }
 }
 
