@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "../support/failing_new.hpp"
+#include "buffer_changes.hpp"
 #include "locator_agrees.hpp"
 #include "random_colors.hpp"
 #include "random_operation.hpp"
@@ -295,11 +296,9 @@ TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
       std::mt19937 random(6);
       LiveMesh live(sample::torus(16, 16), {.history = 10'000});
       std::vector<std::uint32_t> drawn(live.indices().begin(), live.indices().end());
-      const auto upload = [&](std::span<const IndexRange> ranges) {
-        drawn.resize(live.indices().size());
-        for (const auto& [first, count] : ranges)
-          std::copy_n(live.indices().begin() + static_cast<std::ptrdiff_t>(first), count,
-                      drawn.begin() + static_cast<std::ptrdiff_t>(first));
+      const auto update = [&] {
+        const auto ranges = live.update();
+        upload_ranges(live.indices(), ranges, drawn);
       };
       const auto change = [&] {
         for (int n = 0; n < 10; ++n) random_operation(live.keeper(), random, n % 2 == 0);
@@ -311,10 +310,10 @@ TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
       };
       for (int frame = 0; frame < 2; ++frame) {
         change();
-        upload(live.update());
+        update();
       }
       change();
-      if (undoes) upload(live.update());
+      if (undoes) update();
       std::span<const IndexRange> ranges;
       bool threw = false;
       testing_support::fail_allocation(allocation + 1, testing_support::Shortage::for_good);
@@ -327,11 +326,11 @@ TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
         threw = true;
       }
       testing_support::end_shortage();
-      if (!threw) upload(ranges);
-      upload(live.update());
+      if (!threw) upload_ranges(live.indices(), ranges, drawn);
+      update();
       expect_drawn("after the next update");
       live.undo();
-      upload(live.update());
+      update();
       expect_drawn("after an undo");
       if (!threw) break;
       ++failed;

@@ -23,66 +23,38 @@ struct FanOperation {
   std::size_t j = 0;
 
   naive::Patch patch() const {
-    switch (family) {
-      case 0:
-        return naive::ring_with_chord(k, i);
-      case 1:
-        return naive::closed_fan(k);
-      case 2:
-        return naive::path_with_chord(k, i, j);
-      case 3:
-        return naive::path(k, i);
-      default:
-        return naive::open_fan(k);
-    }
+    if (family == 0) return naive::ring_with_chord(k, i);
+    if (family == 1) return naive::closed_fan(k);
+    if (family == 2) return naive::path_with_chord(k, i, j);
+    if (family == 3) return naive::path(k, i);
+    return naive::open_fan(k);
   }
 
   // Of masks or of bit strings.
   template <class... Key>
   auto best(const Key&... key) const {
-    switch (family) {
-      case 0:
-        return best_split(k, i, key...);
-      case 1:
-        return best_collapse(k, key...);
-      case 2:
-        return best_open_split(k, i, j, key...);
-      case 3:
-        return best_boundary_split(k, i, key...);
-      default:
-        return best_fan_collapse(k, key...);
-    }
+    if (family == 0) return best_split(k, i, key...);
+    if (family == 1) return best_collapse(k, key...);
+    if (family == 2) return best_open_split(k, i, j, key...);
+    if (family == 3) return best_boundary_split(k, i, key...);
+    return best_fan_collapse(k, key...);
   }
 
   template <class... Colors>
   auto joined(const Colors&... colors) const {
-    switch (family) {
-      case 0:
-        return joined_ring(k, i, colors...);
-      case 1:
-        return joined_closed(k, colors...);
-      case 2:
-        return joined_path_with_chord(k, i, j, colors...);
-      case 3:
-        return joined_path(k, i, colors...);
-      default:
-        return joined_open(k, colors...);
-    }
+    if (family == 0) return joined_ring(k, i, colors...);
+    if (family == 1) return joined_closed(k, colors...);
+    if (family == 2) return joined_path_with_chord(k, i, j, colors...);
+    if (family == 3) return joined_path(k, i, colors...);
+    return joined_open(k, colors...);
   }
   template <class... Colors>
   bool valid(const Colors&... colors) const {
-    switch (family) {
-      case 0:
-        return valid_ring(k, i, colors...);
-      case 1:
-        return valid_closed(k, colors...);
-      case 2:
-        return valid_path_with_chord(k, i, j, colors...);
-      case 3:
-        return valid_path(k, i, colors...);
-      default:
-        return valid_open(k, colors...);
-    }
+    if (family == 0) return valid_ring(k, i, colors...);
+    if (family == 1) return valid_closed(k, colors...);
+    if (family == 2) return valid_path_with_chord(k, i, j, colors...);
+    if (family == 3) return valid_path(k, i, colors...);
+    return valid_open(k, colors...);
   }
 
   std::string text() const {

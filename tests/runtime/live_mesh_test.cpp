@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "buffer_changes.hpp"
 #include "random_operation.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/tables/operations/merge.hpp"
@@ -22,17 +23,6 @@ std::vector<std::uint32_t> list_of(const StripMesh& mesh) {
   return list;
 }
 
-/// A GPU's copy of the buffer, written by the ranges alone.
-struct Uploaded {
-  std::vector<std::uint32_t> indices;
-  void upload(const LiveMesh& live, std::span<const IndexRange> ranges) {
-    indices.resize(live.indices().size());
-    for (const auto& [first, count] : ranges)
-      std::copy_n(live.indices().begin() + static_cast<std::ptrdiff_t>(first), count,
-                  indices.begin() + static_cast<std::ptrdiff_t>(first));
-  }
-};
-
 void operate(LiveMesh& live, std::mt19937& random, int operations) {
   for (int n = 0; n < operations; ++n) {
     random_operation(live.keeper(), random, live.mesh().triangle_count() < 600 || random() % 2 == 0);
@@ -47,16 +37,16 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
   std::mt19937 random(1);
   for (const Cost& cost : {Cost::strips(), Cost::indices()}) {
     LiveMesh live(list_of(sample::torus(20, 20)), 400, {.cost = cost, .history = 100'000});
-    Uploaded gpu;
+    std::vector<std::uint32_t> gpu(live.indices().begin(), live.indices().end());  // written by the ranges alone
     const auto expect_drawn = [&] {
-      gpu.upload(live, live.update());
-      ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(gpu.indices)), triangles_of(live.mesh()));
+      const auto ranges = live.update();
+      upload_ranges(live.indices(), ranges, gpu);
+      ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(gpu)), triangles_of(live.mesh()));
       ASSERT_EQ(live.keeper().strips(), count_strips(live.mesh()));
       ASSERT_EQ(fault_of(live.mesh()), "");
     };
-    gpu.indices.assign(live.indices().begin(), live.indices().end());
     // The indices at the end of each frame; undo and redo restore them exactly.
-    std::vector<std::vector<std::uint32_t>> looks{gpu.indices};
+    std::vector<std::vector<std::uint32_t>> looks{gpu};
     std::size_t at = 0;
     for (int frame = 0; frame < 60; ++frame) {
       const unsigned choice = random() % 4;
@@ -75,11 +65,11 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
             ASSERT_EQ(look_at(live.mesh()), before);
             ASSERT_TRUE(live.redo());
             expect_drawn();
-            looks.push_back(gpu.indices);
+            looks.push_back(gpu);
             ASSERT_TRUE(live.undo());
           } else {
             expect_drawn();
-            looks.push_back(gpu.indices);
+            looks.push_back(gpu);
             ++at;
           }
         }
@@ -87,7 +77,7 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
       expect_drawn();
       if (HasFatalFailure()) return;
       ASSERT_LT(at, looks.size());
-      ASSERT_EQ(gpu.indices, looks[at]);
+      ASSERT_EQ(gpu, looks[at]);
     }
   }
 }

@@ -67,6 +67,7 @@ struct Analysis {
   int solid = 0;
   int isolated = 0;
   Pairs joined;  // the pairing P; only when valid
+  long value() const { return solid * 1'000'000L - isolated; }
 };
 
 inline Analysis analyze(const Patch& patch, const Bits& inner, const Bits& ports) {

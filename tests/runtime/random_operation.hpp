@@ -34,32 +34,38 @@ inline VertexSplit<StripMesh::Halfedge> random_split(const StripMesh& mesh, Stri
   return where;
 }
 
+enum class Refining { split_face, join_faces, bisect, merge };
+
+/// By a mesh or its keeper.
+template <class Target>
+Checked checked_refining(Target& target, Refining kind, StripMesh::Halfedge h) {
+  if (kind == Refining::split_face) return checked_split_face(target, h);
+  if (kind == Refining::join_faces) return checked_join_faces(target, h);
+  if (kind == Refining::bisect) return checked_bisect(target, h);
+  return checked_merge(target, h);
+}
+
 // Returns false when the operation drawn was not possible.
 template <class Keeper>
 bool random_operation(Keeper& keeper, std::mt19937& random, bool grow) {
-  using Halfedge = StripMesh::Halfedge;
   const StripMesh& mesh = keeper.mesh();
-  const Halfedge h = random_halfedge(mesh, random);
+  const StripMesh::Halfedge h = random_halfedge(mesh, random);
   const std::size_t before = keeper.strips();
   // Counting isolated triangles looks at the whole mesh.
   const bool counts_isolated = mesh.triangle_count() < 1000;
   const auto isolated = [&] { return counts_isolated ? static_cast<int>(check_coloring(mesh).isolated) : 0; };
   const int isolated_before = isolated();
-  Rewrite<Halfedge> done;
-  if (random() % 6 == 0) {
-    if (check_flip(mesh, h) != Refusal::granted) return false;
-    done = keeper.flip(h);
-  } else if (!grow) {
-    if (check_collapse(mesh, h) != Refusal::granted) return false;
-    done = keeper.collapse(h);
-  } else {
-    const VertexSplit<Halfedge> where = random_split(mesh, h, random);
-    if (check_split(mesh, where) != Refusal::granted) return false;
-    done = keeper.split(where);
-  }
-  EXPECT_EQ(static_cast<long>(keeper.strips()), static_cast<long>(before) + done.strips);
+  Checked done;
+  if (random() % 6 == 0)
+    done = checked_flip(keeper, h);
+  else if (!grow)
+    done = checked_collapse(keeper, h);
+  else
+    done = checked_split(keeper, random_split(mesh, h, random));
+  if (!done) return false;
+  EXPECT_EQ(static_cast<long>(keeper.strips()), static_cast<long>(before) + done.rewrite.strips);
   if (counts_isolated) {
-    EXPECT_EQ(isolated(), isolated_before + done.isolated);
+    EXPECT_EQ(isolated(), isolated_before + done.rewrite.isolated);
   }
   return true;
 }

@@ -127,26 +127,12 @@ TEST(Join, NoEndsMeetAfterRefinement) {
     for (int n = 0; n < 1500; ++n) {
       const Halfedge h = random_halfedge(mesh, random);
       const std::size_t before = keeper.strips();
-      Rewrite<Halfedge> rewrite;
-      switch (random() % 4) {
-        case 0:
-          if (mesh.triangle_count() > 500 || check_split_face(mesh, h) != Refusal::granted) continue;
-          rewrite = keeper.split_face(h);
-          break;
-        case 1:
-          if (mesh.triangle_count() > 500 || check_bisect(mesh, h) != Refusal::granted) continue;
-          rewrite = keeper.bisect(h);
-          break;
-        case 2:
-          if (check_join_faces(mesh, h) != Refusal::granted) continue;
-          rewrite = keeper.join_faces(h);
-          break;
-        default:
-          if (check_merge(mesh, h) != Refusal::granted) continue;
-          rewrite = keeper.merge(h);
-      }
+      const auto kind = static_cast<Refining>(random() % 4);
+      if ((kind == Refining::split_face || kind == Refining::bisect) && mesh.triangle_count() > 500) continue;
+      const Checked refined = checked_refining(keeper, kind, h);
+      if (!refined) continue;
       ++done;
-      ASSERT_EQ(static_cast<int>(keeper.strips()), static_cast<int>(before) + rewrite.strips);
+      ASSERT_EQ(static_cast<int>(keeper.strips()), static_cast<int>(before) + refined.rewrite.strips);
       expect_bound(mesh);
       if (HasFatalFailure()) FAIL() << "attempt " << n;
     }

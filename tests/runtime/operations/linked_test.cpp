@@ -1,9 +1,10 @@
 // Linked rules against every recolouring there is: sound for whatever may lie out of sight, and none that is sound is
-// better. The test knows P' and Q as sets of pairs and follows them on a graph.
+// better, be they from tables or searched. The test knows P' and Q as sets of pairs and follows them on a graph.
 #include "restrip/operations/linked.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <initializer_list>
 #include <random>
@@ -24,8 +25,7 @@ using naive::Pairs;
 // One colouring after the operation.
 struct Candidate {
   Word inner;
-  int solid;
-  int isolated;
+  long value;
   Pairs pairs;
 };
 
@@ -33,9 +33,19 @@ std::vector<Candidate> candidates(const naive::Patch& after, const Bits& ports) 
   std::vector<Candidate> all;
   for (Word inner = 0; inner < bit(after.edges.size()); ++inner) {
     const naive::Analysis found = naive::analyze(after, naive::bits_of(inner, after.edges.size()), ports);
-    if (found.valid) all.push_back({inner, found.solid, found.isolated, found.joined});
+    if (found.valid) all.push_back({inner, found.value(), found.joined});
   }
   return all;
+}
+
+// Of each port, the one that it is joined to.
+std::vector<int> partners(std::size_t k, const Pairs& pairs) {
+  std::vector<int> partner(k, strip_ends);
+  for (const auto& [i, j] : pairs) {
+    partner[i] = static_cast<int>(j);
+    partner[j] = static_cast<int>(i);
+  }
+  return partner;
 }
 
 // Pairs inside and pairs outside, each port at most once in each: does their union have a cycle?
@@ -75,12 +85,15 @@ std::vector<Pairs> matchings(const Bits& ports) {
   return all;
 }
 
-/// One operation: the patch before, the patch after, and the rule.
+using Look = std::function<int(std::size_t)>;
+
+/// One operation: the patch before, the patch after, the rule, and the search that serves where there are no tables.
 struct Case {
   std::size_t k;
   naive::Patch before;
   naive::Patch after;
-  std::function<Rule(Word before, Word ports, const std::function<int(std::size_t)>&)> rule;
+  std::function<Rule(Word before, Word ports, const Look&)> rule;
+  std::function<Rule(Word before, Word ports, const Look&)> search;
 };
 
 class Judge {
@@ -116,11 +129,7 @@ class Judge {
   // A port is out of sight when it or its partner is hidden: a walk is as long from either side.
   void one(Word before, Word ports, const Pairs& outside, Word hidden, const std::vector<Candidate>& choices,
            const std::vector<Pairs>& possible) {
-    std::vector<int> seen(case_.k, strip_ends);
-    for (const auto& [i, j] : outside) {
-      seen[i] = static_cast<int>(j);
-      seen[j] = static_cast<int>(i);
-    }
+    std::vector<int> seen = partners(case_.k, outside);
     for (std::size_t i = 0; i < case_.k; ++i)
       if (has(hidden, i)) {
         if (seen[i] >= 0) seen[static_cast<std::size_t>(seen[i])] = out_of_sight;
@@ -130,11 +139,7 @@ class Judge {
     std::vector<const Pairs*> alike;
     for (const Pairs& other : possible) {
       bool same = true;
-      std::vector<int> partner(case_.k, strip_ends);
-      for (const auto& [i, j] : other) {
-        partner[i] = static_cast<int>(j);
-        partner[j] = static_cast<int>(i);
-      }
+      const std::vector<int> partner = partners(case_.k, other);
       for (std::size_t i = 0; i < case_.k; ++i)
         same = same &&
                (seen[i] == out_of_sight ? partner[i] < 0 || seen[static_cast<std::size_t>(partner[i])] == out_of_sight
@@ -156,17 +161,19 @@ class Judge {
     const Candidate* best = nullptr;
     for (const Candidate& choice : choices) {
       if (choice.inner == rule.colors) chosen = &choice;
-      if (best != nullptr &&
-          (choice.solid < best->solid || (choice.solid == best->solid && choice.isolated >= best->isolated)))
-        continue;
-      if (sound(choice)) best = &choice;
+      if ((best == nullptr || choice.value > best->value) && sound(choice)) best = &choice;
     }
     ++looked_;
     ASSERT_TRUE(rule.valid);
     ASSERT_NE(chosen, nullptr) << "illegal";
     ASSERT_TRUE(sound(*chosen));
-    ASSERT_EQ(chosen->solid, best->solid);
-    ASSERT_EQ(chosen->isolated, best->isolated);
+    ASSERT_EQ(chosen->value, best->value);
+    const Rule searched = case_.search(before, ports, [&](std::size_t i) { return seen[i]; });
+    const auto found = std::find_if(choices.begin(), choices.end(),
+                                    [&](const Candidate& choice) { return choice.inner == searched.colors; });
+    ASSERT_TRUE(found != choices.end());
+    ASSERT_EQ(found->value, best->value);
+    ASSERT_EQ(searched.strips, rule.strips);
     bool new_pair = false;
     const naive::Analysis now =
         naive::analyze(case_.before, naive::bits_of(before, case_.before.edges.size()), naive::bits_of(ports, case_.k));
@@ -182,15 +189,21 @@ class Judge {
 
 Case split_case(std::size_t k, std::size_t a) {
   return {k, naive::closed_fan(k), naive::ring_with_chord(k, a),
-          [=](Word loop, Word ports, const std::function<int(std::size_t)>& look_out) {
-            return linked_split_rule({k, a}, loop, ports, look_out);
+          [=](Word loop, Word ports, const Look& look) {
+            return linked_split_rule({k, a}, loop, ports, look);
+          },
+          [=](Word loop, Word ports, const Look& look) {
+            return detail::searched_rule(detail::closed_fan(k), loop, detail::ring_with_chord(k, a), ports, look);
           }};
 }
 
 Case collapse_case(std::size_t k, std::size_t a) {
   return {k, naive::ring_with_chord(k, a), naive::closed_fan(k),
-          [=](Word inner, Word ports, const std::function<int(std::size_t)>& look_out) {
-            return linked_collapse_rule({k, a}, inner, ports, look_out);
+          [=](Word inner, Word ports, const Look& look) {
+            return linked_collapse_rule({k, a}, inner, ports, look);
+          },
+          [=](Word inner, Word ports, const Look& look) {
+            return detail::searched_rule(detail::ring_with_chord(k, a), inner, detail::closed_fan(k), ports, look);
           }};
 }
 

@@ -27,22 +27,6 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-enum class Refining { split_face, join_faces, bisect, merge };
-
-Checked checked_refining(StripMesh& mesh, Refining kind, Halfedge h) {
-  switch (kind) {
-    case Refining::split_face:
-      return checked_split_face(mesh, h);
-    case Refining::join_faces:
-      return checked_join_faces(mesh, h);
-    case Refining::bisect:
-      return checked_bisect(mesh, h);
-    case Refining::merge:
-      break;
-  }
-  return checked_merge(mesh, h);
-}
-
 /// The bare list after an operation that puts `added` between the corners from and to of one triangle, or of an edge.
 bare::List refined_list(const bare::List& list, Refining kind, Vertex from, Vertex to, Vertex apex, Vertex added) {
   bare::List result;
@@ -192,16 +176,11 @@ TEST(Refine, KeepersFollow) {
       const bool grow = mesh.triangle_count() < 200 || (mesh.triangle_count() < 600 && random() % 2 == 0);
       const Halfedge h = random_halfedge(mesh, random);
       const bool face = random() % 2 == 0;
-      Rewrite<Halfedge> done;
-      if (grow)
-        done = face ? keeper.split_face(h) : keeper.bisect(h);
-      else if (face && check_join_faces(mesh, h) == Refusal::granted)
-        done = keeper.join_faces(h);
-      else if (!face && check_merge(mesh, h) == Refusal::granted)
-        done = keeper.merge(h);
-      else
-        continue;
-      reported += done;
+      const Checked done = checked_refining(
+          keeper,
+          face ? (grow ? Refining::split_face : Refining::join_faces) : (grow ? Refining::bisect : Refining::merge), h);
+      if (!done) continue;
+      reported += done.rewrite;
       if (n % 16 != 0) continue;
       ASSERT_EQ(census_of(mesh), reported);
       ASSERT_EQ(static_cast<long>(keeper.strips()), reported.strips);

@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,16 +23,6 @@
 namespace naive {
 
 using Mask = std::uint64_t;
-
-struct Merit {
-  int solid = -1;
-  int isolated = 0;
-  friend bool operator==(const Merit&, const Merit&) = default;
-};
-
-inline bool better(const Merit& one, const Merit& two) {
-  return one.solid != two.solid ? one.solid > two.solid : one.isolated < two.isolated;
-}
 
 // One colouring of the patch that is valid as far as the inner edges go, with what the ports must be asked.
 struct Coloring {
@@ -62,30 +54,27 @@ class ExhaustiveSearch {
       if (port_bits[i]) before_[i] = port_before(patch_, port_bits, i);
     }
     ports_ = ports;
-    best_.assign(std::size_t{1} << k, Merit{});
-    for (const Coloring& coloring : colorings_) {
-      const std::optional<Mask> needed = needs(coloring);
-      if (needed && better(merit(coloring), best_[*needed])) best_[*needed] = merit(coloring);
-    }
+    best_.assign(std::size_t{1} << k, std::numeric_limits<long>::min());
+    for (const Coloring& coloring : colorings_)
+      if (const std::optional<Mask> needed = needs(coloring))
+        best_[*needed] = std::max(best_[*needed], value(coloring));
     // A key with more pairs allows everything that a key with fewer pairs allows.
     for (Mask joined = 0; joined < best_.size(); ++joined) {
       for (std::size_t i = 0; i < k; ++i) {
-        if (((joined >> i) & 1) == 0) continue;
-        const Merit& fewer = best_[joined & ~(Mask{1} << i)];
-        if (better(fewer, best_[joined])) best_[joined] = fewer;
+        if (((joined >> i) & 1) != 0) best_[joined] = std::max(best_[joined], best_[joined & ~(Mask{1} << i)]);
       }
     }
   }
 
-  Merit best(Mask joined) const { return best_[joined]; }
+  long best(Mask joined) const { return best_[joined]; }
 
-  // The merit of a recolouring under the solved ports, if it is sound for this key.
-  std::optional<Merit> judge(Mask inner, Mask joined) const {
+  // The value of a recolouring under the solved ports, if it is sound for this key.
+  std::optional<long> judge(Mask inner, Mask joined) const {
     if (inner >= index_.size() || index_[inner] == npos) return std::nullopt;
     const Coloring& coloring = colorings_[index_[inner]];
     const std::optional<Mask> needed = needs(coloring);
     if (!needed || (*needed & ~joined) != 0) return std::nullopt;
-    return merit(coloring);
+    return value(coloring);
   }
 
  private:
@@ -118,10 +107,8 @@ class ExhaustiveSearch {
     return result;
   }
 
-  Merit merit(const Coloring& coloring) const {
-    Merit result{coloring.solid, coloring.isolated};
-    for (Mask rest = coloring.single & ~ports_; rest != 0; rest &= rest - 1) ++result.isolated;
-    return result;
+  long value(const Coloring& coloring) const {
+    return coloring.solid * 1'000'000L - coloring.isolated - std::popcount(coloring.single & ~ports_);
   }
 
   // The canonical key that allows exactly what the colouring joins, or nothing when no key allows it.
@@ -142,7 +129,7 @@ class ExhaustiveSearch {
   std::vector<std::size_t> index_;
   Mask ports_ = 0;
   std::vector<std::size_t> before_;
-  std::vector<Merit> best_;
+  std::vector<long> best_;
 };
 
 }  // namespace naive
@@ -157,7 +144,7 @@ static_assert(best_collapse(3, 0, 0).value == Value{2, 0});
 static_assert(best_fan_collapse(1, 0, 0).value == Value{0, 1});
 static_assert(noexcept(best_split(4, 2, Word{0}, Word{0})));
 
-naive::Merit merit_of(const Value& value) { return {value.solid, value.isolated}; }
+long number_of(const Value& value) { return value.solid * 1'000'000L - value.isolated; }
 
 // The largest valence to search. An unoptimised build stops one earlier, to stay below half a minute.
 std::size_t largest() {
@@ -185,11 +172,10 @@ void check_all_keys(const naive::Patch& patch, Answer answer) {
         ++keys;
         const Recoloring best = answer(ports, given);
         const auto judged = search.judge(best.colors, joined);
-        if (!judged || *judged != merit_of(best.value) || *judged != search.best(joined)) {
+        if (!judged || *judged != number_of(best.value) || *judged != search.best(joined)) {
           ADD_FAILURE() << "k " << k << " ports " << ports << " joined " << given << " colors " << best.colors
-                        << " solid " << best.value.solid << " isolated " << best.value.isolated
-                        << (judged ? "" : ", not sound") << "; best is " << search.best(joined).solid << ", "
-                        << search.best(joined).isolated;
+                        << " value " << number_of(best.value) << (judged ? "" : ", not sound") << "; best is "
+                        << search.best(joined);
           return;
         }
       }
@@ -226,17 +212,14 @@ void check_all_configurations(const naive::Patch& before, const naive::Patch& af
     for (Word inner = 0; inner < (Word{1} << before.edges.size()); ++inner) {
       const naive::Analysis now = naive::analyze(before, naive::bits_of(inner, before.edges.size()), port_bits);
       if (!now.valid) continue;
-      naive::Merit best;
-      for (const naive::Analysis& next : recolorings) {
-        const naive::Merit merit{next.solid, next.isolated};
-        if (next.valid && naive::better(merit, best) && naive::subset(next.joined, now.joined)) best = merit;
-      }
+      long best = std::numeric_limits<long>::min();
+      for (const naive::Analysis& next : recolorings)
+        if (next.valid && naive::subset(next.joined, now.joined)) best = std::max(best, next.value());
       const Recoloring found = answer(ports, key_of(inner, ports));
       const naive::Analysis& next = recolorings.at(found.colors);
       ASSERT_TRUE(next.valid && naive::subset(next.joined, now.joined)) << "inner " << inner << " ports " << ports;
-      ASSERT_EQ(merit_of(found.value), (naive::Merit{next.solid, next.isolated}))
-          << "inner " << inner << " ports " << ports;
-      ASSERT_EQ(merit_of(found.value), best) << "inner " << inner << " ports " << ports;
+      ASSERT_EQ(number_of(found.value), next.value()) << "inner " << inner << " ports " << ports;
+      ASSERT_EQ(next.value(), best) << "inner " << inner << " ports " << ports;
     }
   }
 }
