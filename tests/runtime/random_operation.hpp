@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <random>
 
-#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 

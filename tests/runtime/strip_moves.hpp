@@ -9,8 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <vector>
 
+#include "coloring_cost.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/descent.hpp"
 #include "sample_meshes.hpp"
@@ -35,6 +37,15 @@ inline Changes changes_of(const StripMesh& mesh, const StripMove& move) {
   for (const Halfedge h : move.given_up)
     if (h.id != none) changes.insert(edge_number(mesh, h));
   return changes;
+}
+
+/// Of those that cost `highest` at most.
+inline std::multiset<Changes> changes_of(const StripMesh& mesh, std::span<const StripMove> moves,
+                                         std::int32_t highest = any_price) {
+  std::multiset<Changes> all;
+  for (const StripMove& move : moves)
+    if (move.price <= highest) all.insert(changes_of(mesh, move));
+  return all;
 }
 
 inline void recolor(StripMesh& mesh, const Changes& changes) {
@@ -74,6 +85,63 @@ inline std::vector<Changes> moves_of(const StripMesh& mesh, Halfedge h) {
     moves = longer;
   }
   return moves;
+}
+
+// All moves at the sides of a triangle; a search at the ends of strips does not clear their solid edges.
+inline std::multiset<Changes> moves_around(const StripMesh& mesh, Triangle t, bool clears) {
+  std::multiset<Changes> all;
+  for (unsigned side = 0; side < 3; ++side) {
+    const Halfedge h = StripMesh::halfedge(t, side);
+    if (StripMesh::on_boundary(mesh.opposite(h)) || StripMesh::triangle(mesh.opposite(h)) == t) continue;
+    if (mesh.solid(h) && !clears) continue;
+    for (const Changes& move : moves_of(mesh, h)) all.insert(move);
+  }
+  return all;
+}
+
+// The least price of a valid move, by counting.
+inline std::int32_t best_price(const StripMesh& mesh, const Cost& cost, const std::multiset<Changes>& moves) {
+  const std::int32_t before = cost_of(mesh).price(cost);
+  std::int32_t best = any_price;
+  for (const Changes& move : moves) {
+    StripMesh after = mesh;
+    recolor(after, move);
+    if (check_coloring(after).valid) best = std::min(best, cost_of(after).price(cost) - before);
+  }
+  return best;
+}
+
+// Compares the moves that a search finds at a triangle, and their prices; calls valid(move, whether it is). Returns how
+// many prices were compared.
+template <class Search, class Valid>
+std::size_t expect_moves_right(const StripMesh& mesh, Search& search, Triangle t,
+                               const std::multiset<Changes>& expected, Valid&& valid) {
+  const ColoringChange before = cost_of(mesh);
+  const auto found = search.moves_at(mesh, t, any_price);
+  const std::vector<StripMove> all(found.begin(), found.end());
+  EXPECT_EQ(changes_of(mesh, all), expected) << "triangle " << t;
+  std::size_t compared = 0;
+  for (const StripMove& move : all) {
+    StripMesh after = mesh;
+    recolor(after, changes_of(mesh, move));
+    const bool is_valid = check_coloring(after).valid;
+    valid(move, is_valid);
+    if (!is_valid) continue;
+    EXPECT_EQ(move.change, cost_of(after) - before);
+    EXPECT_EQ(move.price, move.change.price(search.cost()));
+    ++compared;
+  }
+  return compared;
+}
+
+// A limit on the price leaves out moves and nothing else.
+template <class Search>
+void expect_limits_right(const StripMesh& mesh, Search& search, Triangle t) {
+  const auto found = search.moves_at(mesh, t, any_price);
+  const std::vector<StripMove> all(found.begin(), found.end());
+  for (std::int32_t highest = -8; highest <= 4; ++highest)
+    EXPECT_EQ(changes_of(mesh, search.moves_at(mesh, t, highest)), changes_of(mesh, all, highest))
+        << "triangle " << t << ", at most " << highest;
 }
 
 inline std::vector<Triangle> all_triangles(const StripMesh& mesh) {

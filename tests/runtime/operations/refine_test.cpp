@@ -176,9 +176,9 @@ TEST(Refine, KeepersFollow) {
       const bool grow = mesh.triangle_count() < 200 || (mesh.triangle_count() < 600 && random() % 2 == 0);
       const Halfedge h = random_halfedge(mesh, random);
       const bool face = random() % 2 == 0;
-      const Checked done = checked_refining(
-          keeper,
-          face ? (grow ? Refining::split_face : Refining::join_faces) : (grow ? Refining::bisect : Refining::merge), h);
+      const Refining kind =
+          grow ? (face ? Refining::split_face : Refining::bisect) : (face ? Refining::join_faces : Refining::merge);
+      const Checked done = checked_refining(keeper, kind, h);
       if (!done) continue;
       reported += done.rewrite;
       if (n % 16 != 0) continue;

@@ -29,44 +29,12 @@ std::vector<Triangle> all_ends(const StripMesh& mesh) {
   return ends;
 }
 
-std::vector<Changes> moves_of_end(const StripMesh& mesh, Triangle end) {
-  std::vector<Changes> all;
-  for (unsigned side = 0; side < 3; ++side) {
-    const Halfedge h = StripMesh::halfedge(end, side);
-    const Halfedge back = mesh.opposite(h);
-    if (mesh.solid(h) || StripMesh::on_boundary(back) || StripMesh::triangle(back) == end) continue;
-    for (const Changes& move : moves_of(mesh, h)) all.push_back(move);
-  }
-  return all;
-}
-
 // Compares everything at every end; returns how many moves were compared.
 std::size_t expect_end_moves_right(const StripMesh& mesh, EndSearch& search) {
   std::size_t compared = 0;
-  const ColoringChange before = cost_of(mesh);
   for (const Triangle end : all_ends(mesh)) {
-    const std::vector<Changes> of_end = moves_of_end(mesh, end);
-    const auto all = search.moves_at(mesh, end, any_price);
-    const std::vector<StripMove> found(all.begin(), all.end());
-    std::multiset<Changes> sets;
-    for (const StripMove& move : found) sets.insert(changes_of(mesh, move));
-    EXPECT_EQ(sets, std::multiset<Changes>(of_end.begin(), of_end.end())) << "triangle " << end;
-    for (const StripMove& move : found) {
-      StripMesh after = mesh;
-      recolor(after, changes_of(mesh, move));
-      if (!check_coloring(after).valid) continue;
-      EXPECT_EQ(move.change, cost_of(after) - before);
-      EXPECT_EQ(move.price, move.change.price(search.cost()));
-      ++compared;
-    }
-    for (std::int32_t highest = -6; highest <= 3; ++highest) {
-      std::multiset<Changes> expected;
-      for (const StripMove& move : found)
-        if (move.price <= highest) expected.insert(changes_of(mesh, move));
-      std::multiset<Changes> cheap;
-      for (const StripMove& move : search.moves_at(mesh, end, highest)) cheap.insert(changes_of(mesh, move));
-      EXPECT_EQ(cheap, expected) << "triangle " << end << ", at most " << highest;
-    }
+    compared += expect_moves_right(mesh, search, end, moves_around(mesh, end, false), [](const StripMove&, bool) {});
+    expect_limits_right(mesh, search, end);
   }
   return compared;
 }
@@ -95,19 +63,6 @@ TEST(EndMoves, ArePricedAsCountedInRandomColorings) {
   EXPECT_GT(compared, 1000U);
 }
 
-// The least price of a valid move at any end, by counting.
-std::int32_t best_price_at_ends(const StripMesh& mesh, const Cost& cost) {
-  const std::int32_t before = cost_of(mesh).price(cost);
-  std::int32_t best = any_price;
-  for (const Triangle end : all_ends(mesh))
-    for (const Changes& move : moves_of_end(mesh, end)) {
-      StripMesh after = mesh;
-      recolor(after, move);
-      if (check_coloring(after).valid) best = std::min(best, cost_of(after).price(cost) - before);
-    }
-  return best;
-}
-
 // A call keeps 64 ends in mind, so it is given a few triangles at a time.
 ColoringChange run_everywhere(StripMesh& mesh, EndSearch& search, const EndLimits& limits) {
   ColoringChange sum;
@@ -133,7 +88,9 @@ TEST(EndSearch, RepeatedEndsWhereNoMoveAtAnEndPays) {
           EXPECT_EQ(sum, cost_of(mesh) - before);
           EXPECT_LE(reported.price(cost), 0);
         }
-        EXPECT_GE(best_price_at_ends(mesh, cost), 0);
+        std::multiset<Changes> all;
+        for (const Triangle end : all_ends(mesh)) all.merge(moves_around(mesh, end, false));
+        EXPECT_GE(best_price(mesh, cost, all), 0);
       }
 }
 
