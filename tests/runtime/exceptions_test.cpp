@@ -19,7 +19,6 @@
 #include "../support/failing_new.hpp"
 #include "buffer_changes.hpp"
 #include "locator_agrees.hpp"
-#include "random_colors.hpp"
 #include "random_operation.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
@@ -149,7 +148,7 @@ TEST(Exceptions, OfEveryCallLeaveAValidColoring) {
   for (const StripMesh& start : sample::meshes()) {
     StripMesh mesh = start;
     for (int round = 0; round < 12; ++round) {
-      color_at_random(mesh, 0.4 + 0.2 * (round % 4), random);
+      sample::color_at_random(mesh, 0.4 + 0.2 * (round % 4), random);
       const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
       auto h = StripMesh::halfedge(t, static_cast<unsigned>(random() % 3));
       if (random() % 4 == 0) h = mesh.opposite(h);
@@ -168,7 +167,7 @@ TEST(Exceptions, InLongFansLeaveAValidColoring) {
                                  sample::open_double_cone(70), sample::open_double_cone(3)}) {
     StripMesh mesh = start;
     for (const double share : {0.6, 0.95}) {
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       const std::vector<StripMesh::Halfedge> spokes = sample::spokes_around(mesh, 0);
       const auto h = spokes[spokes.size() / 3];
       const auto all = operations_at(mesh, h, random);
@@ -184,14 +183,14 @@ TEST(Exceptions, WhilePlayingBakedFlipsLeaveAValidColoring) {
   for (const StripMesh& start : sample::meshes()) {
     for (int round = 0; round < 6; ++round) {
       StripMesh mesh = start;
-      color_at_random(mesh, 0.8, random);
+      sample::color_at_random(mesh, 0.8, random);
       const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % mesh.triangle_bound()), 0);
       const Where where{h, turn_ccw(mesh, h), Where::Spokes::both};
       if (check_split(mesh, where) != Refusal::granted) continue;
       StripMesh plain = mesh;
       const auto chord = split_baked(plain, where, {}).halfedge;
       StripMesh wanted = plain;
-      color_at_random(wanted, 0.9, random);
+      sample::color_at_random(wanted, 0.9, random);
       const std::vector<StripMesh::Halfedge> flips = sample::recolored_edges(plain, wanted);
       fail_everywhere(
           mesh, [&](Throwing& m) { split_baked(m, where, flips); }, round % 2 == 0);
@@ -206,13 +205,13 @@ TEST(Exceptions, WhilePlayingBakedFlipsLeaveAValidColoring) {
 TEST(Exceptions, WhilePlayingManyFlipsLeaveAValidColoring) {
   std::mt19937 random(4);
   StripMesh mesh = sample::torus(20, 20);
-  color_at_random(mesh, 0.8, random);
+  sample::color_at_random(mesh, 0.8, random);
   const Where where{StripMesh::halfedge(0, 0), turn_ccw(mesh, turn_ccw(mesh, StripMesh::halfedge(0, 0))),
                     Where::Spokes::both};
   StripMesh plain = mesh;
   split_baked(plain, where, {});
   StripMesh wanted = plain;
-  color_at_random(wanted, 0.9, random);
+  sample::color_at_random(wanted, 0.9, random);
   const std::vector<StripMesh::Halfedge> flips = sample::recolored_edges(plain, wanted);
   ASSERT_GT(flips.size(), detail::flips_without_allocation);
   Throwing played(mesh, never, false);
@@ -232,7 +231,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
     for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
       for (int round = 0; round < 8; ++round) {
         StripMesh colored = start;
-        color_at_random(colored, 0.7, random);
+        sample::color_at_random(colored, 0.7, random);
         const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % colored.triangle_bound()), 1);
         const Where where{h, turn_ccw(colored, h), Where::Spokes::both};
         const std::array<Refusal, 4> refusals{check_split(colored, where), check_collapse(colored, h),

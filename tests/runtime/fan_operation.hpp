@@ -30,6 +30,9 @@ struct FanOperation {
     return naive::open_fan(k);
   }
 
+  // Of a split.
+  FanOperation inverse() const { return {family == 0 ? 1 : 4, k, 0, 0}; }
+
   // Of masks or of bit strings.
   template <class... Key>
   auto best(const Key&... key) const {

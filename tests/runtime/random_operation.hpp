@@ -1,4 +1,4 @@
-// A random split, collapse or flip under a keeper, for tests that need many.
+// A random split, collapse or flip under a keeper, for tests that need many, and a count of what operations report.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,6 +33,27 @@ inline VertexSplit<StripMesh::Halfedge> random_split(const StripMesh& mesh, Stri
     (where.spokes == Spokes::left_only ? where.right : where.left) = {};
   }
   return where;
+}
+
+/// Strips and isolated triangles of the whole mesh: what operations report must add up to them.
+struct Census {
+  long strips = 0;
+  long isolated = 0;
+  /// Adds the changes that an operation reports.
+  template <class Done>
+  Census& operator+=(const Done& done) {
+    strips += done.strips;
+    isolated += done.isolated;
+    return *this;
+  }
+  friend bool operator==(const Census&, const Census&) = default;
+};
+
+/// Of a valid colouring.
+inline Census census_of(const StripMesh& mesh) {
+  const ColoringReport report = check_coloring(mesh);
+  EXPECT_TRUE(report.valid);
+  return {static_cast<long>(report.strips), static_cast<long>(report.isolated)};
 }
 
 enum class Refining { split_face, join_faces, bisect, merge };

@@ -89,11 +89,7 @@ StripMesh band(Vertex n) {
     triangles.push_back({2 * x + 1, 2 * x + 2, 2 * x + 3});
   }
   StripMesh mesh = StripMesh::build(triangles, 2 * n + 2);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3; ++side) {
-      const Halfedge h = StripMesh::halfedge(t, side);
-      if (!StripMesh::on_boundary(mesh.opposite(h))) mesh.set_solid(h, true);
-    }
+  for (const Halfedge h : sample::dual_edges(mesh)) mesh.set_solid(h, true);
   return mesh;
 }
 

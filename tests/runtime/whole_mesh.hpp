@@ -13,13 +13,15 @@
 
 namespace restrip {
 
-/// Handles, corners, neighbours, colours, first spokes; and the handles of insertions until none is free any more.
+/// Handles, corners, neighbours, colours, first spokes and marks; and the handles of insertions until none is free any
+/// more.
 using Look = std::vector<std::uint32_t>;
 inline Look look_at(const StripMesh& mesh) {
   Look look{static_cast<std::uint32_t>(mesh.triangle_bound()), static_cast<std::uint32_t>(mesh.vertex_bound())};
   for (const StripMesh::Halfedge h : sample::sides_of(mesh))
     look.insert(look.end(), {h.id, mesh.from(h), mesh.opposite(h).id, mesh.solid(h) ? 1U : 0U});
-  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) look.push_back(mesh.spoke(v).id);
+  for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
+    look.insert(look.end(), {mesh.spoke(v).id, mesh.non_manifold(v) ? 1U : 0U});
   StripMesh next = mesh;
   Vertex v = 0;
   while (v < next.vertex_bound() &&

@@ -8,7 +8,6 @@
 
 #include "coloring_cost.hpp"
 #include "hand_made_mesh.hpp"
-#include "random_colors.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -22,7 +21,7 @@ TEST(Swaps, AreTurnsAroundOneVertex) {
   int all = 0;
   for (const double share : {0.5, 0.9, 1.0})
     for (StripMesh& mesh : sample::meshes()) {
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       const sample::HandMade other(mesh);
       int swaps = 0;
       for (const StripMesh::Halfedge h : sample::sides_of(mesh)) {

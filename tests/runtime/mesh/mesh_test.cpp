@@ -7,7 +7,6 @@
 #include <random>
 
 #include "hand_made_mesh.hpp"
-#include "random_colors.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -38,7 +37,7 @@ static_assert(!ColoredMesh<const StripMesh>, "what cannot be coloured keeps no s
 TEST(MeshSteps, AreMadeOfFiveFunctions) {
   std::mt19937 random(1);
   for (StripMesh& mesh : sample::meshes()) {
-    color_at_random(mesh, 0.8, random);
+    sample::color_at_random(mesh, 0.8, random);
     const FiveFunctions plain(mesh);
     for (const StripMesh::Halfedge h : sample::sides_of(mesh)) {
       const auto fan = fan_step(mesh, h);

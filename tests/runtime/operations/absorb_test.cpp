@@ -5,7 +5,6 @@
 
 #include <random>
 
-#include "census.hpp"
 #include "random_operation.hpp"
 #include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"

@@ -14,7 +14,6 @@
 
 #include "../../support/sanitizers.hpp"
 #include "applied_lists.hpp"
-#include "census.hpp"
 #include "own_operations.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"

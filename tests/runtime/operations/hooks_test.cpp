@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <random>
 
-#include "census.hpp"
 #include "hooked_operations.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"

@@ -8,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "census.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/refine.hpp"

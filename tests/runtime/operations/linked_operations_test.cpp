@@ -12,9 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "census.hpp"
 #include "patch_in_mesh.hpp"
-#include "random_colors.hpp"
+#include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/linked.hpp"
 #include "sample_meshes.hpp"
@@ -87,7 +86,7 @@ void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const O
 template <class Random>
 void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
   using Spokes = FanSplit::Spokes;
-  color_at_random(mesh, 1, random);
+  sample::color_at_random(mesh, 1, random);
   const std::vector<FanHalfedge> spokes = sample::spokes_around(mesh, v);
   FanSplit where{spokes[random() % spokes.size()], spokes[random() % spokes.size()], Spokes::both};
   if (mesh.leaves_boundary(where.left) && random() % 3 == 0)
@@ -102,7 +101,7 @@ void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
       tally);
   const FanHalfedge chord = split(mesh, where).halfedge;
   if (check_collapse(mesh, chord) != Refusal::granted) return;
-  color_at_random(mesh, 1, random);
+  sample::color_at_random(mesh, 1, random);
   check_rules(
       mesh, {mesh.from(chord), mesh.to(chord)},
       [&](StripMesh& copy, const auto& rules) {

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "census.hpp"
 #include "patch_in_mesh.hpp"
-#include "random_colors.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/absorb.hpp"
@@ -251,7 +249,7 @@ TEST(Operations, LargeFansGetTheBestColors) {
     const bool closed = n % 3 == 0;
     SCOPED_TRACE(testing::Message() << "number " << n << (closed ? " closed " : " open ") << k);
     StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
-    color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
+    sample::color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
     const std::vector<Halfedge> spokes = sample::spokes_around(mesh, 0);
     const std::size_t left = random() % spokes.size();
     const std::size_t right = (left + 1 + random() % (spokes.size() - 1)) % spokes.size();
@@ -265,7 +263,7 @@ TEST(Operations, LargeFansGetTheBestColors) {
     if (HasFailure()) return;
     ++splits;
 
-    color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
+    sample::color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
     const StripMesh divided = mesh;
     const auto down = collapse(mesh, up.halfedge);
     expect_best(divided, ends, mesh, {mesh.from(down.halfedge)}, down);

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "../../support/sanitizers.hpp"
-#include "census.hpp"
 #include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"

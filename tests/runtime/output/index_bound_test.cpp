@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "random_colors.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -174,8 +173,7 @@ TEST(IndexBound, IsReachedByAZigzagAndByNoStripsPassed) {
     EXPECT_TRUE(is_proof(bound, sample::triangles_of(mesh)));
     EXPECT_GE(bound.indices, corners_in_threes(sample::triangles_of(mesh)) + bound.components - 1);
     for (const double share : {0.0, 0.7, 1.0}) {
-      mesh.clear_colors();
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       EXPECT_GE(strip_indices(mesh).size(), bound.indices);
     }
     stripify(mesh, Effort::best, Cost::indices());

@@ -12,7 +12,6 @@
 
 #include "form_reader.hpp"
 #include "hand_made_mesh.hpp"
-#include "random_colors.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/check_buffer.hpp"
@@ -92,8 +91,7 @@ TEST(Strips, DecodingGivesBackTheMesh) {
   std::mt19937 random(1);
   for (StripMesh& mesh : sample::meshes()) {
     for (const double share : {0.0, 0.3, 0.7, 1.0}) {
-      mesh.clear_colors();
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       const ColoringReport report = check_coloring(mesh);
       ASSERT_TRUE(report.valid);
       const Strips strips = extract_strips(mesh);
@@ -109,7 +107,7 @@ TEST(Strips, DecodingGivesBackTheMesh) {
 TEST(Strips, EveryStripIsWrittenAsShortAsCanBe) {
   std::mt19937 random(2);
   for (StripMesh& mesh : sample::meshes()) {
-    color_at_random(mesh, 0.85, random);
+    sample::color_at_random(mesh, 0.85, random);
     const Strips all = extract_strips(mesh);
     for (std::size_t s = 0; s < all.size(); ++s) {
       if (all[s].size() > 12) continue;
@@ -130,7 +128,7 @@ TEST(Strips, SwapsAreKnownFromFourColours) {
   std::size_t shorter = 0;
   std::mt19937 random(2);
   for (StripMesh& mesh : sample::meshes()) {
-    color_at_random(mesh, 0.8, random);
+    sample::color_at_random(mesh, 0.8, random);
     const Strips strips = extract_strips(mesh);
     for (std::size_t s = 0; s < strips.size(); ++s) {
       if (strips[s].size() > 12) continue;  // the shortest is found by trying everything
@@ -163,7 +161,7 @@ TEST(Strips, AreWrittenFromColorsAsFromAList) {
   std::mt19937 random(5);
   for (const double share : {0.0, 0.3, 0.6, 0.9, 1.0})
     for (StripMesh& mesh : sample::meshes()) {
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       EXPECT_EQ(strip_indices(mesh), strip_indices(mesh, extract_strips(mesh)));
     }
 }

@@ -200,9 +200,10 @@ TEST(Exact, EveryKeyAtEveryPosition) {
 
 // From colours to colours: for every valid configuration the answer to its key is best among the recolourings that join
 // no pair but the configuration's own, for all such pairs. This does not depend on keys.
-template <class KeyOf, class Answer>
-void check_all_configurations(const naive::Patch& before, const naive::Patch& after, KeyOf key_of, Answer answer) {
-  const std::size_t k = before.port_node.size();
+void check_all_configurations(const FanOperation& operation_before, const FanOperation& operation) {
+  const naive::Patch before = operation_before.patch();
+  const naive::Patch after = operation.patch();
+  const std::size_t k = operation.k;
   for (Word ports = 0; ports < (Word{1} << k); ++ports) {
     const naive::Bits port_bits = naive::bits_of(ports, k);
     std::vector<naive::Analysis> recolorings;
@@ -215,7 +216,7 @@ void check_all_configurations(const naive::Patch& before, const naive::Patch& af
       long best = std::numeric_limits<long>::min();
       for (const naive::Analysis& next : recolorings)
         if (next.valid && naive::subset(next.joined, now.joined)) best = std::max(best, next.value());
-      const Recoloring found = answer(ports, key_of(inner, ports));
+      const Recoloring found = operation.best(ports, operation_before.joined(inner, ports));
       const naive::Analysis& next = recolorings.at(found.colors);
       ASSERT_TRUE(next.valid && naive::subset(next.joined, now.joined)) << "inner " << inner << " ports " << ports;
       ASSERT_EQ(number_of(found.value), next.value()) << "inner " << inner << " ports " << ports;
@@ -224,45 +225,14 @@ void check_all_configurations(const naive::Patch& before, const naive::Patch& af
   }
 }
 
-TEST(Exact, EveryClosedConfiguration) {
-  for (std::size_t k = 3; k <= 6; ++k) {
-    for (std::size_t a = 1; a < k; ++a) {
-      SCOPED_TRACE(testing::Message() << "k " << k << " a " << a);
-      const naive::Patch fan = naive::closed_fan(k);
-      const naive::Patch ring = naive::ring_with_chord(k, a);
-      check_all_configurations(
-          fan, ring, [&](Word loop, Word ports) { return joined_closed(k, loop, ports); },
-          [&](Word ports, Word joined) { return best_split(k, a, ports, joined); });
-      check_all_configurations(
-          ring, fan, [&](Word inner, Word ports) { return joined_ring(k, a, inner, ports); },
-          [&](Word ports, Word joined) { return best_collapse(k, ports, joined); });
-    }
-  }
-}
-
-TEST(Exact, EveryOpenConfiguration) {
-  for (std::size_t k = 1; k <= 5; ++k) {
-    const naive::Patch fan = naive::open_fan(k);
-    for (std::size_t i = 0; i <= k; ++i) {
-      SCOPED_TRACE(testing::Message() << "k " << k << " gap " << i);
-      check_all_configurations(
-          fan, naive::path(k, i), [&](Word loop, Word ports) { return joined_open(k, loop, ports); },
-          [&](Word ports, Word joined) { return best_boundary_split(k, i, ports, joined); });
-      check_all_configurations(
-          naive::path(k, i), fan, [&](Word inner, Word ports) { return joined_path(k, i, inner, ports); },
-          [&](Word ports, Word joined) { return best_fan_collapse(k, ports, joined); });
-      for (std::size_t j = i + 1; j <= k; ++j) {
-        SCOPED_TRACE(j);
-        const naive::Patch with_chord = naive::path_with_chord(k, i, j);
-        check_all_configurations(
-            fan, with_chord, [&](Word loop, Word ports) { return joined_open(k, loop, ports); },
-            [&](Word ports, Word joined) { return best_open_split(k, i, j, ports, joined); });
-        check_all_configurations(
-            with_chord, fan, [&](Word inner, Word ports) { return joined_path_with_chord(k, i, j, inner, ports); },
-            [&](Word ports, Word joined) { return best_fan_collapse(k, ports, joined); });
+TEST(Exact, EveryConfiguration) {
+  for (const int family : {0, 2, 3})
+    for (std::size_t k = family == 0 ? 3 : 1; k <= (family == 0 ? 6U : 5U); ++k)
+      for (const FanOperation& split : fan_operations(family, k)) {
+        SCOPED_TRACE(split.text());
+        check_all_configurations(split.inverse(), split);
+        check_all_configurations(split, split.inverse());
       }
-    }
-  }
 }
 
 }  // namespace

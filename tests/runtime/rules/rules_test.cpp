@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fan_operation.hpp"
 #include "restrip/operations/operations.hpp"
 
 namespace restrip {
@@ -25,75 +26,53 @@ static_assert(collapse_rule({3, 1}, 0, 0).valid && open_split_rule({1, 0, 1}, 0,
               boundary_split_rule({1, 1}, 0, 1).valid && open_collapse_rule({2, 0, 2}, 0, 0).valid &&
               boundary_collapse_rule({2, 1}, 0, 0).valid && flip_rule(true, 0).valid);
 
-/// Solid edges and isolated triangles of the rule equal the automaton's, which was compared with brute force.
-void expect_cost(const detail::Layout& after, const Rule& rule, Word ports, const exact::Value& best) {
-  EXPECT_EQ(count_bits(rule.colors), best.solid);
-  EXPECT_EQ(detail::isolated(after, rule.colors, ports), best.isolated);
+/// The rule of a split, or of the collapse that is its inverse.
+Rule rule_of(const exact::FanOperation& split, bool splits, Word colors, Word ports) {
+  const auto& [family, k, i, j] = split;
+  if (family == 0) return splits ? split_rule({k, i}, colors, ports) : collapse_rule({k, i}, colors, ports);
+  if (family == 2)
+    return splits ? open_split_rule({k, i, j}, colors, ports) : open_collapse_rule({k, i, j}, colors, ports);
+  return splits ? boundary_split_rule({k, i}, colors, ports) : boundary_collapse_rule({k, i}, colors, ports);
 }
 
-TEST(Rules, TablesAgreeWithTheExactSolverAtEveryPosition) {
+/// Every rule is sound, and its solid edges and isolated triangles are as many as the automaton's, which was compared
+/// with brute force.
+std::size_t compare_all(const exact::FanOperation& split, bool splits) {
+  const exact::FanOperation before = splits ? split.inverse() : split;
+  const exact::FanOperation after = splits ? split : split.inverse();
+  const naive::Patch patch = after.patch();
   std::size_t compared = 0;
-  for (std::size_t k = 3; k <= 8; ++k) {
-    for (Word loop = 0; loop < bit(k); ++loop) {
-      for (Word ports = 0; ports < bit(k); ++ports) {
-        const bool valid = valid_closed(k, loop, ports);
-        const Word joined = valid ? joined_closed(k, loop, ports) : 0;
-        for (std::size_t a = 1; a < k; ++a) {
-          const Rule rule = split_rule({k, a}, loop, ports);
-          ASSERT_EQ(rule.valid, valid);
-          if (!valid) continue;
-          const auto after = detail::ring_with_chord(k, a);
-          ASSERT_TRUE(valid_ring(k, a, rule.colors, ports));
-          const Word now = canonical_joined(ports, joined_ring(k, a, rule.colors, ports));
-          ASSERT_EQ(now & ~canonical_joined(ports, joined), 0U) << k << ' ' << a << ' ' << loop << ' ' << ports;
-          expect_cost(after, rule, ports, exact::best_split(k, a, ports, joined).value);
-          ++compared;
-        }
-      }
+  for (Word colors = 0; colors < bit(before.patch().edges.size()); ++colors)
+    for (Word ports = 0; ports < bit(split.k); ++ports) {
+      const Rule rule = rule_of(split, splits, colors, ports);
+      EXPECT_EQ(rule.valid, before.valid(colors, ports));
+      if (!rule.valid) continue;
+      ++compared;
+      const auto canonical = [&](Word joined) { return patch.cyclic ? canonical_joined(ports, joined) : joined; };
+      const Word joined = before.joined(colors, ports);
+      const exact::Value best = after.best(ports, joined).value;
+      EXPECT_TRUE(after.valid(rule.colors, ports));
+      EXPECT_EQ(canonical(after.joined(rule.colors, ports)) & ~canonical(joined), 0U);
+      EXPECT_EQ(count_bits(rule.colors), best.solid);
+      EXPECT_EQ(naive::analyze(patch, naive::bits_of(rule.colors, patch.edges.size()), naive::bits_of(ports, split.k))
+                    .isolated,
+                best.isolated);
+      if (testing::Test::HasFailure()) return compared;
     }
-  }
+  return compared;
+}
+
+TEST(Rules, AgreeWithTheExactSolverAtEveryPosition) {
+  std::size_t compared = 0;
+  for (const bool splits : {true, false})
+    for (const int family : {0, 2, 3})
+      for (std::size_t k = family == 0 ? 3 : 1; k <= (splits && family == 0 ? 8U : 6U); ++k)
+        for (const exact::FanOperation& split : exact::fan_operations(family, k)) {
+          SCOPED_TRACE(split.text() + (splits ? "" : ", back"));
+          compared += compare_all(split, splits);
+          if (HasFailure()) return;
+        }
   EXPECT_GT(compared, 200000U);
-}
-
-TEST(Rules, OpenFansAgreeWithTheExactSolverAtEveryPosition) {
-  for (std::size_t k = 1; k <= 6; ++k) {
-    for (Word loop = 0; loop < bit(k - 1); ++loop) {
-      for (Word ports = 0; ports < bit(k); ++ports) {
-        if (!valid_open(k, loop, ports)) continue;
-        const Word joined = joined_open(k, loop, ports);
-        for (std::size_t i = 0; i <= k; ++i) {
-          const Rule one = boundary_split_rule({k, i}, loop, ports);
-          ASSERT_TRUE(valid_path(k, i, one.colors, ports));
-          ASSERT_EQ(joined_path(k, i, one.colors, ports) & ~joined, 0U);
-          expect_cost(detail::path(k, i), one, ports, exact::best_boundary_split(k, i, ports, joined).value);
-          for (std::size_t j = i + 1; j <= k; ++j) {
-            const Rule two = open_split_rule({k, i, j}, loop, ports);
-            ASSERT_TRUE(valid_path_with_chord(k, i, j, two.colors, ports));
-            ASSERT_EQ(joined_path_with_chord(k, i, j, two.colors, ports) & ~joined, 0U);
-            expect_cost(detail::path_with_chord(k, i, j), two, ports,
-                        exact::best_open_split(k, i, j, ports, joined).value);
-          }
-        }
-      }
-    }
-  }
-}
-
-TEST(Rules, CollapsesAgreeWithTheExactSolver) {
-  for (std::size_t k = 3; k <= 6; ++k) {
-    for (std::size_t a = 1; a < k; ++a) {
-      for (Word inner = 0; inner < bit(k + 3); ++inner) {
-        for (Word ports = 0; ports < bit(k); ++ports) {
-          const Rule rule = collapse_rule({k, a}, inner, ports);
-          ASSERT_EQ(rule.valid, valid_ring(k, a, inner, ports));
-          if (!rule.valid) continue;
-          const Word joined = joined_ring(k, a, inner, ports);
-          ASSERT_TRUE(valid_closed(k, rule.colors, ports));
-          expect_cost(detail::closed_fan(k), rule, ports, exact::best_collapse(k, ports, joined).value);
-        }
-      }
-    }
-  }
 }
 
 TEST(Rules, FlipsKeepPortsWhereTheyCan) {

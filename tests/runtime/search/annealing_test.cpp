@@ -10,7 +10,6 @@
 #include <random>
 #include <vector>
 
-#include "random_colors.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -87,7 +86,7 @@ TEST(Anneal, ReportsTheCostOfValidColorsAndNeverRaisesIt) {
   for (StripMesh& mesh : sample::meshes())
     for (const Cost cost : annealed_costs)
       for (const std::uint64_t moves : {1U, 10U, 300U, 5000U}) {
-        color_at_random(mesh, 0.7, random);
+        sample::color_at_random(mesh, 0.7, random);
         const std::uint64_t before = recounted(mesh, cost);
         const std::uint64_t reported = anneal(mesh, cost, moves, random(), 100);
         EXPECT_TRUE(check_coloring(mesh).valid);
@@ -147,7 +146,7 @@ TEST(Anneal, LeastChangeIsWhatTheRecountSays) {
   meshes.push_back(sample::rectangle(5, 4));
   for (StripMesh& mesh : meshes)
     for (unsigned round = 0; round < 200; ++round) {
-      color_at_random(mesh, 0.9, random);
+      sample::color_at_random(mesh, 0.9, random);
       const Cost cost = annealed_costs[round % annealed_costs.size()];
       const auto counted = [&] {
         const ColoringReport report = check_coloring(mesh);

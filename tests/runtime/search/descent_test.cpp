@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "coloring_cost.hpp"
-#include "random_colors.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "strip_moves.hpp"
@@ -44,7 +43,7 @@ TEST(Moves, ArePricedAsCountedInRandomColorings) {
   std::mt19937 random(7);
   for (StripMesh& mesh : sample::meshes()) {
     for (const double share : {0.3, 0.7, 1.0}) {
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       for (const Cost& cost : some_costs) {
         Descent descent(cost);
         for (const Triangle t : all_triangles(mesh)) expect_limits_right(mesh, descent, t);
@@ -62,7 +61,7 @@ TEST(Descent, RepeatedEndsWhereNoMoveImproves) {
   for (StripMesh& mesh : sample::meshes()) {
     for (const Cost& cost : some_costs) {
       for (const std::uint32_t tries : {0U, 3U}) {
-        color_at_random(mesh, 0.6, random);
+        sample::color_at_random(mesh, 0.6, random);
         const ColoringChange before = cost_of(mesh);
         Descent descent(cost);
         ColoringChange sum;
@@ -87,7 +86,7 @@ TEST(Descent, ChainsFindWhatSingleMovesDoNot) {
   int gained = 0;
   for (StripMesh& mesh : sample::meshes()) {
     for (const Cost& cost : {Cost::indices(), Cost::strips()}) {
-      color_at_random(mesh, 0.5, random);
+      sample::color_at_random(mesh, 0.5, random);
       Descent descent(cost);
       descent.run(mesh, all_triangles(mesh));
       const ColoringChange before = cost_of(mesh);

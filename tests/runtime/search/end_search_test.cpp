@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "coloring_cost.hpp"
-#include "random_colors.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "strip_moves.hpp"
@@ -53,7 +52,7 @@ TEST(EndMoves, ArePricedAsCountedInRandomColorings) {
   std::size_t compared = 0;
   for (StripMesh& mesh : sample::meshes())
     for (const double share : {0.3, 0.7, 1.0}) {
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       for (const Cost& cost : some_costs) {
         EndSearch search(cost);
         compared += expect_end_moves_right(mesh, search);
@@ -77,7 +76,7 @@ TEST(EndSearch, RepeatedEndsWhereNoMoveAtAnEndPays) {
   for (StripMesh& mesh : sample::meshes())
     for (const Cost& cost : some_costs)
       for (const EndLimits& limits : {EndLimits{}, EndLimits{.looks = 300, .length = 3, .worse = 1}}) {
-        color_at_random(mesh, 0.6, random);
+        sample::color_at_random(mesh, 0.6, random);
         const ColoringChange before = cost_of(mesh);
         EndSearch search(cost);
         ColoringChange sum;

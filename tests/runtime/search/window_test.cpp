@@ -18,7 +18,6 @@
 
 #include "coloring_cost.hpp"
 #include "hand_made_mesh.hpp"
-#include "random_colors.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -170,7 +169,7 @@ TEST(Window, IsTheLeastOfAllColoringsOfSmallMeshes) {
   std::size_t compared = 0;
   for (StripMesh& mesh : sample::tiny_meshes())
     for (const double share : {0.0, 0.7, 1.0}) {
-      color_at_random(mesh, share, random);
+      sample::color_at_random(mesh, share, random);
       compared += expect_least(mesh, moves::all_triangles(mesh), random());
       ASSERT_FALSE(HasFailure());
     }
@@ -183,7 +182,7 @@ TEST(Window, IsTheLeastOfAllColoringsOfSmallPatches) {
   std::size_t compared = 0;
   for (StripMesh& mesh : meshes)
     for (int round = 0; round < 20; ++round) {
-      color_at_random(mesh, round % 4 == 0 ? 0.6 : 1.0, random);
+      sample::color_at_random(mesh, round % 4 == 0 ? 0.6 : 1.0, random);
       if (round % 5 == 0) stripify(mesh, Effort::fast, Cost::indices());
       for (const std::vector<Triangle>& patch : small_patches(mesh, random)) {
         compared += expect_least(mesh, patch, random());
