@@ -2,6 +2,7 @@
 // clever. The oracle of the tests in this folder; it shares no code with the runtime.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -29,9 +30,7 @@ inline Patch row(std::size_t n, bool ring, const std::vector<std::size_t>& inser
   for (std::size_t m = 0; m + 1 < n; ++m) patch.edges.emplace_back(m, m + 1);
   if (ring) patch.edges.emplace_back(n - 1, 0);
   for (std::size_t m = 0; m < n; ++m) {
-    bool is_fan = true;
-    for (const std::size_t x : inserted) is_fan = is_fan && x != m;
-    if (is_fan) patch.port_node.push_back(m);
+    if (std::find(inserted.begin(), inserted.end(), m) == inserted.end()) patch.port_node.push_back(m);
   }
   if (inserted.size() == 2) patch.edges.emplace_back(inserted[0], inserted[1]);
   return patch;
@@ -136,10 +135,7 @@ inline Pairs pairs_of(const Patch& patch, const Bits& ports, const Bits& joined)
 }
 
 inline bool subset(const Pairs& inner, const Pairs& outer) {
-  for (const auto& pair : inner) {
-    if (outer.count(pair) == 0) return false;
-  }
-  return true;
+  return std::includes(outer.begin(), outer.end(), inner.begin(), inner.end());
 }
 
 inline Bits bits_of(std::uint64_t mask, std::size_t n) {

@@ -168,12 +168,8 @@ inline std::optional<List> split(const List& list, const Shape& shape, Name v_h,
   const auto triangle = [&](std::size_t i) {
     return std::pair{link->around[i], link->around[(i + 1) % link->around.size()]};
   };
-  if (begin <= end) {
-    for (std::size_t i = begin; i < end; ++i) moved.insert(triangle(i));
-  } else {
-    for (std::size_t i = begin; i < k; ++i) moved.insert(triangle(i));
-    for (std::size_t i = 0; i < end; ++i) moved.insert(triangle(i));
-  }
+  const std::size_t count = begin <= end ? end - begin : k - begin + end;
+  for (std::size_t i = 0; i < count; ++i) moved.insert(triangle((begin + i) % k));
   List after;
   for (Corners c : list) {
     for (std::size_t i = 0; i < 3; ++i)

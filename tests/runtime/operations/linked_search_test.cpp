@@ -68,25 +68,16 @@ struct LinkedInstance {
   Rule rule(bool linked) const {
     const auto look = [this](std::size_t port) { return seen[port]; };
     const detail::Layout open = detail::open_fan(k);
-    switch (family) {
-      case LinkedFamily::split:
-        return linked ? linked_split_rule({k, a}, colors, ports, look) : split_rule({k, a}, colors, ports);
-      case LinkedFamily::collapse:
-        return linked ? linked_collapse_rule({k, a}, colors, ports, look) : collapse_rule({k, a}, colors, ports);
-      case LinkedFamily::open_split:
-        return linked ? detail::searched_rule(open, colors, detail::path_with_chord(k, i, j), ports, look)
-                      : open_split_rule({k, i, j}, colors, ports);
-      case LinkedFamily::open_collapse:
-        return linked ? detail::searched_rule(detail::path_with_chord(k, i, j), colors, open, ports, look)
-                      : open_collapse_rule({k, i, j}, colors, ports);
-      case LinkedFamily::boundary_split:
-        return linked ? detail::searched_rule(open, colors, detail::path(k, i), ports, look)
-                      : boundary_split_rule({k, i}, colors, ports);
-      case LinkedFamily::boundary_collapse:
-        break;
-    }
-    return linked ? detail::searched_rule(detail::path(k, i), colors, open, ports, look)
-                  : boundary_collapse_rule({k, i}, colors, ports);
+    if (family == LinkedFamily::split)
+      return linked ? linked_split_rule({k, a}, colors, ports, look) : split_rule({k, a}, colors, ports);
+    if (family == LinkedFamily::collapse)
+      return linked ? linked_collapse_rule({k, a}, colors, ports, look) : collapse_rule({k, a}, colors, ports);
+    const bool chord = family == LinkedFamily::open_split || family == LinkedFamily::open_collapse;
+    const detail::Layout divided = chord ? detail::path_with_chord(k, i, j) : detail::path(k, i);
+    if (linked) return detail::searched_rule(splits() ? open : divided, colors, splits() ? divided : open, ports, look);
+    if (family == LinkedFamily::open_split) return open_split_rule({k, i, j}, colors, ports);
+    if (family == LinkedFamily::open_collapse) return open_collapse_rule({k, i, j}, colors, ports);
+    return splits() ? boundary_split_rule({k, i}, colors, ports) : boundary_collapse_rule({k, i}, colors, ports);
   }
 };
 

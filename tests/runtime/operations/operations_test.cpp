@@ -161,16 +161,6 @@ TEST(Operations, AnyValence) {
   }
 }
 
-// A fan of k triangles around vertex 0, with one triangle outside each: a boundary vertex of a chosen valence.
-StripMesh open_fan(Vertex k) {
-  std::vector<sample::Corners> triangles;
-  for (Vertex i = 1; i <= k; ++i) {
-    triangles.push_back({0, i, i + 1});
-    triangles.push_back({i + 1, i, k + 1 + i});
-  }
-  return StripMesh::build(triangles, 2 * k + 2);
-}
-
 // Rule::valid promises that a patch with colours that no strips have becomes dashed, its ports left as they are. Here
 // patches get a triangle of three solid edges or a solid cycle, and nothing but the patch is solid.
 TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
@@ -181,7 +171,7 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
         for (const bool collapses : {true, false}) {
           SCOPED_TRACE(testing::Message() << k << (closed ? " closed" : " open") << (cycle ? " cycle" : " degree")
                                           << (collapses ? " collapse" : " split"));
-          StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
+          StripMesh mesh = closed ? sample::double_cone(k) : sample::open_double_cone(k);
           std::vector<Halfedge> spokes = sample::spokes_around(mesh, 0);
           const Where where{spokes[k / 2], spokes[1]};
           Halfedge chord{};
@@ -248,7 +238,7 @@ TEST(Operations, LargeFansGetTheBestColors) {
     const Vertex k = n % 2 == 0 ? 63 + static_cast<Vertex>(random() % 8) : 126 + static_cast<Vertex>(random() % 8);
     const bool closed = n % 3 == 0;
     SCOPED_TRACE(testing::Message() << "number " << n << (closed ? " closed " : " open ") << k);
-    StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
+    StripMesh mesh = closed ? sample::double_cone(k) : sample::open_double_cone(k);
     sample::color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
     const std::vector<Halfedge> spokes = sample::spokes_around(mesh, 0);
     const std::size_t left = random() % spokes.size();

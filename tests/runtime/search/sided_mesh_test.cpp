@@ -49,12 +49,11 @@ TEST(SideView, AnswersWhatTheMeshAnswers) {
 TEST(SideView, ColoursGoThrough) {
   StripMesh mesh = sample::torus(6, 5);
   stripify(mesh, Effort::fast, Cost::strips());
-  std::vector<std::uint8_t> colors(mesh.triangle_bound());
-  for (Triangle t = 0; t < colors.size(); ++t) colors[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
+  const std::vector<std::uint8_t> colors = sample::colors_of(mesh);
   StripMesh other = sample::torus(6, 5);
   SideView view(other);
   view.set_colors(colors);
-  for (Triangle t = 0; t < colors.size(); ++t) ASSERT_EQ(other.solid_sides(t), colors[t]);
+  EXPECT_EQ(sample::colors_of(other), colors);
   view.clear_colors();
   EXPECT_EQ(count_strips(other), other.triangle_count());
 }
