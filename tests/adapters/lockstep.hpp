@@ -51,8 +51,8 @@ class Lockstep {
     for (int n = 0; n < operations; ++n) {
       const unsigned choice = mesh_.triangle_count() > high ? 1 : mesh_.triangle_count() < low ? 0 : pick(3);
       if (choice == 0) split_both();
-      if (choice == 1) collapse_both();
-      if (choice == 2) flip_both();
+      if (choice == 1) change_both(check_collapse, 1, [](auto& keeper, auto h) { return keeper.collapse(h); });
+      if (choice == 2) change_both(check_flip, 2, [](auto& keeper, auto h) { return keeper.flip(h); });
       if (n % 300 == 0 && !exact_) {
         mine_.improve(300);
         theirs_.improve(300);
@@ -88,8 +88,7 @@ class Lockstep {
   ForeignHalfedge there(Halfedge h) { return foreign_.find(name_.at(mesh_.from(h)), name_.at(mesh_.to(h))); }
 
   void split_both() {
-    std::vector<Halfedge> spokes;
-    for_each_spoke(mesh_, mesh_.from(any()), [&](Halfedge h) { spokes.push_back(h); });
+    const std::vector<Halfedge> spokes = sample::spokes_around(mesh_, mesh_.from(any()));
     VertexSplit<Halfedge> where{spokes[pick(spokes.size())], spokes[pick(spokes.size())]};
     using Spokes = VertexSplit<Halfedge>::Spokes;
     if (mesh_.leaves_boundary(where.left) && pick(2) == 0)
@@ -107,25 +106,17 @@ class Lockstep {
     name_[made] = foreign_.to(yours.halfedge);
     ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
   }
-  void collapse_both() {
+  /// A collapse or a flip.
+  template <class Operation>
+  void change_both(Refusal (*check)(const StripMesh&, Halfedge), int kind, Operation&& operation) {
     const Halfedge h = any();
-    if (check_collapse(mesh_, h) != Refusal::granted) return;
+    if (check(mesh_, h) != Refusal::granted) return;
     const auto theirs = there(h);
     ASSERT_TRUE(theirs != ForeignHalfedge());
-    const auto mine = mine_.collapse(h);
-    const auto yours = theirs_.collapse(theirs);
-    expect_same(mine, yours, 1);
+    const auto mine = operation(mine_, h);
+    const auto yours = operation(theirs_, theirs);
+    expect_same(mine, yours, kind);
     ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
-    ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
-  }
-  void flip_both() {
-    const Halfedge h = any();
-    if (check_flip(mesh_, h) != Refusal::granted) return;
-    const auto theirs = there(h);
-    ASSERT_TRUE(theirs != ForeignHalfedge());
-    const auto mine = mine_.flip(h);
-    const auto yours = theirs_.flip(theirs);
-    expect_same(mine, yours, 2);
     ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
   }
   template <class Mine, class Yours>
@@ -176,13 +167,10 @@ class Lockstep {
   void compare_buffers() {
     update_buffer();
     const auto& strips = foreign_.strips();
-    std::vector<DrawnTriangle> expected;
-    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) {
-      if (!mesh_.alive(t)) continue;
-      const auto [a, b, c] = mesh_.corners(t);
-      expected.push_back(detail::lowest_first({number(a), number(b), number(c)}));
-    }
-    std::sort(expected.begin(), expected.end());
+    std::vector<DrawnTriangle> expected = sample::triangles_of(mesh_);
+    for (DrawnTriangle& corners : expected)
+      for (std::uint32_t& v : corners) v = foreign_.number(name_[v]);
+    expected = sample::sorted(std::move(expected));
     const auto drawn = [](std::span<const std::uint32_t> indices) { return triangles_of_strips(indices); };
     ASSERT_EQ(triangles_of(strips), expected);
     ASSERT_EQ(drawn(strip_indices(strips)), expected);
@@ -190,7 +178,6 @@ class Lockstep {
     ASSERT_TRUE(check_buffer(StripBuffer(strips), strips).right());
     ASSERT_EQ(drawn(buffer_.indices()), expected);
   }
-  std::uint32_t number(Vertex v) const { return foreign_.number(name_[v]); }
 
   StripMesh mesh_;
   Foreign& foreign_;

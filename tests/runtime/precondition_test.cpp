@@ -23,6 +23,7 @@
 #include "restrip/tables/operations/join_faces.hpp"
 #include "restrip/tables/operations/split_face.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -349,23 +350,14 @@ TEST(StripMeshLimit, AFullMeshSaysSoAndStaysAsItIs) {
   EXPECT_THROW((void)StripMesh::build(more, 31), std::length_error);
   StripMesh mesh = StripMesh::build(grid, 30);
   stripify(mesh, Effort::fast, Cost::strips());
-  const auto state = [&] {
-    std::vector<std::array<std::uint32_t, 7>> all;
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      const auto c = mesh.corners(t);
-      const auto across = [&](unsigned side) { return mesh.opposite(StripMesh::halfedge(t, side)).id; };
-      all.push_back({c[0], c[1], c[2], across(0), across(1), across(2), mesh.alive(t) ? mesh.solid_sides(t) : 0});
-    }
-    return all;
-  };
-  const auto before = state();
+  const StripMesh before = mesh;
   const Where where{mesh.spoke(7), turn_ccw(mesh, mesh.spoke(7))};
   EXPECT_THROW(split(mesh, where), std::length_error);
   const Where one_sided{mesh.spoke(0), {}, Where::Spokes::left_only};
   EXPECT_THROW(split(mesh, one_sided), std::length_error);
   EXPECT_THROW(apply(mesh, tables::split_face, mesh.spoke(7)), std::length_error);
   EXPECT_EQ(mesh.triangle_count(), 40U);
-  EXPECT_EQ(state(), before);
+  EXPECT_TRUE(differing_triangles(mesh, before).empty());
   // Handles that a collapse frees can be taken again; one free triangle is not enough for two.
   const Halfedge edge = mesh.spoke(0, 1);
   ASSERT_EQ(check_collapse(mesh, edge), Refusal::granted);

@@ -37,19 +37,17 @@ Ends count_ends(const StripMesh& mesh) {
     count.isolated += strips[s].size() == 1 ? 1U : 0U;
     for (const Triangle t : strips[s]) strip_of[t] = s;
   }
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t) || mesh.solid_degree(t) > 1) continue;
-    for (unsigned side = 0; side < 3; ++side) {
-      const Halfedge h = StripMesh::halfedge(t, side);
-      const Halfedge across = mesh.opposite(h);
-      if (StripMesh::on_boundary(across)) {
-        ++count.boundary_sides;
-        continue;
-      }
-      const Triangle u = StripMesh::triangle(across);
-      if (mesh.solid(h) || mesh.solid_degree(u) > 1 || u < t) continue;
-      ++(strip_of[t] == strip_of[u] ? count.own : count.meeting);
+  for (const Halfedge h : sample::sides_of(mesh)) {
+    const Triangle t = StripMesh::triangle(h);
+    if (mesh.solid_degree(t) > 1) continue;
+    const Halfedge across = mesh.opposite(h);
+    if (StripMesh::on_boundary(across)) {
+      ++count.boundary_sides;
+      continue;
     }
+    const Triangle u = StripMesh::triangle(across);
+    if (mesh.solid(h) || mesh.solid_degree(u) > 1 || u < t) continue;
+    ++(strip_of[t] == strip_of[u] ? count.own : count.meeting);
   }
   return count;
 }

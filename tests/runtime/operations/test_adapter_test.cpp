@@ -211,11 +211,9 @@ class Faulty {
     std::set<Vertex> close{mesh_.from(h), mesh_.to(h)};
     for (const Vertex end : {mesh_.from(h), mesh_.to(h)})
       for_each_spoke(mesh_, end, [&](Halfedge g) { close.insert(mesh_.to(g)); });
-    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t)
-      for (unsigned side = 0; side < 3 && mesh_.alive(t); ++side)
-        if (const Halfedge g = StripMesh::halfedge(t, side);
-            mesh_.solid(g) && close.count(mesh_.from(g)) == 0 && close.count(mesh_.to(g)) == 0)
-          return mesh_.set_solid(g, false);
+    for (const Halfedge g : sample::sides_of(mesh_))
+      if (mesh_.solid(g) && close.count(mesh_.from(g)) == 0 && close.count(mesh_.to(g)) == 0)
+        return mesh_.set_solid(g, false);
   }
   /// Triangles 0 and 1 have exchanged their names.
   [[nodiscard]] Halfedge named(Halfedge h) const {

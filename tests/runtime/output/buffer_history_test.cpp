@@ -42,11 +42,8 @@ struct SavedState {
   /// The indices, followed by the triangles with their colours.
   [[nodiscard]] std::vector<std::uint32_t> look() const {
     std::vector<std::uint32_t> look = indices();
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-      for (unsigned side = 0; side < 3 && mesh.alive(t); ++side) {
-        const StripMesh::Halfedge h = StripMesh::halfedge(t, side);
-        look.insert(look.end(), {h.id, mesh.from(h), mesh.solid(h) ? 1U : 0U});
-      }
+    for (const StripMesh::Halfedge h : sample::sides_of(mesh))
+      look.insert(look.end(), {h.id, mesh.from(h), mesh.solid(h) ? 1U : 0U});
     return look;
   }
   void operate(unsigned seed, unsigned operations) {
