@@ -39,21 +39,6 @@ TEST(StripMesh, BuildCountsWhatItLeavesOut) {
   EXPECT_EQ(mesh.corners(1), triangles[5]);
 }
 
-TEST(StripMesh, IsBuiltFromIndexBuffers) {
-  const std::vector<std::uint32_t> indices{0, 1, 2, 2, 1, 3, 3, 3, 0};
-  const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
-  BuildReport report;
-  const StripMesh wide_mesh = StripMesh::build(indices, 4, &report);
-  EXPECT_EQ(report.degenerate_triangles, 1U);
-  const StripMesh mesh = StripMesh::build(narrow, 4);
-  for (const StripMesh& built : {wide_mesh, mesh}) {
-    ASSERT_EQ(built.triangle_count(), 2U);
-    EXPECT_EQ(built.corners(0), (sample::Corners{0, 1, 2}));
-    EXPECT_EQ(built.corners(1), (sample::Corners{2, 1, 3}));
-  }
-  EXPECT_THROW((void)StripMesh::build(std::span(indices).first(8), 4), std::invalid_argument);
-}
-
 // An insertion takes the vertex that was announced, also when free vertices have been named by callers since.
 TEST(StripMesh, AnnouncesTheNextVertex) {
   std::mt19937 random(31);

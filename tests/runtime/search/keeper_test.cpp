@@ -13,6 +13,7 @@
 #include "hand_made_mesh.hpp"
 #include "locator_agrees.hpp"
 #include "random_operation.hpp"
+#include "restrip/operations/apply.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/tables/operations/refine_face.hpp"
@@ -237,27 +238,18 @@ TEST(KeeperByCost, CountsAgainWhenAsked) {
 
 // ---- The rule first.
 
-/// Any kind of operation at a random place. False when it was not possible there.
-bool any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow, bool& interior,
-                   Rewrite<StripMesh::Halfedge>& done) {
+/// Any kind of operation at a random place.
+Checked any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow, bool& interior) {
   const StripMesh& mesh = keeper.mesh();
   const StripMesh::Halfedge h = random_halfedge(mesh, random);
-  const auto if_granted = [&done](Refusal refusal, auto&& operation) {
-    if (refusal == Refusal::granted) done = operation();
-    return refusal == Refusal::granted;
-  };
   const auto kind = random() % 12;
   interior = kind > 4;
-  if (kind == 0) return if_granted(check_flip(mesh, h), [&] { return keeper.flip(h); });
-  if (kind == 1 && grow) return if_granted(check_split_face(mesh, h), [&] { return keeper.split_face(h); });
-  if (kind == 1) return if_granted(check_join_faces(mesh, h), [&] { return keeper.join_faces(h); });
-  if (kind == 2 && grow) return if_granted(check_bisect(mesh, h), [&] { return keeper.bisect(h); });
-  if (kind == 2) return if_granted(check_merge(mesh, h), [&] { return keeper.merge(h); });
-  if (kind == 3 && grow)
-    return if_granted(check_apply(mesh, tables::refine_face, h), [&] { return keeper.apply(tables::refine_face, h); });
-  if (!grow) return if_granted(check_collapse(mesh, h), [&] { return keeper.collapse(h); });
-  const VertexSplit<StripMesh::Halfedge> where = random_split(mesh, h, random);
-  return if_granted(check_split(mesh, where), [&] { return keeper.split(where); });
+  if (kind == 0) return checked_flip(keeper, h);
+  if (kind == 1) return checked_refining(keeper, grow ? Refining::split_face : Refining::join_faces, h);
+  if (kind == 2) return checked_refining(keeper, grow ? Refining::bisect : Refining::merge, h);
+  if (kind == 3 && grow) return checked_apply(keeper, tables::refine_face, h);
+  if (!grow) return checked_collapse(keeper, h);
+  return checked_split(keeper, random_split(mesh, h, random));
 }
 
 // A vertex of the mesh is on the boundary or not at random; closed fans come from the torus.
@@ -276,14 +268,14 @@ TEST(RuleFirst, EveryOperationAsksItsRuleAndKeepsBothGuarantees) {
         for (std::uint64_t tries = 0; operations < wanted; ++tries) {
           const auto before = static_cast<long>(keeper.cost());
           bool fan = false;
-          Rewrite<StripMesh::Halfedge> done;
           const bool grow = mesh.triangle_count() < 300 || (mesh.triangle_count() < 900 && tries / 4000 % 2 == 0);
-          if (!any_operation(keeper, random, grow, fan, done)) continue;
+          const Checked done = any_operation(keeper, random, grow, fan);
+          if (!done) continue;
           ++operations;
           if (cost == Cost::strips()) {
-            ASSERT_LE(done.strips, most_strips_added) << row.name;
+            ASSERT_LE(done.rewrite.strips, most_strips_added) << row.name;
             if (closed && fan) {
-              ASSERT_LE(done.isolated, 0) << row.name;
+              ASSERT_LE(done.rewrite.isolated, 0) << row.name;
             }
           } else if (row.policy != Policy::rules) {
             ASSERT_LE(static_cast<long>(keeper.cost()) - before, most_indices_added) << row.name;
@@ -315,14 +307,13 @@ TEST(RuleFirst, ColoursStayAsTheyAreWhereNothingIsCheaper) {
         StripMesh alone = mesh;
         std::mt19937 again = random;
         const RuleCounts before = keeper.rule_counts();
-        Rewrite<StripMesh::Halfedge> done;
         bool fan = false;
         const bool grow = mesh.triangle_count() < 300 || n % 2 == 0;
-        if (!any_operation(keeper, random, grow, fan, done)) continue;
+        if (!any_operation(keeper, random, grow, fan)) continue;
         const RuleCounts& now = keeper.rule_counts();
         if (now.improved != before.improved) continue;
         Keeper by_rule(alone, Policy::rules, cost);
-        ASSERT_TRUE(any_operation(by_rule, again, grow, fan, done));
+        ASSERT_TRUE(any_operation(by_rule, again, grow, fan));
         if (now.taken != before.taken) {
           ++taken;
           ASSERT_EQ(sample::colors_of(mesh), sample::colors_of(alone));
