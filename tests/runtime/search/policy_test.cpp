@@ -35,6 +35,10 @@ void expect_less_with_each_policy(Cost cost, Policy first) {
   }
 }
 
+void expect_in(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << part;
+}
+
 std::string text_of(const char* path) {
   std::ifstream file(std::string(RESTRIP_SOURCES) + path);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -51,12 +55,10 @@ TEST(Policies, ReadmeHasTheirTable) {
                                                               : std::to_string(most_indices_added);
     const std::string line = std::string("| `") + row.name + "` | " + row.says + " | " + row.says_indices + " | " +
                              row.state + " | " + row.price + " | " + strips + " | " + indices + " |\n";
-    EXPECT_NE(readme.find(line), std::string::npos) << line;
+    expect_in(readme, line);
   }
   static_assert(default_policy == Policy::quick && default_cost == Cost::indices() && default_effort == Effort::fast);
-  EXPECT_NE(
-      readme.find("the effort `fast` for strips from scratch and the\npolicy `quick`, both with the cost of indices"),
-      std::string::npos);
+  expect_in(readme, "the effort `fast` for strips from scratch and the\npolicy `quick`, both with the cost of indices");
 }
 
 // The other interfaces have the same policies in the same order, and the same defaults.
@@ -77,22 +79,19 @@ TEST(Policies, EveryInterfaceHasThem) {
     ASSERT_NE(at, std::string::npos) << name;
     const std::string line = header.substr(at, header.find('\n', at) - at);
     const std::string says = row.policy == Policy::bare ? "" : std::string("/* ") + row.says_indices;
-    EXPECT_NE(line.find(says + "; " + row.price + " */"), std::string::npos) << line;
+    expect_in(line, says + "; " + row.price + " */");
   }
-  EXPECT_NE(types.find(in_types + " | 'baked';\n"), std::string::npos) << in_types;
-  EXPECT_NE(python.find("_POLICIES = (" + in_python + ")\n"), std::string::npos) << in_python;
-  EXPECT_NE(python.find("`policy` (" + in_python + ":"), std::string::npos) << in_python;
+  expect_in(types, in_types + " | 'baked';\n");
+  expect_in(python, "_POLICIES = (" + in_python + ")\n");
+  expect_in(python, "`policy` (" + in_python + ":");
 
-  EXPECT_NE(header.find("policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES"), std::string::npos);
-  EXPECT_NE(types.find("Defaults: 'quick', 'indices', 'restart', 32."), std::string::npos);
-  EXPECT_NE(script.find("{ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin'"),
-            std::string::npos);
-  EXPECT_NE(
-      script.find("{ strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } }"),
-      std::string::npos);
-  EXPECT_NE(python.find("policy: str = \"quick\", cost: Cost = \"indices\""), std::string::npos);
-  EXPECT_NE(python.find("effort: Optional[str] = \"fast\""), std::string::npos);
-  EXPECT_NE(python.find("{\"strips\": (1, 0, 0), \"indices\": (3, 1, 0)}"), std::string::npos);
+  expect_in(header, "policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES");
+  expect_in(types, "Defaults: 'quick', 'indices', 'restart', 32.");
+  expect_in(script, "{ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin'");
+  expect_in(script, "{ strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } }");
+  expect_in(python, "policy: str = \"quick\", cost: Cost = \"indices\"");
+  expect_in(python, "effort: Optional[str] = \"fast\"");
+  expect_in(python, "{\"strips\": (1, 0, 0), \"indices\": (3, 1, 0)}");
   static_assert(Cost::strips() == Cost{1, 0, 0} && Cost::indices() == Cost{3, 1, 0});
 }
 
