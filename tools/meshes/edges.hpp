@@ -46,12 +46,12 @@ void for_each_edge(const Soup& soup, Visit&& visit) {
     sides[fill[low(corner)]++] = {std::max(vertex_at(soup, corner), vertex_at(soup, next_corner(corner))), corner};
   });
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
-    const auto begin = sides.begin() + first[v];
-    const auto end = sides.begin() + first[v + 1];
+    Side* const begin = sides.data() + first[v];
+    Side* const end = sides.data() + first[v + 1];
     std::sort(begin, end,
               [](const Side& a, const Side& b) { return a.high != b.high ? a.high < b.high : a.corner < b.corner; });
-    for (auto group = begin; group != end;) {
-      const auto stop = std::find_if(group, end, [&](const Side& side) { return side.high != group->high; });
+    for (Side* group = begin; group != end;) {
+      Side* const stop = std::find_if(group, end, [&](const Side& side) { return side.high != group->high; });
       visit(std::span<const Side>(group, stop));
       group = stop;
     }
