@@ -1,4 +1,4 @@
-// Lines of a dump, fast: millions of them go through one buffer.
+// Shared by the dumps: lines, fast (millions of them go through one buffer), and the positions of the rules.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "restrip/rules/bits.hpp"
+#include "restrip/rules/rules.hpp"
 
 namespace restrip::dump {
 
@@ -56,6 +56,31 @@ class Output {
   std::string text_;
   std::size_t lines_ = 0;
 };
+
+/// Calls visit(operation, k, p, q, bits, rule) for every position of operations 0 to 5 with k <= max_k: `bits` colours
+/// before, whose rule is rule(before, ports).
+template <class Visit>
+void for_each_position(std::size_t max_k, Visit&& visit) {
+  for (const bool collapse : {false, true})
+    for (std::size_t k = 3; k <= max_k; ++k)
+      for (std::size_t a = 1; a < k; ++a)
+        visit(collapse ? 1U : 0U, k, a, std::size_t{0}, collapse ? k + 3 : k, [=](Word before, Word ports) {
+          return collapse ? collapse_rule({k, a}, before, ports) : split_rule({k, a}, before, ports);
+        });
+  for (const bool collapse : {false, true})
+    for (std::size_t k = 1; k <= max_k; ++k)
+      for (std::size_t i = 0; i < k; ++i)
+        for (std::size_t j = i + 1; j <= k; ++j)
+          visit(collapse ? 3U : 2U, k, i, j, collapse ? k + 2 : k - 1, [=](Word before, Word ports) {
+            return collapse ? open_collapse_rule({k, i, j}, before, ports) : open_split_rule({k, i, j}, before, ports);
+          });
+  for (const bool collapse : {false, true})
+    for (std::size_t k = 1; k <= max_k; ++k)
+      for (std::size_t i = 0; i <= k; ++i)
+        visit(collapse ? 5U : 4U, k, i, std::size_t{0}, collapse ? k : k - 1, [=](Word before, Word ports) {
+          return collapse ? boundary_collapse_rule({k, i}, before, ports) : boundary_split_rule({k, i}, before, ports);
+        });
+}
 
 /// The trees of linked_split_rule() and linked_collapse_rule() (docs/reference/verifiers.md, "Dump of linked rules").
 void linked_rules(Output& out, std::size_t max_k);

@@ -20,28 +20,6 @@ void answer(Output& out, Word colors, Word kept, int strips, int isolated) {
   out.text(std::to_string(strips) + ' ' + std::to_string(isolated) + '\n');
 }
 
-/// Every pair of masks, in ascending order: the result of `rule`, and the change in isolated triangles.
-template <class RuleOf, class IsolatedBy>
-void all(Output& out, std::size_t before_bits, std::size_t port_bits, RuleOf&& rule_of, IsolatedBy&& isolated_by) {
-  for (Word before = 0; before < bit(before_bits); ++before)
-    for (Word ports = 0; ports < bit(port_bits); ++ports) {
-      out.hex(before, ' ');
-      out.hex(ports, ' ');
-      if (const auto rule = rule_of(before, ports); rule.valid)
-        answer(out, rule.colors, ports, rule.strips, isolated_by(before, ports, rule));
-      else
-        out.text("-\n");
-      out.entry_done();
-    }
-}
-
-/// The change in isolated triangles by an operation with these patches.
-auto isolated_between(const detail::Layout& before, const detail::Layout& after) {
-  return [=](Word colors, Word ports, const Rule& rule) {
-    return detail::answer(before, colors, after, rule, ports).isolated;
-  };
-}
-
 template <class Table>
 void lists(Output& out, const std::string& heading, const Table& table, std::size_t k, std::size_t place) {
   out.line(heading);
@@ -58,53 +36,36 @@ void lists(Output& out, const std::string& heading, const Table& table, std::siz
 
 void all_tables(Output& out, std::size_t max_k) {
   using std::to_string;
-  for (const bool collapse : {false, true})
-    for (std::size_t k = 3; k <= max_k; ++k)
-      for (std::size_t a = 1; a < k; ++a) {
-        out.line((collapse ? "table collapse k " : "table split k ") + to_string(k) + " a " + to_string(a));
-        all(
-            out, collapse ? k + 3 : k, k,
-            [&](Word before, Word ports) {
-              return collapse ? collapse_rule({k, a}, before, ports) : split_rule({k, a}, before, ports);
-            },
-            // Closed fans have separate code that counts isolated triangles, which split() and collapse() use.
-            [&](Word before, Word ports, const Rule& rule) {
-              const Word ring = detail::isolated_ring(k, a, collapse ? before : rule.colors, ports);
-              const Word fan = detail::isolated_closed(k, collapse ? rule.colors : before, ports);
-              return collapse ? -count_difference(ring, fan) : count_difference(ring, fan);
-            });
-      }
-  for (const bool collapse : {false, true})
-    for (std::size_t k = 1; k <= max_k; ++k)
-      for (std::size_t i = 0; i <= k; ++i)
-        for (std::size_t j = i + 1; j <= k; ++j) {
-          out.line((collapse ? "table open-collapse k " : "table open-split k ") + to_string(k) + " gaps " +
-                   to_string(i) + " " + to_string(j));
-          const auto fan = detail::open_fan(k);
-          const auto path = detail::path_with_chord(k, i, j);
-          all(
-              out, collapse ? k + 2 : k - 1, k,
-              [&](Word before, Word ports) {
-                return collapse ? open_collapse_rule({k, i, j}, before, ports)
-                                : open_split_rule({k, i, j}, before, ports);
-              },
-              isolated_between(collapse ? path : fan, collapse ? fan : path));
-        }
-  for (const bool collapse : {false, true})
-    for (std::size_t k = 1; k <= max_k; ++k)
-      for (std::size_t i = 0; i <= k; ++i) {
-        out.line((collapse ? "table boundary-collapse k " : "table boundary-split k ") + to_string(k) + " gap " +
-                 to_string(i));
+  for_each_position(
+      max_k, [&](unsigned operation, std::size_t k, std::size_t p, std::size_t q, std::size_t bits, auto&& rule_of) {
+        constexpr const char* families[] = {"split",         "collapse",       "open-split",
+                                            "open-collapse", "boundary-split", "boundary-collapse"};
+        constexpr const char* places[] = {" a ", " gaps ", " gap "};
+        out.line(std::string("table ") + families[operation] + " k " + to_string(k) + places[operation / 2] +
+                 to_string(p) + (operation / 2 == 1 ? ' ' + to_string(q) : ""));
+        const bool collapse = operation % 2 != 0;
         const auto fan = detail::open_fan(k);
-        const auto path = detail::path(k, i);
-        all(
-            out, collapse ? k : k - 1, k,
-            [&](Word before, Word ports) {
-              return collapse ? boundary_collapse_rule({k, i}, before, ports)
-                              : boundary_split_rule({k, i}, before, ports);
-            },
-            isolated_between(collapse ? path : fan, collapse ? fan : path));
-      }
+        const auto path = operation / 2 == 1 ? detail::path_with_chord(k, p, q) : detail::path(k, p);
+        // The change in isolated triangles. Closed fans have separate code, which split() and collapse() use.
+        const auto isolated_by = [&](Word before, Word ports, const Rule& rule) {
+          if (operation >= 2)
+            return detail::answer(collapse ? path : fan, before, collapse ? fan : path, rule, ports).isolated;
+          const Word ring = detail::isolated_ring(k, p, collapse ? before : rule.colors, ports);
+          const Word closed = detail::isolated_closed(k, collapse ? rule.colors : before, ports);
+          return collapse ? -count_difference(ring, closed) : count_difference(ring, closed);
+        };
+        // Every pair of masks, in ascending order.
+        for (Word before = 0; before < bit(bits); ++before)
+          for (Word ports = 0; ports < bit(k); ++ports) {
+            out.hex(before, ' ');
+            out.hex(ports, ' ');
+            if (const Rule rule = rule_of(before, ports); rule.valid)
+              answer(out, rule.colors, ports, rule.strips, isolated_by(before, ports, rule));
+            else
+              out.text("-\n");
+            out.entry_done();
+          }
+      });
   for (std::size_t k = 3; k <= max_k; ++k)
     for (std::size_t a = 1; a <= k / 2; ++a)
       lists(out, "table linked-split k " + to_string(k) + " a " + to_string(a), tables::linked_split, k, a - 1);
