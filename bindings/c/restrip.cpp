@@ -9,15 +9,128 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "mesh.hpp"
 #include "restrip/operations/batch.hpp"
 #include "restrip/restrip.hpp"
+
+namespace restrip::c {
+
+inline std::vector<restrip_range> ranges_of(std::span<const IndexRange> ranges) {
+  std::vector<restrip_range> made;
+  made.reserve(ranges.size());
+  for (const IndexRange& range : ranges) made.push_back({range.first, range.count});
+  return made;
+}
+
+/// The live buffer of a mesh.
+struct Live {
+  explicit Live(const StripFormat& format) : buffer(format) {}
+
+  LiveBuffer buffer;
+  std::vector<Triangle> changed;  // the list of changes of the mesh
+  std::vector<restrip_range> ranges;
+  std::vector<restrip_range> draws;
+  std::size_t budget = 0;  // of the history; 0: no history
+  std::optional<History> history;
+
+  /// Ends a frame of the history, or starts the history. After an exception it starts again.
+  void end_frame(const StripMesh& mesh) {
+    if (budget == 0) return;
+    try {
+      if (history)
+        history->frame(mesh, changed);
+      else
+        history.emplace(mesh, budget);
+    } catch (...) {
+      history.reset();
+      throw;
+    }
+  }
+};
+
+}  // namespace restrip::c
+
+struct restrip_buffer {
+  explicit restrip_buffer(restrip::IndexBuffer made) : buffer(std::move(made)) {
+    if (buffer.form != restrip::StripForm::lengths) {
+      draws = restrip::c::ranges_of(buffer.batches);
+      return;
+    }
+    std::size_t first = 0;
+    for (const std::uint32_t length : buffer.lengths) {
+      draws.push_back({first, length});
+      first += length;
+    }
+  }
+  const restrip::IndexBuffer buffer;
+  std::vector<restrip_range> draws;
+};
+
+/// A StripMesh, the keeper of its strips, and optional parts.
+struct restrip_mesh {
+  using Keeper = restrip::Keeper<restrip::StripMesh>;
+
+  // In this order: a keeper points to the mesh and the file, so a restrip_mesh stays where it is.
+  const std::unique_ptr<const restrip::BakedFile> file;  // of a baked mesh
+  restrip::StripMesh mesh;
+  std::unique_ptr<restrip::c::Live> live;
+  std::int32_t policy;
+  Keeper keeper;
+
+  explicit restrip_mesh(restrip::StripMesh built)
+      : mesh(std::move(built)), policy(static_cast<std::int32_t>(restrip::default_policy)), keeper(mesh) {}
+  explicit restrip_mesh(std::unique_ptr<const restrip::BakedFile> baked)
+      : file(std::move(baked)), mesh(base_of(*file)), policy(RESTRIP_POLICY_BAKED), keeper(mesh, file->records) {}
+  /// With room for all levels.
+  static restrip::StripMesh base_of(const restrip::BakedFile& file) {
+    restrip::StripMesh base = file.mesh;
+    base.reserve(file.base.size() + 2 * file.splits.size(), file.points.size());
+    return base;
+  }
+  restrip_mesh(const restrip_mesh&) = delete;
+  restrip_mesh& operator=(const restrip_mesh&) = delete;
+  ~restrip_mesh() = default;
+
+  /// Whether the mesh is at a baked level; false for meshes that are not baked, and under another policy.
+  [[nodiscard]] bool in_step() const noexcept { return keeper.baked() != nullptr && keeper.baked()->in_step(); }
+
+  /// Changes colours or the whole mesh without the keeper; keeper and live buffer are updated even after an exception.
+  /// The history starts again.
+  template <class Work>
+  void recolor(Work&& work) {
+    if (live) live->history.reset();
+    replace(work);
+  }
+  /// The same, but the history stays.
+  template <class Work>
+  void replace(Work&& work) {
+    struct Afterwards {
+      restrip_mesh* self;
+      ~Afterwards() {
+        if (self->live) self->mesh.watch(&self->live->changed);
+        // If memory runs out, the keeper reads the mesh before its next operation.
+        try {
+          self->keeper.rebuild();
+        } catch (...) {
+        }
+      }
+    };
+    const Afterwards afterwards{this};
+    mesh.watch(nullptr);
+    if (live) {
+      live->changed.clear();
+      live->buffer.forget();
+    }
+    if (keeper.baked() != nullptr) keeper.baked()->leave_step();
+    work(mesh);
+  }
+};
 
 namespace {
 
@@ -264,6 +377,26 @@ restrip_status indices_of(const restrip_mesh* mesh, Index* out, std::size_t capa
   });
 }
 
+// ---- rules
+
+/// The answer of rule_of() in a position that is `there`. `ports` remain.
+template <class RuleOf>
+restrip_status answered(bool there, std::uint64_t ports, restrip_answer* answer, RuleOf&& rule_of) noexcept {
+  if (answer == nullptr) return RESTRIP_NULL_ARGUMENT;
+  if (!there) return RESTRIP_BAD_ARGUMENT;
+  const Rule rule = rule_of();
+  if (!rule.valid) return RESTRIP_BAD_COLORING;
+  *answer = {rule.colors, ports, rule.strips};
+  return RESTRIP_OK;
+}
+constexpr bool closed_place(std::uint32_t k, std::uint32_t a) noexcept {
+  return 3 <= k && k <= RESTRIP_LARGEST_FAN && 1 <= a && a < k;
+}
+constexpr bool open_place(std::uint32_t k, std::uint32_t i, std::uint32_t j) noexcept {
+  return 1 <= k && k <= RESTRIP_LARGEST_FAN && i <= j && j <= k;
+}
+
+static_assert(RESTRIP_LARGEST_FAN == max_word_valence);
 static_assert(RESTRIP_NONE == none);
 static_assert(RESTRIP_POLICY_BARE == static_cast<int>(Policy::bare) &&
               RESTRIP_POLICY_RULES == static_cast<int>(Policy::rules) &&
@@ -764,5 +897,44 @@ restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coor
   if (!mesh->file) return RESTRIP_NOT_BAKED;
   *coordinates = mesh->file->points.empty() ? nullptr : mesh->file->points.front().data();
   *vertex_count = mesh->file->points.size();
+  return RESTRIP_OK;
+}
+
+// ---- the rules by themselves
+
+restrip_status restrip_lookup_split(std::uint32_t k, std::uint32_t a, std::uint64_t loop, std::uint64_t ports,
+                                    restrip_answer* answer) {
+  return answered(closed_place(k, a), ports, answer, [=] { return split_rule({k, a}, loop, ports); });
+}
+restrip_status restrip_lookup_collapse(std::uint32_t k, std::uint32_t a, std::uint64_t inner, std::uint64_t ports,
+                                       restrip_answer* answer) {
+  return answered(closed_place(k, a), ports, answer, [=] { return collapse_rule({k, a}, inner, ports); });
+}
+restrip_status restrip_lookup_open_split(std::uint32_t k, std::uint32_t i, std::uint32_t j, std::uint64_t loop,
+                                         std::uint64_t ports, restrip_answer* answer) {
+  return answered(open_place(k, i, j) && i != j, ports, answer, [=] {
+    return open_split_rule({k, i, j}, loop, ports);
+  });
+}
+restrip_status restrip_lookup_open_collapse(std::uint32_t k, std::uint32_t i, std::uint32_t j, std::uint64_t inner,
+                                            std::uint64_t ports, restrip_answer* answer) {
+  return answered(open_place(k, i, j) && i != j, ports, answer, [=] {
+    return open_collapse_rule({k, i, j}, inner, ports);
+  });
+}
+restrip_status restrip_lookup_boundary_split(std::uint32_t k, std::uint32_t i, std::uint64_t loop, std::uint64_t ports,
+                                             restrip_answer* answer) {
+  return answered(open_place(k, i, i), ports, answer, [=] { return boundary_split_rule({k, i}, loop, ports); });
+}
+restrip_status restrip_lookup_boundary_collapse(std::uint32_t k, std::uint32_t i, std::uint64_t inner,
+                                                std::uint64_t ports, restrip_answer* answer) {
+  return answered(open_place(k, i, i), ports, answer, [=] { return boundary_collapse_rule({k, i}, inner, ports); });
+}
+restrip_status restrip_lookup_flip(std::uint64_t inner, std::uint64_t ports, restrip_answer* answer) {
+  if (answer == nullptr) return RESTRIP_NULL_ARGUMENT;
+  if (inner > 1 || ports > 15) return RESTRIP_BAD_COLORING;
+  const FlipRule rule = flip_rule(inner != 0, static_cast<unsigned>(ports));
+  if (!rule.valid) return RESTRIP_BAD_COLORING;
+  *answer = {rule.inner ? Word{1} : Word{0}, rule.ports, rule.strips};
   return RESTRIP_OK;
 }

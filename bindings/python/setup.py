@@ -38,7 +38,7 @@ class WithLibrary(build_py):
         subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O2", "-DNDEBUG", "-fPIC", "-shared", "-fvisibility=hidden",
                         "-fvisibility-inlines-hidden", *shlex.split(os.environ.get("CXXFLAGS", "")), f'-DRESTRIP_VERSION="{VERSION}"', "-pthread",
                         *(f"-I{folder}" for folder in (C / "include", C, ROOT / "runtime/include", ROOT / "tables/include")),
-                        C / "restrip.cpp", C / "lookup.cpp", "-o", target], check=True)
+                        C / "restrip.cpp", "-o", target], check=True)
 
 
 class OfThisMachine(bdist_wheel):

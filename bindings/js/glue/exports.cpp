@@ -1,12 +1,28 @@
 // The functions that JavaScript calls (bindings/js/restrip.mjs), with numbers and addresses only. A caller writes
 // arguments that are lists into memory taken by restrip_take; a function that returns a list returns the address of a
 // List, which is valid until the next call of any function.
-#include "no_imports.hpp"
-#include "picture.hpp"
+#include <cstdlib>
+#include <new>
+
 #include "session.hpp"
 #include "simplify.hpp"
 
 #ifdef __wasm__
+// Functions that the standard library of WebAssembly calls when memory runs out or when it would throw. Its own
+// versions print, for which the module would import files. These stop the module instead.
+void* operator new(std::size_t bytes) {
+  void* memory = std::malloc(bytes != 0 ? bytes : 1);
+  if (memory == nullptr) __builtin_trap();
+  return memory;
+}
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return std::malloc(bytes != 0 ? bytes : 1); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+
+#if _LIBCPP_VERSION >= 150000
+void std::__libcpp_verbose_abort(const char*, ...) noexcept { __builtin_trap(); }
+#endif
 #define RESTRIP_EXPORT(Result, name) extern "C" __attribute__((export_name(#name))) Result name
 #else  // compiled only as a check
 #define RESTRIP_EXPORT(Result, name) extern "C" Result name
@@ -27,7 +43,16 @@ struct Page {
   std::unique_ptr<Session> session;  // null if the bytes of a baked mesh were refused
   std::string damage;                // why
   BuildReport left_out;
-  Picture picture;
+};
+
+/// A triangle of the picture. `beyond` and `joined` are by its sides, side i from corner i to the next one: the
+/// triangle there, `none` at the boundary, and bit i if the strip continues to it.
+struct PaintedTriangle {
+  Triangle triangle = none;
+  Corners corners{};
+  std::array<Triangle, 3> beyond{};
+  std::uint32_t joined = 0;
+  std::uint32_t strip = 0;  ///< named by its lowest triangle
 };
 
 /// A count or a member of an enumeration, as JavaScript reads it.
@@ -219,13 +244,60 @@ RESTRIP_EXPORT(std::uint32_t, restrip_valid)(const Page* page) {
   return check_coloring(page->session->mesh()).valid ? 1 : 0;
 }
 
-// ---- pictures
-/// `scratch`: whether to use the strips from scratch.
+// ---- pictures: linear in the mesh; called only while such a picture is shown
+/// The triangles with their strips, strip by strip. `scratch`: whether to use the strips from scratch.
 RESTRIP_EXPORT(const List*, restrip_ribbon)(Page* page, std::uint32_t scratch) {
-  return give(page->picture.ribbon(scratch != 0 ? page->session->scratch() : page->session->mesh()));
+  static std::vector<PaintedTriangle> ribbon;
+  const StripMesh& mesh = scratch != 0 ? page->session->scratch() : page->session->mesh();
+  const Strips strips = extract_strips(mesh);
+  ribbon.clear();
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const Triangle lowest = *std::min_element(strips[s].begin(), strips[s].end());
+    for (const Triangle t : strips[s]) {
+      PaintedTriangle& painted = ribbon.emplace_back(PaintedTriangle{t, mesh.corners(t), {}, 0, lowest});
+      for (unsigned side = 0; side < 3; ++side) {
+        const Halfedge h = StripMesh::halfedge(t, side);
+        const Halfedge back = mesh.opposite(h);
+        painted.beyond[side] = StripMesh::on_boundary(back) ? none : StripMesh::triangle(back);
+        if (mesh.solid(h)) painted.joined |= 1U << side;
+      }
+    }
+  }
+  return give(std::span<const PaintedTriangle>(ribbon));
 }
+/// The nearest triangle that a ray meets, and where (three numbers); empty when it meets none.
 RESTRIP_EXPORT(const List*, restrip_pick)(Page* page, float x, float y, float z, float dx, float dy, float dz) {
-  return give(page->picture.pick(*page->session, {x, y, z}, {dx, dy, dz}));
+  static std::array<float, 3> hit;
+  using Point = Vector<float>;
+  const Point from{x, y, z};
+  const Point along{dx, dy, dz};
+  const auto point = [points = page->session->points()](Vertex v) -> Point {
+    const auto p = points.subspan(3 * std::size_t{v}, 3);
+    return {p[0], p[1], p[2]};
+  };
+  float nearest = std::numeric_limits<float>::max();
+  const StripMesh& mesh = page->session->mesh();
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    const auto [i, j, k] = mesh.corners(t);
+    // The distance along the ray (Moller and Trumbore 1997).
+    const Point a = point(i);
+    const Point e = point(j) - a;
+    const Point f = point(k) - a;
+    const Point p = cross(along, f);
+    const float determinant = dot(e, p);
+    if (determinant == 0) continue;
+    const Point s = from - a;
+    const float u = dot(s, p) / determinant;
+    const Point q = cross(s, e);
+    const float v = dot(along, q) / determinant;
+    if (u < 0 || v < 0 || u + v > 1) continue;
+    const float distance = dot(f, q) / determinant;
+    if (!(distance > 0) || distance >= nearest) continue;
+    nearest = distance;
+    hit = {from.x + distance * along.x, from.y + distance * along.y, from.z + distance * along.z};
+  }
+  return give(std::span<const float>(hit).first(nearest < std::numeric_limits<float>::max() ? 3 : 0));
 }
 /// The last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
 RESTRIP_EXPORT(const List*, restrip_last)(const Page* page) {
