@@ -38,26 +38,21 @@ Key written_key(std::size_t k, std::uint64_t n) {
   return key;
 }
 
-template <class Best>
-void answers(Output& out, const std::string& family, std::initializer_list<std::size_t> position, Best&& best) {
-  const std::size_t k = *position.begin();
-  std::uint64_t keys = 1;
-  for (std::size_t i = 0; i < k; ++i) keys *= 3;
-  std::uint64_t digest = 0;
-  std::uint64_t told = 0;
-  for (std::uint64_t n = 0; n < keys; ++n) {
-    const Key key = written_key(k, n);
-    const exact::Recoloring found = best(key.ports, key.joined);
-    digest = digest * 1000003 + found.colors;
-    told = told * 1000003 + static_cast<std::uint64_t>(64 * found.value.solid + found.value.isolated);
-  }
-  out.text("answers " + family);
-  for (const std::size_t number : position) out.text(' ' + std::to_string(number));
-  out.text(" keys " + std::to_string(keys) + " digest ");
-  out.hex(digest, ' ');
-  out.text("told ");
-  out.hex(told, '\n');
-  out.entry_done();
+/// Calls visit(operation, p, q, best) for every position of fans of k triangles: best(ports, joined) is the answer
+/// there.
+template <class Visit>
+void for_each_position_of(std::size_t k, Visit&& visit) {
+  constexpr std::size_t nowhere = 0;
+  for (std::size_t a = 1; a < k && k >= 3; ++a)
+    visit(0U, a, nowhere, [=](Word ports, Word joined) { return exact::best_split(k, a, ports, joined); });
+  if (k >= 3)
+    visit(1U, nowhere, nowhere, [=](Word ports, Word joined) { return exact::best_collapse(k, ports, joined); });
+  for (std::size_t i = 0; i < k; ++i)
+    for (std::size_t j = i + 1; j <= k; ++j)
+      visit(2U, i, j, [=](Word ports, Word joined) { return exact::best_open_split(k, i, j, ports, joined); });
+  visit(3U, nowhere, nowhere, [=](Word ports, Word joined) { return exact::best_fan_collapse(k, ports, joined); });
+  for (std::size_t i = 0; i <= k; ++i)
+    visit(4U, i, nowhere, [=](Word ports, Word joined) { return exact::best_boundary_split(k, i, ports, joined); });
 }
 
 }  // namespace
@@ -76,23 +71,14 @@ bool automaton_digests(std::size_t max_k) {
     const auto folded = [](Word mask) {
       return static_cast<std::uint32_t>(mask) ^ static_cast<std::uint32_t>(mask >> 32) * 0x9e3779b1U;
     };
-    const auto line = [&](unsigned operation, std::size_t p, std::size_t q, auto&& best) {
+    for_each_position_of(k, [&](unsigned operation, std::size_t p, std::size_t q, auto&& best) {
       std::uint32_t digest = 0;
       for (std::uint32_t n = 0; n < keys; ++n) {
         const auto [ports, joined] = draws ? Key{drawn(n, 0), drawn(n, 1)} : written_key(k, n);
         digest += mix(n, folded(ports), 0x80000000U | folded(best(ports, joined).colors));
       }
       std::printf("%u %zu %zu %zu %08x\n", operation, k, p, q, digest);
-    };
-    for (std::size_t a = 1; a < k && k >= 3; ++a)
-      line(0, a, 0, [&](Word ports, Word joined) { return exact::best_split(k, a, ports, joined); });
-    if (k >= 3) line(1, 0, 0, [&](Word ports, Word joined) { return exact::best_collapse(k, ports, joined); });
-    for (std::size_t i = 0; i < k; ++i)
-      for (std::size_t j = i + 1; j <= k; ++j)
-        line(2, i, j, [&](Word ports, Word joined) { return exact::best_open_split(k, i, j, ports, joined); });
-    line(3, 0, 0, [&](Word ports, Word joined) { return exact::best_fan_collapse(k, ports, joined); });
-    for (std::size_t i = 0; i <= k; ++i)
-      line(4, i, 0, [&](Word ports, Word joined) { return exact::best_boundary_split(k, i, ports, joined); });
+    });
   }
   std::printf("rules outside the tables: 0\n");
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -108,23 +94,33 @@ void automaton(Output& out, std::size_t max_k) {
   array(out, "meet", numbers.meet);
   array(out, "meetings", numbers.meetings);
   array(out, "seconds", std::initializer_list<std::size_t>{numbers.seconds});
-  for (std::size_t k = 3; k <= max_k; ++k)
-    for (std::size_t a = 1; a < k; ++a)
-      answers(out, "split", {k, a}, [&](Word ports, Word joined) { return exact::best_split(k, a, ports, joined); });
-  for (std::size_t k = 3; k <= max_k; ++k)
-    answers(out, "collapse", {k}, [&](Word ports, Word joined) { return exact::best_collapse(k, ports, joined); });
-  for (std::size_t k = 1; k <= max_k; ++k)
-    for (std::size_t i = 0; i < k; ++i)
-      for (std::size_t j = i + 1; j <= k; ++j)
-        answers(out, "open-split", {k, i, j},
-                [&](Word ports, Word joined) { return exact::best_open_split(k, i, j, ports, joined); });
-  for (std::size_t k = 1; k <= max_k; ++k)
-    for (std::size_t i = 0; i <= k; ++i)
-      answers(out, "boundary-split", {k, i},
-              [&](Word ports, Word joined) { return exact::best_boundary_split(k, i, ports, joined); });
-  for (std::size_t k = 1; k <= max_k; ++k)
-    answers(out, "fan-collapse", {k},
-            [&](Word ports, Word joined) { return exact::best_fan_collapse(k, ports, joined); });
+  constexpr const char* families[] = {"split", "collapse", "open-split", "fan-collapse", "boundary-split"};
+  constexpr std::size_t numbers_of_place[] = {1, 0, 2, 0, 1};
+  for (const unsigned wanted : {0U, 1U, 2U, 4U, 3U}) {
+    std::uint64_t keys = 1;
+    for (std::size_t k = 1; k <= max_k; ++k) {
+      keys *= 3;
+      for_each_position_of(k, [&](unsigned operation, std::size_t p, std::size_t q, auto&& best) {
+        if (operation != wanted) return;
+        std::uint64_t digest = 0;
+        std::uint64_t told = 0;
+        for (std::uint64_t n = 0; n < keys; ++n) {
+          const Key key = written_key(k, n);
+          const exact::Recoloring found = best(key.ports, key.joined);
+          digest = digest * 1000003 + found.colors;
+          told = told * 1000003 + static_cast<std::uint64_t>(64 * found.value.solid + found.value.isolated);
+        }
+        out.text(std::string("answers ") + families[operation] + ' ' + std::to_string(k));
+        if (numbers_of_place[operation] > 0) out.text(' ' + std::to_string(p));
+        if (numbers_of_place[operation] > 1) out.text(' ' + std::to_string(q));
+        out.text(" keys " + std::to_string(keys) + " digest ");
+        out.hex(digest, ' ');
+        out.text("told ");
+        out.hex(told, '\n');
+        out.entry_done();
+      });
+    }
+  }
 }
 
 }  // namespace restrip::dump

@@ -254,9 +254,9 @@ export class StripMesh {
     if (policy !== 'baked' && number < 0)
       throw new RangeError(`unknown policy ${quoted(policy)}: expected one of ${policies.join(', ')}, or baked for baked meshes`);
     const wanted = policy === 'baked' ? null : weights(cost);
-    this.#wasm.restrip_set_format(page, forms.indexOf(form), bits === 'auto' ? 0 : bits);
-    if (wanted === null) this.#wasm.restrip_begin_baked(page);
-    else this.#wasm.restrip_begin(page, number, ...wanted);
+    const format = [forms.indexOf(form), bits === 'auto' ? 0 : bits];
+    if (wanted === null) this.#wasm.restrip_begin_baked(page, ...format);
+    else this.#wasm.restrip_begin(page, ...format, number, ...wanted);
     this.#bits = bits;
     this.#begun = true;
     return this;

@@ -72,6 +72,13 @@ Cost cost_of(std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) 
   return {weight(restart), weight(swap), weight(isolated)};
 }
 
+StripFormat format_of(std::uint32_t form, std::uint32_t bits) {
+  return {.form = static_cast<StripForm>(form % 4),
+          .width = bits == 16   ? IndexWidth::bits16
+                   : bits == 32 ? IndexWidth::bits32
+                                : IndexWidth::automatic};
+}
+
 }  // namespace
 
 // ---- memory
@@ -141,13 +148,6 @@ RESTRIP_EXPORT(std::uint32_t, restrip_has_baked_strips)(const Page* page) {
 RESTRIP_EXPORT(const char*, restrip_policy_name)(std::uint32_t policy) {
   return policy < policies.size() ? policies[policy].name : nullptr;
 }
-/// `form` as StripForm; `bits` 16, 32 or 0. For the next begin.
-RESTRIP_EXPORT(void, restrip_set_format)(Page* page, std::uint32_t form, std::uint32_t bits) {
-  page->session->set_format({.form = static_cast<StripForm>(form % 4),
-                             .width = bits == 16   ? IndexWidth::bits16
-                                      : bits == 32 ? IndexWidth::bits32
-                                                   : IndexWidth::automatic});
-}
 RESTRIP_EXPORT(std::uint32_t, restrip_add_point)(Page* page, float x, float y, float z) {
   return page->session->add_point({x, y, z});
 }
@@ -156,11 +156,16 @@ RESTRIP_EXPORT(void, restrip_set_point)(Page* page, std::uint32_t v, float x, fl
 }
 /// 1: single operations have changed the mesh since begin, so records can no longer be played.
 RESTRIP_EXPORT(std::uint32_t, restrip_left_records)(const Page* page) { return page->session->left_records() ? 1 : 0; }
+/// `form` as StripForm; `bits` 16, 32 or 0.
 RESTRIP_EXPORT(void, restrip_begin)
-(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
-  page->session->begin(policies[policy % policies.size()].policy, cost_of(restart, swap, isolated));
+(Page* page, std::uint32_t form, std::uint32_t bits, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
+ std::uint32_t isolated) {
+  page->session->begin(policies[policy % policies.size()].policy, cost_of(restart, swap, isolated),
+                       format_of(form, bits));
 }
-RESTRIP_EXPORT(void, restrip_begin_baked)(Page* page) { page->session->begin_baked(); }
+RESTRIP_EXPORT(void, restrip_begin_baked)(Page* page, std::uint32_t form, std::uint32_t bits) {
+  page->session->begin_baked(format_of(form, bits));
+}
 RESTRIP_EXPORT(std::uint32_t, restrip_move)(Page* page, std::uint32_t level, std::uint32_t most) {
   return word(page->session->move(level, most));
 }
@@ -185,7 +190,7 @@ RESTRIP_EXPORT(std::uint32_t, restrip_split_face)(Page* page, std::uint32_t a, s
   return word(page->session->split_face(a, b, c));
 }
 RESTRIP_EXPORT(std::uint32_t, restrip_new_vertex)(const Page* page) { return page->session->new_vertex(); }
-RESTRIP_EXPORT(std::uint32_t, restrip_next_vertex)(const Page* page) { return page->session->next_vertex(); }
+RESTRIP_EXPORT(std::uint32_t, restrip_next_vertex)(const Page* page) { return page->session->mesh().next_vertex(); }
 RESTRIP_EXPORT(const char*, restrip_describe)(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
 
 /// The neighbours of a vertex; of a non-manifold one only some. Empty if the mesh does not have it.
@@ -234,7 +239,9 @@ RESTRIP_EXPORT(const List*, restrip_triangles)(const Page* page) {
 
 // ---- figures
 RESTRIP_EXPORT(const Figures*, restrip_figures)(Page* page) { return &page->session->figures(); }
-RESTRIP_EXPORT(std::uint32_t, restrip_plain_indices)(const Page* page) { return word(page->session->plain_indices()); }
+RESTRIP_EXPORT(std::uint32_t, restrip_plain_indices)(const Page* page) {
+  return word(strip_indices(page->session->mesh()).size());
+}
 /// A lower bound on indices of this mesh: the quick one, because a page waits for it.
 RESTRIP_EXPORT(std::uint32_t, restrip_index_bound)(const Page* page) {
   return word(strip_index_lower_bound(page->session->mesh(), 0).indices);

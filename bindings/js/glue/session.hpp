@@ -132,11 +132,9 @@ class Session {
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] const LastOperation& last() const noexcept { return last_; }
 
-  /// The format of the buffer, from the next begin() on. Limits of batches are not supported.
-  void set_format(const StripFormat& format) { format_ = format; }
   /// Goes to the base and gives it strips from scratch, as `restrip replay` does. Without records, single operations
-  /// stay.
-  void begin(Policy policy, Cost cost) {
+  /// stay. `format`: of the buffer; limits of batches are not supported.
+  void begin(Policy policy, Cost cost, const StripFormat& format) {
     if (checked_ && source_.splits.empty() && !file_) {
       source_.base.clear();
       for (Triangle t = 0; t < mesh_.triangle_bound(); ++t)
@@ -146,14 +144,14 @@ class Session {
     begin_with(StripMesh::build(source_.base, source_.points));
     stripify(mesh_, default_effort, cost);
     keeper_.emplace(mesh_, policy, cost);
-    begin_buffer();
+    begin_buffer(format);
   }
   /// Begins with the baked strips of the base, if any.
-  void begin_baked() {
+  void begin_baked(const StripFormat& format) {
     if (!file_) return;
     begin_with(file_->mesh);
     keeper_.emplace(mesh_, file_->records);
-    begin_buffer();
+    begin_buffer(format);
   }
 
   /// Moves towards the level at which the first `level` records are played: undoes later records, the last one first,
@@ -242,8 +240,6 @@ class Session {
     return refine(check_split_face(mesh_, h), {a, b, c}, [&] { return keeper_->split_face(h); });
   }
   [[nodiscard]] Vertex new_vertex() const noexcept { return new_vertex_; }
-  /// The new vertex that the next bisection or split of a face would have.
-  [[nodiscard]] Vertex next_vertex() const noexcept { return mesh_.next_vertex(); }
 
   /// Brings the buffer in step and returns the ranges to upload.
   std::span<const IndexRange> update(const RangeOptions& options) {
@@ -310,8 +306,6 @@ class Session {
     figures_.buffer_indices = static_cast<std::uint32_t>(list ? buffer_.size() / 3 * 3 : buffer_.size());
     return figures_;
   }
-  /// Indices of a buffer written from scratch. Linear time.
-  [[nodiscard]] std::size_t plain_indices() const { return strip_index_count(mesh_, extract_strips(mesh_)); }
 
  private:
   /// The order of splits that must be kept. Two operations whose fans share a triangle keep the order of the records,
@@ -331,7 +325,7 @@ class Session {
     mesh_.reserve(source_.fine_triangles(), source_.points);
     mesh_.watch(nullptr);
   }
-  void begin_buffer() {
+  void begin_buffer(const StripFormat& format) {
     std::fill(played_.begin(), played_.end(), 0);
     std::fill(dependents_.begin(), dependents_.end(), 0);
     figures_ = {};
@@ -339,7 +333,7 @@ class Session {
     checked_ = false;
     changed_.clear();
     mesh_.watch(&changed_);
-    buffer_ = LiveBuffer(format_);
+    buffer_ = LiveBuffer(format);
     buffer_.rebuild(mesh_);
     buffer_.reserve(source_.fine_triangles());
     buffer_.forget();
@@ -469,7 +463,6 @@ class Session {
   StripMesh mesh_;
   std::optional<Keeper<StripMesh>> keeper_;
   std::vector<Triangle> changed_;
-  StripFormat format_{.width = IndexWidth::bits32};
   LiveBuffer buffer_;
   TriangleListBuffer list_;
   StripMesh scratch_;

@@ -7,16 +7,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/invalid_coloring.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
 namespace detail {
+
+// For colourings that turn out not to be valid while they are read.
+[[noreturn]] inline void throw_three_solid_edges() {
+  RESTRIP_THROW(std::invalid_argument, "restrip: the colouring is not valid: a triangle has three solid dual edges");
+}
+[[noreturn]] inline void throw_solid_cycle() {
+  RESTRIP_THROW(std::invalid_argument, "restrip: the colouring is not valid: solid dual edges close a cycle");
+}
 
 template <NumberedMesh Mesh>
 Triangle triangle_of(const Mesh& mesh, typename Mesh::Halfedge h) {

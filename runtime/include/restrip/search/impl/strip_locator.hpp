@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "restrip/mesh/invalid_coloring.hpp"
+#include "restrip/output/strips.hpp"
 #include "restrip/search/strip_locator.hpp"
 
 namespace restrip {

@@ -1,6 +1,4 @@
 // Every function that reads a whole colouring refuses one that is not valid, with a sentence that says what is wrong.
-#include "restrip/mesh/invalid_coloring.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
