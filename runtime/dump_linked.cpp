@@ -56,20 +56,9 @@ class Trees {
  public:
   explicit Trees(Output& out) : out_(&out) {}
 
-  /// The root of the tree of `rule`, a function of look_out; nodes that are new have been printed.
+  /// The root of the tree of `rule`, a function of look_out, after these answers; nodes that are new have been printed.
   template <class RuleOf>
-  std::uint32_t root(const RuleOf& rule, Word ports) {
-    ports_ = ports;
-    return explore(rule, nothing_known);
-  }
-  void word(std::uint32_t tree, char after) {
-    if (tree >= first_node) out_->text("#");
-    out_->hex(tree >= first_node ? tree - first_node : tree, after);
-  }
-
- private:
-  template <class RuleOf>
-  std::uint32_t explore(const RuleOf& rule, const std::array<int, most_ports>& known) {
+  std::uint32_t root(const RuleOf& rule, Word ports, const std::array<int, most_ports>& known = nothing_known) {
     Answers answers{known};
     auto tree = static_cast<std::uint32_t>(rule(answers).colors);
     // One look-up yields a whole path of questions answered by "ends"; from the last one back, try the other answers.
@@ -79,19 +68,24 @@ class Trees {
       for (std::size_t later = i; later < answers.count; ++later) now[answers.asked[later]] = not_asked;
       Node node{static_cast<std::uint32_t>(port), tree + 1};
       now[port] = out_of_sight;
-      node[2] = explore(rule, now) + 1;
+      node[2] = root(rule, ports, now) + 1;
       for (std::size_t other = 0; other < most_ports; ++other) {
-        if (!has(ports_, other) || other == port || now[other] != not_asked) continue;
+        if (!has(ports, other) || other == port || now[other] != not_asked) continue;
         now[port] = static_cast<int>(other);
         now[other] = static_cast<int>(port);
-        node[3 + other] = explore(rule, now) + 1;
+        node[3 + other] = root(rule, ports, now) + 1;
         now[other] = not_asked;
       }
       tree = number_of(node);
     }
     return tree;
   }
+  void word(std::uint32_t tree, char after) {
+    if (tree >= first_node) out_->text("#");
+    out_->hex(tree >= first_node ? tree - first_node : tree, after);
+  }
 
+ private:
   std::uint32_t number_of(const Node& node) {
     const auto [place, is_new] = numbers_.try_emplace(node, first_node + static_cast<std::uint32_t>(numbers_.size()));
     if (is_new) {
@@ -113,7 +107,6 @@ class Trees {
   }
 
   Output* out_;
-  Word ports_ = 0;
   std::unordered_map<Node, std::uint32_t, NodeHash> numbers_;
 };
 

@@ -92,9 +92,8 @@ RESTRIP_EXPORT(Page*, restrip_open)
  std::uint32_t split_count) {
   Progressive source{{base, base + base_count}, {splits, splits + split_count}, point_count};
   auto* page = new Page;
-  page->session =
-      std::make_unique<Session>(std::move(source), std::vector<float>(points, points + 3 * std::size_t{point_count}));
-  page->left_out = page->session->base_report();
+  page->session = std::make_unique<Session>(
+      std::move(source), std::vector<float>(points, points + 3 * std::size_t{point_count}), &page->left_out);
   return page;
 }
 RESTRIP_EXPORT(Simplifier*, restrip_simplify_begin)
@@ -118,8 +117,7 @@ RESTRIP_EXPORT(Page*, restrip_open_baked)(const std::byte* bytes, std::uint32_t 
   BakedFile file;
   page->damage = read_baked({bytes, count}, file);
   if (!page->damage.empty()) return page;
-  page->session = std::make_unique<Session>(std::move(file));
-  page->left_out = page->session->base_report();
+  page->session = std::make_unique<Session>(std::move(file), &page->left_out);
   return page;
 }
 /// Why the bytes of a baked mesh were refused; then nothing but restrip_close may be called. Else empty.

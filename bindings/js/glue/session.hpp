@@ -92,8 +92,10 @@ struct Figures {
 class Session {
  public:
   /// `points`: three coordinates a vertex. Plays all records once; refused_record() is the first that the mesh refuses.
-  Session(Progressive source, std::vector<float> points) : source_(std::move(source)), points_(std::move(points)) {
-    StripMesh mesh = StripMesh::build(source_.base, source_.points, &base_report_);
+  /// `report`, if given: on the base.
+  Session(Progressive source, std::vector<float> points, BuildReport* report = nullptr)
+      : source_(std::move(source)), points_(std::move(points)) {
+    StripMesh mesh = StripMesh::build(source_.base, source_.points, report);
     mesh.reserve(source_.fine_triangles(), source_.points);
     std::vector<std::uint32_t> last(source_.fine_triangles(),
                                     none);  // by triangle: the record that it was last part of
@@ -118,14 +120,14 @@ class Session {
     dependents_.resize(source_.splits.size());
     played_.resize(source_.splits.size());
   }
-  explicit Session(BakedFile file) : Session({file.base, file.splits, file.points.size()}, coordinates_of(file)) {
+  Session(BakedFile file, BuildReport* report)
+      : Session({file.base, file.splits, file.points.size()}, coordinates_of(file), report) {
     file_ = std::move(file);
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   [[nodiscard]] std::size_t refused_record() const noexcept { return refused_record_; }
-  [[nodiscard]] const BuildReport& base_report() const noexcept { return base_report_; }
   [[nodiscard]] bool has_baked_strips() const noexcept { return file_.has_value(); }
   [[nodiscard]] const Progressive& source() const noexcept { return source_; }
   [[nodiscard]] std::span<const float> points() const noexcept { return points_; }
@@ -452,7 +454,6 @@ class Session {
   std::vector<float> points_;
   std::vector<std::uint32_t> first_need_{0};  // in needs_, by record, and one after the last
   std::vector<std::uint32_t> needs_;
-  BuildReport base_report_;
   std::optional<BakedFile> file_;  // of a baked mesh
   std::size_t refused_record_ = none;
   std::vector<std::uint8_t> played_;       // by record
