@@ -1,44 +1,28 @@
 // A custom family with strips: own_family.json says, for every k, that a vertex of k triangles is removed and its
 // hole becomes a fan around one of its neighbours. One table has the best rules for all k up to 8
 // (docs/tutorials/custom-operation.md). Here vertices of all these valences are removed at random, under each policy in
-// turn, from a torus or an OBJ file.
+// turn, from a torus.
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <random>
 #include <restrip/restrip.hpp>
 #include <restrip/tables/operations/remove_vertex.hpp>
-#include <string>
 #include <vector>
 
-int main(int argc, char** argv) {
+int main() {
   std::vector<std::uint32_t> indices;  // three for each triangle, counter-clockwise
-  std::size_t vertices = 0;
-  if (argc > 1) {
-    std::ifstream file(argv[1]);
-    for (std::string word; file >> word; file.ignore(4096, '\n')) {
-      if (word == "v") ++vertices;
-      for (int corner = 0; word == "f" && corner < 3; ++corner) {
-        std::string index;
-        file >> index;
-        indices.push_back(static_cast<std::uint32_t>(std::stoul(index)) - 1);
-      }
+  constexpr std::uint32_t columns = 80, rows = 30;
+  for (std::uint32_t y = 0; y < rows; ++y)
+    for (std::uint32_t x = 0; x < columns; ++x) {
+      const auto at = [](std::uint32_t u, std::uint32_t v) { return v % rows * columns + u % columns; };
+      for (const auto v : {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y), at(x + 1, y + 1), at(x, y + 1)})
+        indices.push_back(v);
     }
-  } else {
-    constexpr std::uint32_t columns = 80, rows = 30;
-    vertices = columns * rows;
-    for (std::uint32_t y = 0; y < rows; ++y)
-      for (std::uint32_t x = 0; x < columns; ++x) {
-        const auto at = [](std::uint32_t u, std::uint32_t v) { return v % rows * columns + u % columns; };
-        for (const auto v : {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y), at(x + 1, y + 1), at(x, y + 1)})
-          indices.push_back(v);
-      }
-  }
 
   std::printf("| policy | of 3 | 4 | 5 | 6 | 7 | 8 | triangles | strips |\n");
   std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const restrip::PolicyRow& row : restrip::policies) {
-    restrip::StripMesh mesh = restrip::StripMesh::build(indices, vertices);
+    restrip::StripMesh mesh = restrip::StripMesh::build(indices, columns * rows);
     restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
     restrip::Keeper keeper(mesh, row.policy, restrip::Cost::strips());
     std::array<std::size_t, 9> gone{};  // by valence

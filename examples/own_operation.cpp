@@ -1,44 +1,27 @@
 // A custom operation with strips: own_operation.json says that a vertex of six triangles is removed, and how its
 // hole is closed; the build makes a table of best rules from that (docs/tutorials/custom-operation.md). Here it is
-// applied all over a mesh, under each policy in turn: a torus, or a given OBJ file.
+// applied all over a torus, under each policy in turn.
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <random>
 #include <restrip/restrip.hpp>
 #include <restrip/tables/operations/remove_six.hpp>
-#include <string>
 #include <vector>
 
-int main(int argc, char** argv) {
-  // Three indices for each triangle, counter-clockwise.
-  std::vector<std::uint32_t> indices;
-  std::size_t vertices = 0;
-  if (argc > 1) {
-    std::ifstream file(argv[1]);
-    for (std::string word; file >> word; file.ignore(4096, '\n')) {
-      if (word == "v") ++vertices;
-      for (int corner = 0; word == "f" && corner < 3; ++corner) {
-        std::string index;
-        file >> index;
-        indices.push_back(static_cast<std::uint32_t>(std::stoul(index)) - 1);
-      }
+int main() {
+  std::vector<std::uint32_t> indices;  // three for each triangle, counter-clockwise
+  constexpr std::uint32_t columns = 80, rows = 30;
+  for (std::uint32_t y = 0; y < rows; ++y)
+    for (std::uint32_t x = 0; x < columns; ++x) {
+      const auto at = [](std::uint32_t u, std::uint32_t v) { return v % rows * columns + u % columns; };
+      for (const auto v : {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y), at(x + 1, y + 1), at(x, y + 1)})
+        indices.push_back(v);
     }
-  } else {
-    constexpr std::uint32_t columns = 80, rows = 30;
-    vertices = columns * rows;
-    for (std::uint32_t y = 0; y < rows; ++y)
-      for (std::uint32_t x = 0; x < columns; ++x) {
-        const auto at = [](std::uint32_t u, std::uint32_t v) { return v % rows * columns + u % columns; };
-        for (const auto v : {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y), at(x + 1, y + 1), at(x, y + 1)})
-          indices.push_back(v);
-      }
-  }
 
   const auto& operation = restrip::tables::remove_six;
   std::printf("| policy | operations | triangles | strips | triangles a strip |\n| --- | --- | --- | --- | --- |\n");
   for (const restrip::PolicyRow& row : restrip::policies) {
-    restrip::StripMesh mesh = restrip::StripMesh::build(indices, vertices);
+    restrip::StripMesh mesh = restrip::StripMesh::build(indices, columns * rows);
     restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
     restrip::Keeper keeper(mesh, row.policy, restrip::Cost::strips());
     const std::size_t wanted = std::min<std::size_t>(10'000, indices.size() / 3 / 6);

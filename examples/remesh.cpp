@@ -1,6 +1,6 @@
 // Isotropic remeshing after Botsch and Kobbelt (2004), with maintained strips: split long edges, collapse short ones,
 // flip towards six triangles a vertex, smooth, five times over. Every change goes through one keeper; restrip needs
-// nothing else from a remesher. The mesh is an ellipsoid of uneven triangles, or a file: example_remesh [time] [OBJ]
+// nothing else from a remesher. The mesh is an ellipsoid of uneven triangles.
 //
 // It prints the strips under each policy, strips made from scratch afterwards, and the number of search states; with
 // `time`, also the time.
@@ -9,11 +9,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <cstring>
 #include <restrip/restrip.hpp>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace {
@@ -175,26 +172,6 @@ Surface ellipsoid(std::size_t triangles) {
   return made;
 }
 
-Surface read_obj(const char* file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot be read");
-  std::vector<std::array<Vertex, 3>> triangles;
-  std::vector<Point3> points;
-  for (std::string line, kind; std::getline(in, line);) {
-    std::istringstream words(line);
-    words >> kind;
-    if (kind == "v") {
-      Point3& p = points.emplace_back();
-      words >> p.x >> p.y >> p.z;
-    } else if (kind == "f") {
-      for (Vertex& corner : triangles.emplace_back())
-        if (std::string word; words >> word) corner = static_cast<Vertex>(std::stoul(word)) - 1;
-    }
-  }
-  if (triangles.empty()) throw std::runtime_error("has no triangles");
-  return {StripMesh::build(triangles, points.size()), points};
-}
-
 /// The mean length of edges, the target of remeshing.
 double mean_length(const Surface& surface) {
   double sum = 0;
@@ -233,7 +210,11 @@ std::size_t remesh(Keeper& keeper, std::vector<Point3>& points, double length, R
   return remesher.operations;
 }
 
-void run(const Surface& start, bool timed) {
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool timed = argc == 2 && std::strcmp(argv[1], "time") == 0;
+  const Surface start = ellipsoid(3000);
   const double length = mean_length(start);
 
   // Remeshed without strips, stripified afterwards.
@@ -256,7 +237,7 @@ void run(const Surface& start, bool timed) {
     Row& row = rows.emplace_back(Row{way});
     const bool same = remesh(keeper, kept.points, length, row) == operations;
     const restrip::ColoringReport counted = restrip::check_coloring(kept.mesh);
-    if (!same || !counted.valid || counted.strips != keeper.strips()) throw std::logic_error("strips were not kept");
+    if (!same || !counted.valid || counted.strips != keeper.strips()) return 1;
     row.strips = counted.strips;
     row.states = keeper.counts().states;
   }
@@ -270,18 +251,5 @@ void run(const Surface& start, bool timed) {
     std::printf("| %s | %zu | %.1f |", way, strips, static_cast<double>(states) / static_cast<double>(operations));
     if (timed) std::printf(" %.1f | %.1f |", remeshing, stripifying);
     std::printf("\n");
-  }
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  const bool timed = argc > 1 && std::string(argv[1]) == "time";
-  const char* file = argc > (timed ? 2 : 1) ? argv[argc - 1] : nullptr;
-  try {
-    run(file != nullptr ? read_obj(file) : ellipsoid(3000), timed);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", file != nullptr ? file : "example_remesh", error.what());
-    return 1;
   }
 }
