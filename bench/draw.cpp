@@ -16,7 +16,6 @@
 #include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
-#include "timed.hpp"
 #include "way.hpp"
 
 #ifdef RESTRIP_RM_TRISTRIPPER

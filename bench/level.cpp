@@ -15,7 +15,6 @@
 #include "common/stopwatch.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/stripify.hpp"
-#include "timed.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {

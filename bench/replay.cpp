@@ -3,8 +3,6 @@
 #include <benchmark/benchmark.h>
 
 #include "common/stopwatch.hpp"
-#include "settings.hpp"
-#include "timed.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {

@@ -1,6 +1,9 @@
-// Players: a progressive mesh played up and down in one way of keeping strips (replay/ways.hpp), and its levels as
-// lists.
+// The progressive meshes that benchmarks replay, and players: a mesh played up and down in one way of keeping strips
+// (replay/ways.hpp), and its levels as lists. Benchmarks measure time themselves: each of their few iterations times
+// many runs and reports the median. And counters for the quality of the strips.
 #pragma once
+
+#include <benchmark/benchmark.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -8,14 +11,32 @@
 #include <string>
 #include <vector>
 
+#include "lod/progressive_mesh.hpp"
 #include "replay/ways.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "subject.hpp"
+#include "restrip/output/strips.hpp"
+#include "settings.hpp"
 
 namespace restrip::bench {
 
 using tools::Way;
 using tools::way_named;
+
+struct Subject {
+  tools::ProgressiveMesh mesh;  ///< quadric collapses to 2 %
+  StripMesh base;               ///< with strips from scratch
+  std::size_t triangles = 0;    ///< of the finest level
+};
+
+/// "made", and "bunny" and "dragon" if their files exist.
+[[nodiscard]] std::vector<std::string> subject_names();
+/// Made on first use, and kept.
+[[nodiscard]] const Subject& subject(const std::string& name);
+
+/// Baking the dragon takes minutes (docs/how-to/baked-strips.md has its figures), so it is left out here.
+[[nodiscard]] bool has_plan(const std::string& name, const Way& way);
+/// Made on first use, and kept. Costs other than strips only for ways that weigh.
+[[nodiscard]] const tools::Plan& plan(const std::string& name, const Way& way, const Cost& cost = Cost::strips());
 
 /// Plays a progressive mesh up and down in one way. A split starts from vertices: finding its spokes is part of it, in
 /// every way.
@@ -51,5 +72,24 @@ struct LevelList {
 
 /// The list of the level with `percent` of the finest triangles. Made on first use, and kept.
 [[nodiscard]] const LevelList& level_list(const std::string& name, int percent);
+
+/// Registers `run`, which takes a benchmark::State and sets the time of each iteration.
+template <class Run>
+void add_timed(const std::string& name, Run run) {
+  benchmark::RegisterBenchmark(name.c_str(), run)
+      ->UseManualTime()
+      ->Unit(benchmark::kMicrosecond)
+      ->Iterations(settings().quick ? 1 : 3);
+}
+
+inline void count_strips(benchmark::State& state, std::size_t triangles, std::size_t strips, std::size_t indices) {
+  state.counters["triangles"] = static_cast<double>(triangles);
+  state.counters["strips"] = static_cast<double>(strips);
+  state.counters["indices_per_triangle"] = static_cast<double>(indices) / static_cast<double>(triangles);
+}
+inline void count_strips(benchmark::State& state, const StripMesh& mesh) {
+  const Strips strips = extract_strips(mesh);
+  count_strips(state, mesh.triangle_count(), strips.size(), strip_index_count(mesh, strips));
+}
 
 }  // namespace restrip::bench
