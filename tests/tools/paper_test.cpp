@@ -10,7 +10,6 @@
 #include <numeric>
 
 #include "meshes/made_mesh.hpp"
-#include "paper/paper_rules.hpp"
 #include "real_meshes.hpp"
 #include "restrip/rules/key.hpp"
 #include "shapes.hpp"

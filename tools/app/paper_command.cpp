@@ -8,13 +8,13 @@
 #include "common/output.hpp"
 #include "common/report_output.hpp"
 #include "lod/simplify.hpp"
-#include "paper/paper_report.hpp"
+#include "paper/paper.hpp"
 
 namespace restrip::tools {
 
 namespace {
 
-/// Writes the paper's figures and experiments as CSV files and a JSON report (paper_report.hpp). Files are written
+/// Writes the paper's figures and experiments as CSV files and a JSON report (paper.hpp). Files are written
 /// atomically, the report last.
 struct PaperCommand {
   std::filesystem::path out;  ///< a folder; created if missing

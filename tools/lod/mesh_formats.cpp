@@ -12,7 +12,6 @@
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "meshes/text_cursor.hpp"
-#include "meshes/write_glb.hpp"
 #include "restrip/formats/baked_format.hpp"
 #include "restrip/output/strips.hpp"
 

@@ -1,4 +1,4 @@
-// Readers for OBJ, OFF, PLY, STL and glTF, and writers for all of them but glTF (write_glb.hpp). lod/mesh_formats.hpp
+// Readers for OBJ, OFF, PLY, STL and glTF, and writers for all of them but glTF (strip_file.hpp). lod/mesh_formats.hpp
 // has the table of formats.
 //
 // OpenMesh's readers (version 9) are not used because they lose faces silently: its OBJ reader drops repeated corners

@@ -1,5 +1,3 @@
-#include "meshes/write_glb.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,6 +9,7 @@
 
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
+#include "meshes/strip_file.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -1,12 +1,11 @@
 // The figures of `restrip paper` as CSV, JSON and text.
-#include "paper/paper_report.hpp"
-
 #include <fmt/format.h>
 
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "common/counted.hpp"
+#include "paper/paper.hpp"
 
 namespace restrip::tools {
 namespace {

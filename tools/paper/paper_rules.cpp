@@ -1,11 +1,11 @@
-#include "paper/paper_rules.hpp"
-
+// Figures 6, 7 and 8 of the paper.
 #include <algorithm>
 #include <compare>
 #include <map>
 #include <utility>
 
 #include "common/disjoint_sets.hpp"
+#include "paper/paper.hpp"
 #include "restrip/rules/key.hpp"
 
 namespace restrip::tools {

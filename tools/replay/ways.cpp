@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "lod/coloring_check.hpp"
 #include "restrip/search/keeper.hpp"
@@ -65,6 +66,62 @@ struct LibraryOperations : PlainOperations {
     if (!(keeper.weights() == Cost::strips())) return find_fault(keeper);
     return keeper.locator() != nullptr ? find_fault(keeper.mesh(), *keeper.locator()) : std::string();
   }
+};
+
+/// Records the operations of another upkeep.
+class TracedOperations : public PlainOperations {
+ public:
+  TracedOperations(StripMesh& mesh, std::unique_ptr<Upkeep> kept, Trace::Claim claim, std::optional<Trace>& trace)
+      : mesh_(mesh), kept_(std::move(kept)), claim_(claim), trace_(trace) {
+    mesh_.watch(&changed_);
+    trace_.emplace(mesh_, claim_);
+  }
+  TracedOperations(const TracedOperations&) = delete;
+  TracedOperations& operator=(const TracedOperations&) = delete;
+  ~TracedOperations() { mesh_.watch(nullptr); }
+
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) {
+    const auto done = kept_->split(where, v_t, record);
+    return added(Traced::Kind::split, mesh_.from(done.halfedge), mesh_.to(done.halfedge), done);
+  }
+  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) {
+    const Vertex v_s = mesh_.from(chord);
+    const Vertex v_t = mesh_.to(chord);
+    return added(Traced::Kind::collapse, v_s, v_t, kept_->collapse(chord, record));
+  }
+  Rewrite<Halfedge> flip(Halfedge h) {
+    const Vertex from = mesh_.from(h);
+    const Vertex to = mesh_.to(h);
+    return added(Traced::Kind::flip, from, to, kept_->flip(h));
+  }
+  Repair between() {
+    const Repair done = kept_->between();
+    if (!changed_.empty()) add({Traced::Kind::other, 0, 0, done.strips, done.isolated});
+    return done;
+  }
+  void restart(std::size_t level) {
+    kept_->restart(level);
+    changed_.clear();
+    trace_.emplace(mesh_, claim_);
+  }
+  [[nodiscard]] std::string fault() const { return kept_->fault(); }
+  [[nodiscard]] RuleCounts rule_counts() const { return kept_->rule_counts(); }
+
+ private:
+  void add(const Traced& done) {
+    trace_->add(mesh_, changed_, done);
+    changed_.clear();
+  }
+  Rewrite<Halfedge> added(Traced::Kind kind, Vertex from, Vertex to, const Rewrite<Halfedge>& done) {
+    add({kind, from, to, done.strips, done.isolated});
+    return done;
+  }
+
+  StripMesh& mesh_;
+  std::unique_ptr<Upkeep> kept_;
+  Trace::Claim claim_;
+  std::optional<Trace>& trace_;
+  std::vector<Triangle> changed_;
 };
 
 template <class Operations, class... Arguments>
@@ -141,6 +198,19 @@ Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
     base_ = StripMesh::build(mesh.base, mesh.points.size());
     stripify(base_, default_effort, cost_);
   }
+}
+
+// What policies do after a rule joins strips or isolated triangles.
+Trace::Claim claim_of(const Plan& plan) {
+  const Way& way = plan.way();
+  if (!(plan.cost() == Cost::strips()) || way.bakes) return Trace::Claim::valid;
+  if (way.kind == Way::Kind::rules) return Trace::Claim::best;
+  return way.kind == Way::Kind::ours ? Trace::Claim::no_worse : Trace::Claim::valid;
+}
+
+std::unique_ptr<Upkeep> traced(StripMesh& mesh, std::unique_ptr<Upkeep> kept, Trace::Claim claim,
+                               std::optional<Trace>& trace) {
+  return begin_by<TracedOperations>(mesh, std::move(kept), claim, trace);
 }
 
 }  // namespace restrip::tools
