@@ -8,7 +8,7 @@
 
 #include "meshes/made_mesh.hpp"
 #include "restrip/search/stripify.hpp"
-#include "settings.hpp"
+#include "shared.hpp"
 #include "spread.hpp"
 
 namespace restrip::bench {

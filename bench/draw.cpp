@@ -16,7 +16,7 @@
 #include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
-#include "way.hpp"
+#include "shared.hpp"
 
 #ifdef RESTRIP_RM_TRISTRIPPER
 extern "C" std::size_t tristripper_indices(const unsigned* ids, std::size_t count, unsigned* out);

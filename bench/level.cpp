@@ -15,7 +15,7 @@
 #include "common/stopwatch.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/stripify.hpp"
-#include "way.hpp"
+#include "shared.hpp"
 
 namespace restrip::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "common/stopwatch.hpp"
-#include "way.hpp"
+#include "shared.hpp"
 
 namespace restrip::bench {
 namespace {

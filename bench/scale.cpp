@@ -11,9 +11,8 @@
 #include "meshes/made_mesh.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/stripify.hpp"
-#include "settings.hpp"
+#include "shared.hpp"
 #include "spread.hpp"
-#include "way.hpp"
 
 namespace restrip::bench {
 namespace {

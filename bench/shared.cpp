@@ -1,5 +1,6 @@
-#include "way.hpp"
+#include "shared.hpp"
 
+#include <cstdlib>
 #include <map>
 #include <span>
 #include <tuple>
@@ -18,6 +19,16 @@ std::filesystem::path file_of(const std::string& name) {
 }
 
 }  // namespace
+
+const Settings& settings() {
+  static const Settings given = [] {
+    Settings s;
+    s.quick = std::getenv("RESTRIP_BENCH_QUICK") != nullptr;
+    if (const char* folder = std::getenv("RESTRIP_MESHES"); folder != nullptr && !s.quick) s.meshes = folder;
+    return s;
+  }();
+  return given;
+}
 
 std::vector<std::string> subject_names() {
   std::vector<std::string> names{"made"};
@@ -105,3 +116,11 @@ const LevelList& level_list(const std::string& name, int percent) {
 }
 
 }  // namespace restrip::bench
+
+int main(int count, char** values) {
+  benchmark::Initialize(&count, values);
+  if (benchmark::ReportUnrecognizedArguments(count, values)) return 1;
+  restrip::bench::register_benchmarks();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}

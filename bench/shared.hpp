@@ -1,12 +1,13 @@
-// The progressive meshes that benchmarks replay, and players: a mesh played up and down in one way of keeping strips
-// (replay/ways.hpp), and its levels as lists. Benchmarks measure time themselves: each of their few iterations times
-// many runs and reports the median. And counters for the quality of the strips.
+// Shared by all benchmark programs: main() and the size of a run; the progressive meshes that they replay; and players,
+// which play such a mesh up and down in one way of keeping strips (replay/ways.hpp). Some benchmarks measure time
+// themselves: each of their few iterations times many runs and reports the median.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,12 +16,20 @@
 #include "replay/ways.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strips.hpp"
-#include "settings.hpp"
 
 namespace restrip::bench {
 
 using tools::Way;
 using tools::way_named;
+
+struct Settings {
+  bool quick = false;            ///< RESTRIP_BENCH_QUICK is set: only small made meshes; takes seconds
+  std::filesystem::path meshes;  ///< RESTRIP_MESHES: the folder of bunny.obj and dragon_vrip.ply; empty if not set
+};
+[[nodiscard]] const Settings& settings();
+
+/// Every program registers its benchmarks here; main() is in shared.cpp.
+void register_benchmarks();
 
 struct Subject {
   tools::ProgressiveMesh mesh;  ///< quadric collapses to 2 %
