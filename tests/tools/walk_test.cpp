@@ -163,25 +163,24 @@ TEST(Walk, AWitnessAgreesWithTheRules) {
       using Operations::Operations;
       std::string disagreement;
       Witness witness;
-      Rewrite<Halfedge> settle(const Rewrite<Halfedge>& reported, const Rewrite<Halfedge>& seen) {
+      Rewrite<Halfedge> reported;
+      Halfedge noted(const Rewrite<Halfedge>& done) {
+        reported = done;
+        return done.halfedge;
+      }
+      Rewrite<Halfedge> settle(const Rewrite<Halfedge>& seen) {
         if (reported.strips != seen.strips || reported.isolated != seen.isolated || reported.valence != seen.valence)
           disagreement = "the witness disagrees";
         return reported;
       }
       Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) {
-        witness.before_split(mesh, where);
-        const auto reported = restrip::split(mesh, where, v_t);
-        return settle(reported, witness.after_split(mesh, reported.halfedge));
+        return settle(witness.split(mesh, where, {}, [&] { return noted(restrip::split(mesh, where, v_t)); }));
       }
       Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) {
-        witness.before_collapse(mesh, chord);
-        const auto reported = restrip::collapse(mesh, chord);
-        return settle(reported, witness.after_collapse(mesh, reported.halfedge));
+        return settle(witness.collapse(mesh, chord, {}, [&] { return noted(restrip::collapse(mesh, chord)); }));
       }
       Rewrite<Halfedge> flip(Halfedge h) {
-        witness.before_flip(mesh, h);
-        const auto reported = restrip::flip(mesh, h);
-        return settle(reported, witness.after_flip(mesh, reported.halfedge));
+        return settle(witness.flip(mesh, h, [&] { return noted(restrip::flip(mesh, h)); }));
       }
       [[nodiscard]] std::string fault() const { return disagreement; }
     };

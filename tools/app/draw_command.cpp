@@ -74,43 +74,6 @@ void smooth(Soup& soup, int rounds) {
   }
 }
 
-/// A mesh and its strips.
-struct Colored {
-  StripMesh mesh;
-  std::vector<Point> points;
-  Mended mended;
-  std::string policy;  ///< how the strips were kept; file: they come from the file
-};
-
-/// The named mesh, or the built-in one. Uses the strips of the file unless the command asks for others.
-Colored colored(const DrawCommand& command) {
-  Source source;
-  if (command.mesh.empty()) {
-    constexpr std::size_t triangles_in_a_picture = 2400;
-    Soup soup = make_mesh(triangles_in_a_picture);
-    smooth(soup, 4);
-    source = simplified("built-in torus", std::move(soup), command.simplify);
-  } else {
-    const bool others = command.triangles != 0 || command.simplify_given || !command.way.empty() || command.cost;
-    ReadMesh read = read_mesh_file(command.mesh);
-    if (auto* soup = std::get_if<Soup>(&read); soup != nullptr && !others && !soup->strips.empty()) {
-      const Mended mended = mend(*soup, command.mesh.string(), command.mending);
-      std::vector<std::uint32_t> origin;
-      StripMesh mesh = StripMesh::build(soup->triangles, soup->points.size(), nullptr, &origin);
-      color_as_in_file(mesh, *soup, origin);
-      return {std::move(mesh), std::move(soup->points), mended, "file"};
-    }
-    source = source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given);
-  }
-  Plan::Given given;
-  given.cost = command.cost;
-  if (source.baked) given.baked = &*source.baked;
-  const Plan plan(command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way), source.mesh,
-                  given);
-  return {level_mesh(plan, command.triangles == 0 ? source.mesh.fine_triangles() : command.triangles),
-          source.mesh.points, source.subject.mended, plan.way().name};
-}
-
 /// The data that scripts/pictures.py draws: the mesh, its strips, and the rule of one split.
 std::string facts_of(std::span<const Point> points, const std::vector<StripCorners>& strips) {
   // Six triangles: five in one strip that enters and leaves, the sixth in a separate strip.
@@ -135,7 +98,39 @@ int run(const DrawCommand& command) {
   if (format.empty())  // a device
     throw BadInput(fmt::format("{}: its format is not known; name it by --to, or a file that ends in {}",
                                command.out.string(), fmt::join(drawn_extensions, ", ")));
-  const auto [mesh, points, mended, policy] = colored(command);
+  // The named mesh, or the built-in one, with the strips of the file unless the command asks for others.
+  const bool others = command.triangles != 0 || command.simplify_given || !command.way.empty() || command.cost;
+  ReadMesh read;
+  if (!command.mesh.empty()) read = read_mesh_file(command.mesh);
+  auto* const soup = std::get_if<Soup>(&read);
+  StripMesh mesh;
+  Source source;
+  std::string policy = "file";  // how the strips were kept; file: they come from the file
+  if (soup != nullptr && !others && !soup->strips.empty()) {
+    source.subject.mended = mend(*soup, command.mesh.string(), command.mending);
+    std::vector<std::uint32_t> origin;
+    mesh = StripMesh::build(soup->triangles, soup->points.size(), nullptr, &origin);
+    color_as_in_file(mesh, *soup, origin);
+    source.mesh.points = std::move(soup->points);
+  } else {
+    if (command.mesh.empty()) {
+      constexpr std::size_t triangles_in_a_picture = 2400;
+      Soup torus = make_mesh(triangles_in_a_picture);
+      smooth(torus, 4);
+      source = simplified("built-in torus", std::move(torus), command.simplify);
+    } else {
+      source = source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given);
+    }
+    Plan::Given given;
+    given.cost = command.cost;
+    if (source.baked) given.baked = &*source.baked;
+    const Plan plan(command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way), source.mesh,
+                    given);
+    mesh = level_mesh(plan, command.triangles == 0 ? source.mesh.fine_triangles() : command.triangles);
+    policy = plan.way().name;
+  }
+  const std::vector<Point>& points = source.mesh.points;
+  const Mended& mended = source.subject.mended;
   if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
     for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
     return 1;

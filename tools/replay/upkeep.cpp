@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "restrip/mesh/walks.hpp"
-
 namespace restrip::tools {
 
 Witness::Count Witness::count(const StripMesh& mesh, Edges elsewhere) {
@@ -33,41 +31,6 @@ Witness::Count Witness::count(const StripMesh& mesh, Edges elsewhere) {
   once(around);
   for (const Triangle t : around) count.isolated += mesh.solid_degree(t) == 0 ? 1 : 0;
   return count;
-}
-
-Rewrite<StripMesh::Halfedge> Witness::reported(const StripMesh& mesh, Halfedge h, Edges elsewhere) {
-  const Count after = count(mesh, elsewhere);
-  return {h, static_cast<std::uint32_t>(valence_), after.strips - before_.strips, after.isolated - before_.isolated};
-}
-
-void Witness::before_split(const StripMesh& mesh, const VertexSplit<Halfedge>& where, Edges elsewhere) {
-  fan_triangles(mesh, where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
-  valence_ = patch_.size();
-  before_ = count(mesh, elsewhere);
-}
-Rewrite<StripMesh::Halfedge> Witness::after_split(const StripMesh& mesh, Halfedge chord, Edges elsewhere) {
-  edge_triangles(mesh, chord, patch_);
-  return reported(mesh, chord, elsewhere);
-}
-
-void Witness::before_collapse(const StripMesh& mesh, Halfedge chord, Edges elsewhere) {
-  edge_triangles(mesh, chord, patch_);
-  before_ = count(mesh, elsewhere);
-}
-Rewrite<StripMesh::Halfedge> Witness::after_collapse(const StripMesh& mesh, Halfedge spoke, Edges elsewhere) {
-  fan_triangles(mesh, spoke, patch_);
-  valence_ = patch_.size();
-  return reported(mesh, spoke, elsewhere);
-}
-
-void Witness::before_flip(const StripMesh& mesh, Halfedge h) {
-  patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))});
-  valence_ = 4;
-  before_ = count(mesh, {});
-}
-Rewrite<StripMesh::Halfedge> Witness::after_flip(const StripMesh& mesh, Halfedge turned) {
-  patch_.assign({StripMesh::triangle(turned), StripMesh::triangle(mesh.opposite(turned))});
-  return reported(mesh, turned, {});
 }
 
 }  // namespace restrip::tools

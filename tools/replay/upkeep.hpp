@@ -14,6 +14,7 @@
 
 #include "lod/progressive_mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/operations/absorb.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/keeper.hpp"
@@ -61,18 +62,39 @@ class Upkeep {
 
 /// For operations that do not report what they did: counts strips and isolated triangles in and around the patch before
 /// and after. `elsewhere`: dual edges outside the patch whose colour changes, named as they are after a split and
-/// before a collapse. Linear in both, up to a logarithm.
+/// before a collapse. `operation` does it and returns its halfedge. Linear in both, up to a logarithm.
 class Witness {
  public:
   using Halfedge = StripMesh::Halfedge;
-
   using Edges = std::span<const Halfedge>;
-  void before_split(const StripMesh& mesh, const VertexSplit<Halfedge>& where, Edges elsewhere = {});
-  [[nodiscard]] Rewrite<Halfedge> after_split(const StripMesh& mesh, Halfedge chord, Edges elsewhere = {});
-  void before_collapse(const StripMesh& mesh, Halfedge chord, Edges elsewhere = {});
-  [[nodiscard]] Rewrite<Halfedge> after_collapse(const StripMesh& mesh, Halfedge spoke, Edges elsewhere = {});
-  void before_flip(const StripMesh& mesh, Halfedge h);
-  [[nodiscard]] Rewrite<Halfedge> after_flip(const StripMesh& mesh, Halfedge turned);
+
+  template <class Operation>
+  Rewrite<Halfedge> split(const StripMesh& mesh, const VertexSplit<Halfedge>& where, Edges elsewhere,
+                          Operation&& operation) {
+    fan_triangles(mesh, where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
+    const std::size_t valence = patch_.size();
+    const Count before = count(mesh, elsewhere);
+    const Halfedge chord = operation();
+    edge_triangles(mesh, chord, patch_);
+    return reported(chord, valence, before, count(mesh, elsewhere));
+  }
+  template <class Operation>
+  Rewrite<Halfedge> collapse(const StripMesh& mesh, Halfedge chord, Edges elsewhere, Operation&& operation) {
+    edge_triangles(mesh, chord, patch_);
+    const Count before = count(mesh, elsewhere);
+    const Halfedge spoke = operation();
+    fan_triangles(mesh, spoke, patch_);
+    const std::size_t valence = patch_.size();
+    return reported(spoke, valence, before, count(mesh, elsewhere));
+  }
+  template <class Operation>
+  Rewrite<Halfedge> flip(const StripMesh& mesh, Halfedge h, Operation&& operation) {
+    patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))});
+    const Count before = count(mesh, {});
+    const Halfedge turned = operation();
+    patch_.assign({StripMesh::triangle(turned), StripMesh::triangle(mesh.opposite(turned))});
+    return reported(turned, 4, before, count(mesh, {}));
+  }
 
  private:
   struct Count {
@@ -80,11 +102,11 @@ class Witness {
     int isolated = 0;
   };
   Count count(const StripMesh& mesh, Edges elsewhere);
-  Rewrite<Halfedge> reported(const StripMesh& mesh, Halfedge h, Edges elsewhere);
+  static Rewrite<Halfedge> reported(Halfedge h, std::size_t valence, const Count& before, const Count& after) {
+    return {h, static_cast<std::uint32_t>(valence), after.strips - before.strips, after.isolated - before.isolated};
+  }
 
   std::vector<Triangle> patch_;
-  std::size_t valence_ = 0;
-  Count before_;
 };
 
 /// What operations on a mesh need not define.
@@ -118,8 +140,7 @@ class UpkeepBy final : public Upkeep {
     } else if constexpr (reports) {
       return operations_.split(where, v_t, record);
     } else {
-      witness_.before_split(*mesh_, where);
-      return witness_.after_split(*mesh_, operations_.split(where, v_t, record));
+      return witness_.split(*mesh_, where, {}, [&] { return operations_.split(where, v_t, record); });
     }
   }
   Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) override {
@@ -128,16 +149,14 @@ class UpkeepBy final : public Upkeep {
     } else if constexpr (reports) {
       return operations_.collapse(chord, record);
     } else {
-      witness_.before_collapse(*mesh_, chord);
-      return witness_.after_collapse(*mesh_, operations_.collapse(chord, record));
+      return witness_.collapse(*mesh_, chord, {}, [&] { return operations_.collapse(chord, record); });
     }
   }
   Rewrite<Halfedge> flip(Halfedge h) override {
     if constexpr (reports) {
       return operations_.flip(h);
     } else {
-      witness_.before_flip(*mesh_, h);
-      return witness_.after_flip(*mesh_, operations_.flip(h));
+      return witness_.flip(*mesh_, h, [&] { return operations_.flip(h); });
     }
   }
   Repair between() override { return operations_.between(); }

@@ -49,13 +49,11 @@ struct LibraryOperations : PlainOperations {
   // Played records report changes in strips only, and a record may flip colours anywhere.
   Rewrite<Halfedge> split_and_report(const Where& where, Vertex v_t, std::size_t record) {
     if (records == nullptr || !keeper.baked()->can_split(record)) return split(where, v_t, record);
-    witness.before_split(keeper.mesh(), where, (*records)[record]);
-    return witness.after_split(keeper.mesh(), split(where, v_t, record).halfedge, (*records)[record]);
+    return witness.split(keeper.mesh(), where, (*records)[record], [&] { return split(where, v_t, record).halfedge; });
   }
   Rewrite<Halfedge> collapse_and_report(Halfedge chord, std::size_t record) {
     if (records == nullptr || !keeper.baked()->can_collapse(record)) return collapse(chord, record);
-    witness.before_collapse(keeper.mesh(), chord, (*records)[record]);
-    return witness.after_collapse(keeper.mesh(), collapse(chord, record).halfedge, (*records)[record]);
+    return witness.collapse(keeper.mesh(), chord, (*records)[record], [&] { return collapse(chord, record).halfedge; });
   }
   void restart(std::size_t level) {
     if (records != nullptr) keeper.baked()->restart(level);
