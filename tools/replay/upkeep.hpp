@@ -41,8 +41,6 @@ class Upkeep {
   virtual Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) = 0;
   virtual Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) = 0;
   virtual Rewrite<Halfedge> flip(Halfedge h) = 0;
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t) { return split(where, v_t, no_record); }
-  Rewrite<Halfedge> collapse(Halfedge chord) { return collapse(chord, no_record); }
   /// What the way does to all strips between two operations, usually nothing. Call it after each single operation; the
   /// loops do so themselves.
   virtual Repair between() = 0;
@@ -128,9 +126,6 @@ class UpkeepBy final : public Upkeep {
   template <class... Arguments>
   explicit UpkeepBy(StripMesh& mesh, Arguments&&... arguments)
       : mesh_(&mesh), operations_(mesh, std::forward<Arguments>(arguments)...) {}
-
-  using Upkeep::collapse;
-  using Upkeep::split;
 
   [[nodiscard]] const StripMesh& mesh() const override { return *mesh_; }
 

@@ -100,7 +100,7 @@ class Walker {
     };
     last_ = fmt::format("split {}, left {}, right {}", v, end(where.spokes != Split::Spokes::right_only, where.left),
                         end(where.spokes != Split::Spokes::left_only, where.right));
-    const auto done = upkeep_->split(where, none);
+    const auto done = upkeep_->split(where, none, no_record);
     ++report.splits;
     report.isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), none, none});
@@ -109,7 +109,7 @@ class Walker {
   std::string try_collapse(Halfedge chord) {
     if (check_collapse(mesh_, chord) != Refusal::granted) return refuse();
     last_ = fmt::format("collapse {} -> {}", mesh_.from(chord), mesh_.to(chord));
-    const auto done = upkeep_->collapse(chord);
+    const auto done = upkeep_->collapse(chord, no_record);
     ++report.collapses;
     report.isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), none, none, none});

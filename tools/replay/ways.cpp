@@ -177,7 +177,7 @@ const Way& usual_way(bool strips_are_baked) {
 }
 
 Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
-    : way_(&way), mesh_(&mesh), cost_(given.cost.value_or(way.usual_cost())) {
+    : way_(&way), mesh_(&mesh), cost_(given.cost.value_or(way.weighs() ? default_cost : Cost::strips())) {
   search_ = given.search.value_or(way.search_under(cost_));
   if (!(cost_ == Cost::strips()) && !way.weighs())
     throw std::invalid_argument("policy " + way.name + " supports only --cost strips");

@@ -45,8 +45,6 @@ struct Way {
 
   [[nodiscard]] bool searches() const noexcept { return search.states != 0; }
   [[nodiscard]] bool weighs() const noexcept { return weighed.states != 0; }
-  /// The default cost.
-  [[nodiscard]] Cost usual_cost() const noexcept { return weighs() ? default_cost : Cost::strips(); }
   [[nodiscard]] const Search& search_under(const Cost& cost) const noexcept {
     return cost == Cost::strips() ? search : weighed;
   }
