@@ -9,7 +9,6 @@
 #include "meshes/made_mesh.hpp"
 #include "restrip/search/stripify.hpp"
 #include "shared.hpp"
-#include "spread.hpp"
 
 namespace restrip::bench {
 namespace {

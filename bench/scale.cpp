@@ -12,7 +12,6 @@
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "shared.hpp"
-#include "spread.hpp"
 
 namespace restrip::bench {
 namespace {

@@ -6,9 +6,13 @@
 #include <tuple>
 #include <utility>
 
+#include "common/random.hpp"
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/batch.hpp"
+#include "restrip/rules/rules.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::bench {
@@ -16,6 +20,20 @@ namespace {
 
 std::filesystem::path file_of(const std::string& name) {
   return settings().meshes / (name == "dragon" ? "dragon_vrip.ply" : name + ".obj");
+}
+
+/// Adds a collapse if it is legal, interior and apart from those before, and leaves a fan that the tables know: on real
+/// meshes most splits are of such fans, while the edges of a made mesh, picked at random, would have many larger ones.
+void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Halfedge chord, Sites& sites) {
+  if (check_collapse(mesh, chord) != Refusal::granted || mesh.leaves_boundary(chord) ||
+      mesh.leaves_boundary(mesh.opposite(chord)) ||
+      spoke_count(mesh, mesh.from(chord)) + spoke_count(mesh, mesh.to(chord)) > table_max_k + 4 ||
+      claims.claim(chord, sites.size()))
+    return;
+  const StripMesh::Halfedge back = mesh.opposite(chord);
+  sites.chords.push_back(chord);
+  sites.records.push_back(
+      {mesh.from(chord), mesh.to(chord), mesh.to(StripMesh::next(chord)), mesh.to(StripMesh::next(back))});
 }
 
 }  // namespace
@@ -113,6 +131,25 @@ const LevelList& level_list(const std::string& name, int percent) {
     }
   }
   return list;
+}
+
+Sites spread_out_sites(const StripMesh& mesh, std::size_t count) {
+  tools::Random random(1);
+  PatchClaims claims(mesh);
+  Sites sites;
+  const auto triangles = static_cast<std::uint32_t>(mesh.triangle_bound());
+  for (std::size_t tries = 0; sites.size() < count && tries < 16 * count; ++tries) {
+    add_site(mesh, claims, StripMesh::halfedge(random.below(triangles), random.below(3)), sites);
+  }
+  return sites;
+}
+
+Sites neighboring_sites(const StripMesh& mesh, std::size_t count) {
+  PatchClaims claims(mesh);
+  Sites sites;
+  for (Triangle t = 0; t < mesh.triangle_bound() && sites.size() < count; ++t)
+    add_site(mesh, claims, StripMesh::halfedge(t, 0), sites);
+  return sites;
 }
 
 }  // namespace restrip::bench

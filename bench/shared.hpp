@@ -82,6 +82,19 @@ struct LevelList {
 /// The list of the level with `percent` of the finest triangles. Made on first use, and kept.
 [[nodiscard]] const LevelList& level_list(const std::string& name, int percent);
 
+/// Mesh edges to be collapsed, by their vertices, and their chords at first. Their patches do not overlap: they can be
+/// done in any order, and undone, without any simplification.
+struct Sites {
+  std::vector<tools::Record> records;
+  std::vector<StripMesh::Halfedge> chords;
+
+  [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
+};
+/// Up to `count` disjoint legal collapses of interior edges, at random places in random order.
+[[nodiscard]] Sites spread_out_sites(const StripMesh& mesh, std::size_t count);
+/// Adjacent sites, from the first triangle on: a part of the mesh that is being edited.
+[[nodiscard]] Sites neighboring_sites(const StripMesh& mesh, std::size_t count);
+
 /// Registers `run`, which takes a benchmark::State and sets the time of each iteration.
 template <class Run>
 void add_timed(const std::string& name, Run run) {
