@@ -69,25 +69,6 @@ void give_points(const std::vector<Point>& list) {
   give(points, 1, found.points, found.point_numbers);
 }
 
-void set_found(Soup& soup, bool repeats_vertices) {
-  // glTF repeats a vertex wherever a normal or a texture breaks; a strip crosses it.
-  if (Mended mended; repeats_vertices) weld(soup, mended);
-  give_points(soup.points);
-  give(soup.triangles, 3, found.triangles, found.triangle_numbers);
-  left_out = attributes_in_words(soup.left_out_attributes);
-}
-void set_found(const ProgressiveMesh& progressive) {
-  found.kind = ReadResult::Kind::progressive;
-  give_points(progressive.points);
-  give(progressive.base, 3, found.triangles, found.triangle_numbers);
-  give(progressive.splits, 4, found.splits, found.split_numbers);
-}
-void set_found(const BakedBytes& baked) {
-  found.kind = ReadResult::Kind::baked;
-  give(baked.bytes, 1, found.baked, found.baked_bytes);
-  left_out = attributes_in_words(baked.left_out_attributes);
-}
-
 std::string extension_of(std::string_view name) {
   std::string extension(name.substr(std::min(name.rfind('.'), name.size())));
   for (char& c : extension)
@@ -110,9 +91,22 @@ const ReadResult* readers_read(const char* bytes, std::uint32_t count, const cha
   };
   const std::string extension = extension_of(file);
   mesh = parse_mesh({bytes, count}, extension, file, no_sibling);
-  if (auto* soup = std::get_if<Soup>(&mesh)) set_found(*soup, extension == ".glb" || extension == ".gltf");
-  if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) set_found(*progressive);
-  if (const auto* baked = std::get_if<BakedBytes>(&mesh)) set_found(*baked);
+  if (auto* soup = std::get_if<Soup>(&mesh)) {
+    // glTF repeats a vertex wherever a normal or a texture breaks; a strip crosses it.
+    if (Mended mended; extension == ".glb" || extension == ".gltf") weld(*soup, mended);
+    give_points(soup->points);
+    give(soup->triangles, 3, found.triangles, found.triangle_numbers);
+    left_out = attributes_in_words(soup->left_out_attributes);
+  } else if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) {
+    found.kind = ReadResult::Kind::progressive;
+    give_points(progressive->points);
+    give(progressive->base, 3, found.triangles, found.triangle_numbers);
+    give(progressive->splits, 4, found.splits, found.split_numbers);
+  } else if (const auto* baked = std::get_if<BakedBytes>(&mesh)) {
+    found.kind = ReadResult::Kind::baked;
+    give(baked->bytes, 1, found.baked, found.baked_bytes);
+    left_out = attributes_in_words(baked->left_out_attributes);
+  }
   give(left_out, 1, found.left_out, found.left_out_bytes);
   return &found;
 }
