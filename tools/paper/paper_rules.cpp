@@ -47,17 +47,16 @@ std::vector<Colors> orbit_of(SplitPosition at, Word loop, Word ports) {
 class ColoredPatch {
  public:
   static ColoredPatch fan(std::size_t k, Word loop, Word ports) {
-    ColoredPatch patch(k, k, ports);
-    for (std::size_t i = 0; i < k; ++i) {
-      patch.owner_.push_back(i);
+    ColoredPatch patch(k, ports);
+    for (std::size_t i = 0; i < k; ++i) patch.own_next_port(i);
+    for (std::size_t i = 0; i < k; ++i)
       if (has(loop, i)) patch.link(i, (i + 1) % k);
-    }
     return patch;
   }
   static ColoredPatch ring(SplitPosition at, Word inner, Word ports) {
     const std::size_t n = at.k + 2;
-    ColoredPatch patch(at.k, n, ports);
-    for (std::size_t i = 0; i < at.k; ++i) patch.owner_.push_back(i < at.a ? i + 1 : i + 2);
+    ColoredPatch patch(n, ports);
+    for (std::size_t i = 0; i < at.k; ++i) patch.own_next_port(i < at.a ? i + 1 : i + 2);
     for (std::size_t j = 0; j < n; ++j)
       if (has(inner, j)) patch.link(j, (j + 1) % n);
     if (has(inner, n)) patch.link(0, at.a + 1);
@@ -66,13 +65,9 @@ class ColoredPatch {
 
   /// Valid degrees and no cycle.
   [[nodiscard]] bool valid() const {
-    std::vector<int> all = degrees();
-    return !cycle_ && std::all_of(all.begin(), all.end(), [](int d) { return d <= 2; });
+    return !cycle_ && std::all_of(degree_.begin(), degree_.end(), [](int d) { return d <= 2; });
   }
-  [[nodiscard]] int isolated() const {
-    const std::vector<int> all = degrees();
-    return static_cast<int>(std::count(all.begin(), all.end(), 0));
-  }
+  [[nodiscard]] int isolated() const { return static_cast<int>(std::count(degree_.begin(), degree_.end(), 0)); }
   /// The pairs of joined ports as a mask over all pairs.
   [[nodiscard]] Word pairs() {
     Word result = 0;
@@ -84,26 +79,22 @@ class ColoredPatch {
   }
 
  private:
-  ColoredPatch(std::size_t k, std::size_t nodes, Word ports) : sets_(nodes), degree_(nodes, 0), ports_(ports) {
-    owner_.reserve(k);
+  ColoredPatch(std::size_t triangles, Word ports) : sets_(triangles), degree_(triangles, 0), ports_(ports) {}
+  void own_next_port(std::size_t triangle) {
+    if (has(ports_, owner_.size())) ++degree_[triangle];
+    owner_.push_back(triangle);
   }
   void link(std::size_t x, std::size_t y) {
-    cycle_ = cycle_ || together(x, y);
-    sets_.unite(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    if (!sets_.unite(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))) cycle_ = true;
     ++degree_[x];
     ++degree_[y];
   }
   [[nodiscard]] bool together(std::size_t x, std::size_t y) {
     return sets_.find(static_cast<std::uint32_t>(x)) == sets_.find(static_cast<std::uint32_t>(y));
   }
-  [[nodiscard]] std::vector<int> degrees() const {
-    std::vector<int> all = degree_;
-    for (std::size_t i = 0; i < owner_.size(); ++i) all[owner_[i]] += has(ports_, i) ? 1 : 0;
-    return all;
-  }
 
   DisjointSets sets_;
-  std::vector<int> degree_;
+  std::vector<int> degree_;         // of each triangle, solid ports included
   std::vector<std::size_t> owner_;  // the triangle of each port
   Word ports_;
   bool cycle_ = false;
