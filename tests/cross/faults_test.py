@@ -71,7 +71,7 @@ HEADERS = {
     "stated": [
         ("the strips that a rule states", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table states "),
         ("the isolated triangles that a flip states", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, but there are"),
-        ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers give"),
+        ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), isolated", "count_bits(ports), isolated"), "automaton", "the certificate's answers give"),
     ],
 }
 # For a single operation, by the command of docs/tutorials/custom-operation.md.
