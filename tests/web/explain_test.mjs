@@ -90,7 +90,7 @@ for (const { puzzle, mine } of shown) {
 }
 
 // The colours of light pages; the solid ones are those of any line.
-const css = ['style', 'turn'].map((name) => readFileSync(new URL(`../../web/viewer/${name}.css`, import.meta.url), 'utf8')).join('');
+const css = ['style', 'viewer'].map((name) => readFileSync(new URL(`../../web/viewer/${name}.css`, import.meta.url), 'utf8')).join('');
 for (const [name, rules] of Object.entries({ solid: 'path', dashed: '.dashed', marked: '.marked', outside: '.outside' })) {
   const [, color] = new RegExp(`(?:^| )${rules.replace('.', '\\.')} \\{[^}]*stroke: (#\\w+)`).exec(styles);
   assert.ok(css.includes(`--${name}: ${color};`), `${name} is ${color} in the picture of restrip-verify`);
