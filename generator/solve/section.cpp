@@ -75,6 +75,7 @@ void find_rules(Section& section, const Operation& rows_of, Watched watched) {
   const std::vector<PatchMap>& maps = symmetry.maps;
   section.symmetries = symmetry.order;
   std::vector<std::vector<unsigned>> port_backwards;
+  port_backwards.reserve(maps.size());
   for (const PatchMap& map : maps) port_backwards.push_back(inverse(map.port));
   PatchMap identity = maps.at(0);
   for (auto* images : {&identity.port, &identity.before, &identity.after})

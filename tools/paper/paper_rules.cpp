@@ -37,6 +37,7 @@ std::vector<Colors> orbit_of(SplitPosition at, Word loop, Word ports) {
     symmetries.push_back({true, flip + at.a});
   }
   std::vector<Colors> orbit;
+  orbit.reserve(symmetries.size());
   for (const Symmetry& s : symmetries) orbit.emplace_back(image(s, loop, at.k, true), image(s, ports, at.k, false));
   std::sort(orbit.begin(), orbit.end());
   orbit.erase(std::unique(orbit.begin(), orbit.end()), orbit.end());

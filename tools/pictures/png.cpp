@@ -77,7 +77,8 @@ Picture png_of(const Scene& scene) {
     if (visible[at] == no_face) continue;
     const Face& face = scene.faces[visible[at]];
     const double x = static_cast<double>(at % scene.size.width) + 0.5;
-    const double y = static_cast<double>(at / scene.size.width) + 0.5;
+    const std::size_t row = at / scene.size.width;
+    const double y = static_cast<double>(row) + 0.5;
     bool is_edge = false;
     for (std::size_t i = 0; i < 3; ++i)
       is_edge = is_edge || distance_from(face.corners[i], face.corners[(i + 1) % 3], x, y) < edge;

@@ -31,7 +31,7 @@ class SurfaceReader {
       surface.boundary.push_back({vertex(ends[0], {}, 0), vertex(ends[1], {}, 0)});
     }
     try {
-      const Sides sides = graphs_of(surface);
+      Sides sides = graphs_of(surface);
       expect_limits(description_["before"], sides.before);
       expect_limits(description_["after"], sides.after);
       return sides;
