@@ -1,5 +1,5 @@
 #pragma once
-// What a refusal says.
+// The message of a refusal.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace restrip {
 
-/// The message of the exception that ends `work`; empty if it comes to its end. Other exceptions propagate.
+/// The message of the exception that `work` throws, or an empty text if it throws nothing. Other exceptions propagate.
 template <class Error = files::FileError, class Work>
 std::string refusal_of(Work&& work) {
   try {

@@ -37,7 +37,7 @@ class Pending {
   [[nodiscard]] std::size_t valence() const {
     return visit<std::size_t>([](const auto& change) { return change.fan.k; });
   }
-  /// What visit(change) returns, or nothing if there is no change.
+  /// The result of visit(change), or Result{} if no change is pending.
   template <class Result, class Visit>
   Result visit(Visit&& visit) const {
     Result result{};
