@@ -287,55 +287,85 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
   for (const std::size_t times : begun) EXPECT_GT(times, 5U);
 }
 
-// The buffer is right again after the next update, and frames that can no longer be undone are not undone.
+// The buffer is right again after the next update, which returns everything that was not returned, to a device that is
+// made again only when the update says so. Frames that can no longer be undone are not undone.
 TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
+  enum class Call { update, undo, redo };
   std::size_t failed = 0;
-  for (const bool undoes : {false, true}) {
-    for (std::size_t allocation = 0;; ++allocation) {
-      std::mt19937 random(6);
-      LiveMesh live(sample::torus(16, 16), {.history = 10'000});
-      std::vector<std::uint32_t> drawn(live.indices().begin(), live.indices().end());
-      const auto update = [&] {
-        const auto ranges = live.update();
-        upload_ranges(live.indices(), ranges, drawn);
-      };
-      const auto change = [&] {
-        for (int n = 0; n < 10; ++n) random_operation(live.keeper(), random, n % 2 == 0);
-      };
-      const auto expect_drawn = [&](const char* when) {
-        ASSERT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh())) << when << ", " << allocation;
-        ASSERT_TRUE(std::equal(drawn.begin(), drawn.end(), live.indices().begin(), live.indices().end()))
-            << when << ", " << allocation;
-      };
-      for (int frame = 0; frame < 2; ++frame) {
-        change();
-        update();
-      }
-      change();
-      if (undoes) update();
-      std::span<const IndexRange> ranges;
-      bool threw = false;
-      testing_support::fail_allocation(allocation + 1, testing_support::Shortage::for_good);
-      try {
-        if (undoes)
-          live.undo();
-        else
-          ranges = live.update();
-      } catch (const std::bad_alloc&) {
-        threw = true;
-      }
-      testing_support::end_shortage();
-      if (!threw) upload_ranges(live.indices(), ranges, drawn);
-      update();
-      expect_drawn("after the next update");
-      live.undo();
-      update();
-      expect_drawn("after an undo");
-      if (!threw) break;
-      ++failed;
-    }
-  }
-  EXPECT_GT(failed, 10U);
+  std::size_t outgrown = 0;
+  for (const Call call : {Call::update, Call::undo, Call::redo})
+    for (const bool grows : {false, true})
+      for (const auto shortage : {testing_support::Shortage::once, testing_support::Shortage::for_good})
+        for (std::size_t allocation = 0;; ++allocation) {
+          std::mt19937 random(6);
+          LiveMesh live(sample::torus(16, 16), {.history = 10'000, .format = {.width = IndexWidth::automatic}});
+          std::vector<std::byte> drawn;
+          const auto make_device = [&] { drawn.resize(live.room() * live.index_bytes()); };
+          const auto upload = [&](const Upload& ranges) {
+            if (ranges.outgrown) make_device();
+            for (const auto& [first, count] : ranges) {
+              const std::size_t width = live.index_bytes();
+              ASSERT_LE((first + count) * width, drawn.size());
+              std::copy_n(live.bytes().data() + first * width, count * width, drawn.data() + first * width);
+            }
+            outgrown += ranges.outgrown ? 1U : 0U;
+          };
+          const auto change = [&] {
+            live.keeper().rebuild();  // so that its counts are right after an exception, too
+            for (int n = 0; n < 10; ++n) random_operation(live.keeper(), random, n % 2 == 0);
+          };
+          const auto expect_drawn = [&](const char* when) {
+            const auto triangles =
+                live.index_bytes() == 4 ? triangles_of_strips(live.indices()) : triangles_of_strips(live.indices16());
+            ASSERT_EQ(triangles, triangles_of(live.mesh())) << when << ", " << allocation;
+            ASSERT_EQ(fault_of(live.mesh()), "") << when << ", " << allocation;
+            ASSERT_TRUE(std::equal(live.bytes().begin(), live.bytes().end(), drawn.begin()))
+                << when << ", " << allocation;
+          };
+          make_device();
+          std::copy(live.bytes().begin(), live.bytes().end(), drawn.begin());
+          for (int frame = 0; frame < 2; ++frame) {
+            change();
+            upload(live.update());
+          }
+          change();
+          if (grows) {
+            for (int n = 0; n < 300; ++n) live.split_face(random_halfedge(live.mesh(), random));
+            const auto h = live.mesh().spoke(9);
+            live.split({h, turn_ccw(live.mesh(), h)}, Vertex{70'000});
+          }
+          if (call != Call::update && random() % 2 == 0) upload(live.update());
+          if (call == Call::redo) live.undo();
+          const std::size_t undoable = live.undoable();
+          bool threw = false;
+          Upload ranges;
+          testing_support::fail_allocation(allocation + 1, shortage);
+          try {
+            if (call == Call::update)
+              ranges = live.update();
+            else
+              call == Call::undo ? live.undo() : live.redo();
+          } catch (const std::bad_alloc&) {
+            threw = true;
+          }
+          testing_support::end_shortage();
+          if (!threw) upload(ranges);
+          upload(live.update());
+          expect_drawn("after the next update");
+          ASSERT_LE(live.undoable(), undoable + 1);
+          const auto shown = triangles_of(live.mesh());
+          change();
+          upload(live.update());
+          expect_drawn("after more operations");
+          ASSERT_TRUE(live.undo()) << "frames after the exception can be undone";
+          upload(live.update());
+          expect_drawn("after an undo");
+          ASSERT_EQ(triangles_of(live.mesh()), shown);
+          if (!threw) break;
+          ++failed;
+        }
+  EXPECT_GT(failed, 200U);
+  EXPECT_GT(outgrown, 200U);
 }
 
 }  // namespace

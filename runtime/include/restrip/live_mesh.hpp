@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -44,8 +42,9 @@ struct LiveOptions {
   StripFormat format = {.width = IndexWidth::bits32};
 };
 
-/// Can be neither copied nor moved. Each call throws what its parts throw; after an exception of update(), undo() or
-/// redo() earlier frames cannot be undone. `Mesh` is StripMesh: this is a template so that searches and buffers are
+/// Can be neither copied nor moved. Each call throws what its parts throw. After an exception of update(), undo() or
+/// redo() the mesh is valid, and the next update() returns everything that has not been returned; if memory ran out,
+/// earlier frames perhaps cannot be undone. `Mesh` is StripMesh: this is a template so that searches and buffers are
 /// compiled where a LiveMesh is used, not wherever this header is included.
 template <class Mesh>
 class BasicLiveMesh {
@@ -60,14 +59,13 @@ class BasicLiveMesh {
       : BasicLiveMesh(with_strips(Mesh::build(triangles, vertex_count, report), options), options) {}
   /// Takes a mesh with its colours.
   explicit BasicLiveMesh(Mesh mesh, LiveOptions options = {})
-      : mesh_(std::move(mesh)), keeper_(mesh_, options.policy, options.cost), buffer_(options.format) {
+      : mesh_(std::move(mesh)),
+        keeper_(mesh_, options.policy, options.cost),
+        buffer_(options.format),
+        most_history_(options.history) {
     mesh_.watch(&changed_);
     buffer_.rebuild(mesh_);
-    if (options.history == 0) return;
-    history_.emplace(mesh_, options.history);
-    if (auto* wide = std::get_if<StripBuffer>(&buffer_.buffer())) buffers_.template emplace<BufferHistory>(*wide);
-    if (auto* narrow = std::get_if<StripBuffer16>(&buffer_.buffer()))
-      buffers_.template emplace<BufferHistory16>(*narrow);
+    if (options.history != 0) history_.emplace(mesh_, buffer_, options.history);
   }
   BasicLiveMesh(const BasicLiveMesh&) = delete;
   BasicLiveMesh& operator=(const BasicLiveMesh&) = delete;
@@ -100,42 +98,21 @@ class BasicLiveMesh {
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
   /// Upload::outgrown says that the buffer on the device is too small.
   Upload update(const RangeOptions& ranges = {}) {
-    if (std::exchange(interrupted_, false)) {
-      history_.reset();
-      buffers_ = {};
-      buffer_.forget();
-    }
-    const Upload upload = buffer_.update(mesh_, changed_, ranges);
-    if (history_) {
-      interrupted_ = true;
-      const bool is_frame = history_->frame(mesh_, changed_);
-      with_history([&](auto& buffers, auto& strips) {
-        buffers.note(strips, changed_);
-        if (is_frame) buffers.frame(strips, history_->undoable());
-        return true;
-      });
-      interrupted_ = false;
-    }
-    changed_.clear();
+    const Upload upload = end_frame(ranges);
+    undelivered_ = false;
     return upload;
   }
   /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
-  /// restored exactly, and so are the indices of strips, unless their width has changed since. False when there is
-  /// nothing to undo or redo. Call update() next, which returns the ranges to upload. Your data of vertices is not
-  /// restored, and the numbers of removed vertices are used again: save the data of a vertex before an operation that
-  /// changes it. Linear time in the mesh.
-  bool undo() {
-    return stepped([this] { return history_->undo(mesh_); },
-                   [](auto& buffers, auto& strips) { return buffers.undo(strips); });
-  }
-  bool redo() {
-    return stepped([this] { return history_->redo(mesh_); },
-                   [](auto& buffers, auto& strips) { return buffers.redo(strips); });
-  }
+  /// restored exactly, and so are the indices of strips and their width. False when there is nothing to undo or redo.
+  /// Call update() next, which returns the ranges to upload. Your data of vertices is not restored, and the numbers of
+  /// removed vertices are used again: save the data of a vertex before an operation that changes it. Linear time in the
+  /// mesh.
+  bool undo() { return step(false); }
+  bool redo() { return step(true); }
 
   /// The number of frames that can be undone and redone; update() ends a frame first.
-  [[nodiscard]] std::size_t undoable() const noexcept { return history_ ? history_->undoable() : 0; }
-  [[nodiscard]] std::size_t redoable() const noexcept { return history_ ? history_->redoable() : 0; }
+  [[nodiscard]] std::size_t undoable() const noexcept { return can_step() ? history_->mesh.undoable() : 0; }
+  [[nodiscard]] std::size_t redoable() const noexcept { return can_step() ? history_->mesh.redoable() : 0; }
 
   /// The buffer: see live_buffer.hpp. `indices` are empty when they have 16 bits.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
@@ -155,41 +132,51 @@ class BasicLiveMesh {
     stripify(mesh, options.effort, options.cost);
     return mesh;
   }
-  /// Calls use(history, buffer) for the history and the buffer of one index width; false without a history of the
-  /// buffer.
-  template <class Use>
-  bool with_history(Use&& use) {
-    const auto of_width = [&](auto* buffers) {
-      using OfHistory = typename std::remove_pointer_t<decltype(buffers)>::Buffer;
-      auto* strips = std::get_if<OfHistory>(&buffer_.buffer());
-      return buffers != nullptr && strips != nullptr && use(*buffers, *strips);
-    };
-    return of_width(std::get_if<BufferHistory>(&buffers_)) || of_width(std::get_if<BufferHistory16>(&buffers_));
+  /// Of the mesh and its buffer, which have the same frames.
+  struct Histories {
+    Histories(const Mesh& now, LiveBuffer& buffer_now, std::size_t most) : mesh(now, most), buffer(buffer_now) {}
+    History mesh;
+    LiveHistory buffer;
+  };
+
+  [[nodiscard]] bool can_step() const noexcept { return history_ && !interrupted_; }
+  Upload end_frame(const RangeOptions& ranges) {
+    if (std::exchange(undelivered_, true)) buffer_.keep_upload();
+    if (interrupted_) buffer_.forget();
+    const Upload upload = buffer_.update(mesh_, changed_, ranges);
+    if (most_history_ != 0) {
+      if (std::exchange(interrupted_, true)) {
+        history_.emplace(mesh_, buffer_, most_history_);
+      } else {
+        const bool is_frame = history_->mesh.frame(mesh_, changed_);
+        history_->buffer.frame(buffer_, changed_, is_frame, history_->mesh.undoable());
+      }
+      interrupted_ = false;
+    }
+    changed_.clear();
+    return upload;
   }
-  template <class StepMesh, class StepBuffer>
-  bool stepped(StepMesh&& step_mesh, StepBuffer&& step_buffer) {
-    if (history_) update();
-    if (!history_) return false;  // never begun, or ended by an exception
-    buffer_.keep_upload();
+  bool step(bool forward) {
+    if (most_history_ == 0) return false;
+    end_frame({});
+    if ((forward ? redoable() : undoable()) == 0) return false;
     interrupted_ = true;
-    const bool exact = with_history([](auto&, auto&) { return true; });
-    const bool done = (!exact || with_history(step_buffer)) && step_mesh();
-    if (exact)
-      changed_.clear();  // the buffer is up to date already
-    else if (done)
-      buffer_.forget();
-    if (done) keeper_.rebuild();
+    const bool exact = forward ? history_->buffer.redo(buffer_) : history_->buffer.undo(buffer_);
+    forward ? history_->mesh.redo(mesh_) : history_->mesh.undo(mesh_);
+    if (exact) changed_.clear();  // the buffer is up to date already
     interrupted_ = false;
-    return done;
+    keeper_.rebuild();
+    return true;
   }
 
   Mesh mesh_;
   Keeper<Mesh> keeper_;
   std::vector<Triangle> changed_;
   LiveBuffer buffer_;
-  std::optional<History> history_;
-  std::variant<std::monostate, BufferHistory, BufferHistory16> buffers_;  // of strips; in step with history_
-  bool interrupted_ = false;  // by an exception, so that the histories may be out of step
+  std::size_t most_history_ = 0;
+  std::optional<Histories> history_;
+  bool interrupted_ = false;  // by an exception, so that mesh, buffer and histories may be out of step
+  bool undelivered_ = false;  // the last frame has ended, but nothing was returned
 };
 
 using LiveMesh = BasicLiveMesh<StripMesh>;

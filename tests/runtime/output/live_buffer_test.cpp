@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "restrip/live_mesh.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -160,8 +162,155 @@ TEST(LiveBuffer, ReservesRoomOnTheDevice) {
 }
 
 TEST(LiveBuffer, HasNoBatches) {
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
   EXPECT_THROW(LiveBuffer({.most_vertices = 64}), std::invalid_argument);
   EXPECT_THROW(LiveBuffer({.most_indices = 64}), std::invalid_argument);
+  EXPECT_THROW(LiveBuffer({.most_vertices = 3, .most_indices = most - 2}), std::invalid_argument);
+}
+
+/// Numbers of a caller may be as large as their type allows: their sums and products do not wrap.
+TEST(LiveBuffer, TakesTheLargestNumbers) {
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::mt19937 random(25);
+  for (const StripForm form : forms)
+    for (const IndexWidth width : widths)
+      for (const std::size_t gap : {std::size_t{2}, most / 2, most - 39, most})
+        for (const std::size_t align : {std::size_t{4}, most / 4 * 4, most - 3, std::size_t{1} << 63, most}) {
+          StripMesh mesh = sample::torus(12, 12);
+          stripify(mesh);
+          std::vector<Triangle> changed;
+          mesh.watch(&changed);
+          LiveBuffer buffer({.form = form, .width = width});
+          Device device;
+          device.upload(buffer, buffer.update(mesh, changed));
+          changed.clear();
+          for (Triangle t = 0; t < 280; t += 40) checked_flip(mesh, StripMesh::halfedge(t, 1));
+          const Upload upload = buffer.update(mesh, changed, {.merge_gap = gap, .align = align});
+          ASSERT_TRUE(upload.size() == 1 || (gap == 2 && align == 4));
+          device.upload(buffer, upload);
+          ASSERT_EQ(device.drawn(buffer, form), sample::triangles_of(mesh));
+          const std::size_t room = buffer.room();
+          for (const std::size_t triangles : {most, most / 2 + 1, most / 3 + 1})
+            EXPECT_THROW(buffer.reserve(triangles), std::length_error);
+          EXPECT_EQ(buffer.room(), room);
+          mesh.watch(nullptr);
+        }
+  LiveMesh live(sample::torus(12, 12), {.history = most});
+  live.flip(StripMesh::halfedge(7, 1));
+  live.improve(100);
+  live.improve(most);
+  live.update();
+  EXPECT_TRUE(live.undo());
+}
+
+/// An update reports an outgrown buffer if the device, as the caller made it last, has another width or too little
+/// room; not for widening or growth that is undone before the caller hears of it.
+TEST(LiveBuffer, ReportsOnlyWhatTheDeviceDoesNotHave) {
+  for (const StripForm form : forms) {
+    LiveMesh live(sample::torus(8, 8), {.history = 100'000, .format = {.form = form, .width = IndexWidth::automatic}});
+    const auto split = [&](Vertex name) {
+      const auto h = live.mesh().spoke(9);
+      ASSERT_TRUE(live.split({h, turn_ccw(live.mesh(), turn_ccw(live.mesh(), h))}, name));
+    };
+    split(65'535);
+    ASSERT_TRUE(live.undo());
+    EXPECT_EQ(live.index_bytes(), form == StripForm::list ? 4U : 2U);  // lists are not restored exactly
+    EXPECT_EQ(live.update().outgrown, form == StripForm::list);
+    ASSERT_TRUE(live.redo());
+    EXPECT_EQ(live.update().outgrown, form != StripForm::list);
+    EXPECT_EQ(live.index_bytes(), 4U);
+    EXPECT_FALSE(live.update().outgrown);
+    const std::size_t room = live.room();
+    while (live.bytes().size() <= room * live.index_bytes()) {
+      split(none);
+      live.undo();
+      EXPECT_EQ(live.update().outgrown, live.room() != room);
+      live.redo();
+      if (live.update().outgrown) break;
+    }
+    EXPECT_GT(live.room(), room);
+    EXPECT_FALSE(live.update().outgrown);
+  }
+}
+
+/// A frame that was not returned yet is returned after a change of width that came and went.
+TEST(LiveBuffer, ReturnsWhatWasNotReturnedAfterAChangeOfWidth) {
+  for (const StripForm form : forms) {
+    LiveMesh live(sample::torus(8, 8), {.history = 100'000, .format = {.form = form, .width = IndexWidth::automatic}});
+    Device device;
+    device.upload(live, {{}, true});
+    const std::array all{IndexRange{0, live.bytes().size() / live.index_bytes()}};
+    device.upload(live, {all, false});
+    ASSERT_TRUE(live.flip(StripMesh::halfedge(20, 1)) && live.flip(StripMesh::halfedge(90, 1)));
+    ASSERT_FALSE(live.redo());
+    const auto h = live.mesh().spoke(9);
+    ASSERT_TRUE(live.split({h, turn_ccw(live.mesh(), h)}, 70'000));
+    ASSERT_TRUE(live.undo());
+    device.upload(live, live.update());
+    EXPECT_TRUE(device.equals(live.buffer()));
+    EXPECT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
+    ASSERT_TRUE(live.redo());
+    device.upload(live, live.update());
+    ASSERT_TRUE(live.flip(StripMesh::halfedge(50, 1)));
+    device.upload(live, live.update());
+    ASSERT_TRUE(live.undo() && live.undo() && live.redo());
+    device.upload(live, live.update());
+    EXPECT_TRUE(device.equals(live.buffer()));
+    EXPECT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
+  }
+}
+
+/// Through frames, undo and redo across changes of width, with histories of any length, strips are restored exactly.
+TEST(LiveBuffer, OfALiveMeshIsRestoredAcrossWidths) {
+  std::mt19937 random(26);
+  int widened = 0;
+  int narrowed = 0;
+  for (int round = 0; round < 12; ++round)
+    for (const StripForm form : forms) {
+      const std::size_t history = random() % 2 == 0 ? 1'000'000 : 1 + random() % 400;
+      LiveMesh live(sample::torus(6, 6),
+                    {.history = history, .format = {.form = form, .width = IndexWidth::automatic}});
+      Device device;
+      device.upload(live, {{}, true});
+      const std::array all{IndexRange{0, live.bytes().size() / live.index_bytes()}};
+      device.upload(live, {all, false});
+      using Bytes = std::vector<std::byte>;
+      const auto bytes = [&] { return Bytes(live.bytes().begin(), live.bytes().end()); };
+      std::vector<std::pair<Bytes, decltype(sample::triangles_of(live.mesh()))>> looks{
+          {bytes(), sample::triangles_of(live.mesh())}};
+      std::size_t at = 0;
+      for (int step = 0; step < 60; ++step) {
+        const std::size_t width = live.index_bytes();
+        const auto choice = random() % 6;
+        if (choice < 3) {
+          if (!(choice == 0 ? live.redo() : live.undo())) continue;
+          at += choice == 0 ? 1 : std::size_t(-1);
+        } else {
+          const Look before = look_at(live.mesh());
+          for (auto n = random() % 5; n > 0; --n)
+            random_operation(live.keeper(), random, live.mesh().triangle_count() < 90);
+          const Vertex fresh = std::max(Vertex{65'535}, static_cast<Vertex>(live.mesh().vertex_bound()));
+          const auto h = random_halfedge(live.mesh(), random);
+          if (choice == 5) live.split(random_split(live.mesh(), h, random), random() % 2 == 0 ? fresh : none);
+          const Upload upload = live.update();
+          device.upload(live, upload);
+          if (look_at(live.mesh()) == before) continue;  // no frame, although the buffer may have been written
+          looks.resize(++at);
+          looks.emplace_back(bytes(), sample::triangles_of(live.mesh()));
+        }
+        if (random() % 3 != 0) {
+          device.upload(live, live.update());
+          ASSERT_TRUE(device.equals(live.buffer()));
+          ASSERT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
+        }
+        ASSERT_EQ(sample::triangles_of(live.mesh()), looks[at].second);
+        ASSERT_TRUE(form == StripForm::list || bytes() == looks[at].first);
+        widened += live.index_bytes() > width ? 1 : 0;
+        narrowed += live.index_bytes() < width ? 1 : 0;
+      }
+    }
+  EXPECT_GT(widened, 50);
+  EXPECT_GT(narrowed, 25);
 }
 
 /// A stitched buffer drawn in windows of any even number of indices: each triangle once, with its winding.

@@ -42,15 +42,17 @@ class History {
 
   /// undo() restores the mesh as it was before the last frame, redo() as it was after the frame undone last. Both
   /// return false when no such frame exists. Call them right after frame(): later changes are lost. The watch of the
-  /// mesh is notified. Keepers of the mesh must be rebuilt, buffers updated.
+  /// mesh is notified. Keepers of the mesh must be rebuilt, buffers updated. After std::bad_alloc nothing has changed.
   bool undo(StripMesh& mesh) {
-    if (done_ == 0) return false;
-    step(mesh, frames_[--done_], false);
+    if (undoable() == 0) return false;
+    step(mesh, frames_[done_ - 1], false);
+    --done_;
     return true;
   }
   bool redo(StripMesh& mesh) {
-    if (done_ == frames_.size()) return false;
-    step(mesh, frames_[done_++], true);
+    if (redoable() == 0) return false;
+    step(mesh, frames_[done_], true);
+    ++done_;
     return true;
   }
 
@@ -112,7 +114,18 @@ class History {
     list.insert(list.end(), now.begin(), now.end());
   }
 
-  static void apply(StripMesh& mesh, const Frame& frame, bool forward) {
+  /// So that apply() does not throw.
+  static void make_room(StripMesh& mesh, const Frame& frame) {
+    const auto reach = [](auto& list, std::size_t size) {
+      detail::make_room(list, std::max(size, list.size()) - list.size());
+    };
+    reach(mesh.triangles_, std::max(frame.triangles_before, frame.triangles_after));
+    reach(mesh.spoke_, std::max(frame.vertices_before, frame.vertices_after));
+    reach(mesh.non_manifold_, std::max(frame.vertices_before, frame.vertices_after));
+    reach(mesh.free_, frame.free.kept + frame.free.size());
+    reach(mesh.free_vertices_, frame.free_vertices.kept + frame.free_vertices.size());
+  }
+  static void apply(StripMesh& mesh, const Frame& frame, bool forward) noexcept {
     const auto size = forward ? frame.triangles_after : frame.triangles_before;
     if (mesh.triangles_.size() < size) mesh.triangles_.resize(size, removed);
     const auto vertices = forward ? frame.vertices_after : frame.vertices_before;
@@ -129,6 +142,8 @@ class History {
 
   void step(StripMesh& mesh, const Frame& frame, bool forward) {
     mesh.expect_touches(frame.triangles.size());
+    make_room(mesh, frame);
+    make_room(last_, frame);
     apply(mesh, frame, forward);
     apply(last_, frame, forward);
     for (const auto& change : frame.triangles) mesh.touch(change.at);
@@ -172,6 +187,7 @@ inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> chan
   frame.free_vertices = tail_of(last_.free_vertices_, mesh.free_vertices_, changed.size());
   if (frame.size() == 0) return false;
   for (; frames_.size() > done_; frames_.pop_back()) kept_ -= frames_.back().size();
+  make_room(last_, frame);
   apply(last_, frame, true);
   kept_ += frame.size();
   frames_.push_back(std::move(frame));

@@ -1,4 +1,4 @@
-// BufferHistory: undo and redo of whole frames of a StripBuffer, index by index.
+// BufferHistory: undo and redo of whole frames of a StripBuffer, index by index. LiveHistory: of a LiveBuffer.
 //
 // After History (mesh/history.hpp) has restored a mesh, an update would draw it correctly, but with indices elsewhere
 // in the buffer. BufferHistory restores the indices in their places and all bookkeeping, so later operations write the
@@ -22,10 +22,14 @@
 #include <cstdint>
 #include <deque>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strip_buffer.hpp"
 
 namespace restrip {
@@ -36,10 +40,7 @@ class BasicBufferHistory {
   using Buffer = BasicStripBuffer<Index>;
 
   /// Begins with the buffer as it is. Linear time.
-  explicit BasicBufferHistory(Buffer& buffer) : last_(buffer) {
-    note_all(buffer);
-    take(buffer);
-  }
+  explicit BasicBufferHistory(Buffer& buffer) : last_((read_places(buffer), buffer)) { places_.clear(); }
 
   /// Call it after each update, with the same list of changes, and after each rebuild(). After an exception the history
   /// must not be used any more; the same holds for frame(), undo() and redo().
@@ -53,10 +54,16 @@ class BasicBufferHistory {
   /// Ends a frame, which contains all updates since the previous frame. Frames that were undone and not redone are
   /// dropped, and so are the oldest beyond `most`.
   void frame(Buffer& buffer, std::size_t most) {
-    frames_.resize(done_);
+    drop_undone();
     frames_.push_back(take(buffer));
-    while (frames_.size() > most) frames_.pop_front();
     done_ = frames_.size();
+    limit(most);
+  }
+  /// Drops the frames that can be redone.
+  void drop_undone() noexcept { frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(done_), frames_.end()); }
+  /// Drops the oldest frames that can be undone, beyond `most`.
+  void limit(std::size_t most) noexcept {
+    for (; done_ > most; --done_) frames_.pop_front();
   }
 
   /// undo() restores the buffer as it was before the last frame that is not undone, redo() as it was after the frame
@@ -74,6 +81,10 @@ class BasicBufferHistory {
     put(frames_[done_++], buffer);
     return true;
   }
+  [[nodiscard]] std::size_t undoable() const noexcept { return done_; }
+  [[nodiscard]] std::size_t redoable() const noexcept { return frames_.size() - done_; }
+  /// The buffer as it was at the end of the last frame that is not undone.
+  [[nodiscard]] const Buffer& last() const noexcept { return last_; }
 
  private:
   /// Values of an array, to be exchanged with the present ones.
@@ -122,11 +133,16 @@ class BasicBufferHistory {
     places_.resize(std::max(buffer.places_.places_.size(), last_.places_.places_.size()));
     for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
   }
-  Frame take(Buffer& buffer) {
+  // The places that have changed since they were read last.
+  void read_places(Buffer& buffer) {
     detail::RunPlaces& places = buffer.places_;
-    for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
     places_.insert(places_.end(), places.changed_.begin(), places.changed_.end());
+    for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
     places.changed_.clear();
+  }
+  Frame take(Buffer& buffer) {
+    const detail::RunPlaces& places = buffer.places_;
+    read_places(buffer);
     Frame frame;
     frame.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
     frame.run_of.take(triangles_, last_.run_of_, buffer.run_of_, Buffer::nothing);
@@ -157,15 +173,74 @@ class BasicBufferHistory {
     put(unframed, buffer);
   }
 
-  Buffer last_;  // as it was at the end of the last frame
   std::deque<Frame> frames_;
   std::size_t done_ = 0;              // frames that are not undone
   std::vector<std::uint32_t> cells_;  // that updates since may have changed
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> places_;
+  Buffer last_;  // as it was at the end of the last frame
 };
 
 using BufferHistory = BasicBufferHistory<std::uint32_t>;
 using BufferHistory16 = BasicBufferHistory<std::uint16_t>;
+
+/// The history of a LiveBuffer of strips, which may widen once: its frames with 16-bit indices, the frame that widened
+/// it, and its frames with 32-bit indices. Lists need no history: an update draws them, though in another order.
+class LiveHistory {
+ public:
+  /// Begins with the buffer as it is. Linear time. Exceptions: as for BufferHistory.
+  explicit LiveHistory(LiveBuffer& buffer) {
+    if (auto* strips = std::get_if<StripBuffer16>(&buffer.buffer())) narrow_.emplace(*strips);
+    if (auto* strips = std::get_if<StripBuffer>(&buffer.buffer())) wide_.emplace(*strips);
+    widened_ = wide_.has_value();
+  }
+
+  /// Ends a frame, after one update with `changed`. `is_frame`: whether the mesh has changed; `most`: frames that the
+  /// history of the mesh can undo.
+  void frame(LiveBuffer& buffer, std::span<const std::uint32_t> changed, bool is_frame, std::size_t most) {
+    if (auto* strips = std::get_if<StripBuffer16>(&buffer.buffer())) {
+      narrow_->note(*strips, changed);
+      if (!is_frame) return;
+      narrow_->frame(*strips, most);
+      wide_.reset();
+    } else if (auto* wide = std::get_if<StripBuffer>(&buffer.buffer())) {
+      if (widened_) {
+        wide_->note(*wide, changed);
+        if (is_frame) wide_->frame(*wide, most);
+      } else {
+        narrow_->drop_undone();
+        wide_.emplace(*wide);
+        widened_ = true;
+      }
+      if (narrow_ && most <= wide_->undoable()) narrow_.reset();
+      if (narrow_) narrow_->limit(most - wide_->undoable() - 1);
+    }
+  }
+  /// Restore the buffer exactly, whatever its width was. The next update() returns what was written. Call them if the
+  /// history of the mesh has such a frame. They return false for a list.
+  bool undo(LiveBuffer& buffer) { return step(buffer, false); }
+  bool redo(LiveBuffer& buffer) { return step(buffer, true); }
+
+ private:
+  bool step(LiveBuffer& buffer, bool forward) {
+    const auto stepped = [&](auto& history, LiveBuffer::Buffer& now) {
+      auto& strips = std::get<typename std::remove_reference_t<decltype(*history)>::Buffer>(now);
+      return forward ? history->redo(strips) : history->undo(strips);
+    };
+    if (!narrow_ && !wide_) return false;
+    if (widened_ ? stepped(wide_, buffer.buffer()) : stepped(narrow_, buffer.buffer())) return true;
+    // The frame that widened the buffer.
+    if (forward)
+      buffer.set_buffer(wide_->last());
+    else
+      buffer.set_buffer(narrow_->last());
+    widened_ = forward;
+    return true;
+  }
+
+  std::optional<BufferHistory16> narrow_;
+  std::optional<BufferHistory> wide_;
+  bool widened_ = false;  // the buffer has 32-bit indices now
+};
 
 }  // namespace restrip

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -43,63 +44,55 @@ class LiveBuffer {
   /// Empty; the first update writes the whole buffer. Live buffers do not support batches (limits of a batch throw
   /// std::invalid_argument; see above for a remedy), and stay strips even if a list is shorter.
   explicit LiveBuffer(const StripFormat& format = {}) : format_(format) {
-    if (format.most_vertices + format.most_indices != 0)
+    if (format.most_vertices != 0 || format.most_indices != 0)
       RESTRIP_THROW(std::invalid_argument,
                     "restrip: a live buffer has no batches; draw a stitched one in windows (live_buffer.hpp)");
     make(format.width == IndexWidth::bits32);
+    returned_ = device_ = {index_bytes(), 0};
   }
 
-  /// Writes the whole buffer. Linear time. Throws as the rebuild() of its buffer does.
+  /// Writes the whole buffer, which the caller uploads to a device with room(). Linear time. Throws as the rebuild() of
+  /// its buffer does.
   template <NumberedMesh Mesh>
   void rebuild(const Mesh& mesh) {
-    if (format_.width == IndexWidth::automatic) {
-      bool wide = false;
-      for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
-      make(wide);
-    }
-    whole_ = true;
-    std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
-    whole_ = false;
+    write_all(mesh);
     make_room();
+    kept_ = false;
   }
   /// Brings the buffer in step with the mesh, like the update() of its buffer, and throws the same; then the next
   /// update writes everything. The result is valid until the next call.
   template <NumberedMesh Mesh>
   Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {}) {
-    const std::size_t old_bytes = device_bytes_;
+    if (!std::exchange(kept_, true)) {  // until this update returns, its caller has only what the last one returned
+      device_ = returned_;
+      all_changed_ = false;
+    }
     const bool widens =
         format_.width == IndexWidth::automatic && index_bytes() == 2 &&
         !std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
     std::span<const IndexRange> ranges{&all_, 1};
     if (whole_ || widens) {
-      rebuild(mesh);
-      all_ = {0, size()};
+      write_all(mesh);
     } else {
       whole_ = true;
       ranges = std::visit([&](auto& buffer) { return buffer.update(mesh, changed, options); }, buffer_);
       whole_ = false;
     }
     make_room();
-    outgrown_ = (outgrown_ && kept_) || device_bytes_ != old_bytes;
     kept_ = false;
-    if (outgrown_) {
+    const bool outgrown = returned_ != device_;
+    if (outgrown || all_changed_) {
       all_ = {0, size()};
       ranges = {&all_, 1};
     }
     if (size() == 0) ranges = {};
-    return {ranges, outgrown_};
+    return {ranges, outgrown};
   }
-  /// Makes the next update also return the ranges of the last one, for a caller that has not uploaded them.
+  /// Makes the next update also return the ranges of the last one, for a caller that has not uploaded them. It reports
+  /// an outgrown buffer if the device's, as it was before the last update, is outgrown then.
   void keep_upload() noexcept {
     kept_ = true;
-    std::visit(
-        [&](auto& buffer) {
-          if constexpr (requires { buffer.keep_ranges(); })
-            buffer.keep_ranges();
-          else
-            whole_ = true;
-        },
-        buffer_);
+    std::visit([](auto& buffer) { buffer.keep_ranges(); }, buffer_);
   }
   /// Makes the next update write the whole buffer: for meshes that have changed without a list of changes.
   void forget() noexcept { whole_ = true; }
@@ -107,7 +100,7 @@ class LiveBuffer {
   /// Makes room for a mesh of this many triangle numbers, here and on the device, at 2 indices a triangle or 3 in a
   /// list. If room() grows, the next update reports an outgrown buffer.
   void reserve(std::size_t triangles) {
-    std::visit([triangles](auto& buffer) { buffer.reserve(triangles); }, buffer_);
+    std::visit([triangles](auto& buffer) { buffer.reserve(triangles); }, buffer_);  // throws if the product wraps
     room_ = std::max(room_, (format_.form == StripForm::list ? 3 : 2) * triangles);
   }
 
@@ -142,8 +135,32 @@ class LiveBuffer {
   using Buffer = std::variant<StripBuffer, StripBuffer16, TriangleListBuffer, TriangleListBuffer16>;
   /// The buffer itself, for members that only one kind has.
   [[nodiscard]] Buffer& buffer() noexcept { return buffer_; }
+  /// Replaces the buffer by another of the same form, perhaps of another width, which is in step with the mesh. The
+  /// next update returns all of it.
+  void set_buffer(Buffer buffer) noexcept {
+    keep_upload();
+    buffer_ = std::move(buffer);
+    all_changed_ = true;
+  }
 
  private:
+  /// Of the buffer on the device.
+  struct Extent {
+    std::size_t index_bytes = 0;
+    std::size_t room = 0;  ///< in indices
+    friend bool operator==(const Extent&, const Extent&) = default;
+  };
+  template <class Mesh>
+  void write_all(const Mesh& mesh) {
+    if (format_.width == IndexWidth::automatic) {
+      bool wide = false;
+      for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
+      make(wide);
+    }
+    whole_ = all_changed_ = true;
+    std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
+    whole_ = false;
+  }
   void make(bool wide) {
     if (format_.form == StripForm::list)
       buffer_ = wide ? Buffer(TriangleListBuffer()) : Buffer(TriangleListBuffer16());
@@ -152,7 +169,7 @@ class LiveBuffer {
   }
   void make_room() noexcept {
     if (size() > room_) room_ = size() + size() / 4;
-    device_bytes_ = index_bytes() * room_;
+    returned_ = {index_bytes(), room_};
   }
   template <class Index>
   [[nodiscard]] std::span<const Index> indices_of() const noexcept {
@@ -169,11 +186,12 @@ class LiveBuffer {
 
   StripFormat format_;
   Buffer buffer_;
-  bool whole_ = true;
-  bool outgrown_ = false;  // by the last update
-  bool kept_ = false;
+  bool whole_ = true;         // the next update writes everything
+  bool all_changed_ = false;  // since the device was last written
+  bool kept_ = false;         // the caller does not have the result of the last update
   std::size_t room_ = 0;
-  std::size_t device_bytes_ = 0;  // that the device should have
+  Extent device_;    // that the caller knew before the last update
+  Extent returned_;  // by the last update
   IndexRange all_;
 };
 

@@ -75,7 +75,7 @@ class BasicStripBuffer {
 
   /// Empty; the first update writes the whole buffer. `form`: any but a list.
   BasicStripBuffer() = default;
-  explicit BasicStripBuffer(StripForm form) noexcept : stitched_(form == StripForm::stitched) {
+  explicit BasicStripBuffer(StripForm form) : stitched_(form == StripForm::stitched) {
     RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "a list is the matter of TriangleListBuffer");
   }
   /// Writes the strips of a valid colouring. Linear time. Throws as rebuild() does.
@@ -111,9 +111,10 @@ class BasicStripBuffer {
   [[nodiscard]] std::size_t runs() const noexcept { return places_.runs(); }
   /// The number of indices of runs, separating indices included; the rest of the buffer is gaps.
   [[nodiscard]] std::size_t used() const noexcept { return places_.used(); }
-  /// Makes room for a mesh of this many triangle numbers, at 2 indices each.
+  /// Makes room for a mesh of this many triangle numbers, at 2 indices each. Throws std::length_error if they are too
+  /// many for any memory, or std::bad_alloc.
   void reserve(std::size_t triangles) {
-    run_of_.reserve(triangles);
+    run_of_.reserve(triangles);  // throws before the product below wraps
     cells_.reserve(2 * triangles);
   }
 

@@ -28,6 +28,7 @@
 #include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
@@ -64,6 +65,7 @@ class BasicTriangleListBuffer {
       if (mesh.has_triangle(t)) append(t, corners_of(mesh, t));
     pad();
     written_.assign(cells_.empty() ? 0 : 1, {0, cells_.size()});
+    returned_ = true;
     stale_ = false;
   }
 
@@ -83,7 +85,7 @@ class BasicTriangleListBuffer {
     const std::size_t old_size = cells_.size();
     const Index old_padding = old_size == 3 * owner_.size() ? Index{0} : cells_.back();
     cells_.resize(3 * owner_.size());
-    written_.clear();
+    if (std::exchange(returned_, true)) written_.clear();
     if (slot_.size() < mesh.triangle_bound()) slot_.resize(mesh.triangle_bound(), no_slot);
     free_.clear();
     for (const std::uint32_t t : changed) {
@@ -132,12 +134,15 @@ class BasicTriangleListBuffer {
     return written_;
   }
 
+  /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them.
+  void keep_ranges() noexcept { returned_ = false; }
+
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
   /// Makes room for a mesh of this many triangles.
   void reserve(std::size_t triangles) {
-    cells_.reserve(3 * triangles + 1);
-    owner_.reserve(triangles);
+    owner_.reserve(triangles);  // throws before the product below wraps
     slot_.reserve(triangles);
+    cells_.reserve(3 * triangles + 1);
   }
 
  private:
@@ -185,6 +190,7 @@ class BasicTriangleListBuffer {
   std::vector<std::uint32_t> free_;
   std::vector<Range> written_;
   bool stale_ = true;
+  bool returned_ = true;  // whether written_ has been returned
 };
 
 using TriangleListBuffer = BasicTriangleListBuffer<std::uint32_t>;

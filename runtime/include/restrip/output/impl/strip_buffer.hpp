@@ -510,16 +510,18 @@ inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end
                                 std::size_t unit) noexcept {
   unit = std::max(unit, std::size_t{1});
   for (IndexRange& range : ranges) {
-    const std::size_t stop = (range.first + range.count + unit - 1) / unit * unit;
-    range.first = range.first / unit * unit;
-    range.count = stop - range.first;
+    std::size_t stop = std::min(range.first + range.count, end);
+    if (const std::size_t over = stop % unit; over != 0) stop += std::min(unit - over, end - stop);
+    range.first -= range.first % unit;
+    range.count = stop - std::min(range.first, stop);
   }
   std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t kept = 0;
   for (const auto& [first, count] : ranges) {
-    const std::size_t stop = std::min(first + count, end);
-    if (first >= stop) break;
-    if (kept == 0 || first > ranges[kept - 1].first + ranges[kept - 1].count + gap) ranges[kept++] = {first, 0};
+    const std::size_t stop = first + count;
+    if (count == 0) break;
+    const std::size_t joined = kept == 0 ? 0 : ranges[kept - 1].first + ranges[kept - 1].count;
+    if (kept == 0 || (first > joined && first - joined > gap)) ranges[kept++] = {first, 0};
     IndexRange& last = ranges[kept - 1];
     last.count = std::max(last.count, stop - last.first);
   }

@@ -78,7 +78,7 @@ class StripFormatter {
     first_ = 0;
     ++batch_;
     in_batch_ = 0;
-    const bool limited = format_.most_vertices + format_.most_indices != 0;
+    const bool limited = format_.most_vertices != 0 || format_.most_indices != 0;
     if (format_.most_vertices != 0) batch_of_.assign(std::size_t{highest_} + 1, 0);
     out_.reserve(text_.size() + (form == StripForm::stitched ? strips_.size() : 0));
     if (form == StripForm::list) {

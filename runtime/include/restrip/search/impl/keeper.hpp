@@ -238,7 +238,8 @@ std::size_t Keeper<Mesh>::improve(std::size_t budget) {
     up_to_date_ = true;
     return before - cost();
   }
-  const std::uint64_t stop = spent_by_improve() + budget;
+  const std::uint64_t spent = spent_by_improve();
+  const std::uint64_t stop = spent + std::min<std::uint64_t>(budget, std::numeric_limits<std::uint64_t>::max() - spent);
   ColoringChange sum;
   constexpr std::size_t at_once = 256;
   unsettled_ = std::min(unsettled_, sides.triangle_bound());
