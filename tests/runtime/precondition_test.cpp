@@ -32,7 +32,7 @@ using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 using sample::Corners;
 
-// What restrip writes before it aborts. The sentences hold no characters that a regular expression would read.
+// What restrip writes before it aborts. The sentences contain no regex metacharacters.
 #define EXPECT_REFUSED(statement, function, refusal) \
   EXPECT_DEATH(statement, std::string("restrip: ") + (function) + ": " + describe(Refusal::refusal))
 #define EXPECT_FAILED(statement, text) EXPECT_DEATH(statement, text)

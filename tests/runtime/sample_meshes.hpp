@@ -64,7 +64,7 @@ inline std::vector<std::uint8_t> colors_of(const StripMesh& mesh) {
   return colors;
 }
 
-// Those whose colours differ between two colourings of the same mesh.
+// Dual edges whose colours differ between two colourings of the same mesh.
 inline std::vector<StripMesh::Halfedge> recolored_edges(const StripMesh& one, const StripMesh& other) {
   std::vector<StripMesh::Halfedge> edges = dual_edges(one);
   std::erase_if(edges, [&](StripMesh::Halfedge h) { return one.solid(h) == other.solid(h); });

@@ -72,7 +72,7 @@ class Walk {
     if (check_split(mesh, where) != Refusal::granted) return false;
     one_sided_splits += where.spokes == Where::Spokes::both ? 0U : 1U;
     const std::size_t before = mesh.triangle_count();
-    // A vertex that is named, if only as none, takes a shorter way through the mesh.
+    // Passing a vertex, even `none`, selects the shorter overload.
     const auto rewrite = pick(2) == 0 ? split(mesh, where) : split(mesh, where, none);
     reported_ += rewrite;
     EXPECT_EQ(mesh.triangle_count(), before + (where.spokes == Where::Spokes::both ? 2U : 1U));

@@ -41,7 +41,7 @@ template <ColoredMesh Mesh>
   const auto right_back = mesh.next(back);
   const bool turns_right = mesh.solid(right);
   const bool turns_right_back = mesh.solid(right_back);
-  // Seen from the edge both triangles face outwards, so equal turns of the strip look different from here.
+  // Seen from the shared edge the triangles are mirrored, so equal turns appear on opposite sides.
   return turns_right != turns_right_back && (turns_right || mesh.solid(mesh.next(right))) &&
          (turns_right_back || mesh.solid(mesh.next(right_back)));
 }

@@ -120,7 +120,7 @@ class StripMesh {
       if (ways == 0) return {};
       return {true, {link[static_cast<unsigned>(std::countr_zero(ways))] >> 1}};
     }
-    // Strips turn at random: no branch.
+    // Branch-free: turns are unpredictable.
     const std::uint32_t after = link[side_after(s)];
     const std::uint32_t before = link[side_before(s)];
     const std::uint32_t out = before ^ ((before ^ after) & (0U - (after & 1U)));
@@ -269,7 +269,7 @@ class StripMesh {
   // A side of a triangle alive, seen from either side: alive(h), also during an operation.
   [[nodiscard]] bool is_side(Halfedge h) const noexcept { return side(h) < 3 && alive(triangle(h)); }
 
-  // Sides are as good as random: a branch would mispredict one time in three.
+  // Sides are effectively random: a branch would mispredict one time in three.
   [[nodiscard]] static constexpr unsigned side_after(unsigned s) noexcept { return 0b00'10'01U >> (2 * s) & 3U; }
   [[nodiscard]] static constexpr unsigned side_before(unsigned s) noexcept { return 0b01'00'10U >> (2 * s) & 3U; }
   static constexpr std::uint32_t outside = 1U << 31;

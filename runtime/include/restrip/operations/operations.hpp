@@ -4,7 +4,7 @@
 // colours. Nothing outside the patch is read or written, so operations on disjoint patches commute. The only state is
 // the colours. Fans of at most max_word_valence triangles need no allocation. Time is linear in the valence.
 //
-// Preconditions are the preconditions of the mesh operation. Debug builds check them first and abort with the reason
+// Same preconditions as the mesh operation. Debug builds check them first and abort with the reason
 // (precondition.hpp). For a StripMesh they check all of checks.hpp. For other meshes they check what a walk around the
 // patch finds, and `bool alive(h)` if the mesh has it. They also call check_split(mesh, where), check_collapse(mesh,
 // chord) and check_flip(mesh, h) for meshes that have them; these return a Refusal.

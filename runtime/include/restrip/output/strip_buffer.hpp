@@ -76,7 +76,7 @@ class BasicStripBuffer {
   /// Empty; the first update writes the whole buffer. `form`: any but a list.
   BasicStripBuffer() = default;
   explicit BasicStripBuffer(StripForm form) : stitched_(form == StripForm::stitched) {
-    RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "a list is the matter of TriangleListBuffer");
+    RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "use TriangleListBuffer for triangle lists");
   }
   /// Writes the strips of a valid colouring. Linear time. Throws as rebuild() does.
   template <NumberedMesh Mesh>

@@ -126,7 +126,7 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
 /// The table's answer to a key of a closed fan of at most table_max_k triangles.
 constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
   // The tables begin with the shorter arc. If the first arc is longer, A and D are exchanged and the ring is turned
-  // back. Without branches, because which arc is shorter is as good as random.
+  // back. Without branches, because which arc is shorter is effectively random.
   const bool exchange = 2 * a > k;
   const std::size_t by = exchange ? a : 0;
   const std::size_t arc = exchange ? k - a : a;

@@ -258,7 +258,7 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   if (stitched_) *out++ = static_cast<Index>(run.corner[0]);
   for (const std::uint32_t corner : run.corner) *out++ = static_cast<Index>(corner);
   // Each further triangle has the last two indices p, q and adds its third corner x. If the strip leaves it over the
-  // edge (p, x), p is repeated before x. Strips turn at random: no branch.
+  // edge (p, x), p is repeated before x. Branch-free: turns are unpredictable.
   const Link* link = run.link;
   for (std::uint32_t i = 2; i < triangles; ++i) {
     link += run.step;

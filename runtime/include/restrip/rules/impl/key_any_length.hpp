@@ -47,7 +47,7 @@ struct Walker {
     result.clear(patch.k);
     const std::size_t n = patch.size();
     bool live = false;  // a strand from a solid port comes in from below
-    // The first round only finds out what comes in at the start of a ring.
+    // The first round only determines whether a strip enters at the start of a ring.
     for (const bool known : {false, true}) {
       for (std::size_t e = 0; e < n; ++e) {
         const bool solid_port = port(e);

@@ -18,7 +18,7 @@ namespace restrip::detail {
 /// each other, and few triangles are left between them (Akeley, Haeberli, Burns, "tomesh.c", 1990; swaps as Evans,
 /// Skiena, Varshney, "Optimizing triangle strips for fast rendering", 1996).
 ///
-/// Linear time; memory: 13 bytes a triangle. Properties of neighbours are as good as random, so branches on them would
+/// Linear time; memory: 13 bytes a triangle. Properties of neighbours are effectively random, so branches on them would
 /// mispredict: a step is free of branches.
 class Growing {
  public:
