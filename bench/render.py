@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True  # nothing but the page is written, least of all 
 from results import Results, duration, plain, table, times
 
 PROGRAMS = ["level", "draw", "replay", "batch", "scale"]
-WAYS = ["local", "linked", "quick", "full", "baked"]
+WAYS = ["local", "quick", "full", "baked"]
 RIVALS = {
     "meshopt_ordered": "`meshopt_optimizeVertexCacheStrip`, then `meshopt_stripify`",
     "meshopt_order_given": "`meshopt_stripify` alone, order found before",
@@ -174,7 +174,7 @@ class Page:
         return self.span([self.of_scale(size, "random/local", "split_ns") / self.of_scale(size, "random/bare", "split_ns") for size in self.sizes()])
 
     def scale_csv(self):
-        splits = ["side_by_side/bare", "side_by_side/local", "random/bare", "random/local", "random/linked", "random/quick", "random/full"]
+        splits = ["side_by_side/bare", "side_by_side/local", "random/bare", "random/local", "random/quick", "random/full"]
         head = ["triangles", "mesh_mib", *(f"split_{how.replace('/', '_')}_ns" for how in splits), "collapse_random_local_ns"]
         rows = []
         for size in self.sizes():

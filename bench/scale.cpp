@@ -109,7 +109,7 @@ void register_benchmarks() {
       for (const char* name : {"bare", "local"})
         add(std::string(side_by_side ? "side_by_side/" : "random/") + name,
             [=](benchmark::State& state) { scale(state, size, way_named(name), side_by_side); });
-    for (const char* name : {"linked", "quick", "full"})
+    for (const char* name : {"quick", "full"})
       add(std::string("random/") + name, [=](benchmark::State& state) { scale(state, size, way_named(name), false); });
     add("buffer", [size](benchmark::State& state) { buffer_memory(state, size); });
   }

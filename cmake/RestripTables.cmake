@@ -143,7 +143,7 @@ function(restrip_generate_tables)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
   endif()
   if(with_tables)
-    set(headers automaton boundary_split collapse fan_collapse flip linked open_split rows split)
+    set(headers automaton boundary_split collapse fan_collapse flip open_split rows split)
     list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
     add_custom_command(
       OUTPUT ${folder}/restrip-digests.txt  # gets the present time even if nothing was done
@@ -251,15 +251,10 @@ int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@id
   if(error)
     set(certificate ${name})
   endif()
-  set(linked "")
-  string(JSON is_linked ERROR_VARIABLE error GET "${text}" linked)
-  if(is_linked STREQUAL ON)
-    set(linked --linked-certificate ${folder}-operations/certificates/operations/linked-${certificate}.cert)
-  endif()
   set(header --header ${folder}-operations/include/restrip/tables/operations/${identifier}.hpp)
   add_test(NAME ${target}.operation.${name}
            COMMAND $<TARGET_FILE:restrip::verify> --operation ${file} ${max_k}
-                   --certificate ${folder}-operations/certificates/operations/${certificate}.cert ${linked} ${header} ${dump})
+                   --certificate ${folder}-operations/certificates/operations/${certificate}.cert ${header} ${dump})
 endfunction()
 
 # _restrip_command_of(PROGRAM OUT): how a shell runs a program of this build.
@@ -307,7 +302,7 @@ function(restrip_verify_tables target)
     if(NOT EXISTS ${sources}/dump_tables.cpp)  # not installed: restrip is a subdirectory
       set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../runtime)
     endif()
-    add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_digests.cpp ${sources}/dump_linked.cpp ${sources}/dump_tables.cpp)
+    add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_digests.cpp ${sources}/dump_tables.cpp)
     target_link_libraries(${target}_dump PRIVATE ${target})
     _restrip_command_of(${target}_dump command)
     set(dump --dump-command ${command})

@@ -3,9 +3,9 @@ import ctypes
 import sys
 from ctypes import POINTER, byref, c_char_p, c_int32, c_size_t, c_uint16, c_uint32, c_uint64, c_void_p
 
-lib = ctypes.CDLL(sys.argv[1] if len(sys.argv) > 1 else "librestrip_c.so.2")
+lib = ctypes.CDLL(sys.argv[1] if len(sys.argv) > 1 else "librestrip_c.so.3")
 NONE = 0xFFFFFFFF
-EFFORT_FULL, POLICY_LINKED = 1, 3
+EFFORT_FULL, POLICY_QUICK = 1, 3
 
 
 class Change(ctypes.Structure):
@@ -60,7 +60,7 @@ stripify(mesh, EFFORT_FULL, None, 0, byref(strips))
 print("strips from scratch:", strips.value)
 print(*strip_indices(mesh))
 
-keep(mesh, POLICY_LINKED, None)
+keep(mesh, POLICY_QUICK, None)
 split(mesh, find(mesh, 4, 0), find(mesh, 4, 1), NONE, byref(change))
 print(f"a split changed the number of strips by {change.strips:+d}")
 print(*strip_indices(mesh))

@@ -229,7 +229,6 @@ int main(int argc, char** argv) {
   Surface striped = start;
   const std::size_t before = restrip::stripify(striped.mesh, restrip::Effort::full, restrip::Cost::strips());
   for (const auto& [policy, way] : {std::pair{restrip::Policy::local, "kept, local"},
-                                    {restrip::Policy::linked, "kept, linked"},
                                     {restrip::Policy::quick, "kept, quick"},
                                     {restrip::Policy::full, "kept, full"}}) {
     Surface kept = striped;

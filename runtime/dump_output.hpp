@@ -82,9 +82,6 @@ void for_each_position(std::size_t max_k, Visit&& visit) {
         });
 }
 
-/// The trees of linked_split_rule() and linked_collapse_rule() (docs/reference/verifiers.md, "Dump of linked rules").
-void linked_rules(Output& out, std::size_t max_k);
-
 /// The numbers of the automaton, and a digest of its answers to every key of every position with k <= max_k.
 void automaton(Output& out, std::size_t max_k);
 

@@ -1,13 +1,13 @@
 // restrip-dump-tables: prints the results of the compiled rules for every configuration, valid or not, in every
 // position, for comparison without trust in the generator or the look-up (docs/reference/verifiers.md, "Table dump";
-// "Dump of linked rules", the output with --linked; "Dump of the automaton", with --automaton); or, with --digests,
-// only digests of them; for the automaton, also digests of its results in larger fans.
+// "Dump of the automaton", with --automaton); or, with --digests, only digests of them; for the automaton, also digests
+// of its results in larger fans.
 #include <cstdio>
 #include <string>
 #include <string_view>
 
 #include "dump_output.hpp"
-#include "restrip/operations/linked.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/rules/rules.hpp"
 
 namespace restrip::dump {
@@ -18,20 +18,6 @@ void answer(Output& out, Word colors, Word kept, int strips, int isolated) {
   out.hex(colors, ' ');
   out.hex(kept, ' ');
   out.text(std::to_string(strips) + ' ' + std::to_string(isolated) + '\n');
-}
-
-template <class Table>
-void lists(Output& out, const std::string& heading, const Table& table, std::size_t k, std::size_t place) {
-  out.line(heading);
-  for (Word ports = 0; ports < bit(k); ++ports) {
-    const std::size_t list = table.first[k] + (place << k) + ports;
-    out.hex(ports, ' ');
-    for (std::size_t at = table.start[list]; at < table.start[list + 1]; ++at) {
-      out.hex(table.rules[at].recoloring, ' ');
-      out.hex(tables::pairings[table.rules[at].pairing], at + 1 < table.start[list + 1] ? ' ' : '\n');
-    }
-    out.entry_done();
-  }
 }
 
 void all_tables(Output& out, std::size_t max_k) {
@@ -66,11 +52,6 @@ void all_tables(Output& out, std::size_t max_k) {
             out.entry_done();
           }
       });
-  for (std::size_t k = 3; k <= max_k; ++k)
-    for (std::size_t a = 1; a <= k / 2; ++a)
-      lists(out, "table linked-split k " + to_string(k) + " a " + to_string(a), tables::linked_split, k, a - 1);
-  for (std::size_t k = 3; k <= max_k; ++k)
-    lists(out, "table linked-collapse k " + to_string(k), tables::linked_collapse, k, 0);
   out.line("table flip");
   for (const bool inner : {false, true})
     for (unsigned ports = 0; ports < 16; ++ports) {
@@ -97,15 +78,12 @@ std::size_t valence_named(std::string_view word) {
 int main(int argc, char** argv) {
   using namespace restrip;
   using namespace restrip::dump;
-  bool linked = false;
   bool automaton = false;
   bool digests = false;
   std::size_t max_k = 0;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
-    if (word == "--linked") {
-      linked = true;
-    } else if (word == "--automaton") {
+    if (word == "--automaton") {
       automaton = true;
     } else if (word == "--digests") {
       digests = true;
@@ -115,18 +93,13 @@ int main(int argc, char** argv) {
       const bool asked = word == "--help";
       std::fprintf(
           asked ? stdout : stderr,
-          "usage: restrip-dump-tables [--linked | --automaton | --digests | --automaton --digests] [--max-k K]\n"
-          "  what the compiled rules answer; with --linked, what the linked look-up picks; with --automaton, the\n"
-          "  numbers of the automaton and digests of what it answers; with --digests, digests of what the rules "
-          "answer;\n"
+          "usage: restrip-dump-tables [--automaton | --digests | --automaton --digests] [--max-k K]\n"
+          "  what the compiled rules answer; with --automaton, the numbers of the automaton and digests of what it\n"
+          "  answers; with --digests, digests of what the rules answer;\n"
           "  3 <= K <= %u; with both, digests of what the automaton answers; 3 <= K <= %u, by default 28\n",
           static_cast<unsigned>(table_max_k), static_cast<unsigned>(max_word_valence));
       return asked ? 0 : 2;
     }
-  }
-  if (linked && (automaton || digests)) {
-    std::fputs("restrip-dump-tables: choose one of --linked, --automaton and --digests\n", stderr);
-    return 2;
   }
   if (automaton && digests) return dump::automaton_digests(max_k == 0 ? 28 : max_k) ? 0 : 1;
   if (max_k == 0) max_k = table_max_k;
@@ -140,9 +113,6 @@ int main(int argc, char** argv) {
   if (automaton) {
     out.line("restrip-automaton-dump 2");
     dump::automaton(out, max_k);
-  } else if (linked) {
-    out.line("restrip-linked-dump 1");
-    dump::linked_rules(out, max_k);
   } else {
     out.line("restrip-table-dump 4");
     all_tables(out, max_k);

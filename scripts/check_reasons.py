@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Checks every row of certificates from their text and docs/reference/notation.md, docs/reference/certificate.md alone: that it is sound,
-and by its reason that nothing is preferred to it. Copies are checked by their symmetry. Nothing is searched, except the
-lists of linked rules, which are compared with all recolourings.
+and by its reason that nothing is preferred to it. Copies are checked by their symmetry. Nothing is searched.
 
   scripts/check_reasons.py tables/certificates/*.cert
   scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
@@ -13,9 +12,8 @@ and "keys" are recounted.
 Prints a line for each file, and what was read. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot
 be read or is not for this script.
 Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
-of every valid configuration must be there, and all lists of linked rules. Claims are recounted as far as this takes no
-walk over the configurations of collapses: "configurations" in all families, "valid" of splits and the flip, all of
-linked rules. Which rows a collapse must have, and the other claims, are not checked here.
+of every valid configuration must be there. Claims are recounted as far as this takes no walk over the configurations of
+collapses: "configurations" in all families, "valid" of splits and the flip. Which rows a collapse must have, and the other claims, are not checked here.
 """
 import json
 import sys
@@ -23,7 +21,6 @@ from functools import partial
 from itertools import combinations
 
 CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "keys", "costing", "worst-strips", "worst-isolated")
-LINKED_CLAIMS = ("lists", "alternatives", "longest")
 
 
 class Wrong(Exception):
@@ -126,12 +123,12 @@ def positions(family, max_k):
     """The words after "section" in all sections that a certificate must have, in order."""
     if family == "flip":
         return ["flip"]
-    closed = family.replace("linked-", "") in ("split", "collapse")
+    closed = family in ("split", "collapse")
     found = []
     for k in range(3 if closed else 1, max_k + 1):
-        if family in ("split", "linked-split"):
+        if family == "split":
             found += ["k %d a %d" % (k, a) for a in range(1, k // 2 + 1)]
-        elif family in ("collapse", "linked-collapse", "fan-collapse"):
+        elif family in ("collapse", "fan-collapse"):
             found.append("k %d" % k)
         elif family == "open-split":
             found += ["k %d gaps %d %d" % (k, i, j) for i in range(k + 1) for j in range(i + 1, k - i + 1)]
@@ -197,19 +194,17 @@ def recounted(family, position):
 class Section:
     """The claims and rows of a section seen so far. When it is closed, all must have been seen."""
 
-    def __init__(self, linked, position, recounted):
+    def __init__(self, position, recounted):
         """`recounted`: a function that has the claims that can be counted, and the keys if these are known."""
-        self.linked, self.position, self.recounted, self.claims, self.keys = linked, position, recounted, {}, []
-        self.lists, self.rows, self.longest, self.here, self.last = 0, 0, 0, 0, None
+        self.position, self.recounted, self.claims, self.keys = position, recounted, {}, []
 
     def claim(self, word, number):
-        words = LINKED_CLAIMS if self.linked else CLAIMS
-        if word not in words or word in self.claims:
+        if word not in CLAIMS or word in self.claims:
             raise Wrong("unknown claim, or made twice")
-        if self.keys or self.rows:
+        if self.keys:
             raise Wrong("a claim after the rows")
         self.claims[word] = int(number)
-        if list(self.claims) != list(words[:len(self.claims)]):
+        if list(self.claims) != list(CLAIMS[:len(self.claims)]):
             raise Wrong("a claim out of order, or the one before it is missing")
 
     def row(self, key):
@@ -217,23 +212,14 @@ class Section:
             raise Wrong("rows are not in ascending order, or one is duplicated")
         self.keys.append(key)
 
-    def alternative(self, ports):
-        self.rows += 1
-        self.here = self.here + 1 if ports == self.last else 1
-        self.lists += ports != self.last
-        self.last, self.longest = ports, max(self.longest, self.here)
-
     def close(self):
-        missing = set(LINKED_CLAIMS if self.linked else CLAIMS) - set(self.claims)
-        if self.linked:
-            counted = {"lists": self.lists, "alternatives": self.rows, "longest": self.longest}
-        else:
-            counted, keys = self.recounted()
-            for key in sorted(keys.symmetric_difference(self.keys) if keys else []):
-                raise Wrong("section %s above: the key %x %x %s" % (
-                    (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
-            if not self.keys:
-                raise Wrong("section %s above has no row" % self.position)
+        missing = set(CLAIMS) - set(self.claims)
+        counted, keys = self.recounted()
+        for key in sorted(keys.symmetric_difference(self.keys) if keys else []):
+            raise Wrong("section %s above: the key %x %x %s" % (
+                (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
+        if not self.keys:
+            raise Wrong("section %s above has no row" % self.position)
         if missing:
             raise Wrong("section %s above: claim %s is missing" % (self.position, min(missing)))
         for word, number in counted.items():
@@ -298,49 +284,6 @@ class Row:
         if not self.patch.allows(to) or any((may_go >> p ^ may_go >> to[p]) & 1 for p in range(len(to))):
             raise Wrong("not a symmetry of the patch")
         return sum(1 << to[p] for p in range(len(to)) if self.ports >> p & 1), mask_of({to[p] for p in pair} for pair in self.joined)
-
-
-class Lists:
-    """The lists of a section of linked rules: points 1 to 4 of docs/reference/certificate.md."""
-
-    def __init__(self, patch):
-        self.patch, self.ports, self.taken = patch, -1, []
-
-    def look(self, edges):
-        """Solid edges, minus isolated triangles; pairs. None when degrees or cycles forbid it."""
-        fixed = self.ports << len(self.patch.inner)
-        strips = None if edges >> len(self.patch.inner) else self.patch.strips(edges | fixed)
-        return None if strips is None else ((bin(edges).count("1"), -self.patch.isolated(edges | fixed)),
-                                            {strip for strip in strips if len(strip) == 2})
-
-    def add(self, ports, edges):
-        if ports != self.ports:
-            self.close()
-            self.ports, self.taken = self.ports + 1, []
-        own = self.look(edges)
-        if ports != self.ports:
-            raise Wrong("expected the list of the ports %x" % self.ports)
-        if own is None:
-            raise Wrong("the alternative is not legal")
-        if self.taken and self.taken[-1][0] < own[0]:
-            raise Wrong("the alternative is preferred to the one before it")
-        if any(pairs <= own[1] for _, pairs in self.taken):
-            raise Wrong("the alternative is covered by one before it")
-        self.taken.append(own)
-
-    def close(self, last=None):
-        # What is legal stays so when an edge is made dashed: all that is legal is reached by one edge more at a time.
-        waiting = [(0, 0)] if self.ports >= 0 else []
-        while waiting:
-            edges, first = waiting.pop()
-            needed = self.look(edges)
-            if needed is None:
-                continue
-            if not any(merit >= needed[0] and pairs <= needed[1] for merit, pairs in self.taken):
-                raise Wrong("the list above, of the ports %x, has nothing as good as %x" % (self.ports, edges))
-            waiting += [(edges | 1 << bit, bit + 1) for bit in range(first, len(self.patch.inner))]
-        if last is not None and self.ports != last:
-            raise Wrong("the lists above end with the ports %x" % self.ports)
 
 
 def graphs_of(said):
@@ -414,7 +357,7 @@ def check(path, max_k=8, operation=None):
     """Of a shipped family, or of a custom operation."""
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
-    family, lists, section, rules, copies, alternatives = "", None, None, 0, 0, 0
+    family, section, rules, copies = "", None, 0, 0
     for number, line in enumerate(lines, 1):
         words = line.decode("ascii", "replace").split(" ")
         try:
@@ -427,18 +370,16 @@ def check(path, max_k=8, operation=None):
                 if operation and family != operation.name:
                     raise Wrong("expected operation " + operation.name)
             elif words[0] == "section":
-                if lists:
-                    lists.close((1 << len(patch.owners)) - 1)
                 if section:
                     section.close()
                 if not waiting or " ".join(words[1:]) != waiting[0]:
                     raise Wrong("expected " + ("section " + waiting[0] if waiting else "end"))
-                linked, position = not operation and family.startswith("linked-"), waiting.pop(0)
-                section = Section(linked, position, operation.recounted if operation else partial(recounted, family, position))
-                patch = operation.after if operation else patch_of(family.replace("linked-", ""), words[1:])
+                position = waiting.pop(0)
+                section = Section(position, operation.recounted if operation else partial(recounted, family, position))
+                patch = operation.after if operation else patch_of(family, words[1:])
                 may_go = operation.may_go if operation else 15 if family == "flip" else 0
-                proved, lists = {}, Lists(patch) if linked else None
-            elif words[0] in ("rule", "copy") and not lists:
+                proved = {}
+            elif words[0] in ("rule", "copy"):
                 row = Row(patch, may_go, words)
                 section.row(row.key)
                 rest = words[5:]
@@ -453,22 +394,14 @@ def check(path, max_k=8, operation=None):
                     copies += 1
                 if rest:
                     raise Wrong("more words than a row has")
-            elif words[0] == "alternative":
-                lists.add(*(int(word, 16) for word in words[1:]))
-                section.alternative(int(words[1], 16))
-                alternatives += 1
             elif words[0] == "end":
-                if lists:
-                    lists.close((1 << len(patch.owners)) - 1)
                 if waiting:
                     raise Wrong("expected section " + waiting[0])
                 section.close()
                 above = b"".join(text + b"\n" for text in lines[:number - 1])
-                sums = [rules + copies + alternatives, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
+                sums = [rules + copies, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
                 if [int(word) for word in words[1:]] != sums or lines[number:] != [b""]:
                     raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
-                if alternatives:
-                    return "%s: %d alternatives, the lists are complete" % (path, alternatives)
                 return report(path, rules, copies)
             elif words[0] == "claim" and len(words) == 3:
                 section.claim(words[1], words[2])

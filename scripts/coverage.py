@@ -58,13 +58,7 @@ THEOREM = r"^{} +[0-9]+  Closed under the global context$"
 REPORTS = {
     "search": RULES + [
         holds("no rule costs above [0-9]+ strips?, isolates above [0-9]+", ["Bounded"], SEARCH, CERTIFICATES),
-        holds("in every world the first sound one is best", ["Linked"], SEARCH, CERTIFICATES,
-              subject="linked-(?P<operation>[a-z]+)"),
     ] + [holds(*answer, subject="shipped headers", operations="answered") for answer in ANSWERS],
-    "linked": [
-        holds("the best in all outsides that fit the answers", ["Linked"], SEARCH, "compiled linked look-up", subject="linked look-up",
-              operations=["split", "collapse"]),
-    ],
     "automaton": automaton_lines(),
     "operations": RULES + [holds(*answer) for answer in ANSWERS] + [
         holds("every answer is the certificate's row, in its positions +the header's text,", ["Compiled"], "compared", "header texts"),
@@ -72,7 +66,6 @@ REPORTS = {
     "reasons": [
         Line(r"/(?P<operation>[a-z-]+)\.cert: \d+ rules are sound and have their reasons", ["Sound", "Locally optimal", "Checkable"],
              "reasons, without a search", CERTIFICATES),
-        Line(r"/linked-(?P<operation>[a-z-]+)\.cert: \d+ alternatives, the lists are complete", ["Linked"], SEARCH, CERTIFICATES),
     ],
     "run": [
         Line(r"^  judged: (?P<operation>[a-z ]+): \d+(, k <= \d+)?$", ["Sound", "Locally optimal", "Reported"],
@@ -87,7 +80,6 @@ REPORTS = {
         Line(THEOREM.format("answers_tell"), ["Reported"], COQ, TABLES, ALL, "stated"),
         Line(THEOREM.format("automaton_told"), ["Reported"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
         Line(THEOREM.format("automaton_looked_up"), ["Compiled"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
-        Line(THEOREM.format("linked_rules_right"), ["Linked"], COQ, "lists of the compiled tables", ["split", "collapse"]),
         Line(THEOREM.format("sequences_right"), ["Sequences"], COQ, TABLES, FANS),
         Line(THEOREM.format("every_sequence_right"), ["Sequences"], COQ, "nothing: every correct table", FANS, "every"),
         Line(THEOREM.format("whole_mesh"), ["Whole mesh"], COQ, "nothing: every valid colouring", ["any mesh"], "every"),

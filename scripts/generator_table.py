@@ -20,8 +20,7 @@ from strips_table import header, line  # noqa: E402
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LINE = re.compile(r"^(\S+) +\d+ (?:sections?|class(?:es)?) +(\d+) (?:rules?|rows?) +(\d+) bytes?$", re.M)
-NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "linked": "linked (`linked.hpp` alone)",
-         "automaton": "automaton (all valences); rows of its certificate"}
+NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "automaton": "automaton (all valences); rows of its certificate"}
 
 
 def sizes_in(text):

@@ -21,8 +21,7 @@ using namespace restrip::verify;
 /// `verify` takes a listener and returns totals; `last` formats the last line.
 template <class Verify, class Last>
 int run(const Verify& verify, const Last& last, const Options& options, const std::string& json) {
-  const restrip::files::ReportOutput out(
-      json, {options.operation, options.certificate, options.linked_certificate, options.header});
+  const restrip::files::ReportOutput out(json, {options.operation, options.certificate, options.header});
   std::vector<ClaimResult> claims;
   if (!out.replaces_text()) fmt::print("{}", heading());
   const Totals totals = verify([&](const ClaimResult& result) {
@@ -59,11 +58,8 @@ int main(int argc, char** argv) {
   CLI::Option* const operation =
       app.add_option("--operation", options.operation,
                      "The file of a custom operation or family. It can be combined only with "
-                     "--certificate, --linked-certificate, --header, --dump-command, --max-k, --threads and --json");
-  CLI::Option* const certificate =
-      app.add_option("--certificate", options.certificate, "The certificate of the operation")->needs(operation);
-  app.add_option("--linked-certificate", options.linked_certificate, "The certificate of its linked rules")
-      ->needs(certificate);
+                     "--certificate, --header, --dump-command, --max-k, --threads and --json");
+  app.add_option("--certificate", options.certificate, "The certificate of the operation")->needs(operation);
   app.add_option("--header", options.header,
                  "The header of the operation's table, which is checked before a program compiled from it is run")
       ->needs(operation);
@@ -72,15 +68,14 @@ int main(int argc, char** argv) {
   CLI::Option* const dump_command =
       app.add_option("--dump-command", options.dump_command,
                      "A program that prints the compiled tables; they are compared with the certificates");
-  app.add_option("--linked-dump-command", options.linked_dump_command,
-                 "A program that prints what the linked look-up picks; every choice is judged");
   app.add_option("--digest-command", options.digest_commands,
                  "A program that prints digests of the answers of a look-up in another language "
                  "(docs/how-to/other-languages.md); "
                  "may be repeated. They are compared with digests of the output of --dump-command")
       ->needs(dump_command);
   app.add_flag("--headers", options.headers_only,
-               "Read no certificates: judge what the dump commands print in every position by itself");
+               "Read no certificates: judge what the dump command prints in every position by itself")
+      ->needs(dump_command);
   app.add_option(
          "--max-k", options.max_k,
          "The largest fans of the certificates, or with --headers of the dumps. Beyond k = 8 rules are proved by "
@@ -93,9 +88,8 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   for (CLI::Option* option : app.get_options())
-    if (const std::string name = option->get_name(); name == "--tables-dir" || name == "--linked-dump-command" ||
-                                                     name == "--digest-command" || name == "--headers" ||
-                                                     name == "--family")
+    if (const std::string name = option->get_name();
+        name == "--tables-dir" || name == "--digest-command" || name == "--headers" || name == "--family")
       operation->excludes(option);
   const auto explain = add_explain(app);
   const auto rules = add_rules(app);
@@ -109,20 +103,14 @@ int main(int argc, char** argv) {
     refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&
                   options.dump_command.empty(),
               "--operation needs --certificate, --header or, of a family, --dump-command");
-    refuse_if(options.max_k > largest_fan &&
-                  (options.headers_only || !options.linked_dump_command.empty() || !options.digest_commands.empty()),
-              fmt::format(
-                  "--max-k {}: --headers, --linked-dump-command and --digest-command judge fans of up to {} triangles",
-                  options.max_k, largest_fan));
-    refuse_if(options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty(),
-              "--headers needs --dump-command, --linked-dump-command or both");
+    refuse_if(options.max_k > largest_fan && (options.headers_only || !options.digest_commands.empty()),
+              fmt::format("--max-k {}: --headers and --digest-command judge fans of up to {} triangles", options.max_k,
+                          largest_fan));
     for (const char* name : {"--tables-dir", "--threads"})
       refuse_if(options.headers_only && given(name),
                 fmt::format("--headers reads no certificates, so {} has no effect; leave it out", name));
-    for (const char* name : {"--linked-dump-command", "--digest-command"})
-      refuse_if(
-          !options.families.empty() && given(name),
-          fmt::format("{} judges all rules, so --family has no effect on it; run them one after the other", name));
+    refuse_if(!options.families.empty() && given("--digest-command"),
+              "--digest-command judges all rules, so --family has no effect on it; run them one after the other");
     if (options.operation.empty())
       return run([&](const auto& listener) { return verify_tables(options, listener); }, last_line, options, json);
     options.operation_text = read_file(options.operation);  // once: it may be a pipe

@@ -13,18 +13,10 @@
 #include "judge/operation_header.hpp"
 #include "judge/report.hpp"
 #include "judge/table_dump.hpp"
-#include "linked/linked_check.hpp"
-#include "linked/linked_dump.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify {
 namespace {
-
-/// The certificate of a linked family, and the expected dump of each section.
-struct Lists {
-  LinkedCertificate certificate;
-  std::vector<std::vector<std::string>> lines;
-};
 
 /// Verifies the shipped families, or the families of an operation file.
 class Verification {
@@ -39,23 +31,18 @@ class Verification {
   Totals tables() {
     totals_.max_k = options_.max_k;
     families_ = all_families(options_.max_k);
-    linked_ = linked_families(options_.max_k);
     for (const std::string& name : options_.families) {
       const auto is_called = [&](const auto& family) { return family.name == name; };
-      if (std::none_of(families_.begin(), families_.end(), is_called) &&
-          std::none_of(linked_.begin(), linked_.end(), is_called))
+      if (std::none_of(families_.begin(), families_.end(), is_called))
         throw InputError("--family", 0, fmt::format("unknown family \"{}\"", name));
     }
     if (!options_.headers_only) {
       check_manifest();
       for (const Family& family : families_)
         if (chosen(family.name)) read_rules(family, shipped(family.name));
-      for (const LinkedFamily& family : linked_)
-        if (chosen(family.name)) read_lists(family, shipped(family.name));
       totals_.read.certificates = true;
       check_families();
     }
-    if (!options_.linked_dump_command.empty()) check_linked_picks();
     if (options_.dump_command.empty()) return totals_;
     ExpectedDump expected = expected_dump();
     expected.with_digests = !options_.digest_commands.empty();
@@ -90,16 +77,10 @@ class Verification {
       throw InputError("--header", 0,
                        "a header has the table of one operation or family, and this file describes more");
     if (!options_.certificate.empty()) read_rules(family, options_.certificate);
-    linked_ = {{"linked-" + family.name, family}};
-    if (!options_.linked_certificate.empty()) read_lists(linked_.front(), options_.linked_certificate);
     totals_.read.certificates = !options_.certificate.empty();
     check_families();
     ExpectedDump expected = expected_dump();
     expected.states_isolated = false;
-    const bool is_linked =
-        std::any_of(descriptions.begin(), descriptions.end(), [](const Description& one) { return one.linked; });
-    totals_.lists_not_read = is_linked && options_.linked_certificate.empty();
-    if (!options_.header.empty() || !is_linked) expected.lists.clear();
     const bool is_table = options_.header.empty() || check_header(descriptions.front(), expected);
     if (options_.dump_command.empty()) return totals_;
     totals_.read.of_headers.emplace_back("compiled tables");
@@ -143,18 +124,13 @@ class Verification {
     totals_.rules += read.rows;
   }
 
-  void read_lists(const LinkedFamily& family, const std::string& file) {
-    const Lists& read = lists_[&family] = {parse_linked_certificate(file, read_file(file), family), {}};
-    totals_.alternatives += read.certificate.rows;
-  }
-
   /// Null if no certificate was read.
   const Certificate* rules_of(const Family& family) const {
     const auto found = rules_.find(&family);
     return found == rules_.end() ? nullptr : &found->second;
   }
 
-  /// Checks the chosen families, with or without a certificate, then the lists.
+  /// Checks the chosen families, with or without a certificate.
   void check_families() {
     std::vector<PositionTask> tasks;
     for (const Family& family : families_)
@@ -179,22 +155,9 @@ class Verification {
       }
       rest = rest.subspan(count);
     }
-    for (const LinkedFamily& family : linked_) {
-      const auto lists = lists_.find(&family);
-      if (lists == lists_.end()) continue;
-      auto& [certificate, lines] = lists->second;
-      const unsigned pairing_places = options_.max_k <= 8 ? 8 : 16;  // docs/reference/verifiers.md, "Table dump"
-      LinkedCheck check;
-      for (std::size_t i = 0; i < family.local.sections.size(); ++i) {
-        const Section& section = family.local.sections[i];
-        check_linked(section, certificate.sections[i], certificate.file, check);
-        lines.push_back(dump_of(section, certificate.sections[i], pairing_places));
-      }
-      report_linked(family, check, listener_);
-    }
   }
 
-  /// The expected answers of the tables: the rows and lists of the certificates that were read; otherwise the best
+  /// The expected answers of the tables: the rows of the certificates that were read; otherwise the best
   /// answers, if chosen and searchable.
   ExpectedDump expected_dump() const {
     ExpectedDump expected;
@@ -208,14 +171,6 @@ class Verification {
         for (const Operation& operation : family.sections[i].operations)
           expect(operation, rules == nullptr ? nullptr : &rules->sections[i]);
       for (const Operation& operation : family.unlisted) expect(operation, nullptr);
-    }
-    for (const LinkedFamily& family : linked_) {
-      const auto lists = lists_.find(&family);
-      for (std::size_t i = 0; i < family.local.sections.size(); ++i) {
-        const Section& section = family.local.sections[i];
-        expected.lists.push_back(
-            {family.name, section.position, section.ports, lists == lists_.end() ? nullptr : &lists->second.lines[i]});
-      }
     }
     return expected;
   }
@@ -248,15 +203,11 @@ class Verification {
       misstated.add(unlisted.misstated);
       report(judged, misstated, "every answer reports what it changes", "counted before and after");
     }
-    const Compared& lists = comparison.of_lists(Against::certificate);
-    report(sum_of(lists.families), lists.differences, "their lists of alternatives are the certificates'",
-           how_read.c_str());
     for (const Compared* compared : {&listed, &unlisted})
       for (const auto& [family, count] : compared->families)
         if (compared->differences.count + compared->wrong.count == 0 && comparison.fault.empty())
           totals_.answers[family] += count;
-    for (const Compared* compared : {&comparison.of(Against::nothing), &comparison.of_lists(Against::nothing)})
-      for (const auto& [family, count] : compared->families) totals_.not_compared[family] += count;
+    for (const auto& [family, count] : comparison.of(Against::nothing).families) totals_.not_compared[family] += count;
     return comparison.digests;
   }
 
@@ -274,28 +225,11 @@ class Verification {
     return true;
   }
 
-  /// Runs the dump program of linked rules and claims that its choices are the best.
-  void check_linked_picks() {
-    const double start = thread_seconds();
-    const LinkedDumpCheck check = check_linked_dump_of(options_.linked_dump_command, options_.max_k);
-    Failures failures = check.wrong;
-    if (!check.fault.empty()) failures.add(check.fault);
-    if (!check.holds() && failures.count == 0) failures.add("nothing was picked");
-    listener_(
-        {"linked look-up", "the best in all outsides that fit the answers",
-         fmt::format("{}, {}", counted(check.configurations, "configuration"), counted(check.positions, "position")),
-         check.leaves, thread_seconds() - start, failures});
-    if (check.holds()) totals_.answers["linked look-up"] = {check.positions, check.leaves};
-    totals_.read.of_headers.emplace_back("compiled linked look-up");
-  }
-
   const Options& options_;
   Totals totals_;
   ClaimListener listener_;  ///< counts claims and passes them on
   std::vector<Family> families_;
-  std::vector<LinkedFamily> linked_;
   std::map<const Family*, Certificate> rules_;
-  std::map<const LinkedFamily*, Lists> lists_;
 };
 
 }  // namespace
@@ -319,15 +253,13 @@ std::string last_line_of(const Options& options, const Totals& totals) {
   text += fmt::format("{}: {}: {}, {} judged", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
                       counted(totals.configurations, "configuration"), counted(totals.graphs, "graph"));
   if (!options.certificate.empty()) text += ", " + counted(totals.rules, "rule");
-  if (!options.linked_certificate.empty()) text += ", " + counted(totals.alternatives, "alternative");
   const std::uint64_t answers = sum_of(totals.answers).entries;
   if (answers != 0) text += fmt::format(", {} of the table", counted(answers, "answer"));
   const std::uint64_t more = sum_of(totals.not_compared).entries;
   if (more != 0) text += fmt::format(", {} more NOT compared", more);
   text += ", " + counted(totals.claims, "claim");
   if (totals.failed != 0) text += fmt::format(" of which {} failed", totals.failed);
-  return text + fmt::format("; read: {}{}\n", text_of(totals.read),
-                            totals.lists_not_read ? "; linked rules were not read" : "");
+  return text + fmt::format("; read: {}\n", text_of(totals.read));
 }
 
 }  // namespace restrip::verify

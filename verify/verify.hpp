@@ -14,7 +14,6 @@ struct Options {
   std::string dump_command;  ///< prints the compiled tables; empty: not compared
   /// Programs that print digests of look-ups in other languages, which are compared with the tables.
   std::vector<std::string> digest_commands;
-  std::string linked_dump_command;    ///< prints the choices of the linked look-up; empty: not judged
   bool headers_only = false;          ///< no certificates are read: the dumps are judged alone
   std::vector<std::string> families;  ///< of certificates; empty: all
   unsigned threads = 2;
@@ -22,11 +21,10 @@ struct Options {
   bool show_progress = false;    ///< on standard error
 
   // For a custom operation or family; also used: the dump command and the options after the families.
-  std::string operation;           ///< its description
-  std::string operation_text;      ///< the content of that file
-  std::string certificate;         ///< the file with its rules; empty: not checked
-  std::string linked_certificate;  ///< the file with its linked rules, which are compared with the others; may be empty
-  std::string header;              ///< the table as written by the generator; empty: not read
+  std::string operation;       ///< its description
+  std::string operation_text;  ///< the content of that file
+  std::string certificate;     ///< the file with its rules; empty: not checked
+  std::string header;          ///< the table as written by the generator; empty: not read
 };
 
 /// Checks everything and reports each claim to the listener. Throws files::FileError if a certificate or the manifest

@@ -401,7 +401,6 @@ static_assert(RESTRIP_NONE == none);
 static_assert(RESTRIP_POLICY_BARE == static_cast<int>(Policy::bare) &&
               RESTRIP_POLICY_RULES == static_cast<int>(Policy::rules) &&
               RESTRIP_POLICY_LOCAL == static_cast<int>(Policy::local) &&
-              RESTRIP_POLICY_LINKED == static_cast<int>(Policy::linked) &&
               RESTRIP_POLICY_QUICK == static_cast<int>(Policy::quick) &&
               RESTRIP_POLICY_FULL == static_cast<int>(Policy::full) &&
               RESTRIP_POLICY_BEST == static_cast<int>(Policy::best) && RESTRIP_POLICY_BAKED == policies.size());

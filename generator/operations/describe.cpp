@@ -52,7 +52,7 @@ std::string operation_file_text(const Position& position, Constraint constraint)
     operation.constraint = constraint;
     operation.preference.clear();
     name += fmt::format("-{}", constraint_words.at(constraint.most_edges - 1));
-  } else if (Criterion terms = tie_break(position, operation.patch.after, Sight::patch); !terms.empty()) {
+  } else if (Criterion terms = tie_break(position, operation.patch.after); !terms.empty()) {
     operation.preference.push_back(std::move(terms));
   }
   if (name == position.family->name) name += "-own";  // restrip's tables use the name of the family itself

@@ -46,7 +46,6 @@ struct Description {
   Conditions listed;                 ///< the positions that are not images of others
   std::string place;                 ///< "k {k} gaps {i} {j}", as dumps write a position; empty if there is only one
   std::string section;               ///< as certificates write it: "k {k}" if it omits some numbers
-  bool linked = false;               ///< it also has linked rules
   SideForm before;
   SideForm after;
   std::vector<StretchPattern> boundary;  ///< in triangles

@@ -24,10 +24,6 @@ std::string name_from(const JsonValue& value, Author author) {
                     name.back() != '-' && name.find("--") == std::string::npos &&
                     std::all_of(name.begin(), name.end(), allowed);
   if (!good) value.refuse("expected lower-case letters, digits and single hyphens, a letter first");
-  if (author == Author::user && name.starts_with("linked-"))
-    value.refuse(
-        "expected a name that does not begin with \"linked-\": this prefix is reserved for certificates of linked "
-        "rules");
   if (const std::string by = author == Author::restrip ? "" : name_is(name); !by.empty())
     value.refuse(fmt::format("\"{0}\" is {1}; choose another name, such as \"{0}-own\"", name, by));
   return name;
@@ -292,7 +288,7 @@ Description description_from(const JsonValue& value, Author author) {
         "sees; "
         "describe that triangle as part of the patch");
   value.expect_members({"restrip_operation", "name", "about", "certificate", "constraint", "numbers", "where", "listed",
-                        "position", "section", "before", "after", "boundary", "give_up", "cost", "linked", "at_most"});
+                        "position", "section", "before", "after", "boundary", "give_up", "cost", "at_most"});
   Description description;
   description.in_file = value.where();
   if (value.has("restrip_operation")) expect_version(value["restrip_operation"]);
@@ -337,10 +333,6 @@ Description description_from(const JsonValue& value, Author author) {
   if (description.constraint.most_edges == 1) description.preference.erase(description.preference.begin());
   description.own_cost = value.has("cost");
   if (description.own_cost) description.preference = preference_from(value["cost"], after);
-  if (value.has("linked")) description.linked = value["linked"].truth();
-  if (description.linked &&
-      (description.constraint.most_edges != 2 || description.gives_all_up || description.may_give_up != 0))
-    value["linked"].refuse("linked rules are for strips that keep all ports");
   return description;
 }
 

@@ -20,8 +20,7 @@ struct TieWeights {
   int solid_in_first_arc;  ///< a solid edge between A and D on the side of the first arc
 };
 
-constexpr TieWeights of_local_rules{64, -49, -53, -4, 100, -11, -14, 64, 7};
-constexpr TieWeights of_linked_rules{63, -102, -37, 0, 101, 85, 11, 57, 11};
+constexpr TieWeights weight{64, -49, -53, -4, 100, -11, -14, 64, 7};
 
 /// Inner edges with this many ends among the nodes.
 Mask edges_at(const Side& side, Mask nodes, int ends) {
@@ -34,12 +33,11 @@ Mask edges_at(const Side& side, Mask nodes, int ends) {
 
 }  // namespace
 
-Criterion tie_break(const Position& position, const Side& after, Sight sight) {
+Criterion tie_break(const Position& position, const Side& after) {
   const Description& family = *position.family;
   if (family.own_cost || family.constraint.most_edges != 2) return {};
   // If one of two ports must be given up, either is possible; this has always been the flip's choice.
   if (family.numbers.empty()) return family.is_pattern() ? Criterion{{Count::kept, -1, 0b0101}} : Criterion{};
-  const TieWeights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
   Mask fan = 0;
   for (const unsigned owner : after.owner) fan |= Mask{1} << owner;
   const Mask added = ((Mask{1} << after.nodes) - 1) & ~fan;
@@ -60,11 +58,9 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight) {
   return terms;
 }
 
-Operation operation_of_rows(const Position& position, Sight sight) {
+Operation operation_of_rows(const Position& position) {
   Operation operation = operation_at(position, patch_of_rows(position));
-  // Linked rules keep every port.
-  if (sight == Sight::outside) operation.may_give_up = 0;
-  operation.tie_break = tie_break(position, operation.patch.after, sight);
+  operation.tie_break = tie_break(position, operation.patch.after);
   return operation;
 }
 

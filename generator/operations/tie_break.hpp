@@ -6,15 +6,11 @@
 
 namespace restrip::generator {
 
-/// What is known of strips outside the patch: nothing, or where they come back (linked rules). Each case has its own
-/// weights.
-enum class Sight { patch, outside };
-
 /// The operation on which the rows of a position act (patch_of_rows), with its preference.
-[[nodiscard]] Operation operation_of_rows(const Position& position, Sight sight);
+[[nodiscard]] Operation operation_of_rows(const Position& position);
 
 /// The tie-break of a position with the side `after`: empty for descriptions of single operations and for descriptions
 /// with an explicit constraint or cost.
-[[nodiscard]] Criterion tie_break(const Position& position, const Side& after, Sight sight);
+[[nodiscard]] Criterion tie_break(const Position& position, const Side& after);
 
 }  // namespace restrip::generator

@@ -51,7 +51,6 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
   std::vector<Description> every{description};
   every[0].listed.clear();
   every[0].section = description.place.empty() ? description.name : description.place;
-  every[0].linked = false;
   const std::vector<Patches> patches = patches_of(every, max_k);
   std::vector<Section> images;
   images.reserve(patches.size());
@@ -83,11 +82,6 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
 void add_figures(const Certificate& certificate, std::size_t bytes, nlohmann::ordered_json& json, std::string& text) {
   const auto& [name, sections, texts] = certificate;
   const std::size_t rows = certificate.rows();
-  if (certificate.linked()) {
-    json.push_back({{"name", name}, {"alternatives", rows}});
-    text += fmt::format("{:<24} {:>6} {}\n", name, rows, plural(rows, "alternative"));
-    return;
-  }
   std::vector<Claims> parts;
   double symmetries = 0;
   for (const Section& section : sections) {
@@ -138,8 +132,6 @@ void make_rules(const RulesOptions& options) {
   const unsigned max_k = options.max_k.value_or(most_ports);
   const bool certified = options.languages.contains("c++");
   std::vector<Patches> all = patches_of(descriptions, max_k);
-  // Other languages have no linked rules.
-  if (!certified) std::erase_if(all, std::mem_fn(&Patches::linked));
   for (const Patches& one : all) {
     expect_within_limits(one);
     if (certified) paths.insert(operation_certificate_path(one.certificate));

@@ -188,7 +188,6 @@ std::vector<std::string> certificates_of(const std::vector<Description>& descrip
 
 std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k) {
   std::vector<Patches> sections;
-  std::vector<Patches> linked;
   for (const std::string& certificate : certificates_of(descriptions)) {
     const std::size_t of_others = sections.size();
     for (const Description& description : descriptions) {
@@ -203,37 +202,20 @@ std::vector<Patches> patches_of(const std::vector<Description>& descriptions, un
             [&](const Patches& other) { return position_text(other.position) == position_text(position); });
         if (section == sections.end()) {
           const Position rows = position_of_rows(position);
-          section = sections.insert(section, {certificate, rows, {}, false});
-          if (description.linked) linked.push_back({"linked-" + certificate, rows, {}, true});
+          section = sections.insert(section, {certificate, rows, {}});
         }
         expect_served(position, section->position);
         section->serves.push_back(position);
       }
     }
   }
-  sections.insert(sections.end(), std::make_move_iterator(linked.begin()), std::make_move_iterator(linked.end()));
   return sections;
 }
 
 Section solve(Patches patches, Watched watched) {
   Section section{{std::move(patches)}, {}, {}, 1, {}, {}};
-  const Operation rows_of = operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch);
-  if (section.linked) {
-    const std::vector<Coloring> after = legal_colorings(rows_of.patch.after, rows_of.constraint);
-    // The list of a port mask has the recolourings that are not covered, best first: one is covered if a better one
-    // joins only pairs that it joins too. For each set of pairs joined outside, the first that closes no cycle with it
-    // is best.
-    for (Mask ports = 0; ports <= rows_of.patch.after.all_ports(); ++ports) {
-      const auto first = static_cast<std::ptrdiff_t>(section.rows.size());
-      for (const Candidate& one : candidates_for(rows_of, after, ports))
-        if (std::none_of(section.rows.begin() + first, section.rows.end(),
-                         [&](const Row& earlier) { return earlier.key.joined.within(one.joins); }))
-          section.rows.push_back({static_cast<const Choice&>(one), {ports, one.joins}, -1});
-    }
-  } else {
-    find_rules(section, rows_of, watched);
-    make_claims(section);
-  }
+  find_rules(section, operation_of_rows(section.position), watched);
+  make_claims(section);
   return section;
 }
 

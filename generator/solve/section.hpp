@@ -1,6 +1,5 @@
 // The stages `patches` and `solve` of the generator's pipeline (tables/table_files.hpp). A section has all rules of one
-// position, or of all positions that share them, or the linked rules of such a position. It is the unit of work for
-// threads and machines.
+// position, or of all positions that share them. It is the unit of work for threads and machines.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +17,7 @@
 
 namespace restrip::generator {
 
-/// A rule: the colours after. In a linked section, an alternative: the key has the pairs that it joins.
+/// A rule: the colours after.
 struct Row : Choice {
   Key key;
   int witness = -1;  ///< index of the symmetry that maps it to the representative; -1 for the representative
@@ -40,15 +39,14 @@ struct Claims {
 
 /// A section to solve: its patches.
 struct Patches {
-  std::string certificate;       ///< "fan-collapse"; "linked-split" for the linked rules of the split
+  std::string certificate;       ///< "fan-collapse"
   Position position;             ///< family and valence, and the rest of the position unless all positions are served
   std::vector<Position> serves;  ///< the positions whose configurations these rules answer
-  bool linked = false;
 };
 
 /// The solution.
 struct Section : Patches {
-  std::vector<Row> rows;            ///< in ascending order of key; in linked sections by ports, best first
+  std::vector<Row> rows;            ///< in ascending order of key
   std::vector<PatchMap> symmetry;   ///< the maps from copies to their representatives
   double symmetries = 1;            ///< the order of the symmetry group of the rows' operation
   std::vector<PortPairs> relevant;  ///< by solid ports: pairs that a recolouring could join
@@ -75,7 +73,7 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, Watched 
 [[nodiscard]] std::vector<std::string> certificates_of(const std::vector<Description>& descriptions);
 
 /// The sections of these certificates in order, for valences up to max_k (at most 13, so that a recolouring has 16
-/// bits): rules first, then linked rules.
+/// bits).
 [[nodiscard]] std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k);
 
 /// Rows and claims, by exhaustive search, reduced by symmetry. Threads may solve different sections at the same time.

@@ -20,22 +20,12 @@ namespace restrip::generator {
 std::string section_text(const Section& section, Watched watched) {
   std::string text = fmt::format("section {}\n", position_text(section.position));
   const auto out = std::back_inserter(text);
-  if (section.linked) {
-    std::map<Mask, std::size_t> lists;
-    for (const Row& row : section.rows) ++lists[row.key.ports];
-    std::size_t longest = 0;
-    for (const auto& [ports, length] : lists) longest = std::max(longest, length);
-    fmt::format_to(out, "claim lists {}\nclaim alternatives {}\nclaim longest {}\n", lists.size(), section.rows.size(),
-                   longest);
-    for (const Row& row : section.rows) fmt::format_to(out, "alternative {:x} {:x}\n", row.key.ports, row.recoloring);
-    return text;
-  }
   const Claims claims = sum(section.claims);
   fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
   fmt::format_to(out, "claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",
                  section.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
-  const Operation operation = operation_of_rows(section.position, Sight::patch);
+  const Operation operation = operation_of_rows(section.position);
   std::vector<unsigned> identity(operation.patch.after.ports());
   std::iota(identity.begin(), identity.end(), 0U);
   // The map of a row's ports to the ports of its representative in the search.

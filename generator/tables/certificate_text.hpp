@@ -12,13 +12,12 @@ namespace restrip::generator {
 /// A section as certificates write it, with claims, rows and reasons, which take time.
 [[nodiscard]] std::string section_text(const Section& section, Watched watched = Watched::no);
 
-/// All sections of one certificate, of rules or of linked rules.
+/// All sections of one certificate.
 struct Certificate {
   std::string name;
   std::vector<Section> sections;
   std::vector<std::string> texts;  ///< of the sections; empty if only the rules are needed
   [[nodiscard]] std::size_t rows() const;
-  [[nodiscard]] bool linked() const { return sections.at(0).linked; }
 };
 
 /// Groups the sections by certificate; the sections of each must be consecutive. `texts` is empty or has one for each

@@ -26,18 +26,6 @@ std::string banner(const std::string& what) {
 
 constexpr const char* footer = "\n}  // namespace restrip::tables\n";
 
-/// A pairing in four bits for each port: its partner, or itself if it has none. Eight ports fit 32 bits, sixteen 64.
-std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {
-  std::uint64_t packed = max_k <= 8 ? 0x76543210 : 0xfedcba9876543210;
-  for (const Mask pair : pairs) {
-    const int low = std::countr_zero(pair);
-    const int high = std::countr_zero(std::bit_floor(pair));
-    const auto swap = static_cast<std::uint64_t>(low ^ high);
-    packed ^= swap << (4 * low) | swap << (4 * high);
-  }
-  return packed;
-}
-
 }  // namespace
 
 std::string identifier(std::string name) {
@@ -75,43 +63,6 @@ RulesHeader rules_header(const Certificate& family, const Packing& packing, unsi
   text += "    {" + numbers(blocks.first).substr(4) + "    },\n    {" + numbers(blocks.cells).substr(4) +
           "    },\n    {\n" + numbers(blocks.rules) + "    },\n};\n";
   return {text + footer, blocks.rules.size() * (wide ? 2 : 1)};
-}
-
-RulesHeader linked_header(const std::vector<Certificate>& families, unsigned max_k) {
-  std::set<std::uint64_t> pairings;
-  for (const Certificate& family : families)
-    for (const Section& section : family.sections)
-      for (const Row& row : section.rows) pairings.insert(partners(row.key.joined.masks(), max_k));
-  const std::vector<std::uint64_t> pairing(pairings.begin(), pairings.end());
-  const bool wide = max_k > 8;
-  std::string text = banner("Linked rules: recolourings for what is known of the outside.");
-  text += fmt::format("inline constexpr Pairings<{}{}> pairings{{\n{}}};\n", pairing.size(),
-                      wide ? fmt::format(", {}", max_k) : "",
-                      wide ? numbers(pairing, " {:#018x},") : numbers(pairing, " {:#010x},"));
-  std::size_t bytes = pairing.size() * (wide ? 8 : 4);
-  for (const Certificate& family : families) {
-    std::vector<std::size_t> first(max_k + 1, 0);
-    std::vector<std::size_t> start;
-    std::vector<std::string> rules;
-    for (const Section& section : family.sections) {
-      if (first[section.position.k] == 0) first[section.position.k] = start.size();
-      std::optional<Mask> ports;
-      for (const Row& row : section.rows) {
-        if (ports != row.key.ports) start.push_back(rules.size());
-        ports = row.key.ports;
-        const auto place = std::lower_bound(pairing.begin(), pairing.end(), partners(row.key.joined.masks(), max_k));
-        rules.push_back(fmt::format("{{{}, {}}}", row.recoloring, place - pairing.begin()));
-      }
-    }
-    start.push_back(rules.size());
-    text += fmt::format(
-        "inline constexpr LinkedTable<{}, {}, {}> {}{{\n    {{{}    }},\n    {{\n{}    }},\n    {{{{\n{}    "
-        "}}}},\n}};\n",
-        max_k, start.size(), rules.size(), identifier(family.name), numbers(first).substr(4), numbers(start),
-        numbers(rules));
-    bytes += (wide ? 4 : 2) * (first.size() + start.size()) + 4 * rules.size();
-  }
-  return {text + footer, bytes};
 }
 
 }  // namespace restrip::generator

@@ -24,7 +24,4 @@ struct RulesHeader {
 /// restrip/tables/FAMILY.hpp.
 [[nodiscard]] RulesHeader rules_header(const Certificate& family, const Packing& packing, unsigned max_k);
 
-/// restrip/tables/linked.hpp: the lists of all families with linked rules.
-[[nodiscard]] RulesHeader linked_header(const std::vector<Certificate>& families, unsigned max_k);
-
 }  // namespace restrip::generator

@@ -80,7 +80,7 @@ Packings pack(const std::vector<Certificate>& certificates, unsigned max_k) {
   std::vector<const Section*> open_ones;
   for (const Certificate& certificate : certificates)
     for (const Section& section : certificate.sections)
-      if (!section.linked && !section.position.family->numbers.empty())
+      if (!section.position.family->numbers.empty())
         (closed(*section.position.family) ? closed_ones : open_ones).push_back(&section);
   return {packed(closed_ones, max_k), packed(open_ones, max_k)};
 }

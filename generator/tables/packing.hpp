@@ -20,7 +20,7 @@ struct Packings {
   Packing open;
 };
 /// Each packing serves all sections of its fans, valence by valence. First fit, the fullest rows first: deterministic.
-/// Linked rules and flips have no packing.
+/// Flips have no packing.
 [[nodiscard]] Packings pack(const std::vector<Certificate>& certificates, unsigned max_k);
 
 /// The values of `joined` under which a look-up may find this key (docs/reference/notation.md, "Key"): bit i is set if

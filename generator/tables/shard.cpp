@@ -79,13 +79,9 @@ std::uint64_t weight(const Patches& section) {
   const Description& family = *section.position.family;
   const bool ring = closed(family);
   std::uint64_t unit = 1;
-  if (!section.linked) {
-    if (!std::get<SidePattern>(family.after).chords.empty()) unit = ring ? 8 : 4;
-    // The claims of such a section count the configurations of every position served.
-    if (serves_every_position(family)) unit = section.serves.size() * (ring ? 2 : 1);
-  } else if (!serves_every_position(family)) {
-    unit = 3;
-  }
+  if (!std::get<SidePattern>(family.after).chords.empty()) unit = ring ? 8 : 4;
+  // The claims of such a section count the configurations of every position served.
+  if (serves_every_position(family)) unit = section.serves.size() * (ring ? 2 : 1);
   return unit << (2 * section.position.k);
 }
 
@@ -103,7 +99,7 @@ std::string command(const Shard& shard, unsigned max_k, const fs::path& director
 }
 
 void read_rules(Section& section, Reader& reader) {
-  const Operation operation = operation_of_rows(section.position, Sight::patch);
+  const Operation operation = operation_of_rows(section.position);
   const Side& after = operation.patch.after;
   const Mask inner_end = Mask{1} << after.edges.size();
   std::tuple<Mask, std::size_t, std::string_view> last{};
@@ -127,29 +123,6 @@ void read_rules(Section& section, Reader& reader) {
   std::sort(section.rows.begin(), section.rows.end(), [](const Row& x, const Row& y) { return x.key < y.key; });
   // The input of the flip's table.
   if (section.position.family->numbers.empty()) section.relevant = relevant_pairs(operation);
-}
-
-void read_alternatives(Section& section, Reader& reader) {
-  const Operation operation = operation_of_rows(section.position, Sight::outside);
-  const Side& after = operation.patch.after;
-  const std::vector<Coloring> colorings = legal_colorings(after, operation.constraint);
-  Mask lists = 0;
-  for (; reader.starts("alternative "); reader.skip()) {
-    Words words(reader.peek());
-    words.next();
-    const Mask ports = words.number(16, after.all_ports() + 1);
-    const Mask inner = words.number(16, Mask{1} << after.edges.size());
-    const auto coloring = std::lower_bound(colorings.begin(), colorings.end(), inner,
-                                           [](const Coloring& one, Mask wanted) { return one.inner < wanted; });
-    const bool legal = coloring != colorings.end() && coloring->inner == inner;
-    std::optional<Outcome> outcome;
-    const bool next = ports == lists || ports + 1 == lists;
-    if (words.good && words.at_end() && next && legal) outcome = with_ports(*coloring, ports);
-    if (!outcome) reader.refuse("a legal recolouring of these or the next ports");
-    section.rows.push_back({{inner, ports, outcome->solid, outcome->isolated}, {ports, outcome->joined}, -1});
-    lists = ports + 1;
-  }
-  if (lists != after.all_ports() + 1) reader.refuse("a list for every port mask");
 }
 
 /// The shard and the largest valence of a file with a matching digest. Reads the lines before the sections.
@@ -287,7 +260,7 @@ Merged merge_shards(const std::vector<files::NamedBytes>& shards, const std::str
       const std::size_t begin = reader.at;
       reader.expect("section " + position_text(section.position));
       while (reader.starts("claim ")) reader.skip();
-      section.linked ? read_alternatives(section, reader) : read_rules(section, reader);
+      read_rules(section, reader);
       merged.texts[i] = text.substr(begin, reader.at - begin);
     }
     if (!reader.starts("end ")) reader.refuse("the end");

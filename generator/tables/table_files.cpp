@@ -53,10 +53,10 @@ std::vector<std::filesystem::path> table_files(const std::set<std::string>& want
   std::set<std::filesystem::path> names;
   for (const auto& other : files_in(wanted, "tables")) names.insert(other.first);
   if (!wanted.contains("c++")) return {names.begin(), names.end()};
-  names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton")});
+  names.insert({headers + "rows.hpp", header_path("automaton"), certificate_path("automaton")});
   for (const Patches& section : patches_of(families(), 3)) {
     names.insert(certificate_path(section.certificate));
-    if (!section.linked) names.insert(header_path(section.certificate));
+    names.insert(header_path(section.certificate));
   }
   std::vector<std::filesystem::path> in_order(names.begin(), names.end());
   in_order.emplace_back("MANIFEST");
@@ -78,10 +78,7 @@ struct Emitted {
 /// reads.
 Emitted emit(const std::vector<Certificate>& certificates, const Packings& packings, const TablesOptions& options) {
   const unsigned max_k = options.max_k;
-  const auto first_linked = std::find_if(certificates.begin(), certificates.end(), std::mem_fn(&Certificate::linked));
-  const std::vector<Certificate> rules(certificates.begin(), first_linked);
-  const std::vector<Certificate> linked(first_linked, certificates.end());
-  const TableLayout layout = table_layout(rules, packings, max_k);
+  const TableLayout layout = table_layout(certificates, packings, max_k);
   auto [files, text] = Emitted{};
   for (const auto& [name, file] : files_in(options.languages, "tables")) {
     files.push_back({name, file->of_tables(layout)});
@@ -95,24 +92,14 @@ Emitted emit(const std::vector<Certificate>& certificates, const Packings& packi
     std::size_t rows = 0;  ///< the number that MANIFEST lists
   };
   std::map<std::string, Listed> by_path;
-  for (const Certificate& family : certificates)
-    by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
   by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
-  for (const Certificate& family : rules) {
+  for (const Certificate& family : certificates) {
+    by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
     const bool on_closed = closed(*family.sections[0].position.family);
     const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
     by_path[header_path(family.name)] = {header.text, family.rows()};
     text += summary(family.name, family.sections.size(), family.rows(), header.bytes);
   }
-  const RulesHeader lists = linked_header(linked, max_k);
-  std::size_t sections = 0;
-  std::size_t alternatives = 0;
-  for (const Certificate& family : linked) {
-    sections += family.sections.size();
-    alternatives += family.rows();
-  }
-  by_path[headers + "linked.hpp"] = {lists.text, alternatives};
-  text += summary("linked", sections, alternatives, lists.bytes);
   const AutomatonFiles automaton;
   by_path[header_path("automaton")] = {automaton.header.text, automaton.certificate.rows};
   by_path[certificate_path("automaton")] = {automaton.certificate.text, automaton.certificate.rows};
@@ -148,9 +135,7 @@ void make_tables(const TablesOptions& options) {
   const files::ReportOutput report(options.json);
   const bool certified = options.languages.contains("c++");
 
-  std::vector<Patches> patches = patches_of(families(), options.max_k);
-  if (!certified) std::erase_if(patches, std::mem_fn(&Patches::linked));  // other languages have no lists
-  std::vector<Section> solved = solve_all(patches, options.threads, Watched::yes);
+  std::vector<Section> solved = solve_all(patches_of(families(), options.max_k), options.threads, Watched::yes);
   std::vector<std::string> texts;
   if (certified) texts = section_texts(solved, options.threads);
   const std::vector<Certificate> certificates = by_certificate(std::move(solved), std::move(texts));

@@ -49,10 +49,10 @@ struct CgalLibrary {
         },
         [](restrip::Vertex v) { return Mesh::Vertex_index(v); });
   }
-  static HookTally simplify(Mesh& mesh, Strips* strips, HookRules rules) {
+  static HookTally simplify(Mesh& mesh, Strips* strips) {
     HookTally tally;
     if (strips != nullptr)
-      simplify_by(mesh, StripVisitor(*strips, tally, rules));
+      simplify_by(mesh, StripVisitor(*strips, tally));
     else
       simplify_by(mesh, sms::Edge_collapse_visitor_base<Mesh>());
     return tally;
@@ -69,7 +69,7 @@ TEST(CgalEdgeCollapse, ColorsStayValidWithoutCallbacks) {
   Mesh mesh = CgalLibrary::copy_of(start);
   CgalLibrary::Strips strips(mesh);
   take_colors(strips, start.mesh);
-  const HookTally tally = CgalLibrary::simplify(mesh, &strips, HookRules::local);
+  const HookTally tally = CgalLibrary::simplify(mesh, &strips);
   EXPECT_GT(tally.unannounced, 100U);
   EXPECT_GT(tally.operations, 100U);
   EXPECT_TRUE(check_coloring(strips).valid);

@@ -18,7 +18,6 @@
 #include "../tools/real_meshes.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/hooks.hpp"
-#include "restrip/operations/linked_hooks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -147,25 +146,19 @@ void expect_broken(Strips& strips) {
 
 /// What a library's decimater does to strips, with our hook and without it. A Library has
 ///   Strips (a mesh of ours over a foreign one), copy_of(Placed), which returns a foreign one,
-///   simplify(its mesh, Strips* to be kept or nullptr, HookRules), which returns a HookTally, to a half of the
+///   simplify(its mesh, Strips* to be kept or nullptr), which returns a HookTally, to a half of the
 ///   triangles or fewer, and collect(its mesh), which takes out what was deleted.
 template <class Library>
 class Decimation : public testing::Test {
  protected:
   static void expect_strips_are_kept(const Placed& start) {
-    std::size_t kept = start.mesh.triangle_count();
-    for (const HookRules rules : {HookRules::local, HookRules::linked}) {
-      auto mesh = Library::copy_of(start);
-      typename Library::Strips strips(mesh);
-      take_colors(strips, start.mesh);
-      const ColoringReport before = check_coloring(strips);
-      expect_kept(strips, before, Library::simplify(mesh, &strips, rules));
-      Library::collect(mesh);
-      const ColoringReport after = check_coloring(strips);
-      EXPECT_TRUE(after.valid);
-      EXPECT_LT(after.strips, kept);  // the same triangles in fewer strips by linked rules
-      kept = after.strips;
-    }
+    auto mesh = Library::copy_of(start);
+    typename Library::Strips strips(mesh);
+    take_colors(strips, start.mesh);
+    const ColoringReport before = check_coloring(strips);
+    expect_kept(strips, before, Library::simplify(mesh, &strips));
+    Library::collect(mesh);
+    EXPECT_TRUE(check_coloring(strips).valid);
   }
 };
 TYPED_TEST_SUITE_P(Decimation);
@@ -187,7 +180,7 @@ TYPED_TEST_P(Decimation, BreaksThemWithoutTheHook) {
   auto mesh = TypeParam::copy_of(start);
   typename TypeParam::Strips strips(mesh);
   take_colors(strips, start.mesh);
-  TypeParam::simplify(mesh, nullptr, HookRules::local);
+  TypeParam::simplify(mesh, nullptr);
   expect_broken(strips);
 }
 REGISTER_TYPED_TEST_SUITE_P(Decimation, KeepsStripsOfMadeMeshes, KeepsStripsOfRockerArm, KeepsStripsOfBunnyWithItsHoles,

@@ -28,7 +28,7 @@ struct OpenMeshLibrary {
         [](restrip::Vertex v) { return OpenMesh::VertexHandle(static_cast<int>(v)); });
   }
   /// To a fifth of its triangles.
-  static HookTally simplify(Mesh& mesh, Strips* strips, HookRules rules) {
+  static HookTally simplify(Mesh& mesh, Strips* strips) {
     OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
     OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
     decimater.add(quadric);
@@ -36,7 +36,7 @@ struct OpenMeshLibrary {
     ModStripsT<Mesh>::Handle keeping;
     if (strips != nullptr) {
       decimater.add(keeping);
-      decimater.module(keeping).keep(*strips, rules);
+      decimater.module(keeping).keep(*strips);
     }
     EXPECT_TRUE(decimater.initialize());
     decimater.decimate_to_faces(0, mesh.n_faces() / 5);

@@ -14,8 +14,9 @@ spec = importlib.util.spec_from_file_location("coverage", ROOT / "scripts/covera
 coverage = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(coverage)
 
-LINKED = """holds  linked look-up  the best in all outsides that fit the answers              12 configurations, 2 positions    34     0.00
-verified: 0 rules, 1 claim, k <= 5; read: compiled linked look-up only; no certificate was read
+RUN = """  judged: split: 12, k <= 5
+  judged: collapse: 7, k <= 4
+accepted: the trace was read to its end; read: a trace
 """
 
 
@@ -75,16 +76,17 @@ class Tables(unittest.TestCase):
 
 class Reports(unittest.TestCase):
     def test_what_a_report_says(self):
-        rows = coverage.rows_of("linked", LINKED)
+        rows = coverage.rows_of("run", RUN)
         self.assertEqual({row.operation for row in rows}, {"split", "collapse"})
-        self.assertEqual({row[2:] for row in rows}, {("5", coverage.SEARCH, "compiled linked look-up", "linked")})
+        self.assertEqual({(row.k, row.read, row.check) for row in rows}, {("0", "a trace", "run")})
 
     def test_a_report_that_does_not_hold(self):
-        for text, why in ((LINKED.replace("holds  linked", "FAILS  linked"), "something fails"), (LINKED.replace("verified", "NOT verified"), "something fails"),
-                          (LINKED.replace("the best in", "one in"), "no line matches"), ("", "no line matches"),
-                          (LINKED.replace("compiled linked look-up", "certificates"), "were not read")):
+        for text, why in (("FAILS  split
+" + RUN, "something fails"), (RUN + "NOT verified
+", "something fails"),
+                          (RUN.replace("  judged", "  met"), "no line matches"), ("", "no line matches"), (RUN.replace("read: a trace", "read: nothing"), "were not read")):
             with self.assertRaisesRegex(coverage.Wrong, why):
-                coverage.rows_of("linked", text)
+                coverage.rows_of("run", text)
 
     def test_every_check_has_its_report(self):
         self.assertEqual(set(coverage.REPORTS), set(coverage.Coverage(ROOT).checks))

@@ -57,7 +57,6 @@ HEADERS = {
         ("a rule of boundary splits", f"{TABLES}/boundary_split.hpp", RULE, "boundary-split", "table boundary-split k "),
         ("a rule of collapses of open fans", f"{TABLES}/fan_collapse.hpp", token("0, 0, 0, 1,", "0, 0, 0, 0,"), "fan-collapse", "-collapse k "),
         ("a rule of the flip", f"{TABLES}/flip.hpp", number_behind(r"FlipTable flip\{\n    "), "flip", "table flip"),
-        ("a linked rule", f"{TABLES}/linked.hpp", token("{23, ", "{22, "), "linked", "table linked-"),
         ("a number of the automaton", f"{TABLES}/automaton.hpp", token("1, 2, 3, 4, 5,", "1, 2, 3, 4, 6,"), "automaton", "next[4]: the table holds 6"),
     ],
     "layout": [
@@ -161,7 +160,7 @@ def dump_program(copy, scratch):
     """The dump program, compiled from the headers of the copy; or what the compiler said."""
     program = scratch / (copy.name + "-dump")
     done = run(ARGUMENTS.compiler, "-std=c++20", "-O0", "-I", copy / "runtime/include", "-I", copy / "tables/include",
-               *(ROOT / f"runtime/dump_{part}.cpp" for part in ("automaton", "digests", "linked", "tables")), "-o", program)
+               *(ROOT / f"runtime/dump_{part}.cpp" for part in ("automaton", "digests", "tables")), "-o", program)
     return program if done.returncode == 0 else done
 
 
@@ -169,15 +168,12 @@ def judge(program, part):
     """The commands that read compiled headers; `part` is what is judged of them."""
     if part == "automaton":
         return run(BIN / "restrip-verify-automaton", "--tables-dir", ROOT / "tables", "--max-k", "3", "--dump-command", f"'{program}' --automaton")
-    if part == "linked":
-        return run(BIN / "restrip-verify", "--headers", "--max-k", "4", "--linked-dump-command", f"'{program}' --linked --max-k 4")
     return run(BIN / "restrip-verify", "--headers", "--family", part, "--max-k", MAX_K, "--dump-command", f"'{program}' --max-k {MAX_K}")
 
 
 def check_headers(scratch):
     sound = BIN / "restrip-dump-tables"
     accepted("the shipped tables", "compiled tables only; no certificate was read", judge(sound, "split"))
-    accepted("the shipped linked look-up", "compiled linked look-up only; no certificate was read", judge(sound, "linked"))
     accepted("the shipped automaton", "certificates and compiled automaton", judge(sound, "automaton"))
     for name, faults in HEADERS.items():
         copy = copied(scratch, name, "tables/include", "runtime/include")

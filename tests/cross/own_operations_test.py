@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A custom family is taken as a custom operation is: the generator solves every position up to --max-k, the
 verifier proves the certificate, and refuses one that was forged or is for other positions. The shipped families under other
-names get the shipped rules, linked ones included. Files that make no family are refused by both programs with a sentence.
+names get the shipped rules. Files that make no family are refused by both programs with a sentence.
 
 What is not an operation on a mesh: where its file gives triangles, both programs refuse it and say where and why; where it gives
 graphs, both take it and say `graph only`. Operations given by triangles are not called so.
@@ -49,13 +49,10 @@ REFUSED = {
     "a range of millions": ({"before": {"ring": ["A", "t[0,9999 k)"]}}, "expected indices from 0 to 64", "expected numbers from 0 to 16"),
     "a number twice": ({"numbers": ["k", "i", "k"]}, "numbers[2]: this number is listed already", "numbers[2]: expected each number once"),
     "the place of a number": ({"position": "k {k} i {i} {0}"}, "expected braces only around", "braces only around"),
-    "a name of linked rules": ({"name": "linked-fan"}, 'does not begin with "linked-"', 'does not begin with "linked-"'),
-    "a certificate of linked rules": ({"certificate": "linked-fan"}, 'certificate: expected a name that does not', "certificate: expected a name that does not"),
     "no list of bounds": ({"at_most": 1}, "at_most: expected a list of at most 64 bounds, found 1", "at_most: expected a list of at most 64 bounds, found 1"),
     "a bound of nothing known": ({"at_most": [{"swaps": 1}]}, "at_most[0].swaps: unknown member", "at_most[0].swaps: unknown member"),
     "nine ports": ({"where": "k = 5, i < k", "after": {"path": ["t[0,k+2)"], "ports": ["t[0,k+2)", "t[0,1)", "t[k+1,k+2)"]}, "before": {
         "path": ["A", "t[0,k)", "D"], "ports": ["A", "A", "D", "D", "t[0,k)"]}}, "1 to 8 ports", "expected 1 to 8 ports"),
-    "linked rules that give ports up": ({"linked": True}, "linked rules are for strips", "linked rules are for strips"),
 }
 
 TRIANGLES = {
@@ -194,16 +191,15 @@ def check_shipped_families():
     all_own.write_text(json.dumps(families))
     made = solve(all_own)
     expect(made.returncode == 0, made.stderr)
-    linked = {"linked-split", "linked-collapse"}
-    for name in certificates | linked:
-        own = certificate("linked-my-" + name[7:] if name in linked else "my-" + name).read_text().splitlines()[2:-1]
+    for name in certificates:
+        own = certificate("my-" + name).read_text().splitlines()[2:-1]
         shipped = (CERTIFICATES / (name + ".cert")).read_text().splitlines()[2:]
         expect(len(own) > 10 and own == shipped[:len(own)], f"{name}: other rules than the shipped ones")
     one = {"restrip_operation": 1, "operations": [family for family in families["operations"] if family["name"] == "my-collapse"]}
     file = SCRATCH / "my-collapse.json"
     file.write_text(json.dumps(one))
-    proved = verify(file, "my-collapse", "--linked-certificate", certificate("linked-my-collapse"))
-    expect(proved.returncode == 0 and " alternatives, " in proved.stdout, proved.stderr + proved.stdout[-500:])
+    proved = verify(file, "my-collapse")
+    expect(proved.returncode == 0, proved.stderr + proved.stdout[-500:])
     many = verify(all_own, "my-split")
     expect(many.returncode == 2 and re.search(r"describes operations of \d certificates", many.stderr), many.stderr)
 
@@ -215,7 +211,7 @@ def check_ports_given_up():
     for name, section, costing in (("split", "k 5 a 2", 4), ("split", "k 4 a 2", 2), ("split", "k 6 a 3", 9), ("collapse", "k 4", 2),
                                    ("collapse", "k 5", 6), ("collapse", "k 6", 48)):
         family = next(family for family in families if family["name"] == name)
-        own = {key: value for key, value in family.items() if key not in ("linked", "at_most")}
+        own = {key: value for key, value in family.items() if key != "at_most"}
         own.update({"restrip_operation": 1, "name": "give-" + name, "give_up": "all"})
         file = SCRATCH / f"give-{name}.json"
         file.write_text(json.dumps(own))
@@ -300,7 +296,7 @@ def check_made_before():
 
 def check_links():
     """An output that leads to the operation file is refused; an operation file may be a pipe."""
-    file = SCRATCH / "linked.json"
+    file = SCRATCH / "symlinked.json"
     text = (CORPUS / "split-face-graph.json").read_text()
     file.write_text(text)
     for folder, name in (("include/restrip/tables/operations", "split_face_graph.hpp"), ("certificates/operations", "split-face-graph.cert")):

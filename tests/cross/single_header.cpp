@@ -91,8 +91,8 @@ void by_rules(const char* what, StripMesh& mesh, Mesh& seen) {
       mesh, [&](Halfedge h) { restrip::collapse(seen, h); }, [&](const Where& where) { restrip::split(seen, where); });
   print(what, mesh);
   down_and_up(
-      mesh, [&](Halfedge h) { restrip::collapse_and_link(seen, h); },
-      [&](const Where& where) { restrip::split_and_link(seen, where); });
+      mesh, [&](Halfedge h) { restrip::collapse_and_join(seen, h); },
+      [&](const Where& where) { restrip::split_and_join(seen, where); });
   for (Triangle t = 0; t < mesh.triangle_bound(); t += 7)
     if (const Halfedge h = StripMesh::halfedge(t, 0); restrip::check_flip(mesh, h) == restrip::Refusal::granted)
       restrip::flip_and_join(seen, h);
@@ -163,7 +163,6 @@ int main(int count, char** arguments) {
   large_fan();
   by_record();
   by_keeper(restrip::Policy::local, "local");
-  by_keeper(restrip::Policy::linked, "linked");
   by_keeper(restrip::Policy::quick, "quick");
   by_keeper(restrip::Policy::full, "full");
 }

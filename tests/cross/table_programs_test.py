@@ -19,7 +19,6 @@ REFUSED = [
     ("restrip-generate dump --family flip --k 4", "--family flip: it has one position, without --k"),
     ("restrip-verify --headers --dump-command false --tables-dir tables", "--headers reads no certificates, so --tables-dir has no effect"),
     ("restrip-verify --headers --dump-command false --threads 2", "so --threads has no effect; leave it out"),
-    ("restrip-verify --family split --linked-dump-command false", "--linked-dump-command judges all rules, so --family has no effect"),
     ("restrip-verify --family split --dump-command false --digest-command false", "--digest-command judges all rules, so --family has no effect"),
     ("restrip-verify --digest-command false", "--digest-command requires --dump-command"),
     ("restrip-verify --max-k 9 --dump-command false --digest-command false", "--digest-command judge fans of up to 8 triangles"),

@@ -31,7 +31,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of the same floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify common model definition certificate judge linked|explain automaton)
+set(floors_verify common model definition certificate judge explain automaton)
 set(floors_tools restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
@@ -148,7 +148,7 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "runtime/include/restrip/mesh/any.hpp|<OpenMesh/Core/Mesh/Handles.hh>"
                        "tables/include/restrip/tables/any.hpp|<fmt/format.h>" "tables/include/restrip/tables/any.hpp|\"restrip/rules/rules.hpp\""
                        "verify/any.cpp|\"common/output.hpp\"" "verify/model/any.hpp|\"judge/worlds.hpp\""
-                       "verify/certificate/any.hpp|\"judge/report.hpp\"" "verify/judge/any.hpp|\"linked/linked_check.hpp\"" "common/any.cpp|\"restrip/rules/rules.hpp\""
+                       "verify/certificate/any.hpp|\"judge/report.hpp\"" "common/any.cpp|\"restrip/rules/rules.hpp\""
                        "common/any.cpp|\"meshes/soup.hpp\"" "tools/app/any.cpp|\"restrip/tables/split.hpp\""
                        "tools/app/any.cpp|\"section.hpp\"" "bench/any.cpp|\"judgment.hpp\"" "examples/any.cpp|\"meshes/soup.hpp\""
                        "runtime/include/restrip/rules/any.hpp|\"restrip/mesh/mesh.hpp\""

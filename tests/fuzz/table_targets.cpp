@@ -1,5 +1,5 @@
-// The verifier's readers: manifests, certificates, dumps of tables, of rules, of linked rules and of custom operations,
-// and operation files.
+// The verifier's readers: manifests, certificates, dumps of tables, of rules and of custom operations, and operation
+// files.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,8 +9,6 @@
 #include "certificate/certificate_form.hpp"
 #include "certificate/manifest.hpp"
 #include "judge/table_dump.hpp"
-#include "linked/linked_certificate.hpp"
-#include "linked/linked_dump.hpp"
 #include "model/families_text.hpp"
 #include "model/input.hpp"
 #include "model/words.hpp"
@@ -60,21 +58,6 @@ Target certificate_target(const std::string& name, const std::string& file, unsi
   return {name, {read_file(file)}, refusing(read), runs};
 }
 
-Target linked_target(const LinkedFamily& family) {
-  const auto read = [family](std::string_view bytes) {
-    const std::string text = sealed(bytes);
-    const LinkedCertificate certificate = parse_linked_certificate("f", text, family);
-    const Lines lines(text);
-    for (const SectionLists& section : certificate.sections)
-      for (const Alternative& row : section.rows) lines.promise_found(row.text(), row.line);
-    return true;
-  };
-  return {"certificate-" + family.name,
-          {read_file(RESTRIP_SMALL_TABLES "/certificates/" + family.name + ".cert")},
-          refusing(read),
-          4000};
-}
-
 Target manifest_target() {
   const auto read = [](std::string_view bytes) {
     const std::string text(bytes);
@@ -98,19 +81,10 @@ auto of_stream(Read read) {
   };
 }
 
-/// The linked look-up's choices for k = 3: `restrip-dump-tables --linked --max-k 3`.
-Target linked_dump_target() {
-  return {"linked-dump",
-          {read_file(RESTRIP_CORPUS "/dumps/linked-3.txt")},
-          of_stream([](std::FILE* stream) { return check_linked_dump(stream, 3).holds(); }),
-          2000};
-}
-
-/// A dump of flips and of one table of lists, which are only read, and of splits, which are judged.
+/// A dump of flips, which are only read, and of splits, which are judged.
 Target dump_target() {
   struct Expected {
     std::vector<Family> families = all_families(3);
-    std::vector<LinkedFamily> linked = linked_families(3);
     ExpectedDump dump;
   };
   auto expected = std::make_shared<Expected>();
@@ -126,11 +100,6 @@ Target dump_target() {
       for (Mask ports = 0; ports < mask_count(operation.before.ports()); ++ports, ++entries)
         seed += fmt::format("{:x} {:x} -\n", inner, ports);
   }
-  const LinkedFamily& lists = expected->linked.front();
-  const Section& section = lists.local.sections.front();
-  expected->dump.lists.push_back({lists.name, section.position, section.ports, nullptr});
-  seed += fmt::format("table {} {}\n", lists.name, section.position);
-  for (Mask ports = 0; ports < mask_count(section.ports); ++ports, ++entries) seed += fmt::format("{:x} 0 0\n", ports);
   seed += fmt::format("end {}\n", entries);
   const auto read =
       of_stream([expected](std::FILE* stream) { return compare_dump(stream, expected->dump).fault.empty(); });
@@ -209,9 +178,7 @@ std::vector<Target> table_targets() {
   for (const Family& family : all_families(small_max_k))
     targets.push_back(certificate_target("certificate-" + family.name,
                                          RESTRIP_SMALL_TABLES "/certificates/" + family.name + ".cert", 2000, family));
-  for (const LinkedFamily& family : linked_families(small_max_k)) targets.push_back(linked_target(family));
   targets.push_back(dump_target());
-  targets.push_back(linked_dump_target());
   targets.push_back(operation_file_target());
   targets.push_back(certificate_target("operation-certificate",
                                        RESTRIP_TABLES "/certificates/operations/split-face.cert", 10000,

@@ -24,7 +24,7 @@
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
-#include "restrip/operations/linked.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -107,17 +107,14 @@ StripMesh::Halfedge merged(const StripMesh& mesh, StripMesh::Halfedge b_c) {
 /// Everything that may be done at a halfedge.
 std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge h, std::mt19937& random) {
   std::vector<Operation> all;
-  const auto add = [&](auto&& bare, auto&& absorbing, auto&& linking) {
+  const auto add = [&](auto&& bare, auto&& joining) {
     all.emplace_back(bare);
-    all.emplace_back(absorbing);
-    all.emplace_back(linking);
+    all.emplace_back(joining);
   };
   if (check_collapse(mesh, h) == Refusal::granted)
-    add([h](Throwing& m) { collapse(m, h); }, [h](Throwing& m) { collapse_and_join(m, h); },
-        [h](Throwing& m) { collapse_and_link(m, h); });
+    add([h](Throwing& m) { collapse(m, h); }, [h](Throwing& m) { collapse_and_join(m, h); });
   if (check_flip(mesh, h) == Refusal::granted)
-    add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_join(m, h); },
-        [h](Throwing& m) { flip_and_link(m, h); });
+    add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_join(m, h); });
   if (check_split_face(mesh, h) == Refusal::granted)
     all.emplace_back([h](Throwing& m) {
       apply(m, tables::split_face, h, [&](const auto& patch) {
@@ -136,8 +133,7 @@ std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge 
   for (const Where::Spokes kind : kinds) {
     const Where where{h, spokes[random() % spokes.size()], kind};
     if (check_split(mesh, where) != Refusal::granted) continue;
-    add([where](Throwing& m) { split(m, where); }, [where](Throwing& m) { split_and_join(m, where); },
-        [where](Throwing& m) { split_and_link(m, where); });
+    add([where](Throwing& m) { split(m, where); }, [where](Throwing& m) { split_and_join(m, where); });
   }
   return all;
 }
@@ -228,7 +224,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
   std::vector<StripMesh> starts = sample::meshes();
   starts.push_back(sample::double_cone(70));
   for (const StripMesh& start : starts) {
-    for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
+    for (const Policy policy : {Policy::local, Policy::quick}) {
       for (int round = 0; round < 8; ++round) {
         StripMesh colored = start;
         sample::color_at_random(colored, 0.7, random);

@@ -10,7 +10,7 @@
 
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/linked_hooks.hpp"
+#include "restrip/operations/hooks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -31,40 +31,37 @@ inline void expect_same(const Rewrite<Spoke>& one, const Rewrite<Spoke>& two) {
   EXPECT_EQ(one.isolated, two.isolated);
 }
 
-inline Rewrite<Spoke> hooked_collapse(StripMesh& mesh, Spoke chord, HookRules rules = HookRules::local) {
+inline Rewrite<Spoke> hooked_collapse(StripMesh& mesh, Spoke chord) {
   const Spoke back = mesh.opposite(chord);
   const Vertex v_s = mesh.from(chord);
   std::vector<Vertex> apexes;
   for (const Spoke h : {chord, back})
     if (!StripMesh::on_boundary(h)) apexes.push_back(mesh.to(StripMesh::next(h)));
-  auto pending = before_collapse(mesh, chord, rules);
+  auto pending = before_collapse(mesh, chord);
   EXPECT_TRUE(check_coloring(mesh).valid);
   const Spoke spoke = mesh.remove_vertex(chord);
   for (const Vertex apex : apexes)  // a colour that only after_collapse() can take away
     if (const Spoke merged = mesh.spoke(v_s, apex);
         !StripMesh::on_boundary(merged) && !StripMesh::on_boundary(mesh.opposite(merged)))
       mesh.set_solid(merged, true);
-  return after_collapse(mesh, std::move(pending), spoke, rules);
+  return after_collapse(mesh, std::move(pending), spoke);
 }
 
-inline Rewrite<Spoke> hooked_split(StripMesh& mesh, const VertexSplit<Spoke>& where,
-                                   HookRules rules = HookRules::local) {
-  const bool linked = rules == HookRules::linked;
-  auto pending = linked ? before_split_and_link(mesh, where) : before_split(mesh, where);
+inline Rewrite<Spoke> hooked_split(StripMesh& mesh, const VertexSplit<Spoke>& where) {
+  auto pending = before_split(mesh, where);
   EXPECT_TRUE(check_coloring(mesh).valid);
   auto moved = std::move(pending);
   EXPECT_TRUE(moved.waits());
   const Spoke chord = mesh.insert_vertex(where);
-  return linked ? after_split_and_link(mesh, std::move(moved), chord) : after_split(mesh, std::move(moved), chord);
+  return after_split(mesh, std::move(moved), chord);
 }
 
-inline Rewrite<Spoke> hooked_flip(StripMesh& mesh, Spoke h, HookRules rules = HookRules::local) {
+inline Rewrite<Spoke> hooked_flip(StripMesh& mesh, Spoke h) {
   auto pending = before_flip(mesh, h);
   EXPECT_TRUE(check_coloring(mesh).valid);
   EXPECT_FALSE(mesh.solid(h));
   const Spoke turned = mesh.turn_edge(h);
-  return rules == HookRules::linked ? after_flip_and_link(mesh, std::move(pending), turned)
-                                    : after_flip(mesh, std::move(pending), turned);
+  return after_flip(mesh, std::move(pending), turned);
 }
 
 inline Spoke any_halfedge(const StripMesh& mesh, std::mt19937& random) {
@@ -72,8 +69,7 @@ inline Spoke any_halfedge(const StripMesh& mesh, std::mt19937& random) {
   return random() % 3 == 0 ? mesh.opposite(h) : h;
 }
 
-inline void expect_what_operations_give(HookRules rules) {
-  const bool linked = rules == HookRules::linked;
+inline void expect_what_operations_give() {
   unsigned seed = 0;
   for (StripMesh& start : sample::meshes()) {
     stripify(start, Effort::fast, Cost::strips());
@@ -86,15 +82,15 @@ inline void expect_what_operations_give(HookRules rules) {
       if (random() % 3 == 0) {
         const Spoke h = any_halfedge(one, random);
         if (check_flip(one, h) != Refusal::granted) continue;
-        expect_same(hooked_flip(two, h, rules), linked ? flip_and_link(one, h) : flip(one, h));
+        expect_same(hooked_flip(two, h), flip(one, h));
       } else if (grow) {
         const auto where = random_split(one, any_halfedge(one, random), random);
         if (check_split(one, where) != Refusal::granted) continue;
-        expect_same(hooked_split(two, where, rules), linked ? split_and_link(one, where) : split(one, where));
+        expect_same(hooked_split(two, where), split(one, where));
       } else {
         const Spoke h = any_halfedge(one, random);
         if (check_collapse(one, h) != Refusal::granted) continue;
-        expect_same(hooked_collapse(two, h, rules), linked ? collapse_and_link(one, h) : collapse(one, h));
+        expect_same(hooked_collapse(two, h), collapse(one, h));
       }
       ++done;
       expect_same_colors(one, two);

@@ -10,10 +10,10 @@ int main(int argc, char** argv) {
       "Operations.AnyValence:Join.*:Absorb.That*:Operations.AFree*:"
       "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
       "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:Apply.Takes*:Apply.Refuses*:Apply.In*:KeptApply.KeepsPairs*:"
-      "Checked.*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:Strips.*:"
+      "Checked.*:Checks.Handles*:StripBuffer.AnUpdate*:Strips.*:"
       "ChunkLists.*:StripTrees.*:MarkedWords.*:*StripLocatorOf.AgreesAfterCuts*",
       "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesW*:Absorb.Leaves*:Operations.LargeFans*:"
-      "LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*",
+      "Baked.OutOfOrder*:Baked.RoundTrips*",
       "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:Keeper.Changes*:"
       "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:KeeperByCost.Reports*:"
       "Window.IsTheLeast*",

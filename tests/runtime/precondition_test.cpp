@@ -116,18 +116,15 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   StripMesh mesh = sample::octahedron();
   const Where same{mesh.spoke(4), mesh.spoke(4)};
   EXPECT_REFUSED(split_and_join(mesh, same), "split_and_join", same_spoke);
-  EXPECT_REFUSED(split_and_link(mesh, same), "split_and_link", same_spoke);
   EXPECT_REFUSED(split_baked(mesh, same, {}), "split_baked", same_spoke);
   EXPECT_REFUSED(mesh.insert_vertex(same), "StripMesh::insert_vertex", same_spoke);
   EXPECT_REFUSED((void)detail::TwoSteps::take(mesh, Where::Spokes::both, 3), "StripMesh::take_room", vertex_in_use);
   EXPECT_REFUSED(collapse_and_join(mesh, {}), "collapse_and_join", no_such_edge);
-  EXPECT_REFUSED(collapse_and_link(mesh, {}), "collapse_and_link", no_such_edge);
   EXPECT_REFUSED(collapse_baked(mesh, {}, {}), "collapse_baked", no_such_edge);
   EXPECT_REFUSED(mesh.remove_vertex({}), "StripMesh::remove_vertex", no_such_edge);
   EXPECT_REFUSED(flip_and_join(mesh, {}), "flip_and_join", no_such_edge);
-  EXPECT_REFUSED(flip_and_link(mesh, {}), "flip_and_link", no_such_edge);
   EXPECT_REFUSED(mesh.turn_edge({}), "StripMesh::turn_edge", no_such_edge);
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
+  for (const Policy policy : {Policy::local, Policy::quick}) {
     Keeper keeper(mesh, policy, Cost::strips());
     EXPECT_REFUSED(keeper.split(same), "Keeper::split", same_spoke);
     EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, 2U), "Keeper::split", vertex_in_use);
@@ -234,13 +231,10 @@ TEST(PreconditionDeathTest, TheLocatorOfStrips) {
 }
 
 TEST(PreconditionDeathTest, EveryLookUp) {
-  const auto unknown = [](std::size_t) { return strip_ends; };
   const std::string split_position = "the position is out of range: 3 <= k <= max_word_valence, 1 <= a < k";
   for (const SplitPosition at : {SplitPosition{4, 0}, {4, 4}, {2, 1}, {62, 3}}) {
     EXPECT_FAILED((void)split_rule(at, 0, 0), "restrip: split_rule: " + split_position);
     EXPECT_FAILED((void)collapse_rule(at, 0, 0), "restrip: collapse_rule: " + split_position);
-    EXPECT_FAILED((void)linked_split_rule(at, 0, 0, unknown), "restrip: linked_split_rule: " + split_position);
-    EXPECT_FAILED((void)linked_collapse_rule(at, 0, 0, unknown), "restrip: linked_collapse_rule: " + split_position);
   }
   for (const GapPair at : {GapPair{4, 2, 2}, {4, 3, 5}, {62, 1, 2}}) {
     EXPECT_FAILED((void)open_split_rule(at, 0, 0), "open_split_rule: the position is out of range: i < j <= k");
@@ -327,7 +321,7 @@ TEST(PreconditionDeathTest, MeshesOfTheUsersOwn) {
   EXPECT_REFUSED(flip(plain_pair, pair.spoke(0, 1)), "flip", boundary_edge);
   StripMesh one = build({{0, 1, 2}}, 3);
   Plain plain_one(one);
-  EXPECT_REFUSED(collapse_and_link(plain_one, one.spoke(0)), "collapse_and_link", dangling_edge);
+  EXPECT_REFUSED(collapse_and_join(plain_one, one.spoke(0)), "collapse_and_join", dangling_edge);
   Knowing knowing(octahedron);
   EXPECT_REFUSED(split(knowing, {h, {}}), "split", no_such_edge);
   EXPECT_REFUSED(collapse(knowing, {}), "collapse", no_such_edge);

@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "restrip/operations/linked.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -51,7 +50,7 @@ Where middle_of_the_fan(const StripMesh& mesh, Vertex k) {
 }
 
 TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
-  constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best};
+  constexpr Policy policies[] = {Policy::local, Policy::quick, Policy::full, Policy::best};
   for (const bool zigzags : {true, false}) {
     Work split[std::size(policies)][2];
     Work collapse[std::size(policies)][2];
@@ -272,7 +271,7 @@ TEST(Complexity, WindowsDoNotDependOnTheSizeOfTheMesh) {
 }
 
 TEST(Complexity, OperationsAllocateNothing) {
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best}) {
+  for (const Policy policy : {Policy::local, Policy::quick, Policy::full, Policy::best}) {
     StripMesh mesh = sample::double_cone(40);
     stripify(mesh, Effort::fast, Cost::strips());
     mesh.reserve(200, 200);
@@ -291,62 +290,6 @@ TEST(Complexity, OperationsAllocateNothing) {
     }
     EXPECT_EQ(allocations, 0U) << "policy " << static_cast<int>(policy);
   }
-}
-
-/// The fan of a vertex in which nothing is joined, with solid ports at random, of which up to `pairs` pairs are joined
-/// outside.
-struct RandomOutside {
-  RandomOutside(std::mt19937_64& random, std::size_t k, std::size_t pairs) : ports(random() & low_bits(k)) {
-    seen.assign(k, strip_ends);
-    std::vector<std::size_t> solid;
-    for (std::size_t p = 0; p < k; ++p)
-      if (has(ports, p)) solid.push_back(p);
-    std::shuffle(solid.begin(), solid.end(), random);
-    for (std::size_t n = 0; n + 1 < solid.size() && n < 2 * pairs; n += 2) {
-      seen[solid[n]] = static_cast<int>(solid[n + 1]);
-      seen[solid[n + 1]] = static_cast<int>(solid[n]);
-    }
-  }
-  int operator()(std::size_t port) const { return seen[port]; }
-
-  Word ports;
-  std::vector<int> seen;
-};
-
-TEST(Complexity, LinkedRulesAreLinearInTheValence) {
-  std::mt19937_64 random(9);
-  for (const bool splits : {true, false}) {
-    Work asking[2];
-    for (const unsigned size : {0U, 1U}) {
-      const std::size_t k = 30U << size;
-      for (int run = 0; run < 1'000; ++run) {
-        const RandomOutside outside(random, k, 3);
-        const Work work = work_of([&] {
-          const Rule rule = splits ? linked_split_rule({k, k / 3}, 0, outside.ports, outside)
-                                   : linked_collapse_rule({k, k / 3}, 0, outside.ports, outside);
-          ASSERT_TRUE(rule.valid);
-        });
-        asking[size].steps += work.steps;
-        EXPECT_EQ(work.allocations, 0U);
-      }
-    }
-    EXPECT_TRUE(grows_at_most(linear, asking[0], asking[1]));
-  }
-}
-
-// However many cycles there are to avoid, the automaton is asked max_answers times at most.
-TEST(Complexity, LinkedRulesStopAtTheirLimit) {
-  std::mt19937_64 random(10);
-  constexpr std::size_t k = max_word_valence;
-  std::uint64_t most = 0;
-  std::uint64_t local = 0;
-  for (int run = 0; run < 3'000; ++run) {
-    const RandomOutside outside(random, k, k);
-    most = std::max(most, work_of([&] { (void)linked_split_rule({k, k / 2}, 0, outside.ports, outside); }).steps);
-    local = std::max(local, work_of([&] { (void)split_rule({k, k / 2}, 0, outside.ports); }).steps);
-  }
-  EXPECT_GT(most, 20 * local) << "no hard case was among them";
-  EXPECT_LT(most, 4 * std::uint64_t{detail::max_answers} * local);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ from strip_readers import glb, rotated, triangles_of_strip
 run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 240, 180
 BACKGROUND, EDGE, SURFACE = (255, 255, 255), (48, 52, 58), (222, 226, 230)
-LEVEL = ("--base", "0.2", "--policy", "linked", "--triangles", "300")
+LEVEL = ("--base", "0.2", "--policy", "quick", "--triangles", "300")
 
 
 def png(path):

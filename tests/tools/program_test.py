@@ -149,7 +149,7 @@ class Commands(Folder):
                 self.expect_indices_add_up(level)
             return max(level["indices"] / level["triangles"] for level in levels if level["triangles"] > 1000)
 
-        for policy, at_most in (("local", 1.55), ("linked", 1.46), ("quick", 1.42), ("full", 1.36)):
+        for policy, at_most in (("local", 1.55), ("quick", 1.42), ("full", 1.36)):
             indices = indices_per_triangle(policy, "indices")
             self.assertLess(indices, at_most, policy)
             self.assertLess(indices, indices_per_triangle(policy, "strips") * 0.95, policy)

@@ -216,7 +216,7 @@ for out in ("short.ply", "short.pm"):
     assert all(f"{o['edges']}: {o['why']}" in short.stderr for o in printed["obstacles"])
 assert len(drawn(ply(scratch / "short.ply")[1])) == printed["base_triangles"]
 assert "stopped at" in run("simplify", mesh, "-o", scratch / "short.pm").stderr  # the default share was not requested explicitly
-for policy, size in (("local", 300), ("baked", 301), ("linked", None)):
+for policy, size in (("local", 300), ("baked", 301), ("full", None)):
     run("replay", mesh, "--repeats", 0, "--policy", policy, *(("--triangles", size) if size else ()), "-o", scratch / "level.glb",
         "--gltf", "strips")
     level_points, primitives = glb(scratch / "level.glb")

@@ -13,7 +13,6 @@
 #include "certificate/certificate.hpp"
 #include "certificate/certificate_form.hpp"
 #include "corpus.hpp"
-#include "linked/linked_certificate.hpp"
 #include "model/input.hpp"
 #include "verdict.hpp"
 
@@ -23,17 +22,14 @@ namespace {
 constexpr unsigned seed = 7;
 
 struct Sample {
-  Family family;  ///< of linked rules the local one
+  Family family;
   std::string text;
-  std::string linked;  ///< name of the linked family, empty for others
 };
 
 std::vector<Sample> certificates(const std::string& folder, unsigned max_k) {
   const auto text_of = [&](const std::string& name) { return read_file(folder + "/certificates/" + name + ".cert"); };
   std::vector<Sample> samples;
-  for (const LinkedFamily& family : linked_families(max_k))
-    samples.push_back({family.local, text_of(family.name), family.name});
-  for (const Family& family : all_families(max_k)) samples.push_back({family, text_of(family.name), {}});
+  for (const Family& family : all_families(max_k)) samples.push_back({family, text_of(family.name)});
   return samples;
 }
 
@@ -50,12 +46,7 @@ unsigned byte_at(const std::string& text, std::size_t place) { return static_cas
 
 /// The parser's reason to reject the text; empty if it accepts it.
 std::string rejection(const Sample& sample, const std::string& text) {
-  return refusal_of<InputError>([&] {
-    if (sample.linked.empty())
-      parse_certificate("file", text, sample.family);
-    else
-      parse_linked_certificate("file", text, {sample.linked, sample.family});
-  });
+  return refusal_of<InputError>([&] { parse_certificate("file", text, sample.family); });
 }
 
 class AlteredBytes : public testing::Test {
@@ -66,8 +57,8 @@ class AlteredBytes : public testing::Test {
     const std::string said = rejection(sample, altered(sample.text, place, byte));
     const std::string named = fmt::format("file:{}: ", line_of_byte(sample.text, place));
     if (!said.starts_with(named) && ++failed_ < 5)
-      ADD_FAILURE() << sample.family.name << ' ' << sample.linked << ", byte " << place << " made " << byte
-                    << ": expected " << named << ", found " << said;
+      ADD_FAILURE() << sample.family.name << ", byte " << place << " made " << byte << ": expected " << named
+                    << ", found " << said;
   }
   void TearDown() override {
     std::cout << tried_ << " alterations\n";
@@ -154,7 +145,6 @@ TEST(AlteredBytesWithNewSums, AreWrongOrAsRight) {
   int rejected = 0;
   int as_right = 0;
   for (const Sample& sample : certificates(small_tables().string(), corpus_max_k)) {
-    if (!sample.linked.empty()) continue;
     const std::size_t end = sample.text.rfind("end ");
     for (int i = 0; i < 2000; ++i) {
       const std::size_t place = random() % end;

@@ -126,31 +126,6 @@ TEST(OperationJudge, ACustomFamily) {
     }
 }
 
-// Linked rules of a custom family: the shipped splits under another name.
-TEST(OperationJudge, LinkedRulesOfACustomFamily) {
-  const std::string described = R"json({
-    "restrip_operation": 1, "name": "cut", "numbers": ["k", "a"], "where": "3 <= k, k <= 4, 1 <= a, 2 a <= k",
-    "position": "k {k} a {a}", "before": {"ring": ["t[0,k)"]},
-    "after": {"ring": ["A", "t[0,a)", "D", "t[a,k)"], "chord": ["A", "D"]}, "linked": true
-  })json";
-  const std::vector<NaiveFamily> families = naive_families(4);
-  std::vector<NaiveTable> tables;
-  std::vector<NaiveLists> lists;
-  for (const NaiveSection& section : families.front().sections)
-    tables.push_back(naive_table("cut", section, true).value());
-  for (const NaiveLinked& linked : naive_linked(families))
-    if (linked.good().family == "linked-split") lists.push_back(linked.good());
-  const auto verdict = [&](const std::vector<NaiveLists>& stated) {
-    return verdict_on_text(described, certificate_text("cut", tables), {}, certificate_text("linked-cut", stated));
-  };
-  EXPECT_EQ(verdict(lists).exit_code, 0) << verdict(lists).text;
-  std::vector<NaiveLists> shorter = lists;
-  shorter.back().lists.at(0).pop_back();
-  shorter.back().count();
-  EXPECT_TRUE(verdict(shorter).says("missing list: the ports 0 have no row") ||
-              verdict(shorter).says("incomplete list"));
-}
-
 // The four symmetries of a flip, except those excluded by the cost or by the ports that may be given up.
 TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
   const auto symmetries = [](const std::string& cost, const std::string& give_up) {

@@ -23,9 +23,5 @@ int main(int argc, char** argv) {
     std::ofstream(folder / "certificates" / (family.name + ".cert"), std::ios::binary)
         << certificate_text(family.name, tables);
   }
-  std::map<std::string, std::vector<NaiveLists>> lists;
-  for (const NaiveLinked& linked : naive_linked(families)) lists[linked.good().family].push_back(linked.good());
-  for (const auto& [family, sections] : lists)
-    std::ofstream(folder / "certificates" / (family + ".cert"), std::ios::binary) << certificate_text(family, sections);
   write_manifest(folder);
 }

@@ -51,7 +51,7 @@ operation_program_test(dump_that_cannot_be_run "no-such-program: cannot be run\n
 operation_program_test(unread_header "--dump-command with --operation needs --header" ${bisect} --dump-command true)
 operation_program_test(other_header "was not run.*NOT verified: " --operation ${RESTRIP_TABLES_DIR}/operations/bisect.json --header
                        ${tables}/merge.hpp --dump-command "$<TARGET_FILE:print_operations> bisect")
-foreach(other IN ITEMS --tables-dir=tables --family=split --headers --linked-dump-command=false)
+foreach(other IN ITEMS --tables-dir=tables --family=split --headers)
   string(REGEX REPLACE "=.*" "" option ${other})
   operation_program_test(excludes${option} "--operation excludes ${option}|${option} excludes --operation" ${bisect} ${other})
 endforeach()

@@ -51,7 +51,6 @@ FAMILY = {
     "section": "k {k}",
     "before": {"path": ["t[0,i)", "A", "t[i,k)"], "chord": ["t0", "A"], "ports": ["t[0,k)"]},
     "after": {"rings": [["t[0,k)"]], "paths": [["t[0,1)"]]},
-    "linked": True,
     "at_most": [{"where": "i = 1", "strips": 1, "isolated": 0}],
 }
 FAMILY_OF_TRIANGLES = {
@@ -73,7 +72,7 @@ VALUES = [None, True, -1, 0, 1, 2, 3, 8, 9, 16, 17, 1.5, 1000001, "", "none", "a
 BEYOND = re.compile(r"from 0 to \d+, found \d|one of the \w+s 0 to \d+, found \d|edges and ports of triangle|each edge once|same number of ports as before|"
                     r"expected each|edges and ports together|the same outline|opposite directions|fan|connected over|Euler characteristic|"
                     r"1 to 8 ports|stretches that are apart|on both sides|expected a list of (edges|ports|triangles)s?, found a list|"
-                    r"expected a sum of|each number in braces|expected all numbers|has no position|cannot serve both|linked rules are for|"
+                    r"expected a sum of|each number in braces|expected all numbers|has no position|cannot serve both|"
                     r"each triangle once|no triangle is named|three different vertices|expected numbers from 0 to|not both|ring of three|"
                     r"expected an index of|negative index|given by their triangles|1 to 12 ports|1 to 16 triangles|two different|found none \(")
 

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "judge/family_report.hpp"
-#include "linked/linked_check.hpp"
 #include "model/input.hpp"
 #include "verify.hpp"
 
@@ -71,18 +70,6 @@ Verdict verdict_of(const NaiveTable& table) {
                     one_section_family(table.family, table.position));
 }
 
-Verdict verdict_of(const NaiveLists& lists) {
-  return collected([&](const ClaimListener& listener) {
-    const std::string local = lists.family.substr(std::string("linked-").size());
-    const LinkedFamily family{lists.family, one_section_family(local, lists.position)};
-    const LinkedCertificate certificate =
-        parse_linked_certificate("table", certificate_text(lists.family, std::vector{lists}), family);
-    LinkedCheck check;
-    check_linked(family.local.sections.front(), certificate.sections.front(), certificate.file, check);
-    report_linked(family, check, listener);
-  });
-}
-
 Verdict verdict_of(const fs::path& tables_dir) {
   Options options;
   options.tables_dir = tables_dir.string();
@@ -104,15 +91,13 @@ Operation corpus_operation(const std::string& name) {
 }
 
 Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
-                   const std::optional<std::string>& dump, const std::optional<std::string>& linked) {
+                   const std::optional<std::string>& dump) {
   const PassingFile certificate_file("certificate", certificate.value_or(""));
-  const PassingFile linked_file("linked", linked.value_or(""));
   const PassingFile dump_file("dump", dump.value_or(""));
   Options options;
   options.operation = operation_path;
   options.threads = 1;
   if (certificate) options.certificate = certificate_file.path();
-  if (linked) options.linked_certificate = linked_file.path();
   if (dump) options.dump_command = "cat " + dump_file.path();
   return collected([&](const ClaimListener& listener) {
     options.operation_text = read_file(operation_path);
@@ -121,8 +106,8 @@ Verdict verdict_on(const std::string& operation_path, const std::optional<std::s
 }
 
 Verdict verdict_on_text(const std::string& operation, const std::optional<std::string>& certificate,
-                        const std::optional<std::string>& dump, const std::optional<std::string>& linked) {
-  return verdict_on(PassingFile("operation", operation).path(), certificate, dump, linked);
+                        const std::optional<std::string>& dump) {
+  return verdict_on(PassingFile("operation", operation).path(), certificate, dump);
 }
 
 }  // namespace restrip::verify::test

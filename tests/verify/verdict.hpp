@@ -6,9 +6,12 @@
 #include <string>
 
 #include "model/family.hpp"
-#include "naive_lists.hpp"
+#include "naive_tables.hpp"
 
 namespace restrip::verify::test {
+
+/// How often each fault occurs, by the claim under which a checker must report it. No entry: never.
+using Crimes = std::map<std::string, std::uint64_t>;
 
 /// Fans of the corpus have at most this many triangles.
 inline constexpr unsigned corpus_max_k = 4;
@@ -27,9 +30,6 @@ Verdict verdict_of(const std::string& certificate, const Family& family);
 /// The verdict on a certificate with only this section.
 Verdict verdict_of(const NaiveTable& table);
 
-/// The verdict on a certificate of linked rules with only this section.
-Verdict verdict_of(const NaiveLists& lists);
-
 /// The verdict on a folder with MANIFEST and certificates/.
 Verdict verdict_of(const std::filesystem::path& tables_dir);
 
@@ -40,9 +40,9 @@ Operation corpus_operation(const std::string& name);
 
 /// The verdict on an operation's file on disk, or on its text, with certificates and a dump as texts.
 Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
-                   const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
+                   const std::optional<std::string>& dump);
 
 Verdict verdict_on_text(const std::string& operation, const std::optional<std::string>& certificate,
-                        const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
+                        const std::optional<std::string>& dump);
 
 }  // namespace restrip::verify::test

@@ -46,7 +46,7 @@ const drawn = (indices) => {
 function sameAsReplay() {
   let compared = 0;
   for (const cost of ['strips', 'indices']) {
-    for (const policy of ['local', 'linked', 'quick']) {
+    for (const policy of ['local', 'quick']) {
       const reported = join(scratch, `${policy}-${cost}.json`);
       execFileSync(program, ['replay', file, '--policy', policy, '--cost', cost, '--repeats', '0', '--json', reported]);
       const native = JSON.parse(readFileSync(reported, 'utf8'));
@@ -166,8 +166,8 @@ function sameAsBaked() {
   assert.ok(!mesh.figures.baked && mesh.valid);
   assert.throws(() => straight.begin({ policy: 'baked' }), /no baked strips/);
   // The same mesh under another policy is the one of the progressive mesh.
-  mesh.begin({ policy: 'linked' }).moveTo(1000);
-  straight.begin({ policy: 'linked' }).moveTo(1000);
+  mesh.begin({ policy: 'quick' }).moveTo(1000);
+  straight.begin({ policy: 'quick' }).moveTo(1000);
   mesh.update();
   straight.update();
   assert.deepEqual(mesh.indices.slice(), straight.indices.slice());
@@ -476,7 +476,7 @@ async function threeFollows() {
 }
 
 function viewDependent() {
-  const mesh = restrip.progressive(source).begin({ policy: 'linked' });
+  const mesh = restrip.progressive(source).begin({ policy: 'quick' });
   const splits = mesh.splits;
   const wanted = new Uint8Array(mesh.levels);
   const near = (x) => {
@@ -596,7 +596,7 @@ function smallIsAsGood() {
     valid += one.valid;
   }
   assert.ok(valid > 2000, `only ${valid} were valid`);
-  for (const policy of ['local', 'linked', 'quick']) {
+  for (const policy of ['local', 'quick']) {
     const [one, other] = [smallLibrary, restrip].map((library) => library.progressive(source).begin({ policy, cost: 'indices' }));
     for (const mesh of [one, other]) mesh.moveTo(mesh.levels);
     assert.deepEqual(sorted(one.triangles), sorted(other.triangles));
@@ -737,7 +737,7 @@ async function worksAboveTwoGigabytes() {
   WebAssembly.instantiate = instantiate;
   instance.exports.restrip_take(1);  // the first call makes all memory that is there then the heap
   instance.exports.memory.grow(2 ** 15);
-  const mesh = high.progressive(source).begin({ policy: 'linked' });
+  const mesh = high.progressive(source).begin({ policy: 'quick' });
   mesh.moveTo(mesh.levels);
   mesh.update();
   const { indices } = mesh;

@@ -238,7 +238,7 @@ Subcommand add_draw(CLI::App& app) {
       "Triangles that face away from the camera are not drawn. A file that has strips is drawn with them, unless\n"
       "--triangles, --policy, --cost, --base or --boundary asks for others. --base 1 draws strips from scratch.\n"
       "Operation files are drawn by scripts/pictures.py.\n"
-      "Example: restrip draw bunny.obj --policy linked --triangles 5000 --camera 20,10 -o bunny.png");
+      "Example: restrip draw bunny.obj --policy quick --triangles 5000 --camera 20,10 -o bunny.png");
   return {sub, [kept] { return run(*kept); }};
 }
 

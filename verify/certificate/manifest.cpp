@@ -25,10 +25,10 @@ bool needs_no_line(const std::string& path) {
 }
 
 /// The number of rows of a certificate by its last line, "end NUMBER …", 0 if it has no such line; of a header by the
-/// certificates from which it is made. Certificates and headers of operations are in separate folders.
+/// certificate from which it is made. Certificates and headers of operations are in separate folders.
 std::size_t rows_of(const std::string& tables_dir, const std::string& path) {
-  std::size_t rows = 0;
   if (path.ends_with(".cert")) {
+    std::size_t rows = 0;
     const std::string text = read_file(tables_dir + "/" + path);
     const std::size_t line = text.rfind("\nend ");
     if (line != std::string::npos) std::from_chars(text.data() + line + 5, text.data() + text.size(), rows);
@@ -38,13 +38,8 @@ std::size_t rows_of(const std::string& tables_dir, const std::string& path) {
   if (!path.starts_with(headers) || !path.ends_with(".hpp")) return 0;
   std::string name = path.substr(headers.size(), path.size() - headers.size() - 4);
   std::replace(name.begin(), name.end(), '_', '-');
-  std::vector<std::string> certificates{name};
-  if (name == "linked") certificates = {"linked-collapse", "linked-split"};
-  for (const std::string& one : certificates)
-    if (const std::string certificate = "certificates/" + one + ".cert";
-        fs::is_regular_file(fs::path(tables_dir) / certificate))
-      rows += rows_of(tables_dir, certificate);
-  return rows;
+  const std::string certificate = "certificates/" + name + ".cert";
+  return fs::is_regular_file(fs::path(tables_dir) / certificate) ? rows_of(tables_dir, certificate) : 0;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 Require Import Arith Bool List NArith Lia.
 Import ListNotations.
 Require Import Statements Positions.
-Require Shipped LinkedTables.
+Require Shipped.
 
 Definition all_positions : list position :=
   map (fun '(k, a) => split_at k a) arcs ++ map (fun '(k, a) => collapse_at k a) arcs ++
@@ -21,17 +21,13 @@ Proof.
   apply andb_prop in I as [Po K]. apply Nat.leb_le in K. exact (Shipped.rules_right o Po K).
 Qed.
 
-(** Positions and answers of split, collapse, open-split, open-collapse, boundary-split, boundary-collapse; of linked
-    splits and collapses positions and lists; and the flip, in the order of the dump. *)
+(** Positions and answers of split, collapse, open-split, open-collapse, boundary-split, boundary-collapse and
+    the flip, in the order of the dump. *)
 Definition count {A} (patch_of : A -> patch) (positions : list A) : N * N :=
   (N.of_nat (length positions),
    fold_right N.add 0%N (map (fun at_ => let p := patch_of at_ in 2 ^ N.of_nat (ports p + length (inner (before p))))%N positions)).
-(** One list for each colouring of the ports. *)
-Definition lists (valences : list nat) : N * N :=
-  (N.of_nat (length valences), fold_right N.add 0%N (map (fun k => 2 ^ N.of_nat k)%N valences)).
 Definition counts : list (N * N) :=
   [count (fun '(k, a) => split k a) arcs; count (fun '(k, a) => collapse k a) arcs;
    count (fun '(k, i, j) => open_split k i j) gap_pairs; count (fun '(k, i, j) => open_collapse k i j) gap_pairs;
    count (fun '(k, i) => boundary_split k i) gaps; count (fun '(k, i) => boundary_collapse k i) gaps;
-   lists (map fst LinkedTables.split_positions); lists (seq 3 6);
    count (fun _ => flip) [tt]].

@@ -136,6 +136,13 @@ Proof.
     destruct (Nat.eqb_spec a v), (Nat.eqb_spec b v); subst; lia.
 Qed.
 
+Lemma valid_decided G : valid G \/ ~ valid G.
+Proof.
+  induction G as [|[a b] G IH]; [left; apply valid_nil|]. rewrite valid_cons.
+  destruct IH as [V|V]; [|tauto]. destruct (linked_or_not G a b); [tauto|].
+  destruct (le_dec (degree G a) 1), (le_dec (degree G b) 1); tauto.
+Qed.
+
 Lemma valid_tail e G : valid (e :: G) -> valid G.
 Proof. destruct e. rewrite valid_cons. tauto. Qed.
 

@@ -2,8 +2,7 @@
 
     [Statements.v] defines each of them; this file names the tables and numbers of the shipped headers to which they apply.
     They are printed from the headers: [Shipped.shipped o] is the table of position [o], [Flip.full] the table of flips,
-    [Shipped.by_key o] the rows of the certificates, [Shipped.lists o] the lists of the linked rules, and
-    [Automaton.automaton] holds the numbers of the automaton.
+    [Shipped.by_key o] the rows of the certificates, and [Automaton.automaton] holds the numbers of the automaton.
 
     After each theorem Coq prints its assumptions; scripts/prove.sh requires "Closed under the global context". *)
 Require Import Arith Bool List NArith.
@@ -49,9 +48,6 @@ Print Assumptions automaton_serves.
 Theorem automaton_inside : Automaton_inside Automaton.automaton.
 Proof. exact (Served.automaton_inside _ Automaton.automaton_ok). Qed.
 Print Assumptions automaton_inside.
-Theorem linked_rules_right : Linked_rules_right Shipped.lists.
-Proof. exact Shipped.linked_rules_right. Qed.
-Print Assumptions linked_rules_right.
 Theorem sequences_right : Sequences_right (Meshes.by_tables Shipped.shipped).
 Proof. exact (EverySize.sequences_right _ Shipped.rules_right). Qed.
 Print Assumptions sequences_right.

@@ -1,8 +1,8 @@
 (** * The shipped tables, position by position *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Statements Table Checker Rows Symmetry Linked.
-Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse LinkedTables.
+Require Import Statements Table Checker Rows Symmetry.
+Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse.
 
 (** What the shipped headers answer to fans of at most eight triangles, and the reduced tables of the certificates. *)
 Definition shipped (o : position) : table :=
@@ -17,13 +17,7 @@ Definition by_key (o : position) : table :=
          | open_split_at k i j => OpenSplit.by_key k i j | open_collapse_at k _ _ => OpenCollapse.by_key k
          | boundary_split_at k i => BoundarySplit.by_key k i | boundary_collapse_at k _ => BoundaryCollapse.by_key k
          end.
-(** The lists of the linked rules. *)
-Definition lists (o : position) : coloring -> list alternative :=
-  match o with
-  | split_at k a => LinkedTables.split_lists k a | collapse_at k _ => LinkedTables.collapse_lists k | _ => fun _ => []
-  end.
-
-Ltac bounds := cbn [possible valence_at listed has_lists] in *; rewrite ?andb_true_iff, ?Nat.leb_le, ?Nat.ltb_lt in *.
+Ltac bounds := cbn [possible valence_at listed] in *; rewrite ?andb_true_iff, ?Nat.leb_le, ?Nat.ltb_lt in *.
 
 Lemma within_more p T strips alone alone' : within p T strips alone -> alone <= alone' -> within p T strips alone'.
 Proof. intros W H s c x Ls Lc E. destruct (W s c x Ls Lc E). split; lia. Qed.
@@ -51,11 +45,4 @@ Proof.
   - apply (check_proves _ _ _ _ _ _ (OpenCollapse.checked k i j ltac:(lia) ltac:(lia) ltac:(lia))).
   - apply (check_proves _ _ _ _ _ _ (BoundarySplit.checked k i ltac:(lia) ltac:(lia))).
   - apply (check_proves _ _ _ _ _ _ (BoundaryCollapse.checked k i ltac:(lia) ltac:(lia))).
-Qed.
-
-Theorem linked_rules_right : Linked_rules_right lists.
-Proof.
-  intros [k a|k a|k i j|k i j|k i|k i] Po K L; bounds; try discriminate.
-  - pose proof (LinkedTables.split_checked k a ltac:(lia) ltac:(lia) ltac:(lia)) as C. split; [exact (lists_best _ _ C)|exact (lists_tell _ _ C)].
-  - pose proof (LinkedTables.collapse_checked k a ltac:(lia) ltac:(lia)) as C. split; [exact (lists_best _ _ C)|exact (lists_tell _ _ C)].
 Qed.

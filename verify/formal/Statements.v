@@ -6,7 +6,7 @@
     docs/reference/notation.md.
 
     The parts are: graphs, patches, best recolourings, tables, the families, flips, positions and the rules; then,
-    independently, the look-up in the automaton, linked rules, sequences of operations, whole meshes, a lower bound, and runs. *)
+    independently, the look-up in the automaton, sequences of operations, whole meshes, a lower bound, and runs. *)
 Require Import Arith Bool List NArith ZArith FMapPositive Permutation.
 Import ListNotations.
 
@@ -380,45 +380,6 @@ Definition Automaton_serves (H : Lookup.header) : Prop := forall o, possible o =
 (** Every read stays inside its array: the answers do not depend on the memory after the arrays. *)
 Definition Automaton_inside (H : Lookup.header) : Prop := forall H', Lookup.same_inside H H' -> forall o, possible o = true ->
   forall s J, Lookup.answer H' o s J = Lookup.answer H o s J.
-
-(** ** Linked rules
-
-    They are chosen if the course of the strips outside the patch is known. For each colouring of the ports there is a list of
-    alternatives, best first, each with the pairs of ports that it joins inside. *)
-Module Beside.
-Record alternative := Alternative { recoloring : coloring; pairs : graph }.
-
-(** The first of a list that satisfies [good]. *)
-Definition first_that {A} (good : A -> Prop) (l : list A) (a : A) : Prop :=
-  exists before after, l = before ++ a :: after /\ good a /\ forall b, In b before -> ~ good b.
-
-(** The list [L s] serves each configuration with ports [s] and each outside [O]: its first alternative that is valid
-    in [O] is as good as every recolouring that is valid in [O]. *)
-Definition linked_best (p : patch) (L : coloring -> list alternative) : Prop :=
-  forall s c O, length s = ports p -> length c = length (inner (before p)) -> rest_of_mesh p O ->
-    valid (O ++ drawing (before p) s c) ->
-    exists a, first_that (fun b => valid (O ++ drawing (after p) s (recoloring b))) (L s) a /\
-      length (recoloring a) = length (inner (after p)) /\
-      forall y, length y = length (inner (after p)) -> valid (O ++ drawing (after p) s y) ->
-        as_good (after p) s (recoloring a) y.
-
-(** The pairs [Q] stand for the graph [G]: they link the same ports. *)
-Definition stand_for (k : nat) (Q G : graph) : Prop :=
-  (forall e, In e Q -> fst e < k /\ snd e < k) /\ acyclic Q /\
-  forall i j, i < k -> j < k -> (linked Q i j <-> linked G i j).
-(** The pairs that [O] joins decide whether an alternative is valid in [O]. *)
-Definition pairs_tell (p : patch) (L : coloring -> list alternative) : Prop :=
-  forall s c O Q a, length s = ports p -> length c = length (inner (before p)) -> rest_of_mesh p O ->
-    valid (O ++ drawing (before p) s c) -> stand_for (ports p) Q O -> In a (L s) ->
-    (valid (O ++ drawing (after p) s (recoloring a)) <-> acyclic (pairs a ++ Q)).
-
-End Beside.
-
-(** Splits have lists for half of the positions. *)
-Definition has_lists (o : position) : bool :=
-  match o with split_at k a => 2 * a <=? k | collapse_at _ _ => true | _ => false end.
-Definition Linked_rules_right (L : position -> coloring -> list Beside.alternative) : Prop := forall o, possible o = true ->
-  valence_at o <= 8 -> has_lists o = true -> Beside.linked_best (patch_at o) (L o) /\ Beside.pairs_tell (patch_at o) (L o).
 
 (** ** Sequences of operations
 

@@ -4,11 +4,11 @@
   print_coq.py rows DIRECTORY < FAMILY.cert      a certificate (there as well) as Rows_FAMILY.v
   print_coq.py automaton DIRECTORY < dump        a dump of the automaton (there as well) as AutomatonNumbers.v
 
-Tables: a table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
-Linked.v how the lists of linked rules are. The stated changes become a trie as well, which Told.v reads. Only the
+Tables: a table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read. The
+stated changes become a trie as well, which Told.v reads. Only the
 flip may keep fewer ports; the mask of its answer is after | kept << 1. At the end of a file is the
 function from positions, lists of numbers such as [8; 3], to the family's tables. Printed to the standard output: each
-family, how many positions it has, and how many answers (of linked rules: lists).
+family, how many positions it has, and how many answers.
 
 Rows: the recolouring of a copy is left out: Rows.v derives it from the symmetry. Reasons and sums are left out,
 too: the proof searches. At the end of the file is the function from positions, lists of numbers such as [8; 3], to
@@ -40,7 +40,7 @@ def write(directory, name, text):
 
 BITS = {  # of the masks before and after, given k
     "split": (0, 3), "collapse": (3, 0), "open-split": (-1, 2), "open-collapse": (2, -1), "boundary-split": (-1, 0),
-    "boundary-collapse": (0, -1), "linked-split": (None, 3), "linked-collapse": (None, 0)}
+    "boundary-collapse": (0, -1)}
 LEAF = 0xffff  # instead of a fork's first node; followed by the mask
 PIECE = 2000  # digits of a text
 PART = 500  # rows of a list
@@ -53,7 +53,6 @@ class Table:
         words = head.split()
         self.family = words[1]
         self.position = [word for word in words[2:] if word.isdigit()]
-        self.linked = self.family.startswith("linked-")
         if head == "table flip":
             self.ports, self.before, self.after = 4, 1, 5
             return
@@ -61,7 +60,7 @@ class Table:
             fail("no head of a table: " + head)
         self.ports = int(self.position[0])
         before, after = BITS[self.family]
-        self.before = 0 if before is None else self.ports + before
+        self.before = self.ports + before
         self.after = self.ports + after
 
     def read_answers(self, lines):
@@ -93,21 +92,6 @@ class Table:
             fail("%s: too wide: %s" % (self.family, rest))
         return answer, 256 * (strips + 128) + isolated + 128
 
-    def read_lists(self, lines):
-        """All lists, for ascending port masks, as numbers of four digits: the length of a list, then for each
-        alternative its recolouring and its partners, high half first."""
-        digits = ""
-        for ports in range(1 << self.ports):
-            line = next(lines, "")
-            matched("%s(?: %s)+" % (HEXADECIMAL, HEXADECIMAL), line)
-            masks = [int(word, 16) for word in line.split()]
-            if masks[0] != ports or len(masks) % 2 == 0:
-                fail("%s: line out of order: %s" % (self.family, line))
-            if any(mask >> self.after for mask in masks[1::2]) or any(mask >> 32 for mask in masks[2::2]):
-                fail("%s: mask too wide: %s" % (self.family, line))
-            digits += "%04x" % (len(masks) // 2) + "".join("%04x%08x" % pair for pair in zip(masks[1::2], masks[2::2]))
-        return digits
-
 
 def trie_of(leaves):
     """The nodes, eight digits each: a fork of two nodes by number, or LEAF and the mask; node 0 has no leaf. The lowest
@@ -136,10 +120,9 @@ def trie_of(leaves):
 class TableFile:
     """The file of one family. A table is a text of hexadecimal digits, cut into pieces, and what is made of it."""
 
-    def __init__(self, linked):
-        self.kind, self.nothing = ("list (list alternative)", "[]") if linked else ("trie", "Nothing")
+    def __init__(self):
         self.text = ("(* Printed by print_coq.py from a table dump. *)\nRequire Import List Number.\nImport ListNotations.\n"
-                     "Require Import %s.\nLocal Open Scope hex_uint_scope.\n" % ("Linked" if linked else "Table"))
+                     "Require Import Table.\nLocal Open Scope hex_uint_scope.\n")
         self.cases = ""
         self.positions = self.answers = 0
 
@@ -149,14 +132,14 @@ class TableFile:
         for number, piece in enumerate(pieces):
             self.text += "Definition text_%s_%d : Number.uint := 0x1%s.\n" % (name, number, piece)
         texts = "; ".join("text_%s_%d" % (name, number) for number in range(len(pieces)))
-        self.text += "Definition table_%s : %s := %s [%s].\n" % (name, self.kind, reader, texts)
+        self.text += "Definition table_%s : trie := %s [%s].\n" % (name, reader, texts)
         self.cases += "  | [%s]%%nat => table_%s\n" % ("; ".join(table.position), name)
         self.positions += 1
         self.answers += 1 << table.ports + table.before
 
     def write(self, directory, name):
-        write(directory, name, "%sDefinition table (position : list nat) : %s :=\n  match position with\n%s  | _ => %s\n  end.\n"
-              % (self.text, self.kind, self.cases, self.nothing))
+        write(directory, name, "%sDefinition table (position : list nat) : trie :=\n  match position with\n%s  | _ => Nothing\n  end.\n"
+              % (self.text, self.cases))
 
 
 def print_tables(lines, directory):
@@ -166,13 +149,9 @@ def print_tables(lines, directory):
     line = next(lines, "")
     while line.startswith("table "):
         table = Table(line)
-        file = files.setdefault(table.family, TableFile(table.linked))
-        if table.linked:
-            file.add(table, table.read_lists(lines), "lists_of %d%%nat" % table.after)
-        else:
-            answers, told = table.read_answers(lines)
-            file.add(table, trie_of(answers), "table_of %d%%nat" % table.after)
-            told_files.setdefault(table.family, TableFile(False)).add(table, trie_of(told), "table_of 16%nat")
+        answers, told = table.read_answers(lines)
+        files.setdefault(table.family, TableFile()).add(table, trie_of(answers), "table_of %d%%nat" % table.after)
+        told_files.setdefault(table.family, TableFile()).add(table, trie_of(told), "table_of 16%nat")
         line = next(lines, "")
     count = sum(file.answers for file in files.values())
     if line != "end %d" % count or next(lines, None) is not None:

@@ -60,9 +60,8 @@ std::string line_of(const ClaimResult& result) {
 
 std::string last_line(const Totals& totals) {
   return answers_line("proved", totals.answers) + answers_line("NOT compared", totals.not_compared) +
-         fmt::format("{}: {}, {}, {}, {} judged, {}{}, k <= {}; read: {}\n",
+         fmt::format("{}: {}, {}, {} judged, {}{}, k <= {}; read: {}\n",
                      totals.failed == 0 ? "verified" : "NOT verified", counted_grouped(totals.rules, "rule"),
-                     counted_grouped(totals.alternatives, "alternative"),
                      counted_grouped(totals.configurations, "configuration"), counted_grouped(totals.graphs, "graph"),
                      counted(totals.claims, "claim"),
                      totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed), totals.max_k,
@@ -88,7 +87,6 @@ nlohmann::ordered_json json_of(const std::vector<ClaimResult>& claims) {
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals) {
   return text_of({{"claims", json_of(claims)},
                   {"rules", totals.rules},
-                  {"alternatives", totals.alternatives},
                   {"configurations", totals.configurations},
                   {"graphs", totals.graphs},
                   {"answers_proved", json_of(totals.answers)},

@@ -68,14 +68,12 @@ AnswerCount sum_of(const AnswerCounts& counts);
 struct Totals {
   unsigned max_k = 0;                ///< of the largest fans
   std::uint64_t rules = 0;           ///< rows, including copies
-  std::uint64_t alternatives = 0;    ///< rows of linked families
   std::uint64_t configurations = 0;  ///< valid ones, over all families and positions
   std::uint64_t graphs = 0;          ///< graphs compared with the definition
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
   Sources read;
-  bool graph_only = false;      ///< an operation that is not checked to be possible on a mesh
-  bool lists_not_read = false;  ///< a family has linked rules, but their certificate was not given
+  bool graph_only = false;  ///< an operation that is not checked to be possible on a mesh
   /// Answers of the shipped headers by operation: answers proved right, and answers read but not checked because their
   /// family was not chosen.
   AnswerCounts answers;

@@ -28,20 +28,10 @@ struct ExpectedTable {
   const SectionRows* rows = nullptr;
 };
 
-/// The expected content of one table of lists: a line for each port mask, in full, or null for a table that is not
-/// compared.
-struct ExpectedLists {
-  std::string family;    ///< "linked-split"
-  std::string position;  ///< "k 3 a 1"
-  unsigned ports = 0;
-  const std::vector<std::string>* lines = nullptr;
-};
-
 struct ExpectedDump {
   bool with_digests = false;    ///< whether to compute digests of the answers, for shipped operations
   bool states_isolated = true;  ///< whether every answer must state the change in isolated triangles; otherwise it may
   std::vector<ExpectedTable> tables;
-  std::vector<ExpectedLists> lists;
 };
 
 /// The answer of a table for a valid configuration: the colours after the operation, and their changes. Compiled tables
@@ -56,7 +46,7 @@ struct Answer {
 /// The results of a comparison.
 struct Compared {
   AnswerCounts families;
-  Failures differences;  ///< from the rows of a certificate, or between lists
+  Failures differences;  ///< from the rows of a certificate
   Failures wrong;        ///< answers that are not sound, or not the best
   Failures misstated;    ///< answers that state a wrong change
 };
@@ -65,12 +55,10 @@ struct DumpComparison {
   std::uint64_t lines = 0;                     ///< entry lines read
   bool states_changes = true;                  ///< whether answers stated their changes, so that these could be judged
   std::array<Compared, against_count> tables;  ///< by Against; tables compared with nothing have no differences
-  std::array<Compared, against_count> lists;   ///< likewise; never against own_patch
   Digests digests;                             ///< of all tables, if requested
   std::string fault;                           ///< why the dump could not be read to its end; otherwise empty
 
   const Compared& of(Against against) const { return tables[static_cast<std::size_t>(against)]; }
-  const Compared& of_lists(Against against) const { return lists[static_cast<std::size_t>(against)]; }
   /// Whether the dump was read and nothing is wrong.
   bool agrees() const;
 };

@@ -26,8 +26,6 @@ std::string name_of(const JsonValue& value, Author author) {
                                longest_name));
   if (const std::optional<std::string> owner = author == Author::restrip ? std::nullopt : owner_of_name(name))
     value.refuse(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
-  if (author == Author::user && name.starts_with("linked-"))
-    value.expected("a name that does not begin with \"linked-\", which is reserved for certificates of linked rules");
   return name;
 }
 
@@ -144,8 +142,7 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
   if (const std::optional<JsonValue> take = value.member("take"))
     take->refuse("expected no taken ports, since a rule does not see the triangle beyond a dashed port");
   value.expect_members({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
-                        "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
-                        "at_most"});
+                        "cost", "certificate", "numbers", "where", "listed", "position", "section", "at_most"});
   if (const std::optional<JsonValue> version = value.member("restrip_operation")) expect_version(*version);
   name = name_of(value["name"], author);
   if (author == Author::user && is_other_operation(name, value))
@@ -182,7 +179,6 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
   section = words_of(value, "section", numbers, position);
   if (!numbers.empty() && value["before"].is_list() && serves_every_position())
     value["section"].refuse("expected all numbers: triangles may be numbered again at each position");
-  if (const auto flag = value.member("linked")) linked = flag->truth();
   for (unsigned k = 0; k <= most_searched_ports; ++k)
     if (const std::vector<Numbers> some = positions(k); !some.empty()) {
       (void)at(some.front());
@@ -229,8 +225,6 @@ Operation Description::at(const Numbers& values) const {
   if (author_ == Author::user) expect_limits(value_, operation);
   const std::optional<JsonValue> cost = value_.member("cost");
   operation.cost = cost ? cost_of(*cost, operation.after) : default_cost(operation.constraint);
-  if (linked && (operation.constraint != Constraint::strips || operation.may_give_up != 0))
-    value_["linked"].refuse("linked rules are for strips that keep all ports");
   if (const std::optional<JsonValue> bounds = value_.member("at_most")) take_bounds(*bounds, numbers, operation);
   return operation;
 }

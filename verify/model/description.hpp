@@ -31,7 +31,6 @@ class Description {
   Conditions listed;
   std::string position;  ///< with the numbers' names in braces
   std::string section;   ///< the section of the certificate, in the same form; empty if it is the name
-  bool linked = false;
 
   /// All its positions, including unlisted ones, in ascending order, whose first number is at most `max_k`. Without
   /// numbers there is one position.

@@ -67,15 +67,6 @@ std::vector<Family> families_of(const std::vector<Description>& descriptions, un
 
 std::vector<Family> all_families(unsigned max_k) { return families_of(shipped_descriptions(), max_k); }
 
-std::vector<LinkedFamily> linked_families(unsigned max_k) {
-  std::vector<LinkedFamily> families;
-  for (const Description& description : shipped_descriptions())
-    if (description.linked)
-      families.push_back(
-          {"linked-" + description.certificate, family_of(shipped_descriptions(), description.certificate, max_k)});
-  return families;
-}
-
 Side patch_after(const std::string& certificate, const Numbers& numbers) {
   for (const Description& description : shipped_descriptions())
     if (description.certificate == certificate) return description.side_after(numbers);

@@ -34,15 +34,6 @@ std::vector<Family> families_of(const std::vector<Description>& descriptions, un
 /// The families of the shipped descriptions, 3 <= max_k <= 10.
 std::vector<Family> all_families(unsigned max_k = largest_fan);
 
-/// Linked rules: the sections, patches and positions of another family, with lists instead of rules.
-struct LinkedFamily {
-  std::string name;
-  Family local;
-};
-
-/// The families of the shipped descriptions that have linked rules.
-std::vector<LinkedFamily> linked_families(unsigned max_k = largest_fan);
-
 /// The patch after an operation of this shipped certificate; only the numbers on which it depends are needed.
 Side patch_after(const std::string& certificate, const Numbers& numbers);
 

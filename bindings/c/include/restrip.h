@@ -48,7 +48,7 @@ extern "C" {
 
 /* The number of this interface. It is part of the name of the shared library (librestrip_c.so.2) and increases when a
  * program compiled with an older header can no longer use the library. New functions and new codes do not change it. */
-#define RESTRIP_ABI_VERSION 2
+#define RESTRIP_ABI_VERSION 3
 
 /* RESTRIP_ABI_VERSION of the compiled library: for programs that load it at run time. */
 RESTRIP_API uint32_t restrip_abi_version(void);
@@ -211,14 +211,13 @@ RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t eff
 /* Policies: the steps after the rule of an operation, for RESTRIP_FEWEST_INDICES, and the time of all, relative to the
  * mesh update alone. README.md explains the words. */
 enum {
-  RESTRIP_POLICY_BARE = 0,   /* no rule, dual edges of changed triangles become dashed; 1 */
-  RESTRIP_POLICY_RULES = 1,  /* nothing; 2 */
-  RESTRIP_POLICY_LOCAL = 2,  /* 4 looks at the strip ends of the patch; 2 to 5 */
-  RESTRIP_POLICY_LINKED = 3, /* 5 looks, chains of 2 moves; 4 to 8 */
-  RESTRIP_POLICY_QUICK = 4,  /* 12 looks, chains of 8 moves; 9 to 30 */
-  RESTRIP_POLICY_FULL = 5,   /* 70 looks, around the patch as well; 40 to 200 */
-  RESTRIP_POLICY_BEST = 6,   /* the same, then an exact window of 40 triangles; 500 to 1,000 */
-  RESTRIP_POLICY_BAKED = 7   /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
+  RESTRIP_POLICY_BARE = 0,  /* no rule, dual edges of changed triangles become dashed; 1 */
+  RESTRIP_POLICY_RULES = 1, /* nothing; 2 */
+  RESTRIP_POLICY_LOCAL = 2, /* 4 looks at the strip ends of the patch; 2 to 5 */
+  RESTRIP_POLICY_QUICK = 3, /* 12 looks, chains of 8 moves; 9 to 30 */
+  RESTRIP_POLICY_FULL = 4,  /* 70 looks, around the patch as well; 40 to 200 */
+  RESTRIP_POLICY_BEST = 5,  /* the same, then an exact window of 40 triangles; 500 to 1,000 */
+  RESTRIP_POLICY_BAKED = 6  /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
 /* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A
  * baked mesh leaves its levels. O(T). After an error the policy is unchanged. */
@@ -254,8 +253,7 @@ RESTRIP_API restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_hal
 RESTRIP_API restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 
 /* Four operations on few triangles, independent of valences; longest-edge bisection uses them. They are checked and
- * reported like the three above, and maintain strips like them. RESTRIP_POLICY_LINKED does the same for them as
- * RESTRIP_POLICY_LOCAL.
+ * reported like the three above, and maintain strips like them.
  *
  * Split face: a new vertex v_t inside the triangle of h, which leaves v_s; one triangle becomes three. `halfedge` of
  * the change is v_s -> v_t. */

@@ -37,8 +37,6 @@
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/hooks.hpp"
 #include "restrip/operations/join.hpp"
-#include "restrip/operations/linked.hpp"
-#include "restrip/operations/linked_hooks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/buffer_history.hpp"

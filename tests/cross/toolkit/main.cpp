@@ -16,14 +16,14 @@ int main() {
   }
   restrip::StripMesh mesh = restrip::StripMesh::build(triangles, MAX_K + 2);
 
-  // Each tip is split and collapsed again, by the rules and by linked rules; both report how the strips change.
+  // Each tip is split and collapsed again, with and without joins; both report how the strips change.
   auto strips = static_cast<int>(restrip::count_strips(mesh));
   for (const restrip::Vertex tip : {MAX_K, MAX_K + 1})
     for (restrip::Vertex other = 1; other < MAX_K; ++other) {
       const auto split = restrip::split(mesh, {mesh.spoke(tip, 0), mesh.spoke(tip, other)});
-      const auto collapse = restrip::collapse_and_link(mesh, split.halfedge);
+      const auto collapse = restrip::collapse_and_join(mesh, split.halfedge);
       strips += split.strips + collapse.strips;
-      const auto again = restrip::split_and_link(mesh, {mesh.spoke(tip, 0), mesh.spoke(tip, other)});
+      const auto again = restrip::split_and_join(mesh, {mesh.spoke(tip, 0), mesh.spoke(tip, other)});
       strips += again.strips + restrip::collapse(mesh, again.halfedge).strips;
       if (!restrip::check_coloring(mesh).valid || strips != static_cast<int>(restrip::count_strips(mesh)))
         return EXIT_FAILURE;

@@ -14,7 +14,7 @@ using Halfedge = StripMesh::Halfedge;
 
 TEST(Checked, OperationsDoAllOrNothing) {
   StripMesh mesh = sample::rectangle(4, 4);
-  Keeper keeper(mesh, Policy::linked, Cost::strips());
+  Keeper keeper(mesh, Policy::local, Cost::strips());
   const std::vector<sample::Corners> before = sample::triangles_of(mesh);
   const Halfedge edge = mesh.spoke(0);
   EXPECT_EQ(checked_flip(mesh, edge).refusal, Refusal::boundary_edge);

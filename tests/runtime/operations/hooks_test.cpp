@@ -19,7 +19,7 @@ namespace {
 
 using namespace hooked;
 
-TEST(Hooks, GiveWhatTheOperationsGive) { expect_what_operations_give(HookRules::local); }
+TEST(Hooks, GiveWhatTheOperationsGive) { expect_what_operations_give(); }
 
 TEST(Hooks, FansOfAnySize) {
   for (const Vertex k : {15U, 16U, 17U, 63U, 64U, 65U, 200U}) {

@@ -165,7 +165,7 @@ TEST(Refine, InversesUndoEachOther) {
 
 // Under a keeper, reported changes are counted as well, and its locator follows.
 TEST(Refine, KeepersFollow) {
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+  for (const Policy policy : {Policy::local, Policy::quick, Policy::full}) {
     StripMesh mesh = sample::torus(12, 9);
     stripify(mesh, Effort::fast, Cost::strips());
     Keeper keeper(mesh, policy, Cost::strips());

@@ -121,7 +121,7 @@ TEST(BufferHistory, GivesBackTheVeryIndices) {
       SavedState kept(shape, most);
       expect_the_very_looks(kept, random, 120, true);
       if (HasFatalFailure()) return;
-      for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full})
+      for (const Policy policy : {Policy::local, Policy::quick, Policy::full})
         for (const Cost cost : {Cost::strips(), Cost::indices()}) {
           SavedState under(shape, most, policy, cost);
           expect_the_very_looks(under, random, 60, false);

@@ -27,7 +27,7 @@ std::size_t most_indices(const StripMesh& mesh) {
 
 TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
   std::mt19937 random(11);
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
+  for (const Policy policy : {Policy::local, Policy::quick}) {
     for (const int most : {1, 5, 40}) {
       for (StripMesh& mesh : sample::meshes()) {
         Keeper keeper(mesh, policy, Cost::strips());
@@ -55,7 +55,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
 
 // A mesh grows to twice its size, shrinks to a tenth and grows again; the length is looked at after every operation.
 TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
+  for (const Policy policy : {Policy::local, Policy::quick}) {
     std::mt19937 random(12);
     StripMesh mesh = sample::torus(24, 24);
     stripify(mesh, Effort::fast, Cost::strips());
@@ -173,7 +173,7 @@ TEST(StripBuffer, SixteenBitIndices) {
   std::mt19937 random(13);
   StripMesh mesh = sample::torus(20, 20);
   stripify(mesh, Effort::fast, Cost::strips());
-  Keeper keeper(mesh, Policy::linked, Cost::strips());
+  Keeper keeper(mesh, Policy::local, Cost::strips());
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   StripBuffer16 buffer(mesh);

@@ -23,7 +23,7 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
   std::mt19937 random(15);
   for (const unsigned most : {1U, 40U}) {
     for (StripMesh& mesh : sample::meshes()) {
-      Keeper keeper(mesh, Policy::linked, Cost::strips());
+      Keeper keeper(mesh, Policy::local, Cost::strips());
       std::vector<Triangle> changed;
       mesh.watch(&changed);
       TriangleListBuffer buffer(mesh);

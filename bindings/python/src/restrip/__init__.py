@@ -30,7 +30,7 @@ Progress = Callable[[int, int, int], Optional[bool]]
 
 _COSTS = {"strips": (1, 0, 0), "indices": (3, 1, 0)}
 _EFFORTS = ("fast", "full", "best")
-_POLICIES = ("bare", "rules", "local", "linked", "quick", "full", "best")
+_POLICIES = ("bare", "rules", "local", "quick", "full", "best")
 _FORMATS = ("restart", "stitched", "strips", "vtk")
 _FORMS = {"restart": 0, "stitched": 1, "list": 3}
 _LENGTHS = 2
@@ -159,7 +159,7 @@ class LiveMesh:
 
     `faces` has three columns, counter-clockwise; vertices are numbers below `vertex_count` (by default the largest plus
     one). Strips are made from scratch by `effort` ("fast", "full", "best"; None: every triangle is a strip) and maintained by
-    `policy` ("bare", "rules", "local", "linked", "quick", "full", "best": docs/reference/policies.md has figures) for `cost`: "strips",
+    `policy` ("bare", "rules", "local", "quick", "full", "best": docs/reference/policies.md has figures) for `cost`: "strips",
     "indices", or a triple (restart, swap, isolated) of weights. Memory is linear in the faces and in the largest vertex
     number, about 17 bytes for each; `strips_of` shows how to renumber sparse vertices.
 

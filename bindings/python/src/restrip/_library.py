@@ -7,7 +7,7 @@ import pathlib
 
 NONE = 0xFFFFFFFF
 NOT_LIVE = 108  # RESTRIP_NOT_LIVE
-ABI = 2  # RESTRIP_ABI_VERSION
+ABI = 3  # RESTRIP_ABI_VERSION
 
 _u32, _size, _mesh, _int = c.c_uint32, c.c_size_t, c.c_void_p, c.c_int32
 

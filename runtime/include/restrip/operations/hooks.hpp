@@ -20,7 +20,7 @@
 // Debug builds check the preconditions before the change, and after it that the mesh has the patch that the operation
 // makes. On meshes other than StripMesh every operation also checks that the colours it reads can belong to a valid
 // colouring (Refusal::colors_not_valid), so changes made without restrip are soon noticed; check_coloring
-// (output/strips.hpp) checks the whole mesh. Linked rules: linked_hooks.hpp. Ready-made adapters:
+// (output/strips.hpp) checks the whole mesh. Ready-made adapters:
 // operations/adapters/openmesh_decimater.hpp and operations/adapters/cgal_edge_collapse.hpp.
 #pragma once
 

@@ -28,11 +28,6 @@
 
 namespace restrip {
 
-/// Whether a strip end u that meets no other end may exchange an adjacent solid edge x - y for two others: u - x, and y
-/// - w for an end w of another strip. Each exchange saves one strip; strips get two to three times as long. Step 1 is
-/// then omitted, so a few ends that meet may stay apart. The operations of linked.hpp use exchanges.
-enum class Exchange { no, yes };
-
 /// Whether the triangles to the left of g and h, which must be two strip ends or isolated triangles, are ends of one
 /// strip. Time linear in the shorter strip.
 template <ColoredMesh Mesh>
@@ -51,9 +46,9 @@ Repair join_all(Mesh& mesh);
 /// Steps 1 to 3 above, for custom operations and the operations of refine.hpp, after the operation: around the vertex
 /// that h leaves; or in the two triangles at the edge of h and their neighbours, where ports may have been cleared.
 template <ColoredMesh Mesh>
-Repair join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = Exchange::no);
+Repair join_around(Mesh& mesh, typename Mesh::Halfedge h);
 template <ColoredMesh Mesh>
-Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = Exchange::no);
+Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h);
 
 /// split(), then steps 1 to 3. The Rewrite includes all changes. `name`: the new vertex, for meshes that let the caller
 /// name it.

@@ -4,11 +4,10 @@
 // follows. The steps after the rule only lower the cost, so an operation adds at most what a rule adds at most
 // (docs/explanation/theory.md, "What an operation adds").
 //
-// Under the cost of strips the policies join ends of strips that meet (join.hpp), follow the strips around the patch
-// (linked.hpp), or search by tunnelling (tunnel.hpp) from every strip end in the patch, which needs a locator of the
-// strips (strip_locator.hpp). When a strip breaks, its ends are known, and ends of other strips are near. (Porcu and
-// Scateni tunnel when isolated triangles exceed a threshold. Immediate local tunnelling keeps the strips of every level
-// of detail as long as strips made from scratch.)
+// Under the cost of strips the policies join ends of strips that meet (join.hpp), or search by tunnelling (tunnel.hpp)
+// from every strip end in the patch, which needs a locator of the strips (strip_locator.hpp). When a strip breaks, its
+// ends are known, and ends of other strips are near. (Porcu and Scateni tunnel when isolated triangles exceed a
+// threshold. Immediate local tunnelling keeps the strips of every level of detail as long as strips made from scratch.)
 //
 // Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), a split or collapse keeps the previous
 // colours if they cost no more than the rule's. An operation with a table (apply.hpp, refine.hpp) takes the cheapest of
@@ -46,7 +45,6 @@
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/join.hpp"
-#include "restrip/operations/linked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/impl/keeper_steps.hpp"
@@ -129,8 +127,8 @@ class Keeper {
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Name... name);
   Rewrite<Halfedge> collapse(Halfedge chord);
   Rewrite<Halfedge> flip(Halfedge h);
-  /// The operations of refine.hpp, likewise. Policy::linked uses the same rules for them. Under `bare` they are done as
-  /// the split or collapse that changes the mesh in the same way, with the `valence` of that operation.
+  /// The operations of refine.hpp, likewise. Under `bare` they are done as the split or collapse that changes the mesh
+  /// in the same way, with the `valence` of that operation.
   Rewrite<Halfedge> split_face(Halfedge h);
   Rewrite<Halfedge> bisect(Halfedge h);
   Rewrite<Halfedge> join_faces(Halfedge chord);

@@ -11,7 +11,7 @@
 namespace restrip {
 
 /// Each searches further than the one before it.
-enum class Policy : std::uint8_t { bare, rules, local, linked, quick, full, best };
+enum class Policy : std::uint8_t { bare, rules, local, quick, full, best };
 
 /// The default policy, chosen for default_cost (mesh/cost.hpp).
 inline constexpr Policy default_policy = Policy::quick;
@@ -66,14 +66,6 @@ inline constexpr std::array policies{
               "2 to 5",
               {},
               {IndexPlan::From::ends, {.looks = 4}}},
-    PolicyRow{Policy::linked,
-              "linked",
-              "joins and exchanges; its rules follow the strips around the patch",
-              "5 looks, chains of 2 moves",
-              "none",
-              "4 to 8",
-              {},
-              {IndexPlan::From::patch, {.looks = 5, .length = 2}}},
     PolicyRow{Policy::quick,
               "quick",
               "tunnelling",

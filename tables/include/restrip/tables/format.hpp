@@ -42,24 +42,4 @@ struct RuleTable {
 /// where the configuration is invalid.
 using FlipTable = std::array<std::uint8_t, 32>;
 
-/// A recolouring and which of `pairings` says what it joins.
-struct LinkedRule {
-  std::uint16_t recoloring = 0;
-  std::uint16_t pairing = 0;
-};
-
-/// Pairings of up to eight ports, sixteen in tables that go beyond k = 8: four bits for each port, its partner, or
-/// itself when it has none.
-template <std::size_t N, unsigned MaxK = 8>
-using Pairings = std::array<std::conditional_t<MaxK <= 8, std::uint32_t, std::uint64_t>, N>;
-
-/// The linked rules of one family (linked.hpp): for each position and port mask a list of recolourings, best first. The
-/// list with index first[k] + (place << k) + ports goes from start[index] up to start[index + 1].
-template <unsigned MaxK, std::size_t Starts, std::size_t Rules>
-struct LinkedTable {
-  std::array<TableIndex<MaxK>, MaxK + 1> first;
-  std::array<TableIndex<MaxK>, Starts> start;
-  std::array<LinkedRule, Rules> rules;
-};
-
 }  // namespace restrip

@@ -20,7 +20,7 @@
 #include <utility>
 
 #include "restrip/mesh/adapters/cgal.hpp"
-#include "restrip/operations/linked_hooks.hpp"
+#include "restrip/operations/hooks.hpp"
 
 namespace restrip {
 
@@ -37,13 +37,13 @@ class StripVisitor : public Base {
   StripVisitor(SurfaceMeshStrips<Point>& strips, HookTally& tally, Base base = {})
       : StripVisitor(strips, tally, HookRules::local, std::move(base)) {}
   StripVisitor(SurfaceMeshStrips<Point>& strips, HookTally& tally, HookRules rules, Base base = {})
-      : Base(std::move(base)), strips_(&strips), tally_(&tally), rules_(rules), pending_(std::make_shared<Pending>()) {}
+      : Base(std::move(base)), strips_(&strips), tally_(&tally), pending_(std::make_shared<Pending>()) {}
 
   // Called by CGAL.
   template <class Profile, class Placement>
   void OnCollapsing(const Profile& profile, const Placement& placement) {
     Base::OnCollapsing(profile, placement);
-    pending_->emplace(before_collapse(*strips_, profile.v1_v0(), rules_));  // CGAL removes v0
+    pending_->emplace(before_collapse(*strips_, profile.v1_v0()));  // CGAL removes v0
   }
   template <class Profile>
   void OnCollapsed(const Profile& profile, Vertex kept) {
@@ -52,7 +52,7 @@ class StripVisitor : public Base {
     const Halfedge left = profile.right_face_exists() ? mesh.halfedge(kept, profile.vR()) : Halfedge();
     const Halfedge right = profile.left_face_exists() ? mesh.halfedge(kept, profile.vL()) : Halfedge();
     if (pending_->has_value()) {
-      tally_->add(after_collapse(*strips_, std::move(**pending_), left.is_valid() ? left : right, rules_));
+      tally_->add(after_collapse(*strips_, std::move(**pending_), left.is_valid() ? left : right));
       pending_->reset();
     } else {
       // Each was merged from two edges of a removed triangle. All other edges keep their colours.
@@ -67,13 +67,10 @@ class StripVisitor : public Base {
   using Pending = std::optional<PendingCollapse<Halfedge>>;
   SurfaceMeshStrips<Point>* strips_;
   HookTally* tally_;
-  HookRules rules_;
   std::shared_ptr<Pending> pending_;
 };
 
 template <class Point>
 StripVisitor(SurfaceMeshStrips<Point>&, HookTally&) -> StripVisitor<Point>;
-template <class Point>
-StripVisitor(SurfaceMeshStrips<Point>&, HookTally&, HookRules) -> StripVisitor<Point>;
 
 }  // namespace restrip

@@ -6,7 +6,7 @@
 //   restrip::ModStripsT<Mesh>::Handle keeping;
 //   decimater.add(quadric);
 //   decimater.add(keeping);
-//   decimater.module(keeping).keep(strips);                     // or keep(strips, restrip::HookRules::linked)
+//   decimater.module(keeping).keep(strips);
 //   decimater.initialize();
 //   decimater.decimate_to_faces(0, 2000);
 //   decimater.module(keeping).tally().strips;                   // change in the number of strips
@@ -22,7 +22,7 @@
 #include <utility>
 
 #include "restrip/mesh/adapters/openmesh.hpp"
-#include "restrip/operations/linked_hooks.hpp"
+#include "restrip/operations/hooks.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {
@@ -44,10 +44,9 @@ class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
   /// Sets the strips to maintain, on the decimater's mesh, and the rules. The strips must outlive the decimation.
-  void keep(OpenMeshStrips<MeshT>& strips, HookRules rules = HookRules::local) {
+  void keep(OpenMeshStrips<MeshT>& strips) {
     RESTRIP_ASSERT(&strips.mesh() == &this->mesh(), "ModStripsT::keep", "these strips belong to another mesh");
     strips_ = &strips;
-    rules_ = rules;
   }
   /// Changes by collapses since keep().
   [[nodiscard]] const HookTally& tally() const noexcept { return tally_; }
@@ -57,18 +56,17 @@ class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     if (strips_ == nullptr) RESTRIP_THROW(std::logic_error, "restrip: ModStripsT has no strips to keep: call keep()");
   }
   void preprocess_collapse(const CollapseInfo& info) override {
-    pending_.emplace(before_collapse(*strips_, info.v1v0, rules_));  // OpenMesh removes v0
+    pending_.emplace(before_collapse(*strips_, info.v1v0));  // OpenMesh removes v0
   }
   void postprocess_collapse(const CollapseInfo& info) override {
     // Seen from v1, what OpenMesh calls right is left.
     const auto apex = info.vr.is_valid() ? info.vr : info.vl;
-    tally_.add(after_collapse(*strips_, std::move(*pending_), this->mesh().find_halfedge(info.v1, apex), rules_));
+    tally_.add(after_collapse(*strips_, std::move(*pending_), this->mesh().find_halfedge(info.v1, apex)));
     pending_.reset();
   }
 
  private:
   OpenMeshStrips<MeshT>* strips_ = nullptr;
-  HookRules rules_ = HookRules::local;
   std::optional<PendingCollapse<OpenMesh::HalfedgeHandle>> pending_;
   HookTally tally_;
 };

@@ -72,7 +72,7 @@ inline Answer<LongBits> answer_by_rule(SeenPatch<LongBits>& patch) {
   return result;
 }
 
-/// The source of rules for the operations; linked.hpp has another one. split() and collapse() are for interior fans of
+/// The source of rules for the operations; a Keeper has another one. split() and collapse() are for interior fans of
 /// ordinary valence, answer() for others: walk_ports(port) calls port(i, h) for every port.
 struct LocalRules {
   template <class Mesh, class Halfedge>

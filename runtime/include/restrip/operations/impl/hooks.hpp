@@ -68,55 +68,6 @@ bool is_split_of(const Mesh& mesh, std::size_t k, typename Mesh::Halfedge chord)
   return made != 0 && fan_size(mesh, chord, chord).triangles + fan_size(mesh, back, back).triangles == k + 2 * made;
 }
 
-template <class Rules, class Mesh>
-PendingSplit<typename Mesh::Halfedge> before_split_by(Rules&& rules, Mesh& mesh,
-                                                      const VertexSplit<typename Mesh::Halfedge>& where) {
-  using Halfedge = typename Mesh::Halfedge;
-  using Spokes = typename VertexSplit<Halfedge>::Spokes;
-  RESTRIP_ASSERT_GRANTED(refusal_of_split(mesh, where), "before_split");
-  auto pending =
-      with_split_begun(rules, mesh, where, [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
-  // The edges of the spokes become two each.
-  if (where.spokes != Spokes::right_only) detail::clear_if_solid(mesh, where.left);
-  if (where.spokes != Spokes::left_only) detail::clear_if_solid(mesh, where.right);
-  return pending;
-}
-
-template <class Rules, class Mesh>
-PendingCollapse<typename Mesh::Halfedge> before_collapse_by(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
-  using Halfedge = typename Mesh::Halfedge;
-  RESTRIP_ASSERT_GRANTED(refusal_of_collapse(mesh, chord), "before_collapse");
-  auto pending = with_collapse_begun(rules, mesh, chord,
-                                     [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
-  // Two edges merge, and the library chooses which one it removes.
-  for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
-    if (mesh.on_boundary(inward)) continue;
-    const Halfedge up = mesh.next(inward);
-    for (const Halfedge h : {inward, up, mesh.next(up)}) detail::clear_if_solid(mesh, h);
-  }
-  return pending;
-}
-
-template <class Mesh, class Finish>
-Rewrite<typename Mesh::Halfedge> after_split_by([[maybe_unused]] const Mesh& mesh,
-                                                PendingSplit<typename Mesh::Halfedge> pending,
-                                                [[maybe_unused]] typename Mesh::Halfedge chord, Finish&& finish) {
-  RESTRIP_ASSERT(pending.waits(), "after_split", nothing_pending);
-  RESTRIP_ASSERT(knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(is_split_of(mesh, pending.valence(), chord), "after_split", other_patch);
-  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(finish);
-}
-
-template <class Mesh, class Finish>
-Rewrite<typename Mesh::Halfedge> after_collapse_by([[maybe_unused]] const Mesh& mesh,
-                                                   PendingCollapse<typename Mesh::Halfedge> pending,
-                                                   [[maybe_unused]] typename Mesh::Halfedge spoke, Finish&& finish) {
-  RESTRIP_ASSERT(pending.waits(), "after_collapse", nothing_pending);
-  RESTRIP_ASSERT(knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse", other_patch);
-  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(finish);
-}
-
 }  // namespace detail
 
 template <class Halfedge>
@@ -136,26 +87,51 @@ class PendingFlip : public detail::Pending<detail::FlipChange> {
 
 template <ColoredMesh Mesh>
 PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
-  return detail::before_split_by(detail::LocalRules{}, mesh, where);
+  using Halfedge = typename Mesh::Halfedge;
+  using Spokes = typename VertexSplit<Halfedge>::Spokes;
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where), "before_split");
+  auto pending = detail::with_split_begun(detail::LocalRules{}, mesh, where,
+                                          [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
+  // The edges of the spokes become two each.
+  if (where.spokes != Spokes::right_only) detail::clear_if_solid(mesh, where.left);
+  if (where.spokes != Spokes::left_only) detail::clear_if_solid(mesh, where.right);
+  return pending;
 }
 
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_split(Mesh& mesh, PendingSplit<typename Mesh::Halfedge> pending,
                                              typename Mesh::Halfedge chord) {
-  return detail::after_split_by(mesh, std::move(pending), chord,
-                                [&](const auto& change) { return detail::finish_split(mesh, change, chord); });
+  RESTRIP_ASSERT(pending.waits(), "after_split", detail::nothing_pending);
+  RESTRIP_ASSERT(detail::knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(detail::is_split_of(mesh, pending.valence(), chord), "after_split", detail::other_patch);
+  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(
+      [&](const auto& change) { return detail::finish_split(mesh, change, chord); });
 }
 
 template <ColoredMesh Mesh>
 PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
-  return detail::before_collapse_by(detail::LocalRules{}, mesh, chord);
+  using Halfedge = typename Mesh::Halfedge;
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "before_collapse");
+  auto pending = detail::with_collapse_begun(detail::LocalRules{}, mesh, chord,
+                                             [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
+  // Two edges merge, and the library chooses which one it removes.
+  for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
+    if (mesh.on_boundary(inward)) continue;
+    const Halfedge up = mesh.next(inward);
+    for (const Halfedge h : {inward, up, mesh.next(up)}) detail::clear_if_solid(mesh, h);
+  }
+  return pending;
 }
 
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_collapse(Mesh& mesh, PendingCollapse<typename Mesh::Halfedge> pending,
                                                 typename Mesh::Halfedge spoke) {
-  return detail::after_collapse_by(mesh, std::move(pending), spoke,
-                                   [&](const auto& change) { return detail::finish_collapse(mesh, change, spoke); });
+  RESTRIP_ASSERT(pending.waits(), "after_collapse", detail::nothing_pending);
+  RESTRIP_ASSERT(detail::knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(detail::fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse",
+                 detail::other_patch);
+  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(
+      [&](const auto& change) { return detail::finish_collapse(mesh, change, spoke); });
 }
 
 template <ColoredMesh Mesh>

@@ -43,94 +43,53 @@ struct StripWalker {
   }
 };
 
-/// If a strip ends in u, the triangle to the left of h, exchanges an adjacent edge x - y for u - x and y - w, if there
-/// is such an edge with an end w of another strip.
-template <class Mesh>
-Repair exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
-  using Halfedge = typename Mesh::Halfedge;
-  const int degree = solid_degree(mesh, u);
-  if (degree > 1) return {};
-  for (int side = 0; side < 3; ++side, u = mesh.next(u)) {
-    const Halfedge x = mesh.opposite(u);
-    if (mesh.solid(u) || mesh.on_boundary(x)) continue;
-    for (Halfedge given = mesh.next(x); !(given == x); given = mesh.next(given)) {
-      if (!mesh.solid(given)) continue;
-      const Halfedge y = mesh.opposite(given);
-      for (Halfedge taken = mesh.next(y); !(taken == y); taken = mesh.next(taken)) {
-        const Halfedge w = mesh.opposite(taken);
-        if (mesh.solid(taken) || mesh.on_boundary(w)) continue;
-        const int there = solid_degree(mesh, w);
-        if (there > 1 || in_same_triangle(mesh, w, u)) continue;
-        mesh.set_solid(given, false);
-        if (!same_strip(mesh, u, x)) {
-          mesh.set_solid(u, true);
-          if (!same_strip(mesh, y, w)) {
-            mesh.set_solid(taken, true);
-            return {-1, -int{degree == 0} - int{there == 0}};
-          }
-          mesh.set_solid(u, false);
-        }
-        mesh.set_solid(given, true);
-      }
-    }
-  }
-  return {};
-}
-
 /// Steps 1 and 2 of join.hpp: each_cut(follow) calls follow(walker) for each strip that has been cut, each_near(visit)
 /// visits the triangles, and perhaps boundary halfedges, where strips may end.
 template <class Mesh, class EachCut, class EachNear>
-void join_ends(Mesh& mesh, Exchange exchange, Repair& sum, EachCut&& each_cut, EachNear&& each_near) {
+void join_ends(Mesh& mesh, Repair& sum, EachCut&& each_cut, EachNear&& each_near) {
   using Halfedge = typename Mesh::Halfedge;
   constexpr std::size_t most = 16;
-  if (exchange == Exchange::no) {
-    // It is enough to find one of two ends that a cut has separated, so all strips are followed in parallel until at
-    // most one continues. There are few of them; strips beyond the first `most` are followed one by one.
-    std::array<StripWalker<Mesh>, most> walkers;
-    std::size_t count = 0;
-    each_cut([&](StripWalker<Mesh> walker) {
-      if (count < most) {
-        walkers[count++] = walker;
-        return;
-      }
-      while (!walker.ended) walker.step(mesh);
-      sum += join_end(mesh, walker.at);
-    });
-    std::array<Halfedge, most> found;
-    std::size_t ended = 0;
-    while (count > 1) {
-      std::size_t left = 0;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (!walkers[i].ended) walkers[i].step(mesh);
-        if (walkers[i].ended)
-          found[ended++] = walkers[i].at;
-        else
-          walkers[left++] = walkers[i];
-      }
-      count = left;
-    }
-    for (std::size_t i = 0; i < ended; ++i) sum += join_end(mesh, found[i]);
-  }
-  std::array<Halfedge, most> ends;  // for exchanges, which come last
+  // It is enough to find one of two ends that a cut has separated, so all strips are followed in parallel until at most
+  // one continues. There are few of them; strips beyond the first `most` are followed one by one.
+  std::array<StripWalker<Mesh>, most> walkers;
   std::size_t count = 0;
-  each_near([&](Halfedge h) {
-    if (mesh.on_boundary(h) || solid_degree(mesh, h) > 1) return;
-    sum += join_end(mesh, h);
-    if (exchange == Exchange::yes && count < most) ends[count++] = h;
+  each_cut([&](StripWalker<Mesh> walker) {
+    if (count < most) {
+      walkers[count++] = walker;
+      return;
+    }
+    while (!walker.ended) walker.step(mesh);
+    sum += join_end(mesh, walker.at);
   });
-  for (std::size_t i = 0; i < count; ++i) sum += exchange_end(mesh, ends[i]);
+  std::array<Halfedge, most> found;
+  std::size_t ended = 0;
+  while (count > 1) {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!walkers[i].ended) walkers[i].step(mesh);
+      if (walkers[i].ended)
+        found[ended++] = walkers[i].at;
+      else
+        walkers[left++] = walkers[i];
+    }
+    count = left;
+  }
+  for (std::size_t i = 0; i < ended; ++i) sum += join_end(mesh, found[i]);
+  each_near([&](Halfedge h) {
+    if (!mesh.on_boundary(h)) sum += join_end(mesh, h);
+  });
 }
 
 /// The same without a list of cut strips: for the strips that end in the triangles that each(visit) names.
 template <class Mesh, class Each>
-void join_at_ends(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
+void join_at_ends(Mesh& mesh, Repair& sum, Each&& each) {
   using Halfedge = typename Mesh::Halfedge;
   const auto each_cut = [&](auto&& follow) {
     each([&](Halfedge h) {
       if (!mesh.on_boundary(h) && solid_degree(mesh, h) == 1) follow(StripWalker<Mesh>::from_end(mesh, h));
     });
   };
-  join_ends(mesh, exchange, sum, each_cut, each);
+  join_ends(mesh, sum, each_cut, each);
 }
 
 /// Calls visit with a halfedge of each triangle around the vertex that h leaves.
@@ -150,7 +109,7 @@ void visit_around(const Mesh& mesh, typename Mesh::Halfedge h, Visit&& visit) {
 
 /// Step 3 of join.hpp, for the triangles that each(visit) names.
 template <class Mesh, class Each>
-void absorb_and_join(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
+void absorb_and_join(Mesh& mesh, Repair& sum, Each&& each) {
   using Halfedge = typename Mesh::Halfedge;
   each([&](Halfedge h) {
     std::array<Halfedge, default_absorptions + 2> ends;
@@ -160,7 +119,7 @@ void absorb_and_join(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
         [&](Halfedge end) { ends[count++] = end; });
     if (absorbed.isolated == 0) return;
     sum += absorbed;
-    join_at_ends(mesh, exchange, sum, [&](auto&& visit) {
+    join_at_ends(mesh, sum, [&](auto&& visit) {
       for (std::size_t i = 0; i < count; ++i) visit(ends[i]);
     });
   });
@@ -168,16 +127,16 @@ void absorb_and_join(Mesh& mesh, Exchange exchange, Repair& sum, Each&& each) {
 
 /// Steps 1 to 3 for those triangles.
 template <class Mesh, class Each>
-Repair join_and_absorb(Mesh& mesh, Exchange exchange, Each&& each) {
+Repair join_and_absorb(Mesh& mesh, Each&& each) {
   Repair sum;
-  join_at_ends(mesh, exchange, sum, each);
-  absorb_and_join(mesh, exchange, sum, each);
+  join_at_ends(mesh, sum, each);
+  absorb_and_join(mesh, sum, each);
   return sum;
 }
 
 /// The same for the triangles to the left of some halfedges, each once; boundary halfedges are skipped.
 template <class Mesh, class Halfedge>
-Repair join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
+Repair join_in(Mesh& mesh, std::span<Halfedge> near) {
   std::size_t count = 0;
   for (const Halfedge h : near) {
     const auto met = near.first(count);
@@ -186,7 +145,7 @@ Repair join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
       continue;
     near[count++] = h;
   }
-  return join_and_absorb(mesh, exchange, [&](auto&& visit) {
+  return join_and_absorb(mesh, [&](auto&& visit) {
     for (const Halfedge h : near.first(count)) visit(h);
   });
 }
@@ -194,7 +153,7 @@ Repair join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
 /// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in their
 /// neighbours, which may have lost a port.
 template <class Mesh, class Table>
-Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first, Exchange exchange) {
+Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first) {
   const auto patch = read_sides(mesh, table.triangles_after, first);
   std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
   std::size_t count = 0;
@@ -203,7 +162,7 @@ Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first,
     for (std::size_t s = 0; s < 3; ++s)
       if (table.triangles_after[t].side[s] >= tables::PatchTriangle::port_side)
         near[count++] = mesh.opposite(patch.side[t][s]);
-  return join_in(mesh, exchange, std::span(near).first(count));
+  return join_in(mesh, std::span(near).first(count));
 }
 
 // ---- Around an interior vertex bits name the strip ends, and the ports joined before but not now.
@@ -256,47 +215,47 @@ constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before,
 
 /// Steps 1 to 3 after an operation: visit(bits, each) calls each(h) for the triangles that these bits name.
 template <class Mesh, class Halfedge, class Visit>
-Rewrite<Halfedge> join_in_fan(Mesh& mesh, Exchange exchange, const Rewrite<Halfedge>& done, Word ends, Word parted,
-                              Word all, Visit&& visit) {
+Rewrite<Halfedge> join_in_fan(Mesh& mesh, const Rewrite<Halfedge>& done, Word ends, Word parted, Word all,
+                              Visit&& visit) {
   Repair sum;
   const auto each_cut = [&](auto&& follow) {
     visit(parted, [&](Halfedge h) { follow(StripWalker<Mesh>{mesh.opposite(mesh.next(h)), false}); });
   };
-  join_ends(mesh, exchange, sum, each_cut, [&](auto&& each) { visit(ends, each); });
-  if (done.isolated > 0) absorb_and_join(mesh, exchange, sum, [&](auto&& each) { visit(all, each); });
+  join_ends(mesh, sum, each_cut, [&](auto&& each) { visit(ends, each); });
+  if (done.isolated > 0) absorb_and_join(mesh, sum, [&](auto&& each) { visit(all, each); });
   return with(done, sum);
 }
 
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh,
                                                        const InteriorChange<typename Mesh::Halfedge>& change,
-                                                       typename Mesh::Halfedge chord, Exchange exchange) {
+                                                       typename Mesh::Halfedge chord) {
   const auto& fan = change.fan;
   const Word parted = parted_ports(fan.k, fan.ports, {joined_closed(fan.k, change.before, fan.ports), 0},
                                    ring_pairs(fan.k, fan.a, change.colors, fan.ports));
-  return join_in_fan(mesh, exchange, finish_split(mesh, change, chord),
-                     ends_ring(fan.k, fan.a, change.colors, fan.ports), ring_ports(fan.a, parted), low_bits(fan.k + 2),
+  return join_in_fan(mesh, finish_split(mesh, change, chord), ends_ring(fan.k, fan.a, change.colors, fan.ports),
+                     ring_ports(fan.a, parted), low_bits(fan.k + 2),
                      [&](Word elements, auto&& each) { visit_ring(mesh, fan, chord, elements, each); });
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
                                                           const InteriorChange<typename Mesh::Halfedge>& change,
-                                                          typename Mesh::Halfedge left, Exchange exchange) {
+                                                          typename Mesh::Halfedge left) {
   const auto& fan = change.fan;
   const Word parted = parted_ports(fan.k, fan.ports, ring_pairs(fan.k, fan.a, change.before, fan.ports),
                                    {joined_closed(fan.k, change.colors, fan.ports), 0});
-  return join_in_fan(mesh, exchange, finish_collapse(mesh, change, left), ends_closed(fan.k, change.colors, fan.ports),
-                     parted, low_bits(fan.k),
+  return join_in_fan(mesh, finish_collapse(mesh, change, left), ends_closed(fan.k, change.colors, fan.ports), parted,
+                     low_bits(fan.k),
                      [&](Word triangles, auto&& each) { visit_fan(mesh, fan, left, triangles, each); });
 }
 
 // ---- Elsewhere a turn around the vertices finds them.
 
 template <class Mesh, class Change>
-Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change, typename Mesh::Halfedge chord,
-                                                       Exchange exchange) {
+Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change,
+                                                       typename Mesh::Halfedge chord) {
   const auto done = finish_split(mesh, change, chord);
-  return with(done, join_and_absorb(mesh, exchange, [&](auto&& visit) {
+  return with(done, join_and_absorb(mesh, [&](auto&& visit) {
                 visit_around(mesh, chord, visit);
                 // A and D have been visited.
                 visit_around(mesh, mesh.opposite(chord), [&](auto h) {
@@ -306,23 +265,22 @@ Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change&
 }
 template <class Mesh, class Change>
 Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const Change& change,
-                                                          typename Mesh::Halfedge spoke, Exchange exchange) {
+                                                          typename Mesh::Halfedge spoke) {
   const auto done = finish_collapse(mesh, change, spoke);
-  return with(done, join_and_absorb(mesh, exchange, [&](auto&& visit) { visit_around(mesh, spoke, visit); }));
+  return with(done, join_and_absorb(mesh, [&](auto&& visit) { visit_around(mesh, spoke, visit); }));
 }
 
 template <class Rules, class Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_and_join_with(Rules&& rules, Exchange exchange, Mesh& mesh,
+Rewrite<typename Mesh::Halfedge> split_and_join_with(Rules&& rules, Mesh& mesh,
                                                      const VertexSplit<typename Mesh::Halfedge>& where, Name... name) {
   return with_split_begun(rules, mesh, where, [&](const auto& change) {
-    return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, name...), exchange);
+    return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, name...));
   });
 }
 template <class Rules, class Mesh>
-Rewrite<typename Mesh::Halfedge> collapse_and_join_with(Rules&& rules, Exchange exchange, Mesh& mesh,
-                                                        typename Mesh::Halfedge chord) {
+Rewrite<typename Mesh::Halfedge> collapse_and_join_with(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
   return with_collapse_begun(rules, mesh, chord, [&](const auto& change) {
-    return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change), exchange);
+    return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
   });
 }
 
@@ -360,13 +318,13 @@ Repair join_end(Mesh& mesh, typename Mesh::Halfedge h) {
 }
 
 template <ColoredMesh Mesh>
-Repair join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
+Repair join_around(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_around", describe(Refusal::no_such_edge));
-  return detail::join_and_absorb(mesh, exchange, [&](auto&& visit) { detail::visit_around(mesh, h, visit); });
+  return detail::join_and_absorb(mesh, [&](auto&& visit) { detail::visit_around(mesh, h, visit); });
 }
 
 template <ColoredMesh Mesh>
-Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
+Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_at_edge", describe(Refusal::no_such_edge));
   std::array<typename Mesh::Halfedge, 6> near;
   std::size_t count = 0;
@@ -375,7 +333,7 @@ Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
     const auto second = mesh.next(inner);
     for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) near[count++] = g;
   }
-  return detail::join_in(mesh, exchange, std::span(near).first(count));
+  return detail::join_in(mesh, std::span(near).first(count));
 }
 
 template <NumberedMesh Mesh>
@@ -391,13 +349,13 @@ template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_join(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                 Name... name) {
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where, name...), "split_and_join");
-  return detail::split_and_join_with(detail::LocalRules{}, Exchange::no, mesh, where, name...);
+  return detail::split_and_join_with(detail::LocalRules{}, mesh, where, name...);
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_join(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "collapse_and_join");
-  return detail::collapse_and_join_with(detail::LocalRules{}, Exchange::no, mesh, chord);
+  return detail::collapse_and_join_with(detail::LocalRules{}, mesh, chord);
 }
 
 template <FlippableMesh Mesh>

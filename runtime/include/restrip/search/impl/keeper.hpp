@@ -115,12 +115,11 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
     around_.add(patch_);
     return counted({h, 0, 0, 0}, around_.change(*mesh_), false);
   }
-  choice_.begin(policy_ == Policy::linked && !weighs(), weighs() && plan_.limits.looks != 0,
-                plan_.from == IndexPlan::From::ends);
+  choice_.begin(weighs() && plan_.limits.looks != 0, plan_.from == IndexPlan::From::ends);
   if (weighs()) return search_from_ends(step);
   if (tunnels()) return tunnel_from_patch(step);
   if (policy_ == Policy::rules) return counted(step.by_rules(*mesh_, choice_), false);
-  const auto done = step.joined(*mesh_, choice_, policy_ == Policy::linked ? Exchange::yes : Exchange::no);
+  const auto done = step.joined(*mesh_, choice_);
   const ColoringChange& by_rule = choice_.change();
   return counted(done, done.strips < by_rule.strips || done.isolated < by_rule.isolated);
 }

@@ -3,7 +3,7 @@
 // Each step has
 //   find_patch(mesh, patch)          the triangles about to be rewritten
 //   by_rules(mesh, choice)           the operation with its rule, or what the choice takes instead
-//   joined(mesh, choice, exchange)   the same, then ends that meet are joined
+//   joined(mesh, choice)             the same, then ends that meet are joined
 //   bare(mesh)                       the mesh update alone, what it returns as Rewrite::halfedge
 //   surround(mesh, around)           the triangles that bare() changes
 //   find_new(mesh, done, patch)      adds the triangles that are new
@@ -21,7 +21,6 @@
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/join.hpp"
-#include "restrip/operations/linked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/search/descent.hpp"
 #include "restrip/search/impl/rule_choice.hpp"
@@ -117,10 +116,10 @@ struct SplitStep {
       return done;
     });
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     return with_split_begun(choice, mesh, where, [&](const auto& change) {
       choice.note(change);
-      return finish_split_and_join(mesh, change, changed(mesh, change), exchange);
+      return finish_split_and_join(mesh, change, changed(mesh, change));
     });
   }
   Halfedge bare(Mesh& mesh) const {
@@ -157,10 +156,10 @@ struct CollapseStep {
       return done;
     });
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     return with_collapse_begun(choice, mesh, chord, [&](const auto& change) {
       choice.note(change);
-      return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change), exchange);
+      return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
     });
   }
   Halfedge bare(Mesh& mesh) const { return mesh.remove_vertex(chord); }
@@ -186,9 +185,9 @@ struct FlipStep : CollapseStep<Mesh> {
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     return choice.taken(restrip::flip(mesh, chord));
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto done = by_rules(mesh, choice);
-    return with(done, join_at_edge(mesh, done.halfedge, exchange));
+    return with(done, join_at_edge(mesh, done.halfedge));
   }
   /// The colouring would not stay valid with the colours of the two triangles' sides, so all of them are cleared.
   Halfedge bare(Mesh& mesh) const {
@@ -220,9 +219,9 @@ struct InsertStep : SplitStep<Mesh> {
     return choice.chosen_by(
         [&](auto&& choose) { return on_edge ? bisect_with(mesh, h, choose) : split_face_with(mesh, h, choose); });
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto done = by_rules(mesh, choice);
-    return with(done, join_around(mesh, mesh.opposite(done.halfedge), exchange));
+    return with(done, join_around(mesh, mesh.opposite(done.halfedge)));
   }
   void find_new(const Mesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const {
     fan_triangles(mesh, mesh.opposite(chord), patch);
@@ -246,9 +245,9 @@ struct RemoveStep : CollapseStep<Mesh> {
       return from_edge ? merge_with(mesh, chord, choose) : join_faces_with(mesh, chord, choose);
     });
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto done = by_rules(mesh, choice);
-    return with(done, join_at_edge(mesh, done.halfedge, exchange));
+    return with(done, join_at_edge(mesh, done.halfedge));
   }
   Halfedge bare(Mesh& mesh) const {
     const bool no_left = mesh.on_boundary(chord);
@@ -276,9 +275,9 @@ struct ApplyStep {
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     return choice.chosen_by([&](auto&& choose) { return apply_unchecked(mesh, table, where, change, choose); });
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto done = by_rules(mesh, choice);
-    return with(done, join_patch(mesh, table, done.halfedge, exchange));
+    return with(done, join_patch(mesh, table, done.halfedge));
   }
   /// Without a rule no side of the patch can stay solid.
   Halfedge bare(Mesh& mesh) const {

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/operations/linked.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/descent.hpp"
 #include "restrip/search/impl/patch_choice.hpp"
@@ -132,23 +131,24 @@ class RuleChoice {
 
   /// `weighs`: swaps are counted.
   RuleChoice(const Cost& cost, bool weighs) noexcept : cost_(cost), weighs_(weighs) {}
-  /// `links`: rules are linked ones. `searches`: a search follows; then colours that cost no more than the rule's are
-  /// passed on, and start() names the triangles of the patch after the operation, or the strip ends among them.
-  void begin(bool links, bool searches, bool from_ends) noexcept {
-    links_ = links;
+  /// `searches`: a search follows; then colours that cost no more than the rule's are passed on, and start() names the
+  /// triangles of the patch after the operation, or the strip ends among them.
+  void begin(bool searches, bool from_ends) noexcept {
     searches_ = searches;
     from_ends_ = from_ends;
     start_.clear();
   }
 
   Rule split(const Mesh& mesh, Halfedge left, const InteriorFan<Halfedge>& fan) {
-    const Rule rule = by_rule([&](const auto& rules) { return rules.split(mesh, left, fan); });
+    ++counts_.asked;
+    const Rule rule = split_rule({fan.k, fan.a}, fan.loop, fan.ports);
     return chosen(
         rule, [&] { return passed_to_ring(fan.k, fan.a, fan.loop); },
         [&](Word ring) { return ring_for_fan(mesh, left, fan, ring, fan.loop); });
   }
   Rule collapse(const Mesh& mesh, Halfedge chord, const InteriorFan<Halfedge>& fan, Word ring) {
-    const Rule rule = by_rule([&](const auto& rules) { return rules.collapse(mesh, chord, fan, ring); });
+    ++counts_.asked;
+    const Rule rule = collapse_rule({fan.k, fan.a}, ring, fan.ports);
     return chosen(
         rule, [&] { return passed_to_fan(fan.k, fan.a, ring); },
         [&](Word loop) {
@@ -158,7 +158,8 @@ class RuleChoice {
   }
   template <class Bits, class WalkPorts>
   Answer<Bits> answer(const Mesh& mesh, SeenPatch<Bits>& patch, WalkPorts&& walk_ports) {
-    const Answer<Bits> rule = by_rule([&](const auto& rules) { return rules.answer(mesh, patch, walk_ports); });
+    ++counts_.asked;
+    const Answer<Bits> rule = answer_by_rule(patch);
     return chosen(mesh, rule, patch, walk_ports);
   }
   /// Counts a flip, which always takes its rule and has been done.
@@ -229,11 +230,6 @@ class RuleChoice {
   void start_at(const Mesh& mesh, Halfedge h) { start_.push_back(static_cast<Triangle>(mesh.triangle(h))); }
   void keep_ends(const Mesh& mesh) {
     if (from_ends_) std::erase_if(start_, [&](Triangle t) { return solid_degree(mesh, mesh.halfedge(t)) == 2; });
-  }
-  template <class Ask>
-  auto by_rule(Ask&& ask) {
-    ++counts_.asked;
-    return links_ ? ask(LinkedRules{default_reach}) : ask(LocalRules{});
   }
   void took(const ColoringChange& change) noexcept {
     change_ = change;
@@ -326,7 +322,6 @@ class RuleChoice {
 
   Cost cost_;
   bool weighs_;
-  bool links_ = false;
   bool searches_ = false;
   bool from_ends_ = false;
   std::vector<Triangle> start_;
