@@ -1,6 +1,8 @@
+import type { Source } from 'restrip-wasm';
+
 /** Compiles the readers of the program `restrip`: their bytes, or where to fetch them from; by default the file
  * restrip-readers.wasm of this package. Throws an Error if that fails. */
-export function loadReaders(source?: WebAssembly.Module | ArrayBuffer | ArrayBufferView | URL | string): Promise<ReadMesh>;
+export function loadReaders(source?: Source): Promise<ReadMesh>;
 
 /** Reads a mesh file: OBJ, OFF, PLY, STL, glTF and GLB, progressive meshes (PM) of OpenMesh and of Hoppe, and baked meshes; the
  * extension of `name` decides. Strips and polygons become triangles; vertices of glTF at one place become one. Throws an

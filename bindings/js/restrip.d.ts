@@ -6,6 +6,13 @@
 // Misuse throws an Error whose message is a sentence: an argument out of its range, a number that is NaN, a call before
 // begin() or after close(). An operation that the mesh refuses is not misuse.
 
+/** URL and WebAssembly.Module, in programs whose types declare them: neither the library of a browser nor Node's types are
+ *  needed. */
+type Url = typeof globalThis extends { URL: { prototype: infer T } } ? T : { readonly href: string };
+type Module = typeof globalThis extends { WebAssembly: { Module: { prototype: infer T } } } ? T : object;
+/** A WebAssembly module: where to fetch it from, its bytes, or compiled. */
+export type Source = string | Url | ArrayBuffer | ArrayBufferView | Module;
+
 /** The effort of an operation to keep strips good. 'baked': plays the strips that `restrip bake` precomputed for each
  *  level; for meshes opened by Restrip.baked. */
 export type Policy = 'bare' | 'rules' | 'local' | 'quick' | 'full' | 'best' | 'baked';
@@ -24,10 +31,10 @@ export const none: 0xffffffff;
 
 /** restrip-small.wasm next to this module, for load(): half the bytes, because its tables end at fans of six triangles.
  *  Larger fans use the automaton of all valences: equally good rules, a little slower, with other choices among ties. */
-export const small: URL;
+export const small: Url;
 
 /** Without argument: restrip.wasm next to this module, in browsers and in Node. */
-export function load(source?: string | URL | BufferSource | WebAssembly.Module): Promise<Restrip>;
+export function load(source?: Source): Promise<Restrip>;
 
 export class Restrip {
   /** A progressive mesh. `points`: 3 finite numbers a vertex; `base`: 3 a triangle; `splits`: 4 a record: v_s, the new v_t,

@@ -647,6 +647,11 @@ function asDependency() {
     for (const [module, resolution] of [['nodenext', 'nodenext'], ['esnext', 'bundler']])
       execFileSync(tsc, ['--strict', '--noEmit', '--target', 'es2022', '--module', module, '--moduleResolution', resolution, 'types.mts'],
         { cwd: project, stdio: 'inherit' });
+    // Neither the library of a browser nor Node's types are needed.
+    writeFileSync(join(project, 'bare.mts'), "import { load, small } from 'restrip-wasm';\nimport { loadReaders } from 'restrip-wasm/formats';\n" +
+      "await load(small);\nawait loadReaders(new Uint8Array(3));\n// @ts-expect-error\nawait load(3);\n");
+    execFileSync(tsc, ['--strict', '--noEmit', '--target', 'es2022', '--module', 'nodenext', '--lib', 'es2022', 'bare.mts'],
+      { cwd: project, stdio: 'inherit' });
     console.log('types: as claimed');
   }
   // Bundlers for browsers would look for a module of Node that is named in the text.
