@@ -12,7 +12,7 @@ namespace restrip::generator {
 namespace {
 
 FoundReason found_reason(const Section& section, const Row& row) {
-  const Reasoner reasoner(operation_of_rows(section.position, Sight::patch));
+  const Reasoner reasoner(operation_of_rows(section.position));
   return reasoner.find(row.key.ports, row.key.joined.masks(), row);
 }
 
@@ -76,7 +76,7 @@ TEST(Reasons, OfAShippedOperationTakeAQuarterOfTheSteps) {
 // more than twenty leaves. A search among all trees would take years.
 TEST(Reasons, AreFoundWithinTheStepLimit) {
   const Solved solved(RESTRIP_CORPUS_DIR "/operations/seven-to-five.json");
-  const Reasoner reasoner(operation_of_rows(solved.section.position, Sight::patch));
+  const Reasoner reasoner(operation_of_rows(solved.section.position));
   std::size_t smallest = 0;
   std::size_t larger = 0;
   std::uint64_t steps = 0;

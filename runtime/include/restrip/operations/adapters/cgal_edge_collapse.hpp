@@ -7,10 +7,9 @@
 //                      CGAL::parameters::visitor(restrip::StripVisitor(strips, tally)));
 //   tally.strips;                                               // change in the number of strips
 //
-// StripVisitor(strips, tally, restrip::HookRules::linked) keeps longer strips. Without a visitor edge_collapse leaves
-// colours that are not valid. CGAL first collapses mesh edges of length zero and notifies a visitor only afterwards;
-// strips are cut there if necessary, and HookTally::unannounced counts these collapses. Include this header only where
-// you have CGAL 5.4 or later.
+// Without a visitor edge_collapse leaves colours that are not valid. CGAL first collapses mesh edges of length zero and
+// notifies a visitor only afterwards; strips are cut there if necessary, and HookTally::unannounced counts these
+// collapses. Include this header only where you have CGAL 5.4 or later.
 #pragma once
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
@@ -35,8 +34,6 @@ class StripVisitor : public Base {
   using Vertex = typename Mesh::Vertex_index;
 
   StripVisitor(SurfaceMeshStrips<Point>& strips, HookTally& tally, Base base = {})
-      : StripVisitor(strips, tally, HookRules::local, std::move(base)) {}
-  StripVisitor(SurfaceMeshStrips<Point>& strips, HookTally& tally, HookRules rules, Base base = {})
       : Base(std::move(base)), strips_(&strips), tally_(&tally), pending_(std::make_shared<Pending>()) {}
 
   // Called by CGAL.

@@ -43,7 +43,7 @@ class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     return strips;
   }
 
-  /// Sets the strips to maintain, on the decimater's mesh, and the rules. The strips must outlive the decimation.
+  /// Sets the strips to maintain, on the decimater's mesh. The strips must outlive the decimation.
   void keep(OpenMeshStrips<MeshT>& strips) {
     RESTRIP_ASSERT(&strips.mesh() == &this->mesh(), "ModStripsT::keep", "these strips belong to another mesh");
     strips_ = &strips;
