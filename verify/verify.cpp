@@ -152,6 +152,7 @@ class Verification {
       if (const Certificate* rules = rules_of(family)) {
         report_family(family, *rules, rest.first(count), listener_);
         report_index_cost(family, *rules, std::max(1U, options_.threads), listener_);
+        report_images(family, listener_);
       }
       rest = rest.subspan(count);
     }
@@ -203,6 +204,11 @@ class Verification {
       misstated.add(unlisted.misstated);
       report(judged, misstated, "every answer reports what it changes", "counted before and after");
     }
+    Failures beyond = listed.beyond;
+    beyond.add(unlisted.beyond);
+    AnswerCount bounded = listed.bounded;
+    bounded += unlisted.bounded;
+    report(bounded, beyond, "no answer exceeds what the family claims", "maximum");
     for (const Compared* compared : {&listed, &unlisted})
       for (const auto& [family, count] : compared->families)
         if (compared->differences.count + compared->wrong.count == 0 && comparison.fault.empty())

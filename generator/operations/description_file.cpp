@@ -238,6 +238,33 @@ void expect_bounds(const JsonValue& value, const std::vector<std::string>& numbe
   }
 }
 
+/// Whether a pattern says which way strips turn: a fan, whose triangles with an index have one port each, or a
+/// quadrilateral, two triangles with two ports each.
+bool has_turns(const SidePattern& side) {
+  if (side.chains.size() != 1) return false;
+  const std::vector<Stretch>& row = side.chains[0].elements;
+  const auto has_index = [](const Stretch& one) { return one.range.has_value(); };
+  if (side.ports.empty()) return side.chords.size() <= 1;
+  return !side.chains[0].ring && side.chords.empty() && row.size() == 2 && side.ports.size() == 4 &&
+         std::none_of(row.begin(), row.end(), has_index) &&
+         std::none_of(side.ports.begin(), side.ports.end(), has_index);
+}
+
+/// A bound on indices needs strips whose turns are known; the verifier checks this again at each position.
+void expect_turns(const JsonValue& bounds, const Description& description) {
+  const auto* before = std::get_if<SidePattern>(&description.before);
+  const auto* after = std::get_if<SidePattern>(&description.after);
+  const bool known = before != nullptr ? has_turns(*before) && has_turns(*after) : !description.is_graph_only();
+  for (const JsonValue& bound : bounds.elements("bounds")) {
+    if (!bound.has("indices")) continue;
+    if (description.constraint.most_edges == 3)
+      bound["indices"].refuse("a forest has no strips and so no indices; leave this bound out");
+    if (!known)
+      bound["indices"].refuse(
+          "a graph does not say which way a strip turns; describe the sides by triangles or leave this bound out");
+  }
+}
+
 /// Reads what only families have.
 void take_positions(const JsonValue& value, Description& family) {
   if (value.has("numbers")) family.numbers = numbers_from(value["numbers"]);
@@ -333,6 +360,7 @@ Description description_from(const JsonValue& value, Author author) {
   if (description.constraint.most_edges == 1) description.preference.erase(description.preference.begin());
   description.own_cost = value.has("cost");
   if (description.own_cost) description.preference = preference_from(value["cost"], after);
+  if (value.has("at_most")) expect_turns(value["at_most"], description);
   return description;
 }
 

@@ -294,6 +294,51 @@ def check_made_before():
         makes(again, "rules", "--operation", family, "--max-k", max_k)
 
 
+REFINE_FACE = {
+    "restrip_operation": 1, "name": "refine-own",
+    "before": [list(corners) for corners in ("abc", "baz", "cbx", "acy")],
+    "after": [list(corners) for corners in ("rpq", "pra", "qpb", "rqc", "azp", "zbp", "bxq", "xcq", "cyr", "yar")],
+}
+
+
+def check_bounds():
+    """A bound is verified exactly if it is no less than what the rules add, at all positions of a header; a bound on indices of a graph or of
+    a forest is refused by both programs."""
+    def judged(description, *options, max_k=None):
+        name = description["name"]
+        file = SCRATCH / f"{name}.json"
+        file.write_text(json.dumps(description))
+        made = solve(file, max_k)
+        expect(made.returncode == 0, made.stderr)
+        return verify(file, name, *options, max_k=max_k)
+
+    join = {**REFINE_FACE, "name": "join-own", "before": [list(corners) for corners in ("abm", "bcm", "mca")], "after": [list("abc")]}
+    for description, most in ((REFINE_FACE, 6), (join, 2)):
+        for bound in (most - 2, most - 1, most):
+            done = judged({**description, "at_most": [{"indices": bound}]})
+            expect(done.returncode == int(bound < most) and f"adds at most {most} to 3 strips + swaps" in done.stdout, f"{bound}: {done.stdout}{done.stderr}")
+            expect((f"adds {most} to 3 strips + swaps, the family claims at most {bound}" in done.stdout) == (bound < most), done.stdout)
+    graph = {"restrip_operation": 1, "name": "graph-own", "at_most": [{"indices": 0}],
+             "before": {"triangles": 2, "edges": [[0, 1]], "ports": [0, 0]}, "after": {"triangles": 3, "edges": [[0, 1], [1, 2]], "ports": [0, 2]}}
+    for description, words in ((graph, ("which way a strip turns", "which way a strip turns")),
+                               ({**REFINE_FACE, "constraint": "forest", "at_most": [{"strips": 9, "indices": 6}]}, ("a forest has no strips", "of a forest are not strips"))):
+        file = SCRATCH / "bound.json"
+        file.write_text(json.dumps(description))
+        certificate(description["name"]).write_text("")
+        for done, word in zip((solve(file, None), verify(file, description["name"], max_k=None)), words):
+            expect(done.returncode == 2 and "bound.json:1:" in done.stderr and "at_most[0].indices: " in done.stderr and word in done.stderr, done.stderr)
+
+    splits = {"restrip_operation": 1, "name": "bs-own", "numbers": ["k", "i"], "where": "k >= 1, i <= k", "before": {"path": ["t[0,k)"]},
+              "after": {"path": ["t[0,i)", "A", "t[i,k)"]}}
+    header = SCRATCH / "include/restrip/tables/operations/bs_own.hpp"
+    for listed, strips, failing in (("2 i <= k", 1, ()), ("2 i <= k", 0, ("no rule costs above 1 strip", "no answer exceeds what the family claims")),
+                                    ("i = 1", 0, ("images of ones with rules", "no answer exceeds what the family claims")),
+                                    ("i = 1", 1, ("images of ones with rules",))):
+        done = judged({**splits, "listed": listed, "at_most": [{"strips": strips}]}, "--header", header, max_k="4")
+        fails = [line for line in done.stdout.splitlines() if line.startswith("FAILS")]
+        expect(done.returncode == bool(failing) and len(fails) == len(failing) and all(what in line for what, line in zip(failing, fails)), done.stdout)
+
+
 def check_links():
     """An output that leads to the operation file is refused; an operation file may be a pipe."""
     file = SCRATCH / "symlinked.json"
@@ -404,6 +449,7 @@ check_refused(TRIANGLES, REFUSED_TRIANGLES)
 check_automaton()
 check_corpus()
 check_single()
+check_bounds()
 check_shipped_names()
 check_links()
 check_made_before()

@@ -5,7 +5,9 @@ int main(int argc, char** argv) {
   restrip::testing_support::MutantTests tests;
   // The quick ones first.
   tests.stages = {
-      "Description.*:Families.*:Forged*:Orbits.*:OperationJudge.*Corpus:OperationJudge.Good*:OperationJudge.Symm*",
+      "Description.*:Families.*:Forged*:Orbits.*:OperationJudge.*Corpus:OperationJudge.Good*:OperationJudge.Symm*:"
+      "Unlisted.*",
+      "IndexCost.*",
       "Corpus.*Hold:TableDump.*:OperationJudge.*",
       "*AutomatonRejects.NothingInAGoodCertificate/0:OperationHeader.*",
       "Corpus.Damaged*:Lists.Good*",

@@ -52,8 +52,8 @@ class Parser {
     parse_section_head(reader_, name, row_claim_words, claims, rows);
     const std::size_t before = result_.rows;
     read_rows();
-    const auto claimed = static_cast<std::size_t>(claims[0].number);
-    if (const std::size_t found = result_.rows - before; found != claimed)
+    const std::int64_t claimed = claims[0].number;
+    if (const auto found = static_cast<std::int64_t>(result_.rows - before); found != claimed)
       reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", name, claimed, found));
   }
   /// Counts the row that was read and continues to the next line.

@@ -106,7 +106,7 @@ int explain(const CLI::App& command, const ExplainOptions& given) {
 }
 
 struct RulesOptions {
-  std::string file, operation, json;
+  std::string file, family, operation, json;
   std::size_t worst = 10;
   unsigned threads = 2;
 };
@@ -153,11 +153,13 @@ std::function<int()> add_rules(CLI::App& app) {
       "The file has the columns of `restrip-generate dump`, with or without strips,isolated; other operations have\n"
       "their numbers, then inner,ports,inner_after, then perhaps ports_after.\n"
       "Several files may follow each other, with their headers. Configurations without a row are counted and allowed.\n"
+      "If several operations of a file have the same columns, --family says which one is meant.\n"
       "Exit code: 0 every row is best, 1 some row is not or is no valid configuration, 2 bad input.\n\n"
       "Example:\n"
       "  restrip-generate dump --family split --k 5 > rules.csv && restrip-verify rules rules.csv");
   const auto given = std::make_shared<RulesOptions>();
   command->add_option("file", given->file, "The rule set")->required();
+  command->add_option("--family", given->family, "The shipped family, or the one of several in the operation file");
   command->add_option("--operation", given->operation, "The operation file that it is for; otherwise a shipped family");
   command->add_option("--worst", given->worst, "How many bad rows are named")->capture_default_str();
   command->add_option("--threads", given->threads, "How many threads; the result does not depend on it")
@@ -166,11 +168,13 @@ std::function<int()> add_rules(CLI::App& app) {
   add_json_option(*command, given->json);
   return [given] {
     const files::ReportOutput out(given->json, {given->file, given->operation});
-    const RuleSetReport report = judge_rules(given->file, read_file(given->file), descriptions_of(given->operation),
-                                             given->worst, given->threads);
-    out.print(
-        text_of(report, given->operation.empty() ? "--family " + report.operation : "--operation " + given->operation),
-        text_of(json_of(report)));
+    const std::vector<Description> descriptions = descriptions_of(given->operation);
+    if (!given->family.empty()) (void)named(descriptions, given->family);
+    const RuleSetReport report =
+        judge_rules(given->file, read_file(given->file), descriptions, given->family, given->worst, given->threads);
+    std::string source = given->operation.empty() ? "" : "--operation " + given->operation;
+    if (descriptions.size() > 1) source += (source.empty() ? "--family " : " --family ") + report.operation;
+    out.print(text_of(report, source), text_of(json_of(report)));
     return report.best() ? all_claims_hold : some_claim_fails;
   };
 }

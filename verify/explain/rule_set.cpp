@@ -32,7 +32,9 @@ std::string color_columns(const std::string& family) {
 
 class RuleReader {
  public:
-  RuleReader(const std::string& file, std::string text, const std::vector<Description>& descriptions)
+  /// Of the description `family`, or without a name of the only one with the columns of the header.
+  RuleReader(const std::string& file, std::string text, const std::vector<Description>& descriptions,
+             const std::string& family)
       : file_(file), lines_(file, in_words(file, std::move(text))) {
     lines_.next("a header");
     header_ = lines_.rest(0);
@@ -40,6 +42,7 @@ class RuleReader {
     std::replace(header.begin(), header.end(), ' ', ',');
     std::string expected;
     for (const Description& one : descriptions) {
+      if (!family.empty() && one.name != family) continue;
       const std::string begin =
           fmt::format("{}{}{}", fmt::join(one.numbers, ","), one.numbers.empty() ? "" : ",", color_columns(one.name));
       expected += fmt::format("\n  {}", begin);
@@ -50,9 +53,15 @@ class RuleReader {
         rest.remove_prefix(found ? what.size() : 0);
         return found;
       };
-      has_kept_ = take(",ports_after");
-      has_change_ = take(",strips,isolated");
-      if (rest.empty()) description_ = &one;
+      const bool has_kept = take(",ports_after");
+      const bool has_change = take(",strips,isolated");
+      if (!rest.empty()) continue;
+      if (description_ != nullptr)
+        lines_.fail(fmt::format("the columns of {} and of {}: expected --family with one of these names",
+                                description_->name, one.name));
+      description_ = &one;
+      has_kept_ = has_kept;
+      has_change_ = has_change;
     }
     if (description_ == nullptr)
       lines_.fail(fmt::format(
@@ -78,8 +87,7 @@ class RuleReader {
       row.configuration = {mask(numbers, operation.before.inner_edges()), mask(numbers + 1, operation.ports())};
       row.recoloring = {mask(numbers + 2, operation.after.inner_edges()), row.configuration.ports};
       if (has_kept_) row.recoloring.ports = mask(numbers + 3, operation.ports());
-      if (has_change_)
-        row.stated = {static_cast<int>(lines_.number(words - 2)), static_cast<int>(lines_.number(words - 1))};
+      if (has_change_) row.stated = {change(words - 2), change(words - 1)};
       rows[position].push_back(row);
     }
   }
@@ -97,6 +105,15 @@ class RuleReader {
     if (value < 0 || value >= std::int64_t{mask_count(bits)})
       lines_.fail(fmt::format("expected 0 to {} in column {}, found {}", mask_count(bits) - 1, column + 1, value));
     return static_cast<Mask>(value);
+  }
+
+  /// A change of strips or of isolated triangles: no more than a side has triangles and ports.
+  int change(std::size_t column) const {
+    constexpr std::int64_t most = most_triangles + most_ports;
+    const std::int64_t value = lines_.number(column);
+    if (value < -most || value > most)
+      lines_.fail(fmt::format("expected {} to {} in column {}, found {}", -most, most, column + 1, value));
+    return static_cast<int>(value);
   }
 
   std::string file_;
@@ -168,8 +185,9 @@ std::uint64_t RuleSetReport::at_least(Standing standing) const {
 }
 
 RuleSetReport judge_rules(const std::string& file, const std::string& text,
-                          const std::vector<Description>& descriptions, std::size_t worst, unsigned threads) {
-  RuleReader reader(file, text, descriptions);
+                          const std::vector<Description>& descriptions, const std::string& family, std::size_t worst,
+                          unsigned threads) {
+  RuleReader reader(file, text, descriptions, family);
   std::map<Numbers, Operation> operations;
   std::map<Numbers, std::vector<RuleRow>> rows;
   reader.read(operations, rows);

@@ -37,12 +37,14 @@ struct RuleSetReport {
   bool best() const { return misstated == 0 && at_least(Standing::equally_good) == rows; }
 };
 
-/// Judges a file. Its header says which of the descriptions is meant: the names of the numbers, then
-/// `before,ports,after`, where shipped families have the words of their dumps; `ports_after` and `strips,isolated` may
-/// follow. The header may be repeated. InputError if the file is not well formed, has two rows of one configuration, or
-/// has rows of positions that do not exist. Keeps at most `worst` bad rows, and as many configurations without a row.
+/// Judges a file. `family` or, if it is empty, its header says which of the descriptions is meant; a header that
+/// several have is an InputError. The header: the names of the numbers, then `before,ports,after`, where shipped
+/// families have the words of their dumps; `ports_after` and `strips,isolated` may follow. The header may be repeated.
+/// InputError if the file is not well formed, has two rows of one configuration, or has rows of positions that do not
+/// exist. Keeps at most `worst` bad rows, and as many configurations without a row.
 RuleSetReport judge_rules(const std::string& file, const std::string& text,
-                          const std::vector<Description>& descriptions, std::size_t worst, unsigned threads);
+                          const std::vector<Description>& descriptions, const std::string& family, std::size_t worst,
+                          unsigned threads);
 
 /// `source`: how `explain` is given the operation, "--family split".
 std::string text_of(const RuleSetReport& report, const std::string& source);

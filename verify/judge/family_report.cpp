@@ -255,25 +255,29 @@ class FamilyReport {
   void report_bounds() const {
     bool bounded = false;
     Failures wrong;
-    int worst_strips = 0;
-    int worst_isolated = 0;
+    std::optional<int> worst_strips;
+    std::optional<int> worst_isolated;
+    const auto counted_change = [](int change, const char* what) {
+      return fmt::format("{} {}{}", change, what, change == 1 ? "" : "s");
+    };
     for (const PositionCheck& check : checks_) {
       const Operation& operation = *check.operation;
       bounded = bounded || operation.most_strips || operation.most_isolated;
-      const int strips = check.worst_strips.value_or(0);
-      const int isolated = check.worst_isolated.value_or(0);
-      worst_strips = std::max(worst_strips, strips);
-      worst_isolated = std::max(worst_isolated, isolated);
+      if (!check.worst_strips || !check.worst_isolated) continue;  // no row; another claim fails
+      const int strips = *check.worst_strips;
+      const int isolated = *check.worst_isolated;
+      worst_strips = std::max(worst_strips.value_or(strips), strips);
+      worst_isolated = std::max(worst_isolated.value_or(isolated), isolated);
       if (operation.most_isolated && isolated > *operation.most_isolated)
         wrong.add(fmt::format("{}: a rule isolates {} more, the family claims at most {}", operation.name(),
-                              counted(static_cast<std::uint64_t>(isolated), "triangle"), *operation.most_isolated));
+                              counted_change(isolated, "triangle"), *operation.most_isolated));
       if (operation.most_strips && strips > *operation.most_strips)
         wrong.add(fmt::format("{}: a rule costs {}, the family claims at most {}", operation.name(),
-                              counted(static_cast<std::uint64_t>(strips), "strip"), *operation.most_strips));
+                              counted_change(strips, "strip"), *operation.most_strips));
     }
     if (bounded)
-      report(fmt::format("no rule costs above {}, isolates above {}",
-                         counted(static_cast<std::uint64_t>(worst_strips), "strip"), worst_isolated),
+      report(fmt::format("no rule costs above {}, isolates above {}", counted_change(worst_strips.value_or(0), "strip"),
+                         worst_isolated.value_or(0)),
              "maximum; and what the family claims", sum(&PositionCheck::with_sound_row), 0, wrong);
   }
 
@@ -335,6 +339,23 @@ std::vector<PositionTask> tasks_of(const Family& family, const Certificate* cert
 void report_family(const Family& family, const Certificate& certificate, std::span<const PositionCheck> checks,
                    const ClaimListener& listener) {
   FamilyReport(family, certificate, checks, listener).run();
+}
+
+void report_images(const Family& family, const ClaimListener& listener) {
+  if (family.unlisted.empty()) return;
+  const double start = thread_seconds();
+  Failures not_images;
+  for (const Operation& operation : family.unlisted) {
+    const auto serves = [&](const Operation& other) {
+      return other.family == operation.family && isomorphic(operation, other);
+    };
+    if (std::none_of(family.sections.begin(), family.sections.end(), [&](const Section& section) {
+          return std::any_of(section.operations.begin(), section.operations.end(), serves);
+        }))
+      not_images.add(fmt::format("{}: not listed, and not the image of a listed position", operation.name()));
+  }
+  listener({family.name, "positions without rules are images of ones with rules", "isomorphism of both sides",
+            family.unlisted.size(), thread_seconds() - start, not_images});
 }
 
 }  // namespace restrip::verify

@@ -16,4 +16,7 @@ std::vector<PositionTask> tasks_of(const Family& family, const Certificate* cert
 void report_family(const Family& family, const Certificate& certificate, std::span<const PositionCheck> checks,
                    const ClaimListener& listener);
 
+/// Checks that each position without rules is the image of a position that has some, if the family has such positions.
+void report_images(const Family& family, const ClaimListener& listener);
+
 }  // namespace restrip::verify

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <mutex>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "common/share.hpp"
 #include "judge/operation_judge.hpp"
@@ -15,149 +12,93 @@
 namespace restrip::verify {
 namespace {
 
-/// The edges of one side of an operation in their order around its triangles.
-class Turns {
- public:
-  explicit Turns(const Side& side) : side_(side), around_(side.triangles) {
-    // Edges come in the order of the row; a chord does not continue it.
-    for (unsigned e = 0; e < side.inner_edges(); ++e) {
-      const auto [one, other] = side.edges[e];
-      if (e > 0 && (e == side.triangles || one != side.edges[e - 1][1])) {
-        around_[one].third = around_[other].third = e;
-        continue;
-      }
-      around_[one].after = e;
-      around_[other].before = e;
-    }
-    for (unsigned port = 0; port < side.ports(); ++port) {
-      Around& own = around_[side.owner_of_port[port]];
-      own.is_fan = true;
-      own.third = side.inner_edges() + port;
-    }
-    if (side.ports() == 2 * side.triangles) {  // a flip: the inner edge, and two ports counter-clockwise
-      for (unsigned port = 0; port < side.ports(); ++port) {
-        Around& own = around_[side.owner_of_port[port]];
-        const bool second = side.owner_of_port[(port + side.ports() - 1) % side.ports()] == side.owner_of_port[port];
-        own.before = 0;
-        (second ? own.after : own.third) = side.inner_edges() + port;
-      }
-    }
-  }
+enum class Turn { none, one_way, other_way };
 
-  /// How the strip turns at the owner of a port, seen from the port: 0: it ends; 1: over the next side
-  /// counter-clockwise; 2: over the other one.
-  unsigned at_port(unsigned port, Mask both) const {
-    return turn(side_.owner_of_port[port], side_.inner_edges() + port, both);
-  }
-  int inner_swaps(Mask both) const {
-    int swaps = 0;
-    for (unsigned e = 0; e < side_.inner_edges(); ++e)
-      if (is_solid(both, e)) swaps += is_swap(turn(side_.edges[e][0], e, both), turn(side_.edges[e][1], e, both));
-    return swaps;
-  }
-  static int is_swap(unsigned one, unsigned other) { return one != 0 && other != 0 && one != other ? 1 : 0; }
-
- private:
-  static constexpr unsigned no_edge = 31;
-  struct Around {
-    unsigned before = no_edge;
-    unsigned third =
-        no_edge;  ///< a fan triangle's port lies between its two inner edges; a new triangle's chord does not
-    unsigned after = no_edge;
-    bool is_fan = false;
+/// How a strip turns at a triangle, seen from one of its sides: over the next side counter-clockwise, or over the other
+/// one; `none` if it ends there.
+Turn turn_at(const Side& side, Colors colors, unsigned triangle, unsigned from) {
+  const auto& around = side.around[triangle];
+  const auto solid = [&](std::size_t place) {
+    const unsigned at = around[place % 3];
+    if (at == boundary_side) return false;
+    return at < first_port_side ? is_solid(colors.inner, at) : is_solid(colors.ports, at - first_port_side);
   };
-  unsigned turn(unsigned triangle, unsigned edge, Mask both) const {
-    const Around& own = around_[triangle];
-    const std::array<unsigned, 3> sides =
-        own.is_fan ? std::array{own.before, own.third, own.after} : std::array{own.before, own.after, own.third};
-    const auto at = static_cast<std::size_t>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
-    const auto solid = [&](std::size_t side) { return sides[side % 3] != no_edge && is_solid(both, sides[side % 3]); };
-    return solid(at + 1) ? 1 : solid(at + 2) ? 2 : 0;
+  const auto place = static_cast<std::size_t>(std::find(around.begin(), around.end(), from) - around.begin());
+  return solid(place + 1) ? Turn::one_way : solid(place + 2) ? Turn::other_way : Turn::none;
+}
+
+Turn turn_at_port(const Side& side, Colors colors, unsigned port) {
+  return turn_at(side, colors, side.owner_of_port[port], first_port_side + port);
+}
+
+/// Seen from an edge between them, two triangles turn the same way if their turns have different names.
+int inner_swaps(const Side& side, Colors colors) {
+  int swaps = 0;
+  for (unsigned edge = 0; edge < side.inner_edges(); ++edge) {
+    if (!is_solid(colors.inner, edge)) continue;
+    const Turn one = turn_at(side, colors, side.edges[edge][0], edge);
+    const Turn other = turn_at(side, colors, side.edges[edge][1], edge);
+    swaps += one != Turn::none && other != Turn::none && one != other ? 1 : 0;
   }
+  return swaps;
+}
 
-  const Side& side_;
-  std::vector<Around> around_;
-};
+}  // namespace
 
-/// If one side has a fan and the other the same fan with inserted triangles: inner edges of both sides that carry the
-/// same strip.
-struct Carried {
-  unsigned fan = 0;            ///< an edge of the side without inserted triangles
-  std::array<unsigned, 2> in;  ///< one or two edges of the other side
-};
-std::optional<std::vector<Carried>> carried(const Side& fan, const Side& with) {
+IndexCost::IndexCost(const Operation& operation) : operation_(operation) {
+  if (operation.on_a_mesh()) return;
+  inserts_ = carried(operation.before, operation.after);
+  removes_ = carried(operation.after, operation.before);
+}
+
+std::optional<std::vector<IndexCost::Carried>> IndexCost::carried(const Side& fan, const Side& with) {
   if (fan.triangles >= with.triangles || fan.ports() != fan.triangles) return {};
   std::vector<unsigned> port_of(fan.triangles);
   for (unsigned port = 0; port < fan.ports(); ++port) port_of[fan.owner_of_port[port]] = port;
   std::vector<Carried> all;
-  for (unsigned e = 0; e < fan.inner_edges(); ++e) {
-    const unsigned one = with.owner_of_port[port_of[fan.edges[e][0]]];
-    const unsigned other = with.owner_of_port[port_of[fan.edges[e][1]]];
-    if (const auto same = with.edge_between(one, other)) {
-      all.push_back({e, {*same, *same}});
-      continue;
+  for (unsigned edge = 0; edge < fan.inner_edges(); ++edge) {
+    Carried& one = all.emplace_back();
+    one.fan = edge;
+    // Along the chain of the other side, over inserted triangles, to the next port.
+    unsigned at = with.owner_of_port[port_of[fan.edges[edge][0]]];
+    const unsigned end = with.owner_of_port[port_of[fan.edges[edge][1]]];
+    for (bool is_inserted = false; at != end; is_inserted = true) {
+      const unsigned after = with.around[at][is_inserted ? 1 : 2];
+      if (after >= first_port_side) return {};
+      one.through |= single(after);
+      at = with.edges[after][1];
     }
-    const unsigned between =
-        std::find_if(with.edges.begin(), with.edges.end(), [&](const auto& edge) { return edge[0] == one; })->at(1);
-    all.push_back({e, {with.edge_between(one, between).value(), with.edge_between(between, other).value()}});
   }
   return all;
 }
 
-struct AddedIndices {
-  std::uint64_t configurations = 0;
-  int by_rule = 0;
-  int at_most = 0;
-};
-
-/// One operation at one position.
-AddedIndices added_indices(const Operation& operation, const SectionRows& rows) {
-  const Keys keys(operation);
-  const Turns turns_before(operation.before);
-  const Turns turns_after(operation.after);
-  const std::optional<std::vector<Carried>> inserts = carried(operation.before, operation.after);
-  const std::optional<std::vector<Carried>> removes = carried(operation.after, operation.before);
-  const auto passed_on = [&](Mask inner) {
-    Mask passed = 0;
-    for (const auto& [fan, in] : inserts ? *inserts : *removes) {
-      if (inserts && is_solid(inner, fan)) passed |= single(in[0]) | single(in[1]);
-      if (!inserts && is_solid(inner, in[0]) && is_solid(inner, in[1])) passed |= single(fan);
-    }
-    return passed;
-  };
-  // The most that the recolouring adds, over all turns beyond the ports.
-  const auto added = [&](Colors before, Colors after) {
-    const Mask old = concatenated(before.ports, before.inner, operation.before.inner_edges());
-    const Mask now = concatenated(after.ports, after.inner, operation.after.inner_edges());
-    int sum = 3 * (strips_of(operation.after, after) - strips_of(operation.before, before)) +
-              turns_after.inner_swaps(now) - turns_before.inner_swaps(old);
-    for (unsigned port = 0; port < operation.ports(); ++port) {
-      if (!is_solid(after.ports, port)) continue;  // a port that is given up is not a swap any more
-      const unsigned turn = turns_after.at_port(port, now);
-      if (turn != 0 && turn != turns_before.at_port(port, old)) ++sum;  // beyond it the strip turns the other way
-    }
-    return sum;
-  };
-
-  AddedIndices found;
-  for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports)
-    for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner) {
-      const Colors before{inner, ports};
-      const std::optional<Key> key = keys.key_of(before);
-      const Row* const row = key ? rows.row_of(*key) : nullptr;
-      if (row == nullptr) continue;
-      ++found.configurations;
-      const int by_rule = added(before, row->after);
-      found.by_rule = std::max(found.by_rule, by_rule);
-      if (inserts || removes)
-        found.at_most = std::max(found.at_most, std::min(by_rule, added(before, {passed_on(inner), ports})));
-      else
-        found.at_most = found.by_rule;
-    }
-  return found;
+std::optional<Mask> IndexCost::passed_on(Mask inner) const {
+  if (!inserts_ && !removes_) return {};
+  Mask passed = 0;
+  for (const Carried& one : inserts_ ? *inserts_ : *removes_) {
+    if (inserts_ && is_solid(inner, one.fan)) passed |= one.through;
+    if (!inserts_ && is_subset(one.through, inner)) passed |= single(one.fan);
+  }
+  return passed;
 }
 
-}  // namespace
+int IndexCost::change(Colors before, Colors after) const {
+  const Side& old = operation_.before;
+  const Side& now = operation_.after;
+  int sum = 3 * (strips_of(now, after) - strips_of(old, before)) + inner_swaps(now, after) - inner_swaps(old, before);
+  for (unsigned port = 0; port < operation_.ports(); ++port) {
+    if (!is_solid(after.ports, port)) continue;
+    const Turn turn = turn_at_port(now, after, port);
+    sum += turn != Turn::none && turn != turn_at_port(old, before, port) ? 1 : 0;
+  }
+  return sum;
+}
+
+IndexCost::Added IndexCost::added(Colors before, Colors rule) const {
+  const int by_rule = change(before, rule);
+  const std::optional<Mask> passed = passed_on(before.inner);
+  return {by_rule, passed ? std::min(by_rule, change(before, {*passed, before.ports})) : by_rule};
+}
 
 void report_index_cost(const Family& family, const Certificate& certificate, unsigned threads,
                        const ClaimListener& listener) {
@@ -168,23 +109,41 @@ void report_index_cost(const Family& family, const Certificate& certificate, uns
   if (tasks.empty()) return;
   std::mutex mutex;
   Failures wrong;
-  AddedIndices all;
+  std::uint64_t configurations = 0;
+  std::optional<int> by_rule;
+  std::optional<int> at_most;
   double seconds = 0;
   share(tasks.size(), threads, [&](std::size_t i) {
     const double start = thread_seconds();
     const auto& [operation, rows] = tasks[i];
-    const AddedIndices found = added_indices(*operation, *rows);
+    const Keys keys(*operation);
+    const IndexCost cost(*operation);
+    std::optional<int> own_by_rule;
+    std::optional<int> own_at_most;
+    std::uint64_t own_configurations = 0;
+    for (Mask both = 0; both < mask_count(operation->before.colors()); ++both) {
+      const Colors before{high_part(both, operation->ports()), low_part(both, operation->ports())};
+      const std::optional<Key> key = keys.key_of(before);
+      const Row* const row = key ? rows->row_of(*key) : nullptr;
+      if (row == nullptr) continue;
+      ++own_configurations;
+      const IndexCost::Added added = cost.added(before, row->after);
+      own_by_rule = std::max(own_by_rule.value_or(added.by_rule), added.by_rule);
+      own_at_most = std::max(own_at_most.value_or(added.at_most), added.at_most);
+    }
     const std::lock_guard lock(mutex);
     seconds += thread_seconds() - start;
-    all.configurations += found.configurations;
-    all.by_rule = std::max(all.by_rule, found.by_rule);
-    all.at_most = std::max(all.at_most, found.at_most);
-    if (found.at_most > *operation->most_indices)
+    configurations += own_configurations;
+    by_rule = std::max(by_rule, own_by_rule);
+    at_most = std::max(at_most, own_at_most);
+    if (own_at_most && *own_at_most > *operation->most_indices)
       wrong.add(fmt::format("{}: adds {} to 3 strips + swaps, the family claims at most {}", operation->name(),
-                            found.at_most, *operation->most_indices));
+                            *own_at_most, *operation->most_indices));
   });
-  listener({family.name, fmt::format("adds at most {} to 3 strips + swaps, a rule alone {}", all.at_most, all.by_rule),
-            "all configurations, all turns beyond the ports", all.configurations, seconds, wrong});
+  listener(
+      {family.name,
+       fmt::format("adds at most {} to 3 strips + swaps, a rule alone {}", at_most.value_or(0), by_rule.value_or(0)),
+       "all configurations, all turns beyond the ports", configurations, seconds, wrong});
 }
 
 }  // namespace restrip::verify

@@ -176,4 +176,9 @@ bool Symmetries::carries(const Permutation& ports, Colors from, Colors to) const
              .has_value();
 }
 
+bool isomorphic(const Operation& one, const Operation& other) {
+  return one.constraint == other.constraint &&
+         Isomorphisms(one).find(graph_of(one, true, {}), graph_of(other, true, {}), {}).has_value();
+}
+
 }  // namespace restrip::verify

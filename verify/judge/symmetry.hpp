@@ -47,4 +47,8 @@ class Symmetries {
   mutable std::map<Permutation, std::optional<Symmetry>> known_;  ///< by permutation of ports
 };
 
+/// Whether some map of triangles, edges and ports takes one operation to another: its patches before and after, the
+/// ports that may be given up, and the cost. Throws InputError as above.
+bool isomorphic(const Operation& one, const Operation& other);
+
 }  // namespace restrip::verify

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "certificate/stream_lines.hpp"
+#include "judge/index_cost.hpp"
 #include "judge/operation_judge.hpp"
 
 namespace restrip::verify {
@@ -40,7 +41,8 @@ std::optional<int> taken_change(std::string_view& line) {
   return change;
 }
 
-/// Judges the answers of one table: by the rows of a certificate, which are judged elsewhere, or by the definition.
+/// Judges the answers of one table: by the rows of a certificate, which are judged elsewhere, or by the definition and
+/// the bounds of the description.
 class TableJudge {
  public:
   TableJudge(const ExpectedTable& table, Compared& compared) : table_(table), compared_(compared) {
@@ -48,6 +50,12 @@ class TableJudge {
       keys_.emplace(*table.operation);
     else
       judge_.emplace(*table.operation);
+    if (judge_ && table.operation->most_indices) index_cost_.emplace(*table.operation);
+  }
+
+  bool is_bounded() const {
+    const Operation& operation = *table_.operation;
+    return judge_ && (operation.most_strips || operation.most_isolated || operation.most_indices);
   }
 
   void entry(std::uint64_t line, Colors configuration, const std::optional<Answer>& answer) {
@@ -67,6 +75,7 @@ class TableJudge {
     }
     if (!key) return;
     judge_changes(configuration, *answer, where);
+    if (is_bounded()) judge_bounds(configuration, answer->colors, where);
     if (judge_) {
       const Judged judged = judge_->judged(configuration, answer->colors);
       if (judged.verdict == Verdict::right) return;
@@ -100,10 +109,26 @@ class TableJudge {
               static_cast<int>(isolated_of(operation.after, answer.colors)));
   }
 
+  template <class Where>
+  void judge_bounds(Colors configuration, Colors answer, const Where& where) {
+    const Operation& operation = *table_.operation;
+    const auto compare = [&](const char* what, std::optional<int> most, int added) {
+      if (most && added > *most)
+        compared_.beyond.add(
+            fmt::format("{}the answer adds {} {}, the family claims at most {}\n", where(), added, what, *most));
+    };
+    const Change change = change_of(operation, configuration, answer);
+    compare("to the strips", operation.most_strips, change.strips);
+    compare("to the isolated triangles", operation.most_isolated, change.isolated);
+    if (index_cost_)
+      compare("to 3 strips + swaps", operation.most_indices, index_cost_->added(configuration, answer).at_most);
+  }
+
   const ExpectedTable& table_;
   Compared& compared_;
   std::optional<Keys> keys_;
   std::optional<OperationJudge> judge_;
+  std::optional<IndexCost> index_cost_;
 };
 
 /// Judges the answers to every configuration in the order of a dump. For a matching, to every colouring of the ports,
@@ -124,6 +149,7 @@ void compare_table(const ExpectedTable& table, DumpComparison& result, const Nex
       if (judge) judge->entry(line, {inner, ports}, answer);
     }
   compared.families[operation.family] += {1, entries};
+  if (judge && judge->is_bounded()) compared.bounded += {1, entries};
   result.lines += entries;
 }
 
@@ -194,7 +220,7 @@ class DumpReader {
 
 bool DumpComparison::agrees() const {
   const auto none = [](const Compared& compared) {
-    return compared.differences.count + compared.wrong.count + compared.misstated.count == 0;
+    return compared.differences.count + compared.wrong.count + compared.misstated.count + compared.beyond.count == 0;
   };
   return fault.empty() && std::all_of(tables.begin(), tables.end(), none);
 }

@@ -49,6 +49,8 @@ struct Compared {
   Failures differences;  ///< from the rows of a certificate
   Failures wrong;        ///< answers that are not sound, or not the best
   Failures misstated;    ///< answers that state a wrong change
+  Failures beyond;       ///< answers that exceed a bound of the description
+  AnswerCount bounded;   ///< answers that were compared with bounds
 };
 
 struct DumpComparison {

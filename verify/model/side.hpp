@@ -17,11 +17,19 @@ inline constexpr unsigned most_colors = 27;  ///< inner edges and ports of a sid
 
 inline constexpr std::size_t longest_word = 20;  ///< names of vertices, triangles and numbers
 
+/// What lies at a side of a triangle: the number of an inner edge, or of a port plus this constant, or the boundary of
+/// the mesh. restrip/tables/operation_format.hpp has the same numbers.
+inline constexpr unsigned first_port_side = 64;
+inline constexpr unsigned boundary_side = 255;
+
 struct Side {
   unsigned triangles = 0;
   std::vector<std::array<unsigned, 2>> edges;
   std::vector<unsigned> owner_of_port;
   std::vector<std::string> names;  ///< of the triangles, from the description
+  /// What lies at the three sides of each triangle, counter-clockwise; empty if the description does not say: a strip
+  /// turns at a triangle, and which way depends on this order.
+  std::vector<std::array<unsigned, 3>> around;
 
   friend bool operator==(const Side&, const Side&) = default;
 
@@ -34,11 +42,6 @@ struct Side {
     return {};
   }
 };
-
-/// What lies at a side of a triangle: the number of an inner edge, or of a port plus this constant, or the boundary of
-/// the mesh. restrip/tables/operation_format.hpp has the same numbers.
-inline constexpr unsigned first_port_side = 64;
-inline constexpr unsigned boundary_side = 255;
 
 /// A triangle as its file names it; side s runs from corner s to the next one. Vertices are numbered in order of
 /// appearance, before the operation first.

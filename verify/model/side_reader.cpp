@@ -103,6 +103,7 @@ class PatternReader {
     }
     add_ports(builder);
     builder.expect_colors(value_, most_colors);
+    if (chains_.size() == 1) builder.side().around = around_of(builder.side(), chains_.front());
     return builder.side();
   }
 
@@ -191,6 +192,48 @@ class PatternReader {
     }
     if (const unsigned count = builder.side().ports(); count == 0 || count > most_ports)
       ports.value_or(value_).refuse(fmt::format("expected 1 to {} ports, found {}", most_ports, count));
+  }
+
+  /// What lies around each triangle, if the pattern is a fan or a quadrilateral; otherwise nothing.
+  ///
+  /// In a fan the chain runs counter-clockwise around a vertex. Its triangles have one port each, on the outside, in
+  /// the order of the chain. Inserted triangles have none: a ring and at most one chord on the inside make them the
+  /// two triangles of an edge. In a path without a chord their third side is on the boundary, as are the ends of the
+  /// path. A quadrilateral is a path of two triangles with two ports each, which follow each other.
+  std::vector<std::array<unsigned, 3>> around_of(const Side& side, const Chain& chain) const {
+    const auto row = [&](std::size_t i) { return number_of_.at(chain.triangles.at(i)); };
+    const auto length = static_cast<unsigned>(chain.triangles.size());
+    const unsigned along = chain.ring ? length : length - 1;  // edges of the chain, before the chords
+    std::vector<std::vector<unsigned>> ports(side.triangles);
+    for (unsigned port = 0; port < side.ports(); ++port) ports[side.owner_of_port[port]].push_back(port);
+    std::vector<std::array<unsigned, 3>> around(side.triangles);
+    const unsigned chords = side.inner_edges() - along;
+    if (!chain.ring && length == 2 && chords == 0 && ports[0].size() == 2 && ports[1].size() == 2) {
+      for (unsigned triangle = 0; triangle < 2; ++triangle) {
+        const auto [low, high] = std::pair(ports[triangle][0], ports[triangle][1]);
+        if (high != low + 1 && high != low + 3) return {};  // not next to each other among the four
+        const bool wraps = high == low + 3;
+        around[triangle] = {0, first_port_side + (wraps ? high : low), first_port_side + (wraps ? low : high)};
+      }
+      return around;
+    }
+    if (chords > 1) return {};
+    std::vector<unsigned> order;  // of the ports along the chain
+    for (unsigned i = 0; i < length; ++i) {
+      const unsigned triangle = row(i);
+      const unsigned before = i > 0 ? i - 1 : chain.ring ? length - 1 : boundary_side;
+      const unsigned after = i < along ? i : boundary_side;
+      const bool on_chord = chords == 1 && (side.edges[along][0] == triangle || side.edges[along][1] == triangle);
+      const bool is_inserted = ports[triangle].empty();
+      if (ports[triangle].size() > 1 || (is_inserted ? (chain.ring || chords == 1) && !on_chord : on_chord)) return {};
+      for (const unsigned port : ports[triangle]) order.push_back(port);
+      if (is_inserted)
+        around[triangle] = {before, after, on_chord ? along : boundary_side};
+      else
+        around[triangle] = {before, first_port_side + order.back(), after};
+    }
+    if (chain.ring) std::rotate(order.begin(), std::min_element(order.begin(), order.end()), order.end());
+    return std::is_sorted(order.begin(), order.end()) ? around : std::vector<std::array<unsigned, 3>>{};
   }
 
   const JsonValue& value_;

@@ -204,6 +204,7 @@ Sides graphs_of(const NamedSurface& surface) {
       placed[port.triangle].side[port.side] = first_port_side + side.ports();
       side.owner_of_port.push_back(static_cast<unsigned>(port.triangle));
     }
+    for (const PlacedTriangle& one : placed) side.around.push_back(one.side);
   };
   fill(sides.before, sides.placed_before, surface.before, before, ports_before);
   fill(sides.after, sides.placed_after, surface.after, after, ports_after);

@@ -35,7 +35,8 @@ struct SurfaceFault {
   std::string what;  ///< "expected …, found …"
 };
 
-/// The dual graphs: inner edges by their triangles and ports by their owners, both in order; triangles have no names.
+/// The dual graphs: inner edges by their triangles and ports by their owners, both in order, and what lies around each
+/// triangle; triangles have no names.
 /// Throws SurfaceFault unless both sides are discs of triangles with the same outline, apart from edges on the boundary
 /// of the mesh. The caller checks the limits on triangles, edges and ports.
 Sides graphs_of(const NamedSurface& surface);

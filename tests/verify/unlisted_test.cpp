@@ -1,0 +1,105 @@
+// Positions without rules must be images of positions with rules, and the bounds of a description hold for the answers
+// of a table at every position.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "definition/definition.hpp"
+#include "judge/family_report.hpp"
+#include "judge/symmetry.hpp"
+#include "judge/table_dump.hpp"
+#include "model/family.hpp"
+
+namespace restrip::verify::test {
+namespace {
+
+/// Boundary splits with other listed positions and bounds.
+Family boundary_splits(const std::string& listed, const std::string& bounds) {
+  return families_of(parse_descriptions(
+                         "f", fmt::format(R"x({{"restrip_operation": 1, "name": "index-own", "numbers": ["k", "i"],
+                                        "where": "k >= 1, i <= k", "listed": "{}", "at_most": [{}],
+                                        "before": {{"path": ["t[0,k)"]}},
+                                        "after": {{"path": ["t[0,i)", "A", "t[i,k)"]}}}})x",
+                                          listed, bounds)),
+                     4)
+      .front();
+}
+
+std::vector<ClaimResult> claims_on_images(const Family& family) {
+  std::vector<ClaimResult> claims;
+  report_images(family, [&](const ClaimResult& claim) { claims.push_back(claim); });
+  return claims;
+}
+
+TEST(Unlisted, ImagesAreMirrored) {
+  EXPECT_TRUE(claims_on_images(boundary_splits("i >= 0", "")).empty());
+  for (const std::string listed : {"i = 1", "2 i <= k", "i = 0", "2 i >= k", "i < 2"}) {
+    const Family family = boundary_splits(listed, "");
+    std::vector<Numbers> rules;
+    for (const Section& section : family.sections) rules.push_back(section.operations.front().numbers);
+    std::uint64_t others = 0;
+    for (const Operation& operation : family.unlisted) {
+      const unsigned k = operation.numbers[0];
+      others += std::count(rules.begin(), rules.end(), Numbers{k, k - operation.numbers[1]}) == 0 ? 1U : 0U;
+    }
+    const std::vector<ClaimResult> claims = claims_on_images(family);
+    ASSERT_EQ(claims.size(), 1U);
+    EXPECT_EQ(claims[0].failures.count, others) << listed;
+    EXPECT_EQ(claims[0].cases, family.unlisted.size());
+    EXPECT_EQ(others == 0, listed.starts_with("2 i")) << listed;
+  }
+}
+
+TEST(Unlisted, AnImageHasTheSamePortsGivenUpConstraintAndCost) {
+  const Operation one = boundary_splits("i >= 0", "").sections.back().operations.front();
+  EXPECT_TRUE(isomorphic(one, one));
+  Operation other = one;
+  other.constraint = Constraint::forest;
+  EXPECT_FALSE(isomorphic(one, other));
+  other = one;
+  other.may_give_up = 1;
+  EXPECT_FALSE(isomorphic(one, other));
+  other = one;
+  other.cost.pop_back();
+  EXPECT_FALSE(isomorphic(one, other));
+  other = one;
+  std::swap(other.before, other.after);
+  EXPECT_FALSE(isomorphic(one, other));
+}
+
+/// What a table with a best answer everywhere exceeds.
+Failures beyond(const Family& family, const std::string& position, std::uint64_t& bounded) {
+  ExpectedDump expected;
+  for (const Operation& operation : family.unlisted)
+    if (operation.position == position) expected.tables.push_back({&operation, Against::own_patch, nullptr});
+  const Definition definition(*expected.tables.at(0).operation);
+  const DumpComparison found =
+      compare_answers(expected, [&](const Operation& /*operation*/, Colors before) -> std::optional<Answer> {
+        if (!definition.valid(before)) return {};
+        return Answer{definition.best(before)->colors, {}, {}};
+      });
+  bounded = found.of(Against::own_patch).bounded.entries;
+  EXPECT_EQ(found.of(Against::own_patch).wrong.count, 0U);
+  EXPECT_EQ(found.agrees(), found.of(Against::own_patch).beyond.count == 0);
+  return found.of(Against::own_patch).beyond;
+}
+
+TEST(Unlisted, AnswersAreComparedWithTheBounds) {
+  // At gap 0 of three triangles the new triangle is a strip by itself if its neighbour has a port and a solid edge.
+  std::uint64_t bounded = 0;
+  EXPECT_EQ(beyond(boundary_splits("i = 1", ""), "k 3 i 0", bounded).count, 0U);
+  EXPECT_EQ(bounded, 0U);
+  EXPECT_GT(beyond(boundary_splits("i = 1", R"({"strips": 0})"), "k 3 i 0", bounded).count, 0U);
+  EXPECT_EQ(bounded, 32U);
+  EXPECT_EQ(beyond(boundary_splits("i = 1", R"({"strips": 1, "isolated": 1, "indices": 3})"), "k 3 i 0", bounded).count,
+            0U);
+  EXPECT_GT(beyond(boundary_splits("i = 1", R"({"isolated": 0})"), "k 3 i 0", bounded).count, 0U);
+  EXPECT_GT(beyond(boundary_splits("i = 1", R"({"indices": 2})"), "k 3 i 0", bounded).count, 0U);
+  EXPECT_EQ(beyond(boundary_splits("i = 1", R"({"where": "i = 1", "strips": -1})"), "k 3 i 0", bounded).count, 0U);
+  EXPECT_EQ(bounded, 0U);
+}
+
+}  // namespace
+}  // namespace restrip::verify::test
