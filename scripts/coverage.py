@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """How each claim is checked: docs/coverage.csv, and the table made from it.
 
-  scripts/coverage.py record FOLDER CHECK…   the reports FOLDER/CHECK.log become the rows of these checks in docs/coverage.csv
+  scripts/coverage.py read FOLDER CHECK…     the reports FOLDER/CHECK.log have all lines that are expected, and no other claim
+  scripts/coverage.py record FOLDER CHECK…   they become the rows of these checks in docs/coverage.csv
+  scripts/coverage.py compare FOLDER CHECK…  the rows of these checks in docs/coverage.csv are what the reports say
   scripts/coverage.py table                  the table of docs/explanation/what-is-proven.md
-  scripts/coverage.py check [ROOT]           each claim has a row, each row a check of scripts/prove.sh, each check a row
+  scripts/coverage.py check [ROOT]           each claim has a row, each row a check of scripts/prove.sh, each check a row, and
+                                             each theorem that is expected is in verify/formal/Main.v
 
 scripts/prove.sh runs the checks and then "record", so every row comes from a line that a run has printed. A report with
-a failure, or without a line that REPORTS expects, is refused. Exit code: 0 all is well, 1 not.
+a failure, without a line that REPORTS expects, or with a claim that neither REPORTS nor LEFT_OUT has, is refused. Exit
+code: 0 all is well, 1 not.
 """
 import csv
 import re
@@ -49,6 +53,29 @@ RULES = [
     holds("(as good, )?no sound recolouring has fewer [a-z_+ ]+[a-z]", ["Locally optimal"], SEARCH, CERTIFICATES),
     holds("every rule has a reason why nothing is preferred to it", ["Checkable"], "reasons", CERTIFICATES),
 ]
+# Claims of the verifiers that are no claims of docs/explanation/what-is-proven.md, and why.
+LEFT_OUT = {
+    "the files match the MANIFEST": "of files, not of rules",
+    "the files have the listed numbers of rows": "of files, not of rules",
+    "every row has a valid configuration": "a row too many does no harm",
+    "no port is taken, and ports that must stay are kept": "part of soundness",
+    "copies follow from rules by symmetry": "copies are judged like rules",
+    "the stated numbers": "of the certificate, not of rules",
+    "the orbits, counted again": "of the problem, not of rules",
+    "the published counts": "of the problem, not of rules",
+    "positions without rules are images of ones with rules": "their answers are judged in compiled tables",
+    "no answer exceeds what the family claims": "the claims are in the files of operations",
+    "adds at most": "of indices; docs/explanation/theory.md proves it for every k",
+    "the header is exactly the text of a table": "of a text, so that it can be compiled",
+    # of the automaton, on the way to its first claim of the page
+    "an arc and a following letter matter by their cases": "a premise of the meetings",
+    "each witness is a shortest arc of its class": "a premise of the meetings",
+    "the values are the least costs": "a premise of the meetings",
+    "what a letter costs": "a premise of the meetings",
+    "every case comes from the stated case": "a premise of the meetings",
+    "every closing is sound and best": "the meetings' claim for closed fans",
+    "every answer costs the same as the rule of": "compared with other certificates",
+}
 ANSWERS = [
     (r"every answer is the certificate's row, in its positions +[^,]*dump,", ["Compiled"], "compared", TABLES),
     ("every answer is sound and best, in other positions", ["Sound", "Locally optimal"], SEARCH, TABLES),
@@ -60,7 +87,8 @@ REPORTS = {
         holds("no rule costs above [0-9]+ strips?, isolates above [0-9]+", ["Bounded"], SEARCH, CERTIFICATES),
     ] + [holds(*answer, subject="shipped headers", operations="answered") for answer in ANSWERS],
     "automaton": automaton_lines(),
-    "operations": RULES + [holds(*answer) for answer in ANSWERS] + [
+    # Shipped operation files have no positions without rules.
+    "operations": RULES + [holds(*answer) for answer in ANSWERS if "other positions" not in answer[0]] + [
         holds("every answer is the certificate's row, in its positions +the header's text,", ["Compiled"], "compared", "header texts"),
     ],
     "reasons": [
@@ -85,6 +113,8 @@ REPORTS = {
         Line(THEOREM.format("whole_mesh"), ["Whole mesh"], COQ, "nothing: every valid colouring", ["any mesh"], "every"),
     ],
 }
+
+THEOREMS = [line.pattern.split()[0].lstrip("^") for line in REPORTS["theorem"]]
 
 
 class Wrong(Exception):
@@ -115,6 +145,12 @@ def k_of(line, found, report):
     return max(map(int, re.findall(words, report, re.M)), default=0)
 
 
+def unknown_claims(check, report):
+    """The claims of a report that neither REPORTS nor LEFT_OUT has."""
+    return [line for line in report.splitlines() if re.match("(holds|FAILS) ", line) and not any(words in line for words in LEFT_OUT)
+            and not any(re.search(known.pattern, re.sub("^FAILS", "holds", line)) for known in REPORTS[check])]
+
+
 def rows_of(check, report):
     """The rows of a report; raises Wrong if it is not complete."""
     if re.search(r"^FAILS|NOT ", report, re.M):
@@ -133,6 +169,8 @@ def rows_of(check, report):
                 for claim in line.claims:
                     what = claim, operation, line.how, line.read, k == "every"
                     largest[what] = k if k == "every" else max(k, largest.get(what, 0))
+    for line in unknown_claims(check, report):
+        raise Wrong(f"{check}: a claim that is neither in the coverage nor left out: {line}")
     return {Row(claim, operation, str(k), how, read, check) for (claim, operation, how, read, _), k in largest.items()}
 
 
@@ -147,6 +185,7 @@ class Coverage:
         self.claims = bold_of((root / "docs/explanation/what-is-proven.md").read_text(encoding="utf-8"), "## What is claimed")
         self.guarantees = bold_of((root / "README.md").read_text(encoding="utf-8"), "## What is guaranteed")
         self.checks = re.findall(r"^ *check ([a-z]+) \"", (root / "scripts/prove.sh").read_text(encoding="utf-8"), re.M)
+        self.theorems = re.findall(r"^Theorem (\w+)", (root / "verify/formal/Main.v").read_text(encoding="utf-8"), re.M)
         with open(self.path, encoding="utf-8", newline="") as file:
             self.rows = {Row(**row) for row in csv.DictReader(file)}
 
@@ -158,12 +197,21 @@ class Coverage:
             [f"{claim}: a guarantee of README.md that docs/explanation/what-is-proven.md does not claim" for claim in self.guarantees if claim not in self.claims] + \
             [f"{claim}: rows of docs/coverage.csv name it, and docs/explanation/what-is-proven.md does not claim it" for claim in sorted(claimed - set(self.claims))] + \
             [f"{check}: not a check of scripts/prove.sh" for check in sorted(run - set(self.checks))] + \
-            [f"{check}: a check of scripts/prove.sh without a row" for check in self.checks if check not in run]
+            [f"{check}: a check of scripts/prove.sh without a row" for check in self.checks if check not in run] + \
+            [f"{name}: a theorem that is expected, and that verify/formal/Main.v does not have" for name in THEOREMS if name not in self.theorems]
+
+    def read(self, folder, checks):
+        """The rows that the reports of these checks make."""
+        return {row for check in checks for row in rows_of(check, (folder / f"{check}.log").read_text(encoding="utf-8"))}
+
+    def compare(self, folder, checks):
+        """Sentences about rows that differ."""
+        found, listed = self.read(folder, checks), {row for row in self.rows if row.check in checks}
+        return [f"docs/coverage.csv has no row {','.join(row)}" for row in sorted(found - listed)] + \
+            [f"docs/coverage.csv has the row {','.join(row)}, and no report makes it" for row in sorted(listed - found)]
 
     def record(self, folder, checks):
-        self.rows = {row for row in self.rows if row.check not in checks and row.check in self.checks}
-        for check in checks:
-            self.rows |= rows_of(check, (folder / f"{check}.log").read_text(encoding="utf-8"))
+        self.rows = {row for row in self.rows if row.check not in checks and row.check in self.checks} | self.read(folder, checks)
         with open(self.path, "w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(Row._fields)
@@ -180,7 +228,7 @@ class Coverage:
         """Cells of the rows with a wanted claim: claims, operations, k, how, read, check. Rows of one check
         that differ only in the operation or in the claim are merged."""
         some = {}
-        for row in sorted(self.rows, key=lambda row: (self.checks.index(row.check), row.k == "every", row)):
+        for row in sorted(self.rows, key=lambda row: (list(REPORTS).index(row.check), row.k == "every", row)):
             some.setdefault(row[2:], {}).setdefault(row.claim, set()).add(row.operation)
         for (k, *rest), claims in some.items():
             for other in [claims for at, claims in some.items() if at[0] not in ("0", "every") and list(at[1:]) == rest]:
@@ -203,8 +251,10 @@ def table_of(head, lines):
 
 
 def main():
-    if len(sys.argv) > 3 and sys.argv[1] == "record":
-        Coverage(ROOT).record(Path(sys.argv[2]), sys.argv[3:])
+    if len(sys.argv) > 3 and sys.argv[1] in ("read", "record"):
+        getattr(Coverage(ROOT), sys.argv[1])(Path(sys.argv[2]), sys.argv[3:])
+    elif len(sys.argv) > 3 and sys.argv[1] == "compare":
+        sys.exit("\n".join(Coverage(ROOT).compare(Path(sys.argv[2]), sys.argv[3:])) or 0)
     elif sys.argv[1:] == ["table"]:
         print(Coverage(ROOT).table(), end="")
     elif sys.argv[1:2] == ["check"] and len(sys.argv) <= 3:

@@ -4,33 +4,43 @@
 # it, and prints one page. Safe to repeat, from any directory.
 #
 #   scripts/prove.sh             all four
-#   scripts/prove.sh --no-coq    all but Coq: a few minutes; its rows stay as they are
+#   scripts/prove.sh --no-coq    all but Coq: two minutes; its rows stay as they are
 #   scripts/prove.sh --full      all four, and coqchk for all theorems: hours
+#   --programs DIR               with these; otherwise they are built into build/programs
+#   --compare                    writes nothing: docs/coverage.csv and the table must be what the reports say
 set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
 coq=yes
 coq_options=()
-for option in "$@"; do
-  case "$option" in
+bin=
+compare=
+while [ $# -gt 0 ]; do
+  case "$1" in
     --no-coq) coq=no ;;
     --full) coq_options=(--full) ;;
+    --compare) compare=yes ;;
+    --programs) bin=${2:?--programs needs a folder}; shift ;;
     *)
-      echo "usage: prove.sh [--no-coq | --full]" >&2
+      echo "usage: prove.sh [--no-coq | --full] [--programs DIR] [--compare]" >&2
       exit 2
       ;;
   esac
+  shift
 done
 
 packages=("${build_packages[@]}" python3 ocaml)
 [ "$coq" = no ] || packages+=(coq make time)
 need "${packages[@]}"
 
-say "building"
-cmake --preset programs >/dev/null
-cmake --build --preset programs >/dev/null
-bin=build/programs/bin
+scripts/coverage.py check
+if [ -z "$bin" ]; then
+  say "building"
+  cmake --preset programs >/dev/null
+  cmake --build --preset programs >/dev/null
+  bin=build/programs/bin
+fi
 logs=build/proof
 mkdir -p "$logs"
 summary=()
@@ -50,6 +60,7 @@ check() {
   local found
   found=$(sed -nE "$cases" "$logs/$name.log" | tail -n 1)
   [ -n "$found" ] || { echo "$logs/$name.log: the number of cases is missing" >&2; false; }
+  scripts/coverage.py read "$logs" "$name"
   checks+=("$name")
   summary+=("$(printf '%-9s %5d s  %s\n%19s%s: %s\n%19strusts: %s' \
     "$name" "$((SECONDS - started))" "$claim" "" "$method" "$found" "" "$trusts")")
@@ -85,31 +96,32 @@ all_reasons() {
          END { printf "in all: %d rules, %d copies\n", rules, copies }'
 }
 
-check search "every rule is sound and optimal; the shipped headers give it, in every position" \
-  "the definition, in Boost.Graph: every recolouring of every configuration, in every world outside" \
-  "C++ compiler, verify/" \
-  's/^verified: (.*)$/\1/p' \
-  $bin/restrip-verify --dump-command $bin/restrip-dump-tables
-check automaton "every answer of the automaton is sound and optimal, for every k; the shipped header holds its numbers" \
-  "every colouring of short arcs, every pair of the finitely many kinds of arcs; whole fans to k = 10 as well" \
-  "C++ compiler, verify/automaton, the interface lemma of docs/explanation/automaton.md" \
-  's/^verified: (.*)$/\1/p' \
-  $bin/restrip-verify-automaton --tables-dir tables --dump-command "$bin/restrip-dump-tables --automaton"
+# The long parts come last, so that a report that is not as expected is noticed early.
 check operations "the rules of the operation files are sound and optimal; the shipped headers give them" \
   "every recolouring of every configuration on explicit graphs, in every world outside" \
   "C++ compiler, verify/, docs/reference/operation-file.md" \
   's/^in all: (.*)$/\1/p' \
   all_operations
-check reasons "every rule in the certificates is sound and optimal" \
-  "the certificates' reasons, without any search" \
-  "Python, scripts/check_reasons.py" \
-  's/^in all: (.*)$/\1/p' \
-  all_reasons
 check run "the rules as a program applied them: every colouring valid, every number true, every operation optimal" \
   "each operation of a run followed in a mesh of raw triangles; patches judged by functions extracted from Coq" \
   "Coq's extraction, the OCaml compiler, verify/check: the mesh and the walk along strips" \
   's/^accepted: (.*)$/\1/p' \
   a_run
+check automaton "every answer of the automaton is sound and optimal, for every k; the shipped header holds its numbers" \
+  "every colouring of short arcs, every pair of the finitely many kinds of arcs; whole fans to k = 10 as well" \
+  "C++ compiler, verify/automaton, the interface lemma of docs/explanation/automaton.md" \
+  's/^verified: (.*)$/\1/p' \
+  $bin/restrip-verify-automaton --tables-dir tables --dump-command "$bin/restrip-dump-tables --automaton"
+check reasons "every rule in the certificates is sound and optimal" \
+  "the certificates' reasons, without any search" \
+  "Python, scripts/check_reasons.py" \
+  's/^in all: (.*)$/\1/p' \
+  all_reasons
+check search "every rule is sound and optimal; the shipped headers give it, in every position" \
+  "the definition, in Boost.Graph: every recolouring of every configuration, in every world outside" \
+  "C++ compiler, verify/" \
+  's/^verified: (.*)$/\1/p' \
+  $bin/restrip-verify --dump-command $bin/restrip-dump-tables
 if [ "$coq" = yes ]; then
   check theorem "sound, optimal, the facts, the locality lemma itself, and the bound on the strips of a whole mesh" \
     "Coq, for the shipped bytes; no axioms" \
@@ -121,9 +133,14 @@ fi
 
 printf '\nThe checks that were run, and what each trusts.\n\n'
 printf '%s\n\n' "${summary[@]}"
-say "writing the coverage"
-scripts/coverage.py record "$logs" "${checks[@]}"
-scripts/figures.py --bin $bin --only scripts/coverage.py docs/explanation/what-is-proven.md
+if [ -n "$compare" ]; then
+  say "comparing the coverage"
+  scripts/coverage.py compare "$logs" "${checks[@]}"
+else
+  say "writing the coverage"
+  scripts/coverage.py record "$logs" "${checks[@]}"
+fi
+scripts/figures.py ${compare:+--check} --bin "$bin" --only scripts/coverage.py docs/explanation/what-is-proven.md
 scripts/coverage.py check
 echo
 scripts/coverage.py table

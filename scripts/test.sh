@@ -102,6 +102,7 @@ if [ -n "$all" ]; then
   in_background "building with Clang and its sanitizers" cmake --build --preset sanitize
 fi
 part "testing" ctest --preset test -j "$(nproc)"
+[ -z "$all" ] || part "proving without Coq" scripts/prove.sh --no-coq --compare --programs build/test/bin
 if [ -n "$all" ]; then
   joined
   if [ -n "$tidy" ]; then

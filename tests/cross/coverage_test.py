@@ -1,6 +1,9 @@
 """Every claim of docs/explanation/what-is-proven.md and every guarantee of README.md has a row in docs/coverage.csv, every row a check of
 scripts/prove.sh, and the table of the page has those rows. scripts/coverage.py reports every deviation, and refuses a
-report in which something fails or is missing. Nothing is proved here."""
+report in which something fails or is missing, or that has a claim that it does not know. Nothing is proved here.
+
+  coverage_test.py BIN: the folder with the programs, whose claims are all known
+"""
 import importlib.util
 import subprocess
 import sys
@@ -9,7 +12,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = ["docs/explanation/what-is-proven.md", "docs/coverage.csv", "README.md", "scripts/prove.sh"]
+FILES = ["docs/explanation/what-is-proven.md", "docs/coverage.csv", "README.md", "scripts/prove.sh", "verify/formal/Main.v"]
 spec = importlib.util.spec_from_file_location("coverage", ROOT / "scripts/coverage.py")
 coverage = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(coverage)
@@ -55,6 +58,10 @@ class Check(unittest.TestCase):
         self.assertEqual(faults("scripts/prove.sh", lambda text: text.replace("check reasons ", "check causes ")),
                          ["reasons: not a check of scripts/prove.sh", "causes: a check of scripts/prove.sh without a row"])
 
+    def test_a_theorem_that_is_not_there(self):
+        self.assertEqual(faults("verify/formal/Main.v", lambda text: text.replace("Theorem whole_mesh ", "Theorem whole_mash ")),
+                         ["whole_mesh: a theorem that is expected, and that verify/formal/Main.v does not have"])
+
     def test_lists_that_are_not_found(self):
         for file in ("docs/explanation/what-is-proven.md", "README.md"):
             self.assertIn("docs/explanation/what-is-proven.md lists no claims, or README.md no guarantees", faults(file, lambda text: text.replace("**", "")))
@@ -81,9 +88,7 @@ class Reports(unittest.TestCase):
         self.assertEqual({(row.k, row.read, row.check) for row in rows}, {("0", "a trace", "run")})
 
     def test_a_report_that_does_not_hold(self):
-        for text, why in (("FAILS  split
-" + RUN, "something fails"), (RUN + "NOT verified
-", "something fails"),
+        for text, why in (("FAILS  split\n" + RUN, "something fails"), (RUN + "NOT verified\n", "something fails"),
                           (RUN.replace("  judged", "  met"), "no line matches"), ("", "no line matches"), (RUN.replace("read: a trace", "read: nothing"), "were not read")):
             with self.assertRaisesRegex(coverage.Wrong, why):
                 coverage.rows_of("run", text)
@@ -91,5 +96,32 @@ class Reports(unittest.TestCase):
     def test_every_check_has_its_report(self):
         self.assertEqual(set(coverage.REPORTS), set(coverage.Coverage(ROOT).checks))
 
+    def test_a_claim_that_is_not_known(self):
+        new = "holds  split           every rule is short                               counted    12     0.00\n"
+        with self.assertRaisesRegex(coverage.Wrong, "neither in the coverage nor left out: holds  split +every rule is short"):
+            coverage.rows_of("run", RUN + new)
 
+    def test_rows_that_differ(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "run.log").write_text(RUN, encoding="utf-8")
+            said = coverage.Coverage(ROOT).compare(Path(folder), ["run"])
+        self.assertTrue(said and all(line.startswith("docs/coverage.csv has the row ") and line.endswith(",run, and no report makes it") for line in said), said)
+        self.assertFalse(any(",split," in line or ",collapse," in line for line in said), said)
+
+    def test_every_claim_of_the_verifiers_is_known(self):
+        """Of an operation, of small tables and of the automaton; scripts/prove.sh refuses any other as well."""
+        small, printed = ROOT / "tests/corpus/accept/small", ""
+        for check, *words in (("operations", "restrip-verify", "--operation", ROOT / "tables/operations/bisect.json", "--certificate",
+                               ROOT / "tables/certificates/operations/bisect.cert", "--header", ROOT / "tables/include/restrip/tables/operations/bisect.hpp"),
+                              ("search", "restrip-verify", "--tables-dir", small, "--max-k", "4"),
+                              ("automaton", "restrip-verify-automaton", "--tables-dir", ROOT / "tables", "--max-k", "4")):
+            done = subprocess.run([BIN / words[0], *words[1:]], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, coverage.unknown_claims(check, done.stdout)), (0, []), done.stderr)
+            printed += done.stdout
+        # What is left out exists: in these reports or, of compiled tables, in the sources.
+        sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "verify").rglob("*.cpp"))
+        self.assertEqual([claim for claim in coverage.LEFT_OUT if claim not in printed and f'"{claim}"' not in sources], [])
+
+
+BIN = Path(sys.argv.pop())
 unittest.main()
