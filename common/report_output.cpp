@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <utility>
 
 #include "common/file_error.hpp"
@@ -29,6 +31,16 @@ void ReportOutput::print(std::string_view text, std::string_view json) const {
   }
   if (file_) file_->write(json);
   fmt::print(Claim::on_standard_output() ? stderr : stdout, "{}", printable(text));
+}
+
+int exit_code(std::string_view program, int code) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  fmt::print(stderr, "{}: standard output could not be written: {}\n", program,
+             errno == EBADF ? "it is closed"
+             : errno != 0   ? std::strerror(errno)
+                            : "its device refused it");
+  return 2;
 }
 
 }  // namespace restrip::files

@@ -32,4 +32,8 @@ class ReportOutput {
   std::shared_ptr<const Claim> claim_;  // on standard output
 };
 
+/// The exit code of a program: `code`, or 2 with a message if standard output could not be written, which a buffer or a
+/// full disk may hide until the end. For the end of every main(), also after --help.
+[[nodiscard]] int exit_code(std::string_view program, int code);
+
 }  // namespace restrip::files

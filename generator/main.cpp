@@ -204,7 +204,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return restrip::files::exit_code(app.get_name(), app.exit(error) == 0 ? 0 : 2);
   }
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
@@ -232,10 +232,9 @@ int main(int argc, char** argv) {
       const CountReport report = count(count_max_k);
       out.print(report.text, report.json);
     }
-    if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");
   } catch (const std::exception& error) {
     fmt::print(stderr, "restrip-generate: {}\n", error.what());
     return 2;
   }
-  return 0;
+  return restrip::files::exit_code(app.get_name(), 0);
 }

@@ -75,7 +75,9 @@ std::size_t valence_named(std::string_view word) {
 }  // namespace
 }  // namespace restrip::dump
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   using namespace restrip;
   using namespace restrip::dump;
   bool automaton = false;
@@ -118,4 +120,13 @@ int main(int argc, char** argv) {
     all_tables(out, max_k);
   }
   return out.finish() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int code = run(argc, argv);
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::fputs("restrip-dump-tables: standard output could not be written\n", stderr);
+  return 2;
 }

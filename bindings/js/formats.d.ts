@@ -10,7 +10,7 @@ export function loadReaders(source?: Source): Promise<ReadMesh>;
 export type ReadMesh = (name: string, content: ArrayBuffer | ArrayBufferView) => Promise<Mesh | ProgressiveMesh | BakedMesh>;
 
 interface Read {
-  /** The attributes of vertices other than positions, in words; empty if none exist. */
+  /** What the file holds besides positions and triangles, in words: "normals, lines"; empty if nothing. */
   leftOut: string;
 }
 /** Three numbers a vertex, three a triangle. */

@@ -220,7 +220,7 @@ std::vector<Target> mesh_targets() {
         const std::string written = format_named(extension)->write_mesh(found);
         const Soup again = extension == std::string_view(".obj") ? read_obj(written, "g", ReadAttributes::yes)
                                                                  : read_ply(written, "g", ReadAttributes::yes);
-        promise(again.attributes.size() == found.attributes.size() && again.left_out_attributes.empty(),
+        promise(again.attributes.size() == found.attributes.size() && again.left_out.empty(),
                 "attributes that are written are read");
         for (const Attribute& attribute : again.attributes)
           promise(attribute.bytes.size() == again.points.size() * attribute.value_bytes(), "each point has a value");

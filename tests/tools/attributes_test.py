@@ -110,7 +110,7 @@ colors = file.accessor([(1, 1, 1)] * 3, "VEC3", FLOAT)
 file.primitive(points, file.indices([0, 1, 2]), NORMAL=up, TEXCOORD_0=uv[0], JOINTS_0=joints, COLOR_0=colors)
 file.primitive(points, file.indices([2, 1, 0]), NORMAL=up, TEXCOORD_0=uv[1])
 printed = json.loads(run("convert", save(file, scratch / "two.glb"), "-o", scratch / "out.glb", "--json", "-").stdout)
-assert printed["left_out_attributes"] == ["JOINTS_0", "COLOR_0"] and printed["vertices"] == 6, printed
+assert printed["left_out_content"] == ["JOINTS_0", "COLOR_0"] and printed["vertices"] == 6, printed
 found = {tuple(sorted(v[1:] for c in t for v in c if v[0][0] == "TEXCOORD_0")) for t in corners_of_glb(scratch / "out.glb")}
 assert found == {((0, 0), (0, 1), (1, 0)), ((5, 0), (5, 1), (6, 0))}, found
 assert {v[0][0] for t in corners_of_glb(scratch / "out.glb") for c in t for v in c} == {"POSITION", "NORMAL", "TEXCOORD_0"}
@@ -124,8 +124,8 @@ for arguments in (("convert", source, "-o", scratch / "out.off"), ("stripify", s
     (line,) = [line for line in run(*arguments).stdout.splitlines() if line.startswith("left out:")]
     assert sorted(line.removeprefix("left out: ").split(", ")) == ["colours", "normals", "texture coordinates"], line
     printed = json.loads(run(*arguments, "--json", "-").stdout)
-    assert sorted(printed["left_out_attributes"]) == ["COLOR_0", "NORMAL", "TEXCOORD_0"], printed
-assert "left out:" not in run("stats", source).stdout
+    assert sorted(printed["left_out_content"]) == ["COLOR_0", "NORMAL", "TEXCOORD_0"], printed
+assert "left out: colours, normals, texture coordinates\n" in run("stats", source).stdout
 # simplify reports it once, and how to keep them; or it keeps them: the remaining vertices are drawn vertices of the
 # source, including all at seams.
 done = run("simplify", source, "--base", 0.5, "-o", scratch / "out.glb")
@@ -262,12 +262,12 @@ for u, v in (("s", "t"), ("u", "v"), ("texture_u", "texture_v")):
     assert ply_text([("float", f"{u} {v}")], ["0 0", "1 0.25", "0 1"])["TEXCOORD_0"] == [(0, 1), (1, 0.75), (0, 0)]
 assert ply_text([("ushort", "diffuse_red diffuse_green diffuse_blue diffuse_alpha")], ["0 1 2 3", "9 9 9 9", "1 1 1 65535"])[
     "COLOR_0"] == [(0, 1, 2, 3), (9, 9, 9, 9), (1, 1, 1, 65535)]
+assert ply_text([("float", "nx ny nz")], ["0 0 1", "0 0 1", "0 0 inf"], "normals (infinite or not a number at vertex 2)").keys() == {"POSITION"}
 for properties, said in (([("float", "nx ny")], "normals"), ([("int", "nx ny nz")], "normals"), ([("float", "s")], "texture coordinates"),
                          ([("uchar", "red green"), ("float", "blue")], "colours"), ([("int", "red green blue")], "colours")):
     row = " ".join(["1"] * sum(len(names.split()) for _, names in properties))
     assert ply_text(properties, [row] * 3, said).keys() == {"POSITION"}
-for properties, row, words in (([("float", "nx ny nz")], "0 0 inf", "vertex 0 has normals that are infinite or not a number"),
-                               ([("uchar", "red green blue")], "1 2 256", "vertex 0 has a colour 256, which is not from 0 to 255"),
+for properties, row, words in (([("uchar", "red green blue")], "1 2 256", "vertex 0 has a colour 256, which is not from 0 to 255"),
                                ([("ushort", "red green blue")], "1 2 0.5", "vertex 0 has a colour 0.5")):
     try:
         ply_text(properties, [row] * 3)
@@ -295,5 +295,11 @@ refused(lambda about, _: about.update(type="VEC2"), "is not VEC3, as normals are
 refused(lambda about, _: about.update(count=5), "has 5 values of NORMAL, and there are 294 positions")
 refused(lambda about, _: about.update(count=500), "reach beyond")
 refused(lambda about, _: about.update(componentType=5125), "is not a type of an attribute")
-refused(spoil, "vertex 1 has normals that are infinite or not a number")
+for edit in (lambda about, _: about.update(type="VEC2"), lambda about, _: about.update(count=5), lambda about, _: about.update(count=500)):
+    refused(edit, "; --no-attributes reads the mesh without it")
+    run("convert", scratch / "bad.glb", "--no-attributes", "-o", scratch / "out.obj")
+file = cube()
+spoil(file.doc["accessors"][file.doc["meshes"][0]["primitives"][0]["attributes"]["NORMAL"]], file)
+printed = run("convert", save(file, scratch / "bad.glb"), "-o", scratch / "out.obj").stdout
+assert "normals (infinite or not a number at vertex 1)" in printed, printed
 print("attributes: all hold")

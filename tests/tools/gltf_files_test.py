@@ -51,11 +51,17 @@ for (mode, drawn), width, stride in itertools.product(
 for width, restart in ((5121, 0xFF), (5123, 0xFFFF), (5125, 0xFFFFFFFF)):
     for mode, indices, drawn in ((5, [0, 1, 2, 3, restart, 2, 3, 4], STRIP[:2] + [(2, 3, 4)]),
                                  (5, [0, 1, 2, 1, 3, restart, restart], STRIP[:2]),
-                                 (6, [0, 1, 2, 3, restart, 3, 4, 5], FAN[:2] + [(3, 4, 5)]),
-                                 (4, [0, 1, 2, restart, 3, 4, 5], [(0, 1, 2), (3, 4, 5)])):
+                                 (6, [0, 1, 2, 3, restart, 3, 4, 5], FAN[:2] + [(3, 4, 5)])):
         file = File(["KHR_mesh_primitive_restart"])
         file.primitive(file.positions(P), file.indices(indices, width), mode)
         expect(file, P, drawn, (width, mode, indices))
+
+# In a list the largest value is an index like any other.
+for count, width in ((256, 5121), (65536, 5123)):
+    file = File()
+    many = [(i % 1000, i // 1000, 0) for i in range(count)]
+    file.primitive(file.positions(many), file.indices([0, 1, count - 1, 2, count - 1, 1000 % count], width))
+    expect(file, many, [(0, 1, count - 1), (2, count - 1, 1000 % count)], count)
 
 # Sparse accessors: with a buffer view below, and without (zeros).
 file = File()
@@ -108,6 +114,27 @@ expect(file, [(10 - 2 * x, -y, z) for x, y, z in P] + [(-x, y, z + 5) for x, y, 
        STRIP + [(c + 6, b + 6, a + 6) for a, b, c in STRIP], "roots without scenes")
 
 
+# A skin decides where its mesh is, not its node; the nodes below move as ever.
+file = File()
+file.primitive(file.positions(P), None, 5)
+file.doc |= {"scenes": [{"nodes": [0]}], "skins": [{"joints": [1]}], "nodes": [
+    {"mesh": 0, "skin": 0, "translation": [10, 0, 0], "children": [1]}, {"mesh": 0, "scale": [-1, 1, 1]}]}
+expect(file, P + [(10 - x, y, z) for x, y, z in P], STRIP + [(c + 6, b + 6, a + 6) for a, b, c in STRIP], "skin")
+# Programs multiply matrices in single precision.
+file.doc |= {"scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "matrix": [1, 0, 0, 1e-7, 0, 1, 0, -1e-7, 0, 0, 1, 0, 3, 0, 0, 0.9999999]}]}
+expect(file, [(x + 3, y, z) for x, y, z in P], STRIP, "matrix")
+# Buffers in folders below, and names with percent signs.
+(scratch / "below" / "further").mkdir(parents=True, exist_ok=True)
+file = File(["KHR_texture_basisu", "KHR_xmp_json_ld", "EXT_structural_metadata", "KHR_animation_pointer", "MSFT_texture_dds", "VRMC_vrm"])
+file.primitive(file.positions(P), None, 5)
+for uri, place in (("./a.bin", "a.bin"), ("below/a.bin", "below/a.bin"), ("./below/./further/a%20b.bin", "below/further/a b.bin"),
+                   ("10%.bin", "10%.bin"), ("10%zz.bin", "10%zz.bin"), ("%41%2fa.bin".replace("%41", "below"), "below/a.bin"),
+                   ("..a..bin", "..a..bin"), ("100%25.bin", "100%.bin")):
+    (scratch / place).write_bytes(file.binary)
+    assert len(read("in.gltf", file.gltf(uri))[1]) == 4, uri
+    (scratch / place).unlink()
+
+
 # ---- damaged files
 def whole():
     made = File()
@@ -144,7 +171,8 @@ DAMAGED = (
     (set_at(*PRIMITIVE, "indices", 9), "accessors has no element 9"),
     (set_at(*PRIMITIVE, "indices", -1), "indices is not a whole number"),
     (set_at(*PRIMITIVE, "indices", 0), "accessors[0].type is not SCALAR"),
-    (set_at(*PRIMITIVE, "attributes", {}), "attributes.POSITION is missing"),
+    (set_at(*PRIMITIVE, "attributes", {}), "no vertices (left out: primitives without positions)"),
+    (set_at(*PRIMITIVE, "mode", 1), "no vertices (left out: lines)"),
     (set_at(*PRIMITIVE, "attributes", "POSITION", 1), "accessors[1].type is not VEC3"),
     (set_at("accessors", 0, "count", 7), "accessors[0] has 7 elements, which reach beyond"),
     (set_at("accessors", 0, "count", 1 << 52), "accessors[0].count is too large"),
@@ -221,10 +249,10 @@ for made in (many_zeros(), many_nodes(), many_primitives()):
 made = whole()
 made.doc["meshes"][0]["primitives"][0]["attributes"] |= {f"_{i}": 0 for i in range(300)}
 refused("bomb.glb", made.glb(), "more than 256, the limit")
-for uri, words in (("../outside.bin", "only a file in the same folder"), ("/etc/passwd", "only a file in the same folder"),
-                   ("https://host/a.bin", "only a file in the same folder"), ("%2e%2e%2fa.bin", "only a file in the same"),
-                   ("%zz", "only a file in the same folder"),
-                   ("data:,abc", "is not base64"), ("data:;base64,ab!=", "is not base64"), ("data:;base64,abc", "is not base64")):
+for uri in ("../outside.bin", "/etc/passwd", "https://host/a.bin", "%2e%2e%2fa.bin", "a/../../b.bin", "a/..", "a//b.bin", "a/", "", "C:/a.bin",
+            "..\\a.bin", "a%00.bin"):
+    refused("bad.gltf", whole().gltf(uri) if uri else whole().gltf("EMPTY").replace(b"EMPTY", b""), "only a file in the same folder or below")
+for uri, words in (("data:,abc", "is not base64"), ("data:;base64,ab!=", "is not base64"), ("data:;base64,abc", "is not base64")):
     refused("bad.gltf", whole().gltf(uri), words)
 (scratch / "lost.gltf").write_bytes(whole().gltf("none.bin"))
 lost = run("stats", scratch / "lost.gltf", code=2)

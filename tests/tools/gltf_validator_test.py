@@ -8,6 +8,7 @@ of npm, of the version and the checksum in gltf-validator/package-lock.json.
 """
 import collections
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -15,7 +16,7 @@ import struct
 import subprocess
 import sys
 
-from gltf_maker import edited_glb
+from gltf_maker import BYTE, FLOAT, LETTER, SHORT, UBYTE, USHORT, File, edited_glb
 from program import Program
 from strip_readers import RESTART, glb
 from textured import cube, save, sphere
@@ -120,6 +121,56 @@ for end in ("obj", "ply"):
     run("convert", scratch / "cube.glb", "-o", scratch / f"cube.{end}")
     run("convert", scratch / f"cube.{end}", "-o", scratch / f"cube-{end}.glb")
     plain.append(scratch / f"cube-{end}.glb")
+# Every attribute that can be read from every format, with values that glTF allows and others.
+P, UP = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 0, 1)] * 3
+UV, SIDE = [(0, 0), (1, 0), (0, 1)], [(1, 0, 0, 1)] * 3
+SHADES = {FLOAT: 1, UBYTE: 255, USHORT: 65535}
+
+
+def every_file():
+    for type_, most in SHADES.items():
+        normalized = {} if type_ == FLOAT else {"normalized": True}
+        for components in (3, 4):
+            for value in (0, most):
+                yield "glb", {"COLOR_0": ([(value,) * components] * 3, type_, normalized), "COLOR_1": ([(most,) * components] * 3, type_, normalized)}
+        yield "glb", {f"TEXCOORD_{i}": ([(most * u, most * v) for u, v in UV], type_, normalized) for i in range(12)}
+        yield "glb", {"COLOR_0": ([(most, 0, 0)] * 3, type_, {})}  # whole numbers as they are
+    for type_ in (BYTE, SHORT):
+        most = 127 if type_ == BYTE else 32767
+        yield "glb", {"NORMAL": ([(0, -most, 0)] * 3, type_, {"normalized": True}), "TANGENT": ([(most, 0, 0, most)] * 3, type_, {"normalized": True})}
+    for type_ in (BYTE, UBYTE, SHORT, USHORT, FLOAT):
+        yield "glb", {f"_OWN_{n}": ([(1,) * n] * 3, type_, {}) for n in (1, 2, 3, 4)}
+    for up in (1, 0, 2, 1e-30, 1e30, math.nan, math.inf):
+        yield "glb", {"NORMAL": ([(0, 0, up)] * 3, FLOAT, {}), "TANGENT": (SIDE, FLOAT, {})}
+        yield "glb", {"NORMAL": (UP, FLOAT, {}), "TANGENT": ([(up, 0, 0, -1)] * 3, FLOAT, {})}
+        yield "glb", {"NORMAL": (UP, FLOAT, {}), "TANGENT": ([(1, 0, 0, up)] * 3, FLOAT, {})}
+        yield "glb", {"TEXCOORD_0": ([(up, -up)] * 3, FLOAT, {}), "TEXCOORD_1": (UV, FLOAT, {}), "COLOR_0": ([(0, 0, up)] * 3, FLOAT, {}), "COLOR_1": ([(0, 0, 1)] * 3, FLOAT, {})}
+        yield "glb", {"_OWN": ([(up,)] * 3, FLOAT, {})}
+        yield "obj", "".join(f"v {x} {y} {z} 1 {c} 0\nvn 0 0 {up}\nvt {up} {y}\n" for (x, y, z), c in zip(P, (0, 1, up))) + "f 1/1/1 2/2/2 3/3/3\n"
+    yield "glb", {"TANGENT": (SIDE, FLOAT, {})}
+    yield "glb", {"TEXCOORD_1": (UV, FLOAT, {}), "COLOR_2": ([(0, 0, 1)] * 3, FLOAT, {}), "JOINTS_0": ([(0, 0, 0, 0)] * 3, UBYTE, {}),
+                  "WEIGHTS_0": ([(1, 0, 0, 0)] * 3, FLOAT, {}), "TEXCOORD_01": (UV, FLOAT, {}), "lower": ([(1,)] * 3, FLOAT, {})}
+    for kind, most in (("uchar", 255), ("ushort", 65535), ("float", 1), ("float", 255), ("double", 1), ("double", -1), ("float", math.nan)):
+        for channels in (("red", "green", "blue"), ("red", "green", "blue", "alpha"), ("diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha")):
+            names = [("float", name) for name in ("x", "y", "z", "nx", "ny", "nz", "s", "t")] + [(kind, name) for name in channels]
+            yield "ply", ("ply\nformat ascii 1.0\nelement vertex 3\n" + "".join(f"property {kind} {name}\n" for kind, name in names) +
+                          "element face 1\nproperty list uchar int vertex_indices\nend_header\n" + "".join(
+                              f"{x} {y} {z} 0 {most} 0 {x} {y}" + f" {most}" * len(channels) + "\n" for x, y, z in P) + "3 0 1 2\n")
+
+
+for number, (end, content) in enumerate(every_file()):
+    source, written = scratch / f"attributes-{number}.{end}", scratch / f"attributes-{number}-out.glb"
+    if end == "glb":
+        file = File()
+        numbers = {name: file.accessor(values, ("SCALAR", "VEC2", "VEC3", "VEC4")[len(values[0]) - 1], type_,
+                                       stride=-(-len(values[0]) * struct.calcsize(LETTER[type_]) // 4) * 4, **more)
+                   for name, (values, type_, more) in content.items()}
+        file.primitive(file.positions(P), file.indices([0, 1, 2]), **numbers)
+        source.write_bytes(file.glb())
+    else:
+        source.write_text(content)
+    run("convert", source, "-o", written)
+    plain.append(written)
 # A baked mesh: viewers need not know its extension.
 for mode in ("stitched", "strips", "list"):
     written = scratch / f"baked-{mode}.glb"

@@ -131,7 +131,9 @@ def check(name, mesh):
     run("replay", scratch / name, "--repeats", 0, "-o", scratch / "top.obj", "--json", scratch / "replay.json")
     wanted = at_places([[f32(x) for x in p] for p in mesh.points], mesh.faces)
     assert at_places(*obj(scratch / "top.obj")) == wanted, name
-    run("stats", scratch / name)
+    printed = run("stats", scratch / name).stdout
+    left_out = ["colours"] * mesh.rgb + ["texture coordinates"] * mesh.uv
+    assert "left out: " + ", ".join(["normals", "materials", *left_out]) + "\n" in printed, printed
 
 
 scratch.mkdir(parents=True, exist_ok=True)

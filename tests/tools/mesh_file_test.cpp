@@ -49,7 +49,7 @@ TEST(Obj, CornersWithTextureAndNormalIndices) {
   EXPECT_EQ(soup.triangles, std::vector<Corners>(4, Corners{0, 1, 2}));
 }
 
-TEST(Obj, PolygonsBecomeFansAndAreCounted) {
+TEST(Obj, ConvexPolygonsBecomeFansAndAreCounted) {
   const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\n", "f");
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(soup.polygons, 1U);
@@ -73,8 +73,60 @@ TEST(Obj, ValuesThatFacesNameAndTheFileLacksAreMissing) {
   const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/4/1 2/4/1 3/4/1\n", "f", ReadAttributes::yes);
   EXPECT_EQ(soup.triangles.size(), 1U);
   EXPECT_TRUE(soup.attributes.empty());
-  EXPECT_EQ(attributes_in_words(soup.left_out_attributes),
+  EXPECT_EQ(left_out_in_words(soup.left_out),
             "texture coordinates (missing from the file), normals (missing from the file)");
+}
+
+// Whatever is wrong with an attribute, the triangles are read.
+TEST(Obj, AttributesThatCannotBeUsedAreLeftOut) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const auto& [lines, left_out] : std::vector<std::pair<std::string, std::string>>{
+           {"vt 0\nf 1/1 2/2 3/1\n", "texture coordinates (a face refers to `vt` 2, and there are 1)"},
+           {"vn 0 0 1\nf 1//1 2//3 3//1\n", "normals (a face refers to `vn` 3, and there are 1)"},
+           {"vn 0 0 1\nf 1//1 2//0 3//1\n", "normals (line 5: '2//0' names no `vn`)"},
+           {"vn 0 0 1\nf 1//1 2//-2 3//1\n", "normals (line 5: '2//-2' names no `vn`)"},
+           {"vn 0 0 1\nf 1//1 2//z 3//1\n", "normals (line 5: '2//z' names no `vn`)"},
+           {"vn 0 0 1\nvt 0 0\nf 1/0/1 2/1/1 3/1/1\n", "texture coordinates (line 6: '1/0/1' names no `vt`)"},
+           {"vn 0 1\nf 1//1 2//1 3//1\n", "normals (line 4: a `vn` of 2 numbers)"},
+           {"vt\nf 1/1 2/1 3/1\n", "texture coordinates (line 4: a `vt` of 0 numbers)"},
+           {"vt 0 x\nf 1/1 2/1 3/1\n", "texture coordinates (line 4: 'x' is not a number)"},
+           {"vn 0 0 1\nvn 0 nan 1\nf 1//1 2//2 3//1\n", "normals (`vn` 2 is infinite or not a number)"},
+           {"vt 1e300 0\nf 1/1 2/1 3/1\n", "texture coordinates (`vt` 1 is infinite or not a number)"},
+           {"vn 0 nan 1\nvn 0 0 1\nf 1//2 2//2 3//2\n", ""},
+           {"vt 0 0 0\nf 1/1 2/1 3/1\n", ""},
+           {"vt 0 0 0.5\nf 1/1 2/1 3/1\n", "third texture coordinates"}}) {
+    const Soup soup = read_obj(three + lines, "f", ReadAttributes::yes);
+    EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}})) << lines;
+    EXPECT_EQ(left_out_in_words(soup.left_out), left_out) << lines;
+    EXPECT_EQ(read_obj(three + lines, "f").triangles.size(), 1U) << lines;
+  }
+  const auto of_colors = [](const std::string& colors) {
+    return left_out_in_words(
+        read_obj("v 0 0 0 " + colors + "\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nv 9 9 9 nan 0 0\nf 1 2 3\n", "f",
+                 ReadAttributes::yes)
+            .left_out);
+  };
+  EXPECT_EQ(of_colors("1 1 1e99"), "colours (infinite or not a number at vertex 0)");
+  EXPECT_EQ(of_colors("1 1 red"), "colours (infinite or not a number at vertex 0)");
+  EXPECT_EQ(of_colors("1 1 1"), "colours that are infinite or not a number, of 1 vertex in no triangle");
+}
+
+TEST(Obj, OtherLinesAreLeftOut) {
+  const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto left_out = [&](const std::string& lines) {
+    return left_out_in_words(read_obj(mesh + lines, "f").left_out);
+  };
+  EXPECT_EQ(left_out("l 1 2\np 1\nl 2 3\n"), "lines, points");
+  EXPECT_EQ(left_out("mtllib a.mtl\nusemtl a\ncurv 0 1 1 2\nvp 1\nbevel on\n"),
+            "materials, curves and surfaces, display attributes");
+  EXPECT_EQ(left_out("# l 1 2\no only\ns off\ns 0\n"), "") << "a name, and no smoothing";
+  EXPECT_EQ(left_out("g a\ng b\ns 1\n"), "smoothing groups, groups");
+  EXPECT_EQ(left_out("wobble 3\n\x7fx\n"), "lines `wobble`, lines `\\x7fx`");
+  EXPECT_EQ(left_out("v 1 2 3 0.5\nv 1 2 3 1\n"), "other numbers of vertices");
+  std::string many;
+  for (int i = 0; i < 1000; ++i) many += fmt::format("word{}\n", i);
+  EXPECT_EQ(read_obj(mesh + many, "f").left_out.size(), 65U);
+  EXPECT_TRUE(left_out(many).ends_with("more parts of other kinds"));
 }
 
 TEST(Obj, Refusals) {
@@ -92,26 +144,12 @@ TEST(Obj, Refusals) {
   expect_refused(bare_obj, "v 0 0 0\nf 1 1 99999999999999999999\n", "is not a vertex");
 }
 
-TEST(Obj, RefusalsOfAttributes) {
+TEST(Obj, RefusalsWithAttributes) {
   const std::string two = "v 0 0 0\nv 1 0 0\n";
   expect_refused(full_obj, "f 1 2 3\n", ":1: a face refers to vertex 3 (counted from 1), but there are 0");
   expect_refused(full_obj, two + "f 1 2 3\n", ":3: a face refers to vertex 3 (counted from 1), but there are 2");
   // A vertex added for another pair of attributes is not a vertex of the file.
   expect_refused(full_obj, two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", ":6: a face refers to vertex 3");
-  expect_refused(full_obj, two + "vt 0\nf 1/1 2/2 1/1\n",
-                 ":4: a face refers to `vt` 2 (counted from 1), but there are 1");
-  expect_refused(full_obj, two + "vn 0 0 1\nf 1//1 2//3 1//1\n",
-                 ":4: a face refers to `vn` 3 (counted from 1), but there are 1");
-  expect_refused(full_obj, two + "vn 0 1\n", ":3: a `vn` of 2 numbers needs 3");
-  expect_refused(full_obj, two + "vt\n", ":3: a `vt` of 0 numbers needs 1");
-  expect_refused(full_obj, two + "vn 0 0 1\nvn 0 nan 1\nf 1//1 2//2 1//1\n",
-                 "refers to `vn` 2 (counted from 1), which is");
-  expect_refused(full_obj, two + "vt 0 x\n", ":3: 'x' is not a number");
-  expect_refused(full_obj, "v 0 0 0 1 1 1e99\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n",
-                 "vertex 0 has colours that are infinite or not a number");
-  expect_refused(full_obj, two + "vt 0 0\nf 1/0 2/1 1/1\n", "'1/0' is not a vertex");
-  expect_refused(full_obj, two + "vt 0 0\nf 1/-2 2/1 1/1\n", "'1/-2' is not a vertex");
-  expect_refused(full_obj, two + "vn 0 0 1\nf 1//z 2/1 1/1\n", "'1//z' is not a vertex");
 }
 
 TEST(Off, CommentsAndColoursAreSteppedOver) {
@@ -139,11 +177,12 @@ TEST(Off, HeadersHaveManyForms) {
 }
 
 TEST(Off, WhatIsLeftOutIsReported) {
-  const auto left_out = [](const char* text) { return attributes_in_words(read_off(text, "f").left_out_attributes); };
+  const auto left_out = [](const char* text) { return left_out_in_words(read_off(text, "f").left_out); };
   EXPECT_EQ(left_out("COFF\n3 1 0\n0 0 0 9 9 9 9\n1 0 0 9 9 9 9\n0 1 0 9 9 9 9\n3 0 1 2\n"), "colours");
   EXPECT_EQ(left_out("STNOFF\n3 1 0\n0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n0 1 0 0 0 1 0 1\n3 0 1 2\n"),
             "texture coordinates, normals");
-  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"), "colours");
+  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"), "colours of faces");
+  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n"), "text after the last face");
   EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "");
 }
 
@@ -200,6 +239,36 @@ TEST(Ply, TextWithOtherProperties) {
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
 }
 
+TEST(Ply, EverythingElseIsLeftOut) {
+  const auto left_out = [](std::string_view vertex, std::string_view face, std::string_view others,
+                           std::string_view body) {
+    return left_out_in_words(
+        read_ply(
+            fmt::format("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+                        "z\n{}element face 1\nproperty list uchar int vertex_index\n{}{}end_header\n{}",
+                        vertex, face, others, body),
+            "f", ReadAttributes::yes)
+            .left_out);
+  };
+  const std::string plain = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2";
+  const std::string one = "0 0 0 5\n1 0 0 5\n0 1 0 5\n3 0 1 2";
+  EXPECT_EQ(left_out("", "", "", plain + "\n"), "");
+  EXPECT_EQ(left_out("property float confidence\n", "", "", one), "property `confidence` of `vertex`");
+  EXPECT_EQ(left_out("property list uchar int near\n", "", "", "0 0 0 0\n1 0 0 0\n0 1 0 1 7\n3 0 1 2"),
+            "property `near` of `vertex`");
+  EXPECT_EQ(left_out("property uchar green\n", "", "", one), "colours of `vertex`");
+  EXPECT_EQ(left_out("", "property uchar red\nproperty uchar green\nproperty float nx\nproperty int flags\n", "",
+                     plain + " 1 2 3 4"),
+            "colours of `face`, normals of `face`, property `flags` of `face`");
+  EXPECT_EQ(left_out("", "property list uchar float texcoord\n", "", plain + " 2 1 1"),
+            "texture coordinates of `face`");
+  EXPECT_EQ(
+      left_out("", "", "element edge 1\nproperty int vertex1\nproperty int vertex2\nelement none 0\nproperty int a\n",
+               plain + "\n0 1\n"),
+      "elements `edge`");
+  EXPECT_EQ(left_out("", "", "", plain + "\n0 1\n"), "text after the last element");
+}
+
 TEST(Ply, AttributesOfSomeVerticesAreLeftOut) {
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
@@ -210,9 +279,9 @@ TEST(Ply, AttributesOfSomeVerticesAreLeftOut) {
   const Soup soup = full_ply(header + colors + rest, "f");
   EXPECT_EQ(soup.points.size(), 3U);
   EXPECT_TRUE(soup.attributes.empty());
-  EXPECT_EQ(soup.left_out_attributes, std::vector<std::string>{"COLOR_0"});
+  EXPECT_EQ(soup.left_out, std::vector<std::string>{"COLOR_0"});
   expect_refused(full_ply, header + colors + "end_header\n0 0 9 1 2 3\n1 0 9 1 2 256\n",
-                 "vertex 1 has a colour 256, which is not from 0 to 255");
+                 "vertex 1 has a colour 256, which is not from 0 to 255; --no-attributes reads the mesh");
 }
 
 std::string ply_binary(bool big) {
@@ -280,7 +349,7 @@ TEST(Ply, WhatNoTriangleUsesMayBeNoNumber) {
   const Soup soup = read_ply(with("3 1 2 3"), "f", ReadAttributes::yes);
   EXPECT_EQ(soup.points[0], (Point{0, 0, 0}));
   EXPECT_EQ(soup.attributes.at(0).value(0), (Attribute::Value{0, 0, 1}));
-  EXPECT_EQ(attributes_in_words(soup.left_out_attributes),
+  EXPECT_EQ(left_out_in_words(soup.left_out),
             "a coordinate that is infinite or not a number, of 1 vertex in no triangle, "
             "normals that are infinite or not a number, of 1 vertex in no triangle");
   expect_refused(bare_ply, with("3 0 2 3"), "vertex 0 has a coordinate that is infinite or not a number");
@@ -355,13 +424,13 @@ TEST(Stl, LettersMayBeLargeAndMoreBytesFollow) {
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   EXPECT_EQ(read_stl(upper, "f").triangles.size(), 1U);
   const std::string whole = stl_binary(tetrahedron());
-  EXPECT_TRUE(read_stl(whole, "f").left_out_attributes.empty());
+  EXPECT_TRUE(read_stl(whole, "f").left_out.empty());
   const Soup longer = read_stl(whole + "more", "f");
   EXPECT_EQ(longer.triangles.size(), 4U);
-  EXPECT_EQ(attributes_in_words(longer.left_out_attributes), "4 bytes after the facets");
+  EXPECT_EQ(left_out_in_words(longer.left_out), "4 bytes after the facets");
   std::string coloured = whole;
   coloured.back() = 'c';
-  EXPECT_EQ(attributes_in_words(read_stl(coloured, "f").left_out_attributes), "colours");
+  EXPECT_EQ(left_out_in_words(read_stl(coloured, "f").left_out), "colours");
 }
 
 TEST(Stl, Refusals) {

@@ -150,7 +150,8 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
   EXPECT_EQ(coincident_vertices(soup), 0U) << "--weld would not join them";
   for (const MeshFormat& format : mesh_formats()) {
     Mended mended;
-    note_losses(soup, format, mended);
+    Soup written = soup;
+    leave_out_losses(written, format, mended);
     EXPECT_EQ(as_text(mended).find("2 vertices lie at the place of another") != std::string::npos, format.rounds)
         << format.extension;
     if (format.write_mesh == nullptr || format.rounds) continue;

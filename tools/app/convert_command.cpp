@@ -40,6 +40,7 @@ int run(const ConvertCommand& command) {
   ReadMesh read = read_mesh_file(command.mesh, command.attributes);
   WrittenStrips written;
   Mended mended;
+  mended.left_out = left_out_of(read);
 
   // All levels: of a baked mesh byte by byte from one container to the other, or the splits alone.
   const auto* baked = std::get_if<BakedBytes>(&read);
@@ -52,7 +53,6 @@ int run(const ConvertCommand& command) {
     if (progressive) {
       (void)finest_level(*mesh);  // every split is possible
       written.bytes = format.write_progressive(*mesh);
-      mended.left_out_attributes = mesh->left_out_attributes;
     } else {
       written = format.write_baked(baked->bytes, command.strips);
     }
@@ -76,7 +76,7 @@ int run(const ConvertCommand& command) {
     throw BadInput(fmt::format("{}: is not a baked mesh; restrip bake makes one", in));
   Soup soup = finest_level(std::move(read));
   mended = mend(soup, in, command.mending);
-  note_losses(soup, format, mended);
+  leave_out_losses(soup, format, mended);
   std::size_t left_out = 0;
   if (format.write_mesh != nullptr && (!format.holds_strips || soup.strips.empty())) {
     written.bytes = format.write_mesh(soup);

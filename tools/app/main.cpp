@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -17,6 +15,7 @@
 #include "common/counted.hpp"
 #include "common/printable.hpp"
 #include "common/reading.hpp"
+#include "common/report_output.hpp"
 #include "common/system_calls.hpp"
 #include "meshes/soup_builder.hpp"
 
@@ -64,13 +63,7 @@ int run_command_line(int argc, char** argv) {
 int main(int argc, char** argv) {
   restrip::files::ignore_file_size_signal();
   try {
-    const int code = run_command_line(argc, argv);
-    errno = 0;
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-    fmt::print(stderr, "restrip: standard output could not be written: {}\n",
-               errno == EBADF ? "it is closed"
-               : errno != 0   ? std::strerror(errno)
-                              : "its device refused it");
+    return restrip::files::exit_code("restrip", run_command_line(argc, argv));
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "restrip: not enough memory for a mesh of this size\n");
   } catch (const std::exception& error) {

@@ -37,7 +37,7 @@ int run(const SimplifyCommand& command) {
   const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
   Soup soup = read_mesh(command.mesh, command.attributes);
   Mended mended = mend(soup, command.mesh.string(), command.mending);
-  note_losses(soup, format, mended);
+  leave_out_losses(soup, format, mended);
   const Simplification result = simplify(soup, command.simplify);
   const ProgressiveMesh& made = result.mesh;
   nlohmann::ordered_json json{{"base_triangles", made.base.size()},
@@ -46,7 +46,7 @@ int run(const SimplifyCommand& command) {
                               {"splits", made.splits.size()},
                               {"triangles", made.fine_triangles()}};
   std::string text = as_text(mended);
-  if (!mended.left_out_attributes.empty() && command.attributes == ReadAttributes::no)
+  if (!mended.left_out.empty() && command.attributes == ReadAttributes::no)
     text += "with --attributes, .glb, .ply and .obj keep the attributes that the format has\n";
   if (command.progressive || !writes_strips(format)) {
     out.write(format.write_progressive(made));

@@ -48,13 +48,13 @@ Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& men
   refuse_mending(file.string(), mending);
   Source source;
   source.subject.name = file.string();
+  source.subject.mended.left_out = left_out_of(read);
   if (auto* baked = std::get_if<BakedBytes>(&read)) {
     source.baked = std::move(baked->baked);
     source.mesh = source.baked->mesh;
     return source;
   }
   source.mesh = std::move(std::get<ProgressiveMesh>(read));
-  source.subject.mended.left_out_attributes = source.mesh.left_out_attributes;
   BuildReport report;
   const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
   source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices, 0, 0};

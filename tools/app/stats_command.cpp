@@ -24,9 +24,8 @@ int run(const StatsCommand& command) {
   ReadMesh read = read_mesh_file(command.mesh);
   const std::string level = std::holds_alternative<Soup>(read) ? "" : " (its finest level)";
   Soup soup = finest_level(std::move(read));
-  Mended mended = mend(soup, command.mesh.string(), command.mending);
+  const Mended mended = mend(soup, command.mesh.string(), command.mending);
   const MeshReport report = report_on(soup);
-  mended.left_out_attributes.clear();  // irrelevant: no file is written
   out.print(as_text(report, command.mesh.string() + level, mended), as_json(report, mended));
   return 0;
 }

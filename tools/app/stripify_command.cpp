@@ -50,7 +50,7 @@ int run(const StripifyCommand& command) {
   const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Soup soup = read_mesh(command.mesh, command.attributes);
   Mended mended = mend(soup, command.mesh.string(), command.mending);
-  if (format != nullptr) note_losses(soup, *format, mended);
+  if (format != nullptr) leave_out_losses(soup, *format, mended);
   if (command.as_in_file && soup.strips.empty())
     throw BadInput(
         fmt::format("{}: has no strips (PLY `tristrips`, or strips of glTF); leave out --effort file to make "

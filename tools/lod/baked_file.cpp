@@ -165,7 +165,7 @@ std::optional<BakedBytes> parse_baked_gltf(std::string_view bytes, const std::st
         "{}: draws something other than the base of its {}, so the levels do not fit; remove the extension, "
         "or write the file again (restrip bake)",
         name, baked_strips_extension));
-  found.left_out_attributes = std::move(drawn.left_out_attributes);
+  found.left_out = std::move(drawn.left_out);
   return found;
 }
 

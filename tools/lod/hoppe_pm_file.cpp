@@ -3,10 +3,12 @@
 
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "common/bad_input.hpp"
 #include "lod/pm_file.hpp"
+#include "meshes/attributes.hpp"
 #include "meshes/text_cursor.hpp"
 #include "restrip/mesh/checks.hpp"
 
@@ -95,6 +97,7 @@ class HoppeReader {
   }
 
   void read_header() {
+    mesh_.left_out = {"NORMAL", "materials"};  // every file has them
     std::string_view text = line();
     while (text != "PM") text = line();
     std::size_t version = 0;
@@ -105,8 +108,12 @@ class HoppeReader {
         splits_ = number(text, "nvsplits");
         counted = true;
       }
-      for (const auto& [name, bytes] : {std::pair{"has_rgb", 12U}, std::pair{"has_uv", 8U}})
-        if (text.starts_with(name) && number(text, name) != 0) wedge_bytes_ += bytes;
+      for (const auto& [name, bytes, attribute] :
+           {std::tuple{"has_rgb", 12U, "COLOR_0"}, std::tuple{"has_uv", 8U, "TEXCOORD_0"}})
+        if (text.starts_with(name) && number(text, name) != 0) {
+          wedge_bytes_ += bytes;
+          note(mesh_.left_out, attribute);
+        }
       if (text.starts_with("has_resid=") && number(text, "has_resid") != 0) residual_bytes_ = 8;
       if (text.starts_with("has_wad2=") && number(text, "has_wad2") != 0) always_two_ = true;
     }

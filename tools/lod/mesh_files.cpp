@@ -43,10 +43,15 @@ const MeshFormat& format_to_write(const NamedFile& file, FormatCan can, std::str
   return *format;
 }
 
-void note_losses(const Soup& soup, const MeshFormat& format, Mended& mended) {
+void leave_out_losses(Soup& soup, const MeshFormat& format, Mended& mended) {
   if (format.rounds) mended.rounding = rounding_of(soup.points);
-  for (const Attribute& attribute : soup.attributes)
-    if (!format.holds(attribute)) note(mended.left_out_attributes, attribute.name);
+  std::erase_if(soup.attributes, [&](const Attribute& attribute) {
+    const bool lost = !format.holds(attribute);
+    if (lost) note(mended.left_out, attribute.name);
+    return lost;
+  });
+  if (format.attributes != MeshFormat::Attributes::all) return;
+  for (const std::string& removed : remove_invalid(soup.attributes)) note(mended.left_out, removed);
 }
 
 }  // namespace restrip::tools

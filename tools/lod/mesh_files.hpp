@@ -41,7 +41,7 @@ struct NamedFile {
 /// The output format: the named one or, if none is named, `usual`. Throws BadInput if that format does not support it.
 [[nodiscard]] const MeshFormat& format_to_write(const NamedFile& file, FormatCan can, std::string_view usual = "");
 
-/// Notes what the format does not hold: attributes that are left out, and digits of coordinates.
-void note_losses(const Soup& soup, const MeshFormat& format, Mended& mended);
+/// Leaves out, and notes, the attributes that the format does not hold or forbids; notes digits of coordinates.
+void leave_out_losses(Soup& soup, const MeshFormat& format, Mended& mended);
 
 }  // namespace restrip::tools

@@ -125,8 +125,8 @@ Soup finest_level(const BakedBytes& found) {
   soup.points = baked.mesh.points;
   soup.strips = strip_indices(mesh);
   soup.triangles = decode_strips(soup.strips);
-  soup.left_out_attributes = found.left_out_attributes;
-  if (baked.payload.bytes != 0) soup.left_out_attributes.emplace_back("payload");
+  soup.left_out = found.left_out;
+  if (baked.payload.bytes != 0) soup.left_out.emplace_back("payload");
   return soup;
 }
 
@@ -177,7 +177,7 @@ Soup finest_level(const ProgressiveMesh& source) {
   }
   Soup soup;
   soup.points = source.points;
-  soup.left_out_attributes = source.left_out_attributes;
+  soup.left_out = source.left_out;
   soup.triangles = triangles_of(mesh);
   return soup;
 }

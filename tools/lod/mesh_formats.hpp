@@ -19,6 +19,11 @@ namespace restrip::tools {
 /// The content of a mesh file.
 using ReadMesh = std::variant<Soup, ProgressiveMesh, BakedBytes>;
 
+/// Parts of the file that are not in the mesh (Soup::left_out).
+[[nodiscard]] inline const std::vector<std::string>& left_out_of(const ReadMesh& mesh) {
+  return std::visit([](const auto& kind) -> const std::vector<std::string>& { return kind.left_out; }, mesh);
+}
+
 /// A null function means that the format does not support it.
 struct MeshFormat {
   std::string_view extension;  ///< in lower case, with its dot

@@ -233,7 +233,7 @@ std::optional<ProgressiveMesh> parse_progressive_gltf(std::string_view bytes, co
   Soup drawn = read_gltf(bytes, name, sibling);
   ProgressiveMesh mesh;
   mesh.file = name;
-  mesh.left_out_attributes = std::move(drawn.left_out_attributes);
+  mesh.left_out = std::move(drawn.left_out);
   mesh.base = std::move(drawn.triangles);
   mesh.points = file.positions(primitive["attributes"]["POSITION"].whole());
   if (mesh.points != drawn.points)

@@ -48,8 +48,6 @@ namespace restrip::tools {
 /// Renumbers the vertices in order of appearance and leaves out unused ones.
 [[nodiscard]] std::string pm_bytes(const ProgressiveMesh& mesh);
 
-inline constexpr std::string_view progressive_extension = "MANYFOLD_mesh_progressive";
-
 /// A .glb whose vertices are numbered in order of appearance. Throws BadInput if the mesh has no splits, or if a split
 /// is not possible or at a boundary.
 [[nodiscard]] std::string progressive_glb_bytes(const ProgressiveMesh& mesh);

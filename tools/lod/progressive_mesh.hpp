@@ -24,11 +24,11 @@ struct Record {
 };
 
 struct ProgressiveMesh {
-  std::vector<Point> points;                          ///< of all vertices
-  std::vector<Corners> base;                          ///< the triangles of the coarse mesh
-  std::vector<Record> splits;                         ///< from coarse to fine
-  std::string file = {};                              ///< the source, for messages; may be empty
-  std::vector<std::string> left_out_attributes = {};  ///< other attributes in the file
+  std::vector<Point> points;               ///< of all vertices
+  std::vector<Corners> base;               ///< the triangles of the coarse mesh
+  std::vector<Record> splits;              ///< from coarse to fine
+  std::string file = {};                   ///< the source, for messages; may be empty
+  std::vector<std::string> left_out = {};  ///< other attributes in the file
 
   /// The number of triangles of the finest mesh.
   [[nodiscard]] std::size_t fine_triangles() const noexcept {

@@ -25,7 +25,34 @@ std::string attribute_in_words(std::string_view name) {
   return std::string(name);
 }
 
+constexpr double nearly_one = 1e-4;
+
+/// Why glTF forbids the value; empty if it is allowed.
+std::string_view fault_of(const Attribute& attribute, const Attribute::Value& value) {
+  if (attribute.name.starts_with("COLOR_") && attribute.type == ComponentType::real &&
+      !std::all_of(value.begin(), value.end(), [](double c) { return c >= 0 && c <= 1; }))
+    return "outside 0 to 1";
+  if (attribute.name != "NORMAL" && attribute.name != "TANGENT") return "";
+  const auto [x, y, z, w] = value;
+  if (std::abs(x * x + y * y + z * z - 1) > 2 * nearly_one) return "of length 0";
+  return attribute.name == "TANGENT" && w != 1 && w != -1 ? "of a side other than 1 and -1" : "";
+}
+
 }  // namespace
+
+std::optional<unsigned> set_number(std::string_view name) {
+  for (const std::string_view kind : {"TEXCOORD_", "COLOR_"}) {
+    if (!name.starts_with(kind)) continue;
+    name.remove_prefix(kind.size());
+    const bool is_number = !name.empty() && name.size() < 4 && (name[0] != '0' || name.size() == 1) &&
+                           name.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!is_number) return std::nullopt;
+    unsigned number = 0;
+    for (const char digit : name) number = 10 * number + static_cast<unsigned>(digit - '0');
+    return number;
+  }
+  return std::nullopt;
+}
 
 Attribute::Value Attribute::value(std::size_t vertex) const {
   Value found{};
@@ -70,12 +97,39 @@ const Attribute* named(std::span<const Attribute> attributes, std::string_view n
 }
 
 Attribute::Value unit_normal(const Attribute::Value& normal) {
-  const auto [x, y, z, unused] = normal;
+  const auto [x, y, z, w] = normal;
   const double square = x * x + y * y + z * z;
-  constexpr double nearly = 1e-4;
-  if (std::abs(square - 1) <= nearly || !(square > 0) || !std::isfinite(square)) return normal;
+  if (std::abs(square - 1) <= nearly_one || !(square > 0) || !std::isfinite(square)) return normal;
   const double length = std::sqrt(square);
-  return {x / length, y / length, z / length, 0};
+  return {x / length, y / length, z / length, w};
+}
+
+std::vector<std::string> remove_invalid(std::vector<Attribute>& attributes) {
+  std::vector<std::string> removed;
+  const auto remove_if = [&](auto&& fault) {
+    return std::erase_if(attributes, [&](const Attribute& attribute) {
+      const std::string_view remark = fault(attribute);
+      if (!remark.empty()) removed.push_back(fmt::format("{} ({})", attribute.name, remark));
+      return !remark.empty();
+    });
+  };
+  (void)remove_if([](const Attribute& attribute) -> std::string_view {
+    for (std::size_t at = 0; at < attribute.bytes.size(); at += attribute.value_bytes())
+      if (const std::string_view remark = fault_of(attribute, attribute.value(at / attribute.value_bytes()));
+          !remark.empty())
+        return remark;
+    return "";
+  });
+  while (remove_if([&](const Attribute& attribute) -> std::string_view {
+           const std::string& name = attribute.name;
+           if (name == "TANGENT" && named(attributes, "NORMAL") == nullptr) return "without normals";
+           const auto number = set_number(name);
+           if (!number || *number == 0) return "";
+           const std::string before = fmt::format("{}_{}", name.substr(0, name.find('_')), *number - 1);
+           return named(attributes, before) == nullptr ? "without the set before" : "";
+         }) != 0) {
+  }
+  return removed;
 }
 
 Attribute::Value neutral_value(std::string_view name) {
@@ -83,7 +137,7 @@ Attribute::Value neutral_value(std::string_view name) {
   return name == "TANGENT" ? Attribute::Value{1, 0, 0, 1} : Attribute::Value{};
 }
 
-std::string attributes_in_words(std::span<const std::string> names) {
+std::string left_out_in_words(std::span<const std::string> names) {
   std::vector<std::string> words;
   for (const std::string& name : names) note(words, attribute_in_words(name));
   return fmt::format("{}", fmt::join(words, ", "));

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,14 +67,21 @@ struct Attribute {
 /// The attribute of this name, or null.
 [[nodiscard]] const Attribute* named(std::span<const Attribute> attributes, std::string_view name);
 
-/// Scales a normal to length one, as glTF requires. A zero normal stays.
+/// The n of TEXCOORD_n or COLOR_n; empty for other names.
+[[nodiscard]] std::optional<unsigned> set_number(std::string_view name);
+
+/// Scales a normal, or the first three components of a tangent, to length one, as glTF requires. Zero stays.
 [[nodiscard]] Attribute::Value unit_normal(const Attribute::Value& normal);
+
+/// Removes attributes that glTF forbids: colours outside 0 to 1, normals and tangents of length 0, tangents without
+/// normals, a second set of colours without a first one. Returns their names with remarks.
+[[nodiscard]] std::vector<std::string> remove_invalid(std::vector<Attribute>& attributes);
 
 /// The default value for a vertex without this attribute: a normal or tangent of length one, otherwise zeros.
 [[nodiscard]] Attribute::Value neutral_value(std::string_view name);
 
-/// The names in words, each once: "normals, texture coordinates". Unknown names stay.
-[[nodiscard]] std::string attributes_in_words(std::span<const std::string> names);
+/// Soup::left_out in words, each once: "normals, texture coordinates".
+[[nodiscard]] std::string left_out_in_words(std::span<const std::string> names);
 
 /// Appends a name to a list unless the list has it already.
 void note(std::vector<std::string>& names, const std::string& name);

@@ -70,23 +70,79 @@ std::optional<std::string> from_base64(std::string_view text) {
   return bytes;
 }
 
-/// Decodes %XX. Empty if one is invalid.
-std::optional<std::string> percent_decoded(std::string_view text) {
+/// Decodes %XX; another percent sign stays.
+std::string percent_decoded(std::string_view text) {
   std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      plain.push_back(text[i]);
-      continue;
+  for (; !text.empty(); text.remove_prefix(1)) {
+    const auto half = [&](std::size_t at) {
+      const unsigned digit = at < text.size() ? digit_of(text[at], "0123456789abcdefABCDEF") : 99;
+      return digit < 16 ? digit : digit - 6;
+    };
+    if (text[0] == '%' && half(1) < 16 && half(2) < 16) {
+      plain.push_back(static_cast<char>(half(1) << 4U | half(2)));
+      text.remove_prefix(2);
+    } else {
+      plain.push_back(text[0]);
     }
-    if (text.size() - i < 3) return std::nullopt;
-    const auto half = [&](std::size_t at) { return digit_of(text[at], "0123456789abcdefABCDEF"); };
-    const auto value = [](unsigned digit) { return digit < 16 ? digit : digit - 6; };
-    if (half(i + 1) > 21 || half(i + 2) > 21) return std::nullopt;
-    plain.push_back(static_cast<char>(value(half(i + 1)) << 4U | value(half(i + 2))));
-    i += 2;
   }
   return plain;
 }
+
+/// Whether a path leads to a file in this folder or below, on every system.
+bool is_below(std::string_view path) {
+  if (path.empty() || path.ends_with('/') || path.find_first_of(std::string_view("\\:\0", 3)) != std::string_view::npos)
+    return false;
+  for (std::size_t at = 0; at <= path.size();) {
+    const std::size_t end = std::min(path.find('/', at), path.size());
+    const std::string_view step = path.substr(at, end - at);
+    if (step.empty() || step == "..") return false;
+    at = end + 1;
+  }
+  return true;
+}
+
+/// Extensions that change neither what triangles are drawn nor where; their names begin so.
+constexpr std::string_view harmless_extensions[]{"KHR_mesh_primitive_restart",
+                                                 "KHR_mesh_quantization",
+                                                 "EXT_mesh_manifold",
+                                                 "KHR_materials_",
+                                                 "KHR_texture_",
+                                                 "KHR_lights_",
+                                                 "KHR_animation_pointer",
+                                                 "KHR_audio",
+                                                 "KHR_interactivity",
+                                                 "KHR_physics_",
+                                                 "KHR_rigid_bodies",
+                                                 "KHR_implicit_shapes",
+                                                 "KHR_node_selectability",
+                                                 "KHR_node_hoverability",
+                                                 "KHR_techniques_webgl",
+                                                 "KHR_xmp",
+                                                 "KHR_environment_map",
+                                                 "EXT_texture_",
+                                                 "EXT_lights_",
+                                                 "EXT_materials_",
+                                                 "EXT_mesh_features",
+                                                 "EXT_instance_features",
+                                                 "EXT_feature_metadata",
+                                                 "EXT_structural_metadata",
+                                                 "ADOBE_materials_",
+                                                 "AGI_stk_metadata",
+                                                 "CESIUM_primitive_outline",
+                                                 "FB_",
+                                                 "GODOT_single_root",
+                                                 "GRIFFEL_bim_data",
+                                                 "MSFT_audio_",
+                                                 "MSFT_collision_",
+                                                 "MSFT_packing_",
+                                                 "MSFT_physics_",
+                                                 "MSFT_texture_dds",
+                                                 "MPEG_material_",
+                                                 "MPEG_texture_",
+                                                 "NV_materials_",
+                                                 "OMI_",
+                                                 "VRM",
+                                                 "EXT_property_"};
 
 }  // namespace
 
@@ -136,13 +192,10 @@ void GltfFile::check_extensions() const {
   const JsonPlace required = root()["extensionsRequired"];
   for (std::size_t i = 0; i < required.size(); ++i) {
     const std::string extension = required.at(i).text();
-    const bool known = extension == "KHR_mesh_primitive_restart" || extension == "KHR_mesh_quantization";
-    const auto begins = [&](std::string_view with) { return extension.starts_with(with); };
-    const bool only_looks = begins("KHR_materials_") || begins("KHR_texture_") || begins("EXT_texture_") ||
-                            begins("KHR_lights_") || begins("EXT_lights_");
-    if (!known && !only_looks)
-      required.at(i).refuse(
-          fmt::format("is {}, which is not read; export the mesh without it", extension.substr(0, 60)));
+    if (std::none_of(std::begin(harmless_extensions), std::end(harmless_extensions),
+                     [&](std::string_view begin) { return extension.starts_with(begin); }))
+      required.at(i).refuse(fmt::format("is {}, which may change the triangles and is not read; export without it",
+                                        extension.substr(0, 60)));
   }
 }
 
@@ -156,12 +209,13 @@ std::string GltfFile::load(const JsonPlace& uri) const {
     if (!bytes) uri.refuse("is not base64; is it complete?");
     return *std::move(bytes);
   }
-  const std::optional<std::string> file = percent_decoded(text);
-  if (!file || file->empty() || *file == "." || *file == ".." ||
-      file->find_first_of(std::string_view("/\\:\0", 4)) != std::string::npos)
-    uri.refuse(fmt::format("is '{}'; only a file in the same folder is read: put it there and name it without a folder",
-                           text.substr(0, 80)));
-  return sibling_(*file);
+  const std::string file = percent_decoded(text);
+  if (!is_below(file))
+    uri.refuse(
+        fmt::format("is '{}'; only a file in the same folder or below is read: put it there, and name it by the "
+                    "path from there",
+                    text.substr(0, 80)));
+  return sibling_(file);
 }
 
 std::string_view GltfFile::buffer(std::uint64_t number) {
@@ -290,8 +344,7 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
   constexpr std::array<std::string_view, 4> shapes{"SCALAR", "VEC2", "VEC3", "VEC4"};
   const auto found = std::find(shapes.begin(), shapes.end(), shape);
   const bool is_own = name.starts_with('_');
-  const bool is_known =
-      name == "NORMAL" || name == "TANGENT" || name.starts_with("TEXCOORD_") || name.starts_with("COLOR_");
+  const bool is_known = name == "NORMAL" || name == "TANGENT" || set_number(name).has_value();
   if (!is_known && (!is_own || found == shapes.end())) return std::nullopt;
   const auto components = static_cast<unsigned>(found - shapes.begin()) + 1;
   if (name == "NORMAL" && components != 3) about["type"].refuse("is not VEC3, as normals are");
@@ -317,15 +370,15 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
   return made;
 }
 
-std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number) {
+std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number, bool restarts) {
   const JsonPlace about = accessor(number);
   if (about["type"].text() != "SCALAR") about["type"].refuse("is not SCALAR, as indices are");
   const ComponentType type = type_of_indices(about);
   const std::uint32_t restart = 0xFFFF'FFFFU >> (32 - 8 * width_of(type));
   std::vector<std::uint32_t> indices;
-  fill(about, type, 1, indices, [restart](const Elements& from, std::size_t at) {
+  fill(about, type, 1, indices, [&](const Elements& from, std::size_t at) {
     const auto index = static_cast<std::uint32_t>(from.value(at, 0));
-    return index == restart ? strip_end : index;
+    return restarts && index == restart ? strip_end : index;
   });
   return indices;
 }

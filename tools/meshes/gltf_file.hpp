@@ -22,13 +22,18 @@ inline constexpr std::uint64_t most_gltf_values = std::uint64_t{1} << 23U;
 /// The extension of a mesh that holds its levels of detail with their strips (lod/baked_file.hpp).
 inline constexpr std::string_view baked_strips_extension = "RESTRIP_baked_strips";
 
+/// The extension of a mesh or a primitive that holds its splits (lod/pm_file.hpp).
+inline constexpr std::string_view progressive_extension = "MANYFOLD_mesh_progressive";
+
 class GltfFile {
  public:
   /// Text or binary (GLB), detected from the bytes. The bytes, the name and `sibling` must outlive the object. Throws
   /// BadInput if the file is damaged, is not glTF 2.0, or requires an unknown extension that changes what it draws.
   GltfFile(std::string_view bytes, const std::string& name, const ReadSibling& sibling);
 
-  [[nodiscard]] JsonPlace root() const { return {json_, name_}; }
+  [[nodiscard]] JsonPlace root() const { return {json_, name_, remedy_}; }
+  /// From here on the end of every message; must outlive the object.
+  void advise(const char* remedy) { remedy_ = remedy; }
   /// The bytes of a buffer view. Throws BadInput if it reaches beyond its buffer.
   [[nodiscard]] std::string_view view(std::uint64_t number);
   [[nodiscard]] JsonPlace accessor(std::uint64_t number) const { return root()["accessors"].at(number); }
@@ -42,8 +47,8 @@ class GltfFile {
   [[nodiscard]] std::vector<Corners> triples(std::uint64_t accessor);
   /// Counts values before they are read. Throws BadInput if the file exceeds its limit.
   void charge(std::uint64_t values);
-  /// The largest value of the index type restarts primitives and becomes strip_end.
-  [[nodiscard]] std::vector<std::uint32_t> indices(std::uint64_t accessor);
+  /// `restarts`: the largest value of the index type restarts the primitive and becomes strip_end.
+  [[nodiscard]] std::vector<std::uint32_t> indices(std::uint64_t accessor, bool restarts);
 
  private:
   /// Elements of one type in a buffer.
@@ -74,6 +79,7 @@ class GltfFile {
   std::uint64_t charged_ = 0;
   std::uint64_t limit_ = most_gltf_values;
   bool all_loaded_ = false;
+  const char* remedy_ = "";
   JsonValue json_;
   std::string_view binary_;  // the BIN chunk of a GLB
   bool has_binary_ = false;

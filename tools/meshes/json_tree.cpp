@@ -84,7 +84,7 @@ JsonValue parse_json(std::string_view text, const std::string& name) {
 }
 
 void JsonPlace::refuse(const std::string& why) const {
-  throw BadInput(fmt::format("{}: {} {}", *file_, path_.empty() ? "its JSON" : path_, why));
+  throw BadInput(fmt::format("{}: {} {}{}", *file_, path_.empty() ? "its JSON" : path_, why, remedy_));
 }
 
 template <class Kind>

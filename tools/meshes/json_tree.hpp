@@ -33,7 +33,9 @@ inline constexpr std::size_t deepest_json = 64;
 /// throws BadInput if the value has the wrong type.
 class JsonPlace {
  public:
-  JsonPlace(const JsonValue& root, const std::string& file) : file_(&file), value_(&root) {}
+  /// `remedy` ends every message; it must outlive the place.
+  JsonPlace(const JsonValue& root, const std::string& file, const char* remedy = "")
+      : file_(&file), value_(&root), remedy_(remedy) {}
 
   [[nodiscard]] bool there() const noexcept { return value_ != nullptr; }
   /// A member of an object; a missing value if it does not exist. The last one of several members with one name. O(log
@@ -63,6 +65,7 @@ class JsonPlace {
 
   const std::string* file_;
   const JsonValue* value_;
+  const char* remedy_;
   std::string path_;
 };
 

@@ -109,7 +109,7 @@ std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
 }  // namespace
 
 Mended mend(Soup& soup, const std::string& name, const MendingOptions& options) {
-  Mended mended{options, 0, 0, 0, soup.left_out_attributes};
+  Mended mended{options, 0, 0, 0, soup.left_out};
   if (options.weld) weld(soup, mended);
   if (std::all_of(soup.triangles.begin(), soup.triangles.end(), degenerate))
     throw BadInput(fmt::format("{}: --weld leaves no triangle: each has two corners at one place", name));
@@ -171,8 +171,7 @@ std::string as_text(const Mended& mended) {
                         counted(mended.welded_vertices, "vertex", "vertices"),
                         counted(mended.vanished_triangles, "triangle"));
   if (mended.asked.orient) text += fmt::format("oriented: {} turned\n", counted(mended.turned_triangles, "triangle"));
-  if (!mended.left_out_attributes.empty())
-    text += fmt::format("left out: {}\n", attributes_in_words(mended.left_out_attributes));
+  if (!mended.left_out.empty()) text += fmt::format("left out: {}\n", left_out_in_words(mended.left_out));
   if (mended.rounding.matters)
     text += fmt::format("coordinates rounded to 32 bits, by {:.2g} at most; {} at the place of another thereby\n",
                         mended.rounding.largest, counted(mended.rounding.coinciding, "vertex lies", "vertices lie"));
@@ -186,7 +185,7 @@ void add_to(nlohmann::ordered_json& report, const Mended& mended) {
     report["mended"] = {{"welded_vertices", mended.welded_vertices},
                         {"vanished_triangles", mended.vanished_triangles},
                         {"turned_triangles", mended.turned_triangles}};
-  if (!mended.left_out_attributes.empty()) report["left_out_attributes"] = mended.left_out_attributes;
+  if (!mended.left_out.empty()) report["left_out_content"] = mended.left_out;
 }
 
 }  // namespace restrip::tools

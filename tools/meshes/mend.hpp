@@ -23,8 +23,8 @@ struct Mended {
   std::size_t welded_vertices = 0;     ///< merged into an earlier vertex
   std::size_t vanished_triangles = 0;  ///< had two corners that were merged
   std::size_t turned_triangles = 0;
-  /// Attributes of the file that are dropped (Soup::left_out_attributes).
-  std::vector<std::string> left_out_attributes = {};
+  /// Attributes of the file that are dropped (Soup::left_out).
+  std::vector<std::string> left_out = {};
   Rounding rounding = {};  ///< by the output format
 };
 
@@ -51,7 +51,7 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 
 /// One line for each thing done or left out; empty if nothing was.
 [[nodiscard]] std::string as_text(const Mended& mended);
-/// Adds `mended`, if mending was requested, `left_out_attributes`, if there are any, and `rounded`, if it matters, to a
+/// Adds `mended`, if mending was requested, `left_out_content`, if there are any, and `rounded`, if it matters, to a
 /// report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);
 

@@ -1,7 +1,7 @@
 // Reads glTF 2.0, as text (.gltf) and binary (.glb): lists, strips and fans of triangles, also with primitive restart,
-// placed by the nodes of the scene. Points and lines are left out; materials, images, skins, morph targets and
-// animations are ignored. Primitives of one node share vertices if they share positions and the supported attributes. A
-// vertex with two normals is two vertices in the file.
+// placed by the nodes of the scene. A node with a skin is not moved, as glTF requires; the skin itself, morph targets,
+// instances, points, lines, materials and animations are left out and reported. Primitives of one node share vertices
+// if they share positions and the supported attributes. A vertex with two normals is two vertices in the file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <span>
 #include <tuple>
 
+#include "common/printable.hpp"
 #include "meshes/gltf_file.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup_builder.hpp"
@@ -43,16 +44,11 @@ bool mirrors(const Affine& m) {
   return determinant < 0;
 }
 
-Attribute::Value at_length_one(const Attribute::Value& v) {
-  const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  return length > 0 ? Attribute::Value{v[0] / length, v[1] / length, v[2] / length, v[3]} : v;
-}
-
 /// Transforms a tangent with the surface, including the last component, which gives the side of the bitangent.
 Attribute::Value moved_tangent(const Affine& m, const Attribute::Value& t) {
   Attribute::Value made{0, 0, 0, mirrors(m) ? -t[3] : t[3]};
   for (std::size_t row = 0; row < 3; ++row) made[row] = m[row][0] * t[0] + m[row][1] * t[1] + m[row][2] * t[2];
-  return at_length_one(made);
+  return unit_normal(made);
 }
 
 /// Transforms a normal by the matrix of cofactors, so that it stays perpendicular.
@@ -68,7 +64,7 @@ Attribute::Value moved_normal(const Affine& m, const Attribute::Value& n) {
     }
   if (mirrors(m))
     for (double& component : made) component = -component;
-  return at_length_one(made);
+  return unit_normal(made);
 }
 
 Attribute moved(const Attribute& attribute, const Affine& map) {
@@ -95,7 +91,9 @@ std::array<double, Count> numbers(const JsonPlace& list, const std::array<double
 Affine map_of(const JsonPlace& node) {
   if (node["matrix"].there()) {
     const auto m = numbers<16>(node["matrix"], {});
-    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) node["matrix"].refuse("has a last row other than 0 0 0 1");
+    constexpr double rounding = 1e-5;  // of programs that multiply matrices in 32 bits
+    if (!(std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1)}) <= rounding))
+      node["matrix"].refuse("has a last row other than 0 0 0 1");
     return {{{m[0], m[4], m[8], m[12]}, {m[1], m[5], m[9], m[13]}, {m[2], m[6], m[10], m[14]}}};
   }
   const auto [x, y, z, w] = numbers<4>(node["rotation"], {0, 0, 0, 1});
@@ -133,10 +131,26 @@ class GltfReader {
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (!is_child[i]) read_node(i);
     }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!visited_[i] && nodes.at(i)["mesh"].there()) soup_.leave_out("meshes outside the scene");
+    if (root["animations"].size() != 0) soup_.leave_out("animations");
+    for (std::size_t i = 0; i < root["extensionsUsed"].size(); ++i)
+      leave_out_extension(root["extensionsUsed"].at(i).text());
     return std::move(soup_).finish();
   }
 
  private:
+  void leave_out_extension(const std::string& name) {
+    constexpr std::array<std::string_view, 4> read{"KHR_mesh_primitive_restart", "KHR_mesh_quantization",
+                                                   baked_strips_extension, progressive_extension};
+    if (std::find(read.begin(), read.end(), name) != read.end()) return;
+    const bool instances = name.ends_with("_instancing");
+    soup_.leave_out(instances ? fmt::format("instances ({})", name) : "extension " + files::printable(name));
+  }
+  void leave_out_extensions(const JsonPlace& of) {
+    for (const std::string& name : of["extensions"].members()) leave_out_extension(name);
+  }
+
   /// Reads a node and all its descendants.
   void read_node(std::uint64_t top) {
     struct Open {
@@ -152,7 +166,11 @@ class GltfReader {
       if (visited_[index]) node.refuse("is in the scene twice; nodes must form trees");
       visited_[index] = true;
       const Affine map = product(outer, map_of(node));
-      if (node["mesh"].there()) read_mesh_at(node["mesh"].whole(), map);
+      leave_out_extensions(node);
+      if (node["camera"].there()) soup_.leave_out("cameras");
+      const bool has_skin = node["skin"].there();
+      if (has_skin) soup_.leave_out("skins");
+      if (node["mesh"].there()) read_mesh_at(node["mesh"].whole(), has_skin ? identity_map : map);
       const JsonPlace children = node["children"];
       for (std::size_t i = children.size(); i-- > 0;) open.push_back({children.at(i).whole(), map});
     }
@@ -163,18 +181,29 @@ class GltfReader {
     const JsonPlace primitives = mesh["primitives"];
     std::map<Accessors, First> placed;  // index of their first point
     const bool mirrored = mirrors(map);
+    leave_out_extensions(mesh);
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const JsonPlace primitive = primitives.at(i);
       file_.charge(16);
       const std::uint64_t mode = primitive["mode"].whole_or(4);
       if (mode > 6) primitive["mode"].refuse(fmt::format("is {}; there are 0 to 6", mode));
-      if (mode < 4) continue;  // skip points and lines
+      if (mode < 4) {
+        soup_.leave_out(mode == 0 ? "points" : "lines");
+        continue;
+      }
+      if (!primitive["attributes"]["POSITION"].there()) {
+        soup_.leave_out("primitives without positions");
+        continue;
+      }
+      leave_out_extensions(primitive);
+      if (primitive["targets"].size() != 0) soup_.leave_out("morph targets");
+      if (primitive["material"].there()) soup_.leave_out("materials");
       const Accessors accessors = accessors_of(primitive["attributes"]);
       auto known = placed.find(accessors);
       if (known == placed.end()) known = placed.emplace(accessors, add_points(accessors, map)).first;
       std::vector<std::uint32_t> indices;
       if (primitive["indices"].there()) {
-        indices = file_.indices(primitive["indices"].whole());
+        indices = file_.indices(primitive["indices"].whole(), mode != 4);
       } else {
         indices.resize(static_cast<std::size_t>(known->second.count));
         std::iota(indices.begin(), indices.end(), 0U);
@@ -218,6 +247,7 @@ class GltfReader {
   /// Adds the attributes of new points. An attribute is left out if not all vertices have it in the same encoding.
   void add_attributes(const std::map<std::string, std::uint64_t>& accessors, const First& first, const Affine& map) {
     std::vector<Attribute> added;
+    file_.advise("; --no-attributes reads the mesh without it");
     for (const auto& [name, accessor] : accessors) {
       std::optional<Attribute> attribute = file_.attribute(accessor, name);
       if (!attribute) {
@@ -228,16 +258,22 @@ class GltfReader {
       if (count != first.count)
         file_.accessor(accessor).refuse(
             fmt::format("has {} values of {}, and there are {} positions", count, name, first.count));
+      const bool is_direction = name == "NORMAL" || name == "TANGENT";
       for (std::size_t v = 0; v < count; ++v) {
         const Attribute::Value value = attribute->value(v);
-        if (std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(c); })) continue;
-        soup_.doubt(first.point + v, attributes_in_words(std::span(&name, 1)) + " that are");
-        Attribute neutral = selected(*attribute, {});
-        neutral.append(neutral_value(name));
-        attribute->bytes.replace(v * attribute->value_bytes(), neutral.bytes.size(), neutral.bytes);
+        Attribute::Value usable = is_direction ? unit_normal(value) : value;
+        if (!std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(c); })) {
+          soup_.doubt(first.point + v, name);
+          usable = neutral_value(name);
+        }
+        if (usable == value) continue;
+        Attribute other = selected(*attribute, {});
+        other.append(usable);
+        attribute->bytes.replace(v * attribute->value_bytes(), other.bytes.size(), other.bytes);
       }
       added.push_back(moved(*attribute, map));
     }
+    file_.advise("");
     std::vector<Attribute>& carried = soup_.attributes();
     if (first.point == 0) {
       carried = std::move(added);

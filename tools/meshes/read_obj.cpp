@@ -1,5 +1,6 @@
 // Reads Wavefront OBJ: `v x y z`, optionally followed by red, green, blue and alpha, `vt u v`, `vn x y z` and `f c c c
-// …`. A corner is v, v/vt, v//vn or v/vt/vn, counted from 1, or from the end if negative. All other lines are ignored.
+// …`. A corner is v, v/vt, v//vn or v/vt/vn, counted from 1, or from the end if negative. Other lines are left out.
+// An attribute is left out if one of its values or indices cannot be used.
 //
 // A vertex of the soup is a `v` with one `vt` and one `vn`. The first such pair used with a `v` has the number of the
 // `v`; other pairs follow at the end, in the order of the faces.
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "common/bad_input.hpp"
+#include "common/printable.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
@@ -21,6 +23,18 @@ namespace restrip::tools {
 namespace {
 
 constexpr std::uint32_t no_value = std::numeric_limits<std::uint32_t>::max();
+
+/// What lines of the format other than meshes hold.
+struct OtherLines {
+  std::string_view keywords;  // with blanks around them
+  const char* part;
+};
+constexpr OtherLines other_lines[]{
+    {" l ", "lines"},
+    {" p ", "points"},
+    {" mtllib usemtl maplib usemap ", "materials"},
+    {" vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con mg ctech stech ", "curves and surfaces"},
+    {" bevel c_interp d_interp lod shadow_obj trace_obj ", "display attributes"}};
 
 /// One corner of a face, as indices into the lists of the file.
 struct ObjCorner {
@@ -40,16 +54,20 @@ class ObjReader {
       if (keyword == "v")
         read_point();
       else if (keyword == "vt")
-        read_value("TEXCOORD_0", places_, 1, 2);
+        read_value(places_, 1, 2);
       else if (keyword == "vn")
-        read_value("NORMAL", normals_, 3, 3);
+        read_value(normals_, 3, 3);
       else if (keyword == "f" || keyword == "fo")
         read_face();
+      else if (!keyword.empty())
+        leave_out_line(keyword);
     }
-    refuse_missing(largest_point_, soup_.point_count(), "vertex");
-    // Without any values the attribute is left out.
-    if (!places_.empty()) refuse_missing(largest_place_, places_.size(), "`vt`");
-    if (!normals_.empty()) refuse_missing(largest_normal_, normals_.size(), "`vn`");
+    if (groups_ > 1) soup_.leave_out("groups");
+    const Largest& last = largest_point_;
+    if (last.line != 0 && last.index >= soup_.point_count())
+      throw BadInput(
+          fmt::format("{}:{}: a face refers to vertex {} (counted from 1), but there are {}; is the file complete?",
+                      name_, last.line, std::uint64_t{last.index} + 1, soup_.point_count()));
     if (carry_) make_vertices();
     return std::move(soup_).finish();
   }
@@ -58,12 +76,36 @@ class ObjReader {
   [[noreturn]] void refuse(const std::string& why) const {
     throw BadInput(fmt::format("{}:{}: {}", name_, cursor_.line(), why));
   }
-  /// Reads a value other than a coordinate.
-  double value(std::string_view word) const {
-    const auto found = parse<double>(word);
-    if (!found) refuse(fmt::format("'{}' is not a number", word.substr(0, 40)));
-    return *found;
+  /// Values of corners: the lines `vt` or `vn`.
+  struct Values {
+    const char* name;
+    const char* keyword;
+    std::vector<Attribute::Value> values = {};
+    std::string fault = {};  ///< the first, because of which all are left out
+  };
+  void spoil(Values& all, const std::string& why) const {
+    if (all.fault.empty()) all.fault = fmt::format("line {}: {}", cursor_.line(), why);
   }
+
+  void leave_out_line(std::string_view keyword) {
+    if (keyword == "o" || keyword == "g") {
+      ++groups_;
+      return;
+    }
+    if (keyword == "s") {
+      if (const std::string_view group = cursor_.word(); group != "off" && group != "0")
+        soup_.leave_out("smoothing groups");
+      return;
+    }
+    const auto has = [word = fmt::format(" {} ", keyword.substr(0, 40))](const OtherLines& lines) {
+      return lines.keywords.find(word) != std::string_view::npos;
+    };
+    const auto* found = std::find_if(std::begin(other_lines), std::end(other_lines), has);
+    soup_.leave_out(found != std::end(other_lines)
+                        ? found->part
+                        : fmt::format("lines `{}`", files::printable_ascii(keyword.substr(0, 40))));
+  }
+
   static bool is_finite(const Attribute::Value& value) {
     return std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(static_cast<float>(c)); });
   }
@@ -80,9 +122,15 @@ class ObjReader {
     soup_.add_point(p[0], p[1], p[2]);
     Attribute::Value color{};
     unsigned components = 0;
-    for (std::string_view word = cursor_.word(); !word.empty() && components < 4; word = cursor_.word())
-      color[components++] = carry_ ? value(word) : 0;
-    if (components < 3) components = 0;  // one more is a weight
+    std::string_view word = cursor_.word();
+    for (; !word.empty() && components < 4; word = cursor_.word()) {
+      const auto number = parse<double>(word);
+      color[components++] = number.value_or(std::numeric_limits<double>::quiet_NaN());
+    }
+    const bool is_weight = components == 1 && color[0] == 1;
+    if (!word.empty() || (components < 3 && components != 0 && !is_weight))
+      soup_.leave_out("other numbers of vertices");
+    if (components < 3) components = 0;
     if (components != 0 && !carry_) soup_.leave_out("COLOR_0");
     if (!carry_) return;
     // Either all vertices have the same kind of colour, or none.
@@ -93,48 +141,56 @@ class ObjReader {
       colors_.components = 0;
     }
     if (colors_.components == 0) return;
-    if (!is_finite(color)) soup_.doubt(soup_.point_count() - 1, "colours that are");
+    if (!is_finite(color)) soup_.doubt(soup_.point_count() - 1, "COLOR_0");
     colors_.append(is_finite(color) ? color : Attribute::Value{});
   }
 
-  void read_value(const char* name, std::vector<Attribute::Value>& values, unsigned least, unsigned most) {
+  void read_value(Values& all, unsigned least, unsigned most) {
     if (!carry_) {
-      soup_.leave_out(name);
+      soup_.leave_out(all.name);
       return;
     }
     Attribute::Value read{};
     unsigned components = 0;
-    for (std::string_view word = cursor_.word(); !word.empty() && components < most; word = cursor_.word())
-      read[components++] = value(word);
-    if (components < least) refuse(fmt::format("a {} of {} numbers needs {}", attribute_line(name), components, least));
+    std::string_view word = cursor_.word();
+    for (; !word.empty() && components < most; word = cursor_.word()) {
+      const auto number = parse<double>(word);
+      if (!number) spoil(all, fmt::format("'{}' is not a number", files::printable_ascii(word.substr(0, 40))));
+      read[components++] = number.value_or(0);
+    }
+    if (components < least) spoil(all, fmt::format("a `{}` of {} numbers", all.keyword, components));
+    if (most == 2 && !word.empty() && parse<double>(word) != 0.0) soup_.leave_out("third texture coordinates");
     if (most == 2) read[1] = 1 - read[1];  // OBJ counts from below
-    values.push_back(most == 3 ? unit_normal(read) : read);
+    all.values.push_back(most == 3 ? unit_normal(read) : read);
   }
-  static const char* attribute_line(std::string_view name) { return name == "NORMAL" ? "`vn`" : "`vt`"; }
 
-  /// The largest index into a list that a face has named, and the line of that face.
+  /// The largest vertex that a face has named, and the line of that face.
   struct Largest {
     std::uint32_t index = 0;
     std::size_t line = 0;  ///< 0: none yet
   };
-  /// At the end of the file: refuses a face that names an element beyond the `size` elements of the list.
-  void refuse_missing(const Largest& named, std::size_t size, const char* element) const {
-    if (named.line != 0 && named.index >= size)
-      throw BadInput(
-          fmt::format("{}:{}: a face refers to {} {} (counted from 1), but there are {}; is the file complete?", name_,
-                      named.line, element, std::uint64_t{named.index} + 1, size));
-  }
 
-  /// The index named in a corner; `size` elements of the list have been read.
-  std::uint32_t place_of(std::string_view word, std::size_t size, std::string_view corner, Largest& largest) const {
+  /// The index that a word names in a list of which `size` elements have been read; no_value if it is none.
+  static std::uint32_t index_of(std::string_view word, std::size_t size) {
     const auto index = parse<long long>(word);
     const long long place = !index ? -1 : *index > 0 ? *index - 1 : static_cast<long long>(size) + *index;
-    if (!index || *index == 0 || place < 0 || place > static_cast<long long>(max_vertices))
+    const bool is_index = index && *index != 0 && place >= 0 && place <= static_cast<long long>(max_vertices);
+    return is_index ? static_cast<std::uint32_t>(place) : no_value;
+  }
+  std::uint32_t point_of(std::string_view word, std::string_view corner) {
+    const std::uint32_t found = index_of(word, soup_.point_count());
+    if (found == no_value)
       refuse(fmt::format("'{}' is not a vertex of the {} before this face; corners are counted from 1",
-                         corner.substr(0, 40), size));
-    const auto named = static_cast<std::uint32_t>(place);
-    if (largest.line == 0 || named > largest.index) largest = {named, cursor_.line()};
-    return named;
+                         corner.substr(0, 40), soup_.point_count()));
+    if (largest_point_.line == 0 || found > largest_point_.index) largest_point_ = {found, cursor_.line()};
+    return found;
+  }
+  std::uint32_t value_of(std::string_view word, std::string_view corner, Values& all) const {
+    if (word.empty()) return no_value;
+    const std::uint32_t found = index_of(word, all.values.size());
+    if (found == no_value)
+      spoil(all, fmt::format("'{}' names no `{}`", files::printable_ascii(corner.substr(0, 40)), all.keyword));
+    return found;
   }
 
   void read_face() {
@@ -148,13 +204,11 @@ class ObjReader {
         word.remove_prefix(stop == std::string_view::npos ? word.size() : stop + 1);
         return part;
       };
-      ObjCorner read{place_of(next_part(), soup_.point_count(), corner, largest_point_)};
+      ObjCorner read{point_of(next_part(), corner)};
       corners.push_back(carry_ ? static_cast<std::uint32_t>(corners_.size()) : read.point);
       if (!carry_) continue;
-      if (const std::string_view part = next_part(); !part.empty())
-        read.place = place_of(part, places_.size(), corner, largest_place_);
-      if (const std::string_view part = next_part(); !part.empty())
-        read.normal = place_of(part, normals_.size(), corner, largest_normal_);
+      read.place = value_of(next_part(), corner, places_);
+      read.normal = value_of(next_part(), corner, normals_);
       corners_.push_back(read);
     }
     if (!carry_) {
@@ -164,27 +218,29 @@ class ObjReader {
     faces_.push_back(corners.size());
   }
 
-  /// Whether the corners of all faces have one. Reports the attribute if only some have it or the file has no values.
-  bool all_have(std::uint32_t ObjCorner::*part, const std::vector<Attribute::Value>& values, const char* name) {
+  /// Whether the corners of all faces have a usable one. Otherwise reports the attribute, unless it does not occur.
+  bool all_have(std::uint32_t ObjCorner::*part, Values& all) {
     std::size_t have = 0;
     for (const ObjCorner& corner : corners_) {
       if (corner.*part == no_value) continue;
       ++have;
-      if (!values.empty() && !is_finite(values[corner.*part]))
-        throw BadInput(
-            fmt::format("{}: a face refers to {} {} (counted from 1), which is infinite or not a number; "
-                        "mend or remove it",
-                        name_, attribute_line(name), std::uint64_t{corner.*part} + 1));
+      if (all.values.empty() || !all.fault.empty()) continue;
+      const std::uint64_t number = std::uint64_t{corner.*part} + 1;
+      if (corner.*part >= all.values.size())
+        all.fault = fmt::format("a face refers to `{}` {}, and there are {}", all.keyword, number, all.values.size());
+      else if (!is_finite(all.values[corner.*part]))
+        all.fault = fmt::format("`{}` {} is infinite or not a number", all.keyword, number);
     }
-    if (have != 0 && values.empty()) soup_.leave_out(fmt::format("{} (missing from the file)", name));
-    const bool all = have == corners_.size() && have != 0 && !values.empty();
-    if (!all && !values.empty()) soup_.leave_out(name);
-    return all;
+    if (have != 0 && all.values.empty()) all.fault = "missing from the file";
+    if (have == corners_.size() && have != 0 && all.fault.empty()) return true;
+    if (!all.values.empty() || !all.fault.empty())
+      soup_.leave_out(all.fault.empty() ? all.name : fmt::format("{} ({})", all.name, all.fault));
+    return false;
   }
 
   void make_vertices() {
-    const bool has_places = all_have(&ObjCorner::place, places_, "TEXCOORD_0");
-    const bool has_normals = all_have(&ObjCorner::normal, normals_, "NORMAL");
+    const bool has_places = all_have(&ObjCorner::place, places_);
+    const bool has_normals = all_have(&ObjCorner::normal, normals_);
     const std::size_t points = soup_.point_count();
     // The values with which each vertex is drawn. Vertices in no face have neutral values.
     std::vector<ObjCorner> drawn(points);
@@ -213,18 +269,18 @@ class ObjReader {
       }
       soup_.add_face(face_);
     }
-    if (has_normals) add_values("NORMAL", 3, normals_, &ObjCorner::normal, drawn);
-    if (has_places) add_values("TEXCOORD_0", 2, places_, &ObjCorner::place, drawn);
+    if (has_normals) add_values(normals_, 3, &ObjCorner::normal, drawn);
+    if (has_places) add_values(places_, 2, &ObjCorner::place, drawn);
     if (colors_.components == 0) return;
     for (std::size_t v = points; v < drawn.size(); ++v) colors_.append(colors_.value(drawn[v].point));
     soup_.attributes().push_back(std::move(colors_));
   }
 
-  void add_values(const char* name, unsigned components, const std::vector<Attribute::Value>& values,
-                  std::uint32_t ObjCorner::*part, const std::vector<ObjCorner>& drawn) {
-    Attribute made{name, ComponentType::real, components};
+  void add_values(const Values& all, unsigned components, std::uint32_t ObjCorner::*part,
+                  const std::vector<ObjCorner>& drawn) {
+    Attribute made{all.name, ComponentType::real, components};
     for (const ObjCorner& corner : drawn)
-      made.append(corner.point == no_value ? neutral_value(name) : values[corner.*part]);
+      made.append(corner.point == no_value ? neutral_value(all.name) : all.values[corner.*part]);
     soup_.attributes().push_back(std::move(made));
   }
 
@@ -232,11 +288,10 @@ class ObjReader {
   TextCursor cursor_;
   SoupBuilder soup_;
   bool carry_;
-  std::vector<Attribute::Value> places_;
-  std::vector<Attribute::Value> normals_;
+  Values places_{"TEXCOORD_0", "vt"};
+  Values normals_{"NORMAL", "vn"};
   Largest largest_point_;
-  Largest largest_place_;
-  Largest largest_normal_;
+  std::size_t groups_ = 0;                               // statements that begin one
   Attribute colors_{"COLOR_0", ComponentType::real, 0};  // 0 components: no colours
   std::vector<ObjCorner> corners_;                       // of all faces
   std::vector<std::size_t> faces_;                       // number of corners of each

@@ -41,8 +41,9 @@ class OffReader {
       const auto size = number<std::uint32_t>("a number of corners");
       for (std::uint32_t corner = 0; corner < size; ++corner) corners.push_back(next_number<std::uint32_t>("a corner"));
       soup_.add_face(corners);
-      if (skip_rest_of_line() != 0) soup_.leave_out("COLOR_0");
+      if (skip_rest_of_line() != 0) soup_.leave_out("colours of faces");
     }
+    if (!cursor_.word_on_any_line().empty()) soup_.leave_out("text after the last face");
     return std::move(soup_).finish();
   }
 

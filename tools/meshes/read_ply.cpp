@@ -1,7 +1,7 @@
 // Reads PLY (the Stanford polygon format): text, little-endian and big-endian. Elements: `vertex` (x, y, z), `face` and
 // `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one, signed or unsigned). Other elements
-// and properties are skipped by their declared type. Supported attributes of vertices are nx ny nz, s t (or u v,
-// texture_u texture_v), and red green blue alpha (or diffuse_red …).
+// and properties are skipped by their declared type, and reported. Supported attributes of vertices are nx ny nz, s t
+// (or u v, texture_u texture_v), and red green blue alpha (or diffuse_red …).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
+#include "common/printable.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
@@ -95,9 +97,12 @@ class PlyReader {
       else if (element.name == "tristrips")
         read_strips(element);
       else
-        for (std::size_t i = 0; i < element.count; ++i)
-          for (const Property& property : element.properties) skip(property);
+        skip_all(element);
     }
+    if (encoding_ != Encoding::text && !bytes_.empty())
+      soup_.leave_out(fmt::format("{} after the last element", counted(bytes_.size(), "byte")));
+    if (encoding_ == Encoding::text && !cursor_.word_on_any_line().empty())
+      soup_.leave_out("text after the last element");
     return std::move(soup_).finish();
   }
 
@@ -221,6 +226,22 @@ class PlyReader {
     for (std::size_t i = 0; i < values; ++i) value(property.type, "elements that are stepped over");
   }
 
+  void skip_all(const Element& element) {
+    if (element.count != 0) soup_.leave_out(fmt::format("elements `{}`", quoted(element.name)));
+    for (std::size_t i = 0; i < element.count; ++i)
+      for (const Property& property : element.properties) skip(property);
+  }
+  static std::string quoted(std::string_view name) { return files::printable_ascii(name.substr(0, 40)); }
+  void leave_out(const Property& property, const Element& of) {
+    if (of.count == 0) return;
+    std::string what = fmt::format("property `{}`", quoted(property.name));
+    for (const AttributeProperties& known : attribute_properties)
+      if (std::find(known.of_file.begin(), known.of_file.end(), property.name) != known.of_file.end())
+        what = left_out_in_words(std::array{std::string(known.name)});
+    if (property.name == "texcoord") what = "texture coordinates";
+    soup_.leave_out(fmt::format("{} of `{}`", what, quoted(of.name)));
+  }
+
   void read_vertices(const Element& element) {
     if (soup_.point_count() != 0) {  // more vertices, which may have other attributes
       for (const Attribute& attribute : soup_.attributes()) soup_.leave_out(attribute.name);
@@ -268,6 +289,7 @@ class PlyReader {
   std::vector<Component> components_of(const Element& element) {
     std::vector<Component> components(element.properties.size());
     std::vector<Attribute>& made = soup_.attributes();
+    std::vector<bool> is_reported(element.properties.size(), false);
     for (const auto& [name, least, of_file] : attribute_properties) {
       std::vector<std::size_t> found;
       for (const std::string_view wanted : of_file) {
@@ -283,6 +305,7 @@ class PlyReader {
         const Property& one = element.properties[p];
         return !one.length && one.type.kind == first.type.kind && one.type.bytes == first.type.bytes;
       });
+      for (const std::size_t p : found) is_reported[p] = true;
       if (!carry_ || found.size() < least || !type || !alike || named(made, name) != nullptr) {
         soup_.leave_out(name);
         continue;
@@ -290,20 +313,29 @@ class PlyReader {
       for (unsigned c = 0; c < found.size(); ++c) components[found[c]] = {made.size(), c};
       made.push_back({name, *type, static_cast<unsigned>(found.size()), *type != ComponentType::real});
     }
+    for (std::size_t p = 0; p < components.size(); ++p) {
+      const Property& property = element.properties[p];
+      const bool is_coordinate =
+          !property.length && (property.name == "x" || property.name == "y" || property.name == "z");
+      if (!is_coordinate && !is_reported[p]) leave_out(property, element);
+    }
     return components;
   }
 
   void append(Attribute& attribute, Attribute::Value value, std::size_t vertex) {
     for (unsigned c = 0; c < attribute.components; ++c)
       if (!std::isfinite(static_cast<float>(value[c]))) {
-        soup_.doubt(vertex, attributes_in_words(std::span(&attribute.name, 1)) + " that are");
+        soup_.doubt(vertex, attribute.name);
         value = neutral_value(attribute.name);
       }
     if (attribute.type != ComponentType::real)
       for (unsigned c = 0; c < attribute.components; ++c)
         if (const double most = attribute.type == ComponentType::unsigned_byte ? 255 : 65535;
             !(value[c] >= 0) || value[c] > most || value[c] != std::floor(value[c]))
-          refuse(fmt::format("vertex {} has a colour {}, which is not from 0 to {}", vertex, value[c], most));
+          refuse(
+              fmt::format("vertex {} has a colour {}, which is not from 0 to {}; --no-attributes reads the mesh "
+                          "without it",
+                          vertex, value[c], most));
     if (attribute.name == "NORMAL") value = unit_normal(value);
     if (attribute.name == "TEXCOORD_0") value[1] = 1 - value[1];  // PLY counts from below
     attribute.append(value);
@@ -315,20 +347,23 @@ class PlyReader {
     return static_cast<std::uint32_t>(index);
   }
 
-  /// Calls read(i, list) for each list of corners of element i and skips the rest.
+  static bool is_corners(const Property& property) {
+    return property.length && (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+  /// Calls read(i, list) for each list of corners of element i, and leaves out the rest.
   template <class Read>
   void for_each_list(const Element& element, Read&& read) {
+    for (const Property& property : element.properties)
+      if (!is_corners(property)) leave_out(property, element);
     for (std::size_t i = 0; i < element.count; ++i)
       for (const Property& property : element.properties)
-        if (property.length && (property.name == "vertex_indices" || property.name == "vertex_index"))
+        if (is_corners(property))
           read(i, property);
         else
           skip(property);
   }
 
   void read_faces(const Element& element) {
-    for (const Property& property : element.properties)
-      if (property.name == "texcoord") soup_.leave_out("TEXCOORD_0");  // attribute of corners
     std::vector<std::uint32_t> corners;
     for_each_list(element, [&](std::size_t i, const Property& list) {
       corners.clear();

@@ -1,6 +1,7 @@
 // Reads STL, binary (an 80-byte header, a count, 50 bytes a triangle) and text (`vertex x y z`, three per `facet`, in
-// upper or lower case). Many binary files begin with the word "solid" too, so the format is detected by the size, then
-// by whether the first bytes are text. The two bytes after a binary facet are 0 or, from some programs, its colour.
+// upper or lower case; only the name of a solid ends with its line). Many binary files begin with the word "solid" too,
+// so the format is detected by the size, then by whether the first bytes are text. The two bytes after a binary facet
+// are 0 or, from some programs, its colour.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
+#include "common/printable.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/positions.hpp"
@@ -58,26 +60,42 @@ bool same_letters(std::string_view word, std::string_view lower_case) {
                     [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
+/// Skips the name of a solid: to the end of the line, or to a facet on the same line.
+void skip_name(TextCursor& cursor) {
+  for (TextCursor ahead = cursor;; cursor = ahead) {
+    const std::string_view word = ahead.word();
+    if (word.empty()) return;
+    if (same_letters(word, "facet") && same_letters(TextCursor(ahead).word_on_any_line(), "normal")) return;
+    if (same_letters(word, "endsolid")) return;
+  }
+}
+
 Soup read_text(std::string_view bytes, const std::string& name) {
   refuse_long_lines(bytes, name);
   SoupBuilder soup(name);
   std::vector<Point> corners;
   TextCursor cursor(bytes);
-  for (; !cursor.at_end(); cursor.next_line()) {
-    const std::string_view keyword = cursor.word();
-    const bool facet_begins_or_ends =
-        same_letters(keyword, "facet") || same_letters(keyword, "endfacet") || same_letters(keyword, "endsolid");
+  for (std::string_view word = cursor.word_on_any_line(); !word.empty(); word = cursor.word_on_any_line()) {
+    const auto is = [&word](std::string_view keyword) { return same_letters(word, keyword); };
+    const bool facet_begins_or_ends = is("facet") || is("endfacet") || is("endsolid");
     if (facet_begins_or_ends && corners.size() % 3 != 0)
       throw BadInput(fmt::format("{}:{}: a facet whose number of vertices is not three", name, cursor.line()));
-    if (!same_letters(keyword, "vertex")) continue;
-    Point& p = corners.emplace_back();
-    for (double* coordinate : {&p.x, &p.y, &p.z}) {
-      const std::string_view word = cursor.word();
-      const auto number = parse<double>(word);
-      if (!number)
-        throw BadInput(fmt::format("{}:{}: a vertex needs three numbers, {}", name, cursor.line(),
-                                   word.empty() ? "but the line ends" : fmt::format("found '{}'", word.substr(0, 40))));
-      *coordinate = *number;
+    if (is("solid") || is("endsolid")) {
+      skip_name(cursor);
+    } else if (is("vertex")) {
+      Point& p = corners.emplace_back();
+      for (double* coordinate : {&p.x, &p.y, &p.z}) {
+        word = cursor.word_on_any_line();
+        const auto number = parse<double>(word);
+        if (!number)
+          throw BadInput(
+              fmt::format("{}:{}: a vertex needs three numbers, {}", name, cursor.line(),
+                          word.empty() ? "but the file ends" : fmt::format("found '{}'", word.substr(0, 40))));
+        *coordinate = *number;
+      }
+    } else if (!facet_begins_or_ends && !is("normal") && !is("outer") && !is("loop") && !is("endloop") && !is("end") &&
+               !parse<double>(word)) {
+      soup.leave_out(fmt::format("`{}`", files::printable_ascii(word.substr(0, 40))));
     }
   }
   if (corners.size() % 3 != 0) throw BadInput(fmt::format("{}: ends inside a facet; is it complete?", name));

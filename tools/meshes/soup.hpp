@@ -48,14 +48,16 @@ struct Soup {
   /// The strips of the file, as an index buffer with strip_end between them. They draw all non-degenerate triangles
   /// above, in order; a triangle that the file lists individually is one strip. Empty if the file has no strips.
   std::vector<std::uint32_t> strips = {};
-  /// Faces of more than three corners; each became a fan of triangles around its first corner.
+  /// Faces of more than three corners; each became triangles, a fan around its first corner if it is convex.
   std::size_t polygons = 0;
   std::size_t stubs = 0;  ///< faces of fewer than three corners; left out
   /// Attributes of the points, if requested. Two points at one position that differ in them are two vertices: a strip
   /// does not cross from one to the other.
   std::vector<Attribute> attributes = {};
-  bool is_64_bits = false;                            ///< the file declares its coordinates so (`double` in PLY)
-  std::vector<std::string> left_out_attributes = {};  ///< names of attributes in the file but not in the soup
+  bool is_64_bits = false;  ///< the file declares its coordinates so (`double` in PLY)
+  /// Parts of the file that the soup lacks: attributes by their names in glTF, perhaps with a remark after a blank, and
+  /// others in words.
+  std::vector<std::string> left_out = {};
 };
 
 }  // namespace restrip::tools

@@ -28,36 +28,48 @@ class SoupBuilder {
 
   /// Throws BadInput if there are too many.
   void add_point(double x, double y, double z);
-  /// Replaces a value of the vertex that is not finite by 0. This is an error if a triangle uses the vertex; otherwise
-  /// it is reported. `what`: "normals that are".
-  void doubt(std::size_t vertex, const std::string& what);
+  /// Notes that the vertex has a value of the attribute that is not finite, in place of which the caller stores a
+  /// neutral one. If a triangle uses the vertex, the attribute is left out in the end.
+  void doubt(std::size_t vertex, const std::string& attribute) { doubts_[attribute].push_back(vertex); }
   /// Corners may refer to later points. Throws BadInput if there are too many.
   void add_face(std::span<const std::uint32_t> corners);
   /// Adds the triangles of a strip, and the strip. A repeated index turns the strip and draws nothing; fewer than three
   /// indices draw nothing either.
   void add_strip(std::span<const std::uint32_t> indices);
-  /// Notes an attribute of the file that the soup lacks. Throws BadInput if there are too many.
-  void leave_out(const std::string& attribute);
+  /// Notes a part of the file that the soup lacks (Soup::left_out).
+  void leave_out(const std::string& part);
   /// The attributes of points, to be filled by the caller. At the end each must have one value per point.
   [[nodiscard]] std::vector<Attribute>& attributes() noexcept { return soup_.attributes; }
   void say_64_bits() noexcept { soup_.is_64_bits = true; }
   [[nodiscard]] std::size_t point_count() const noexcept { return soup_.points.size(); }
   [[nodiscard]] const Point& point(std::size_t number) const { return soup_.points[number]; }
 
-  /// Returns the soup. Throws BadInput if a face refers to a missing vertex or to one with a value that is not finite,
-  /// or if every triangle is degenerate.
+  /// Returns the soup, its polygons cut into triangles. Throws BadInput if a face refers to a missing vertex or to one
+  /// with a coordinate that is not finite, or if every triangle is degenerate.
   [[nodiscard]] Soup finish() &&;
 
  private:
+  /// Of consecutive triangles: a polygon, or a strip with its first index in `strips_`.
+  struct Run {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    std::size_t index = 0;
+  };
+
+  [[noreturn]] void refuse(const std::string& why) const;
   void add_triangle(const Corners& corners);
-  /// Adds one strip for each non-degenerate triangle of this range.
-  void add_strips_of_one(std::size_t first, std::size_t end);
-  void begin_strip();
   void settle_doubts();
+  void cut_polygons();
+  /// The strips of the file; a triangle in none of them is one strip.
+  [[nodiscard]] std::vector<std::uint32_t> all_strips() const;
 
   std::string name_;
   Soup soup_;
-  std::map<std::string, std::vector<std::size_t>> doubts_;  // vertices, by the kind of value that is not finite
+  std::vector<std::size_t> lost_points_;                    // vertices with a coordinate that is not finite
+  std::map<std::string, std::vector<std::size_t>> doubts_;  // vertices, by attribute
+  std::vector<Run> polygons_;
+  std::vector<Run> strip_runs_;
+  std::vector<std::uint32_t> strips_;  // one after the other
 };
 
 }  // namespace restrip::tools

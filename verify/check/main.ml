@@ -11,10 +11,18 @@ usage: restrip-check [--json FILE] TRACE
   --json FILE  Writes the report as JSON; with - to standard output instead of the text
   --help       Prints this help
 
-Exit status: 0 accepted, 1 refused or unreadable, 2 wrong use.
+Exit status: 0 accepted, 1 refused or unreadable, 2 wrong use or lost output.
 Example: restrip replay --built-in --triangles 2000 --policy local --repeats 0 --trace run.trace
          restrip-check run.trace
 |}
+
+(* Ends the program; at_exit would hide that the output could not be written. *)
+let finish code =
+  match flush stdout with
+  | () -> exit code
+  | exception Sys_error text ->
+      prerr_endline ("restrip-check: standard output could not be written: " ^ text);
+      exit 2
 
 let wrong_use text =
   prerr_endline ("restrip-check: " ^ text);
@@ -27,7 +35,7 @@ let rec options found = function
   | [] -> found
   | ("--help" | "-h") :: _ ->
       print_string usage;
-      exit 0
+      finish 0
   | "--json" :: file :: rest ->
       if file <> "-" && not (Filename.check_suffix file ".json") then wrong_use (file ^ ": the name must end in .json");
       options { found with json = Some file } rest
@@ -132,7 +140,7 @@ let refused options trace line fault =
         ("fault", json_string fault);
       ];
   Printf.eprintf "%s: line %d: %s\n" trace line fault;
-  exit 1
+  finish 1
 
 let () =
   Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
@@ -150,6 +158,8 @@ let () =
           let reader = Trace.reader channel in
           try
             match Run.check reader with
-            | result -> accepted options trace result
+            | result ->
+                accepted options trace result;
+                finish 0
             | exception Mesh.Refused fault -> refused options trace reader.line fault
           with Sys_error text -> fail text))

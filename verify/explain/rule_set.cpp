@@ -94,6 +94,7 @@ class RuleReader {
 
  private:
   static std::string in_words(const std::string& file, std::string text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark: spreadsheets write it
     if (text.find(' ') != std::string::npos) throw InputError(file, 0, "expected no spaces between columns");
     std::erase(text, '\r');
     std::replace(text.begin(), text.end(), ',', ' ');

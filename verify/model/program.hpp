@@ -6,8 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 #include <string>
+
+#include "common/report_output.hpp"
 
 namespace restrip::verify {
 
@@ -27,13 +28,10 @@ int exit_code_of(CLI::App& app, int argc, char** argv, const Work& work) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? all_claims_hold : bad_input;
+    return files::exit_code(app.get_name(), app.exit(error) == 0 ? all_claims_hold : bad_input);
   }
   try {
-    const int code = work();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw std::runtime_error("standard output: the results could not be written");
-    return code;
+    return files::exit_code(app.get_name(), work());
   } catch (const std::exception& error) {
     std::fflush(stdout);
     fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());

@@ -47,7 +47,7 @@ struct ReadResult {
   std::uint32_t split_numbers = 0;
   const void* baked = nullptr;  // the bytes of a baked mesh
   std::uint32_t baked_bytes = 0;
-  const void* left_out = nullptr;  // other attributes of the file's vertices: the end of a sentence
+  const void* left_out = nullptr;  // the rest of the file: the end of a sentence
   std::uint32_t left_out_bytes = 0;
 };
 
@@ -96,7 +96,6 @@ const ReadResult* readers_read(const char* bytes, std::uint32_t count, const cha
     if (Mended mended; extension == ".glb" || extension == ".gltf") weld(*soup, mended);
     give_points(soup->points);
     give(soup->triangles, 3, found.triangles, found.triangle_numbers);
-    left_out = attributes_in_words(soup->left_out_attributes);
   } else if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) {
     found.kind = ReadResult::Kind::progressive;
     give_points(progressive->points);
@@ -105,8 +104,8 @@ const ReadResult* readers_read(const char* bytes, std::uint32_t count, const cha
   } else if (const auto* baked = std::get_if<BakedBytes>(&mesh)) {
     found.kind = ReadResult::Kind::baked;
     give(baked->bytes, 1, found.baked, found.baked_bytes);
-    left_out = attributes_in_words(baked->left_out_attributes);
   }
+  left_out = left_out_in_words(left_out_of(mesh));
   give(left_out, 1, found.left_out, found.left_out_bytes);
   return &found;
 }
