@@ -113,6 +113,30 @@ async function seamsAreWelded() {
   await assert.rejects(readMesh('seams.gltf', new TextEncoder().encode(JSON.stringify(json))), /'other\.bin', which is not at hand; save it as one file/);
 }
 
+/// What is left out of any file is the program's sentence.
+async function leftOut() {
+  const mesh = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
+  const ply = (vertex, face, values, more) => 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n' +
+    `${vertex}element face 1\nproperty list uchar int vertex_index\n${face}end_header\n` + ['0 0 0', '1 0 0', '0 1 0'].map((p) => `${p} ${values}\n`).join('') + `3 0 1 2 ${more}\n`;
+  const gltf = (node, more) => JSON.stringify({ asset: { version: '2.0' }, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0, ...node }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }, { attributes: { POSITION: 0 }, mode: 1 }, { attributes: {}, mode: 4 }] }],
+    accessors: [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 3 }], bufferViews: [{ buffer: 0, byteLength: 36 }],
+    buffers: [{ byteLength: 36, uri: `data:;base64,${Buffer.from(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0).buffer).toString('base64')}` }], ...more });
+  for (const [name, content, words] of [
+    ['other.obj', `${mesh}l 1 2\np 1\nvn 0 0 1\nwobble\n`, 'normals, lines `wobble`'], ['bad.obj', `${mesh}f 1//0 2 3\n`, ''],
+    ['polygon.obj', `${mesh}v 1 1 0\nusemtl a\nf 1 2 4 3\n`, 'materials'],
+    ['other.ply', ply('property int near\n', 'property uchar red\n', '7', '255'), 'property `near` of `vertex`, colours of `face`'],
+    ['other.off', 'COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\nmore\n', 'colours, text after the last face'],
+    ['other.stl', 'solid\nfacet normal 0 0 1 colour outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid\n', '`colour`'],
+    ['other.gltf', gltf({ skin: 0, camera: 0 }, { animations: [{}], extensionsUsed: ['EXT_mesh_gpu_instancing'] }), 'instances (EXT_mesh_gpu_instancing)']]) {
+    writeFileSync(within(name), content);
+    const line = execFileSync(program, ['stats', within(name)], { encoding: 'utf8' }).split('\n').find((each) => each.startsWith('left out: '));
+    const found = await read(within(name));
+    assert.equal(found.leftOut, (line ?? '').replace('left out: ', ''));
+    assert.ok(found.leftOut.includes(words) && (words !== '' || found.leftOut === ''), found.leftOut);
+  }
+}
+
 /// Each is the same number to both, or refused in the same words.
 async function numbersInWords() {
   const spelled = ['+1', '1.', '.5', '-0', '1e5', '1E-3', '1e-40', '0.1000000000000000055511151231257827', '16777217'];
@@ -141,7 +165,7 @@ async function damaged() {
   assert.equal((await readMesh('t.obj', new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'))).triangles.length, 3);
 }
 
-for (const test of [everyFormat, nodesOfScenes, seamsAreWelded, numbersInWords, damaged]) {
+for (const test of [everyFormat, nodesOfScenes, seamsAreWelded, leftOut, numbersInWords, damaged]) {
   await test();
   console.log(`${test.name}: as claimed`);
 }
