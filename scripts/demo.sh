@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sets this machine up, builds, generates the tables again and proves them, then keeps a mesh's strips through a whole
-# level-of-detail replay. Argument: a mesh (OBJ, PLY, OFF, STL, glTF); without one a built-in closed mesh. Safe to repeat.
+# level-of-detail replay. Argument: a mesh file; without one a built-in closed mesh. Safe to repeat.
 # demo.sh --bin FOLDER [MESH] takes programs that are built already: nothing is installed or built, and no pages are made.
 set -Eeuo pipefail
 if [ "${1:-}" = --bin ]; then

@@ -1,4 +1,4 @@
-// The savings of maintained strips:  node example.mjs MESH     (OBJ, OFF, PLY, GLB, PM, baked)
+// The savings of maintained strips:  node example.mjs MESH
 // The mesh goes from its coarsest level to its finest in steps of 1 %, once for each kind of index buffer.
 import { readFile } from 'node:fs/promises';
 import { load } from 'restrip-wasm';

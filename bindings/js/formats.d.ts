@@ -4,7 +4,7 @@ import type { Source } from 'restrip-wasm';
  * restrip-readers.wasm of this package. Throws an Error if that fails. */
 export function loadReaders(source?: Source): Promise<ReadMesh>;
 
-/** Reads a mesh file: OBJ, OFF, PLY, STL, glTF and GLB, progressive meshes (PM) of OpenMesh and of Hoppe, and baked meshes; the
+/** Reads a mesh file of any format that the program `restrip` reads (docs/reference/file-formats.md); the
  * extension of `name` decides. Strips and polygons become triangles; vertices of glTF at one place become one. Throws an
  * Error with the program's message. A .gltf with buffers in separate files cannot be read. */
 export type ReadMesh = (name: string, content: ArrayBuffer | ArrayBufferView) => Promise<Mesh | ProgressiveMesh | BakedMesh>;

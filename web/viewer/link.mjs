@@ -1,7 +1,7 @@
 // The parts of the page, and its state as the part of the address after #, so that a link shows it to others.
 
 /// A part, and what can be done on the picture while it is shown.
-const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, STL, glTF, PM, baked.';
+const usual = 'Drag to turn. Drop a mesh file on the page.';
 const parts = { ribbon: usual, cut: 'Click to cut. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
 
 /// Choices that an address names, unless they have these values.
