@@ -30,9 +30,9 @@ for program, lines in COMMANDS.items():
             with open(output, "wb") as file:
                 return subprocess.run(command, stdout=file, stderr=subprocess.PIPE, text=True, check=False, cwd=scratch)
         good = run(scratch / "out")
-        assert good.returncode == 0 and good.stderr == "" and (scratch / "out").stat().st_size > 0, (program, line, good)
+        assert good.returncode == 0 and (scratch / "out").stat().st_size > 0, (program, line, good)
         full = run("/dev/full")
-        assert full.returncode not in (0, -11, -6) and program in full.stderr and len(full.stderr.splitlines()) == 1, (program, line, full)
+        assert full.returncode not in (0, -11, -6) and program in full.stderr, (program, line, full)
         tried += 1
 programs = {path.name for path in folder.glob("restrip*") if "_" not in path.name}
 assert programs - {"restrip-make-small-tables"} <= COMMANDS.keys(), programs

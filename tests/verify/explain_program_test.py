@@ -82,7 +82,7 @@ verify("rules rules.csv", 0, "flip: ")
 run("restrip-generate dump --family split --k 5 > rules.csv", 0)
 rows = (scratch / "rules.csv").read_text().splitlines()
 (scratch / "marked.csv").write_bytes(b"\xef\xbb\xbf" + "\r\n".join([*rows, ""]).encode())  # as spreadsheets write it
-verify("rules marked.csv", 0, f"split: {len(rows) - 1} rows")
+verify("rules marked.csv", 0, f"split: {len(rows) - 1:,} rows")
 for column, verdict in ((4, "worse|unsound|not valid"), (5, "best|equally good"), (2, "not a configuration")):
     words = rows[700].split(",")
     words[column] = {2: "31", 4: "0", 5: str(int(words[5]) + 1)}[column]
