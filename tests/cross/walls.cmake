@@ -92,7 +92,7 @@ function(judge room source line out)
   endif()
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
-     OR source MATCHES "/verify/(([a-z]+/)?main|explain/commands).cpp" AND what MATCHES "^(${door_reports})$"
+     OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/languages/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"
