@@ -16,6 +16,7 @@ of every valid configuration must be there. Claims are recounted as far as this 
 collapses: "configurations" in all families, "valid" of splits and the flip. Which rows a collapse must have, and the other claims, are not checked here.
 """
 import json
+import re
 import sys
 from functools import partial
 from itertools import combinations
@@ -152,6 +153,13 @@ def configurations(family, position):
     return 1 << (2 * k if family == "split" else 2 * k - 1)
 
 
+def natural(word, base=10):
+    """A number as certificates write it: Python also reads signs, underscores, spaces and the digits of other alphabets."""
+    if not re.fullmatch("0|[1-9a-f][0-9a-f]*" if base == 16 else "0|[1-9][0-9]*", word):
+        raise Wrong("%r is not a number" % word)
+    return int(word, base)
+
+
 def mask_of(groups):
     """The pairs of ports that are in one group: bit j (j - 1) / 2 + i is the pair i < j."""
     return sum(1 << max(pair) * (max(pair) - 1) // 2 + min(pair) for group in groups for pair in combinations(group, 2))
@@ -203,7 +211,7 @@ class Section:
             raise Wrong("unknown claim, or made twice")
         if self.keys:
             raise Wrong("a claim after the rows")
-        self.claims[word] = int(number)
+        self.claims[word] = -natural(number[1:]) if number.startswith("-") else natural(number)
         if list(self.claims) != list(CLAIMS[:len(self.claims)]):
             raise Wrong("a claim out of order, or the one before it is missing")
 
@@ -232,7 +240,9 @@ class Row:
 
     def __init__(self, patch, may_go, words):
         """`may_go`: ports that may be given up."""
-        self.patch, (self.ports, joined, colors, kept) = patch, (int(word, 16) for word in words[1:5])
+        self.patch, (self.ports, joined, colors, kept) = patch, (natural(word, 16) for word in words[1:5])
+        if self.ports >> len(patch.owners):
+            raise Wrong("a port that the patch does not have")
         inner, all_inner = len(patch.inner), (1 << len(patch.inner)) - 1
         self.joined = pairs_of(joined, len(patch.owners))
         self.key, may_go = (self.ports, joined), self.ports & may_go
@@ -258,7 +268,7 @@ class Row:
     def prove(self, words, solid=0, dashed=0):
         """Uses up the words of a reason."""
         if words[0] == "if":
-            edge = 1 << int(words[1])
+            edge = 1 << min(natural(words[1]), 64)
             if edge & ~self.edges or edge & (solid | dashed) or words[2] != "then":
                 raise Wrong("an impossible case")
             del words[:3]
@@ -271,7 +281,7 @@ class Row:
             word = words.pop(0)
             if word == "-":
                 continue
-            edges = int(word, 16)
+            edges = natural(word, 16)
             if edges & ~self.edges or edges & taken or self.sound(edges | solid):
                 raise Wrong("the set %x has a foreign or a used edge or may be solid" % edges)
             taken, shown = taken | edges, shown + 1
@@ -388,7 +398,7 @@ def check(path, max_k=8, operation=None):
                     proved[row.key] = row.own_loss()
                     rules += 1
                 elif words[0] == "copy" and rest.pop(0) == "by":
-                    to, rest = tuple(int(word) for word in rest), []
+                    to, rest = tuple(natural(word) for word in rest), []
                     if proved.get(row.image(to, may_go)) != row.own_loss():
                         raise Wrong("no rule that it is a copy of")
                     copies += 1
@@ -400,7 +410,7 @@ def check(path, max_k=8, operation=None):
                 section.close()
                 above = b"".join(text + b"\n" for text in lines[:number - 1])
                 sums = [rules + copies, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
-                if [int(word) for word in words[1:]] != sums or lines[number:] != [b""]:
+                if words[1:] != [str(one) for one in sums] or lines[number:] != [b""]:
                     raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
                 return report(path, rules, copies)
             elif words[0] == "claim" and len(words) == 3:

@@ -36,6 +36,9 @@ def damages(lines):
             yield number, line.replace("alternative", "rule")
         if words[0] == "copy":
             yield number, line.replace("copy", "rule")
+        if words[0] in ("rule", "copy") and number % 7 == 0:  # other notations, and more ports than there are
+            for other in ("0" + words[1], "+" + words[1], "-" + words[1], words[1] + "_0", "%x" % (int(words[1], 16) | 1 << 40)):
+                yield number, " ".join([words[0], other] + words[2:])
         if words[0] != "rule":
             continue
         yield number, " ".join(words[:words.index("because")])

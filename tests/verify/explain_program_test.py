@@ -105,4 +105,26 @@ for text, says in (("k,b\n1,2\n", "bad.csv:1: expected one of these headers"), (
                    (rows[0] + "\n5,9,0,0,0,0,0\n", "split has no position (5, 9)")):
     (scratch / "bad.csv").write_text(text)
     verify("rules bad.csv", 2, says)
+
+# Numbers beyond a byte, and beyond 32 bits, are not taken for the rest of a division.
+for more in (1 << 8, 1 << 32, -(1 << 32), 1 << 64):
+    for column in (5, 6):
+        words = rows[1].split(",")
+        words[column] = str(int(words[column]) + more)
+        (scratch / "bad.csv").write_text("\n".join([rows[0], ",".join(words), *rows[2:]]) + "\n")
+        verify("rules bad.csv", 2, f"bad.csv:2: expected {'-28 to 28 in column ' + str(column + 1) if more < 1 << 63 else 'a decimal number'}")
+
+# Two operations with the same columns: one must be named, and the commands that are printed name it.
+first, second = "turned-over", "left-alone"
+side = {"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]}
+(scratch / "two.json").write_text(json.dumps({"restrip_operation": 1, "operations": [
+    {"name": first, "before": side, "after": {**side, "ports": [1, 0, 0, 1]}}, {"name": second, "before": side, "after": side}]}))
+(scratch / "a.csv").write_text("inner,ports,inner_after,ports_after\n0,0,1,0\n1,6,1,6\n")
+verify("rules a.csv --operation two.json", 2, f"a.csv:1: the columns of {first} and of {second}: expected --family with one of these names")
+verify(f"rules a.csv --operation two.json --family {second}", 0, f"{second}: 2 rows")
+text = verify(f"rules a.csv --operation two.json --family {first}", 1)
+command = re.search(r"\nline 3: not valid: .*\n  restrip-verify (explain --operation two.json --family .*)\n", text)[1]
+verify(command, 1, "verdict   not valid")
+verify("rules a.csv --operation two.json --family third", 2, f"--family third: expected one of {first} {second}")
+verify("rules a.csv --family split", 2, "a.csv:1: expected one of these headers")
 print("explained")

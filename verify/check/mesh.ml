@@ -164,24 +164,27 @@ let onward mesh ((u, v, w) : triangle) =
 (* Checks that the strips through the triangles have ends. Degrees are at most two, so a strip with an end is a path.
    Both directions are followed in turn, which takes at most twice the distance to the nearer end. Triangles met on the
    way need no further check. *)
-let rec expect_paths mesh = function
-  | [] -> ()
-  | ((a, b, c) as t) :: others -> (
-      let turned = [ (a, b, c); (b, c, a); (c, a, b) ] in
-      match List.filter (fun (u, v, _) -> is_solid mesh u v) turned with
-      | [ one; two ] ->
-          let rec follow one other others =
-            match onward mesh one with
-            | None -> others
-            | Some next ->
-                let met = canonical next in
-                if same_triangle met t then refuse "the solid edges through triangle %d %d %d form a cycle" a b c;
-                let pending = List.exists (same_triangle met) others in
-                follow other next (if pending then List.filter (fun t -> not (same_triangle met t)) others else others)
-          in
-          (* Entered from beyond [two] and from beyond [one]. *)
-          expect_paths mesh (follow two one others)
-      | _ -> expect_paths mesh others)
+let expect_paths mesh triangles =
+  let pending = Hashtbl.create (List.length triangles) in
+  List.iter (fun t -> Hashtbl.replace pending t ()) triangles;
+  let expect_path ((a, b, c) as t) =
+    let turned = [ (a, b, c); (b, c, a); (c, a, b) ] in
+    match List.filter (fun (u, v, _) -> is_solid mesh u v) turned with
+    | [ one; two ] ->
+        let rec follow one other =
+          match onward mesh one with
+          | None -> ()
+          | Some next ->
+              let met = canonical next in
+              if same_triangle met t then refuse "the solid edges through triangle %d %d %d form a cycle" a b c;
+              Hashtbl.remove pending met;
+              follow other next
+        in
+        (* Entered from beyond [two] and from beyond [one]. *)
+        follow two one
+    | _ -> ()
+  in
+  List.iter (fun t -> if Hashtbl.mem pending t then expect_path t) triangles
 
 (* ---- the whole mesh *)
 

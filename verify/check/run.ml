@@ -62,22 +62,33 @@ let expect_there found ((a, b, c) as t) =
 let expect_in_patch found what family ((a, b, c) as t) =
   if not (found t) then refuse "triangle %d %d %d %s, but is not of the patch of this %s" a b c what family
 
-let same_way ((u, v) : int * int) (x, y) = u = x && v = y
-let same_edge e ((x, y) as f) = same_way e f || same_way e (y, x)
+let set_of list =
+  let set = Hashtbl.create (List.length list) in
+  List.iter (fun one -> Hashtbl.replace set one ()) list;
+  set
 
 (* Judge's verdict on the patch, after an operation. The mesh before it is reconstructed from the changes. [ask] is a
    function of Judge that still needs the mesh. *)
 let judged account mesh operation ~family ~valence ~olds ~news ~ports ask =
-  let among list t = List.exists (fun u -> same_triangle (canonical t) (canonical u)) list in
-  let there_before t = among operation.gone t || (has_triangle mesh (canonical t) && not (among operation.come t)) in
-  let was e =
-    List.exists (same_edge e) operation.dashed
-    || (is_solid mesh (fst e) (snd e) && not (List.exists (same_edge e) operation.solid))
+  let triangles list = set_of (List.rev_map canonical list) in
+  let edges list = set_of (List.rev_map (fun (u, v) -> undirected u v) list) in
+  let around list = set_of (List.concat_map (fun t -> List.map (fun (u, v) -> directed u v) (sides t)) list) in
+  let among list =
+    let set = triangles list in
+    fun t -> Hashtbl.mem set (canonical t)
+  in
+  let is_gone = among operation.gone and is_come = among operation.come in
+  let there_before t = is_gone t || (has_triangle mesh (canonical t) && not (is_come t)) in
+  let dashed = edges operation.dashed and solid = edges operation.solid in
+  let was (u, v) =
+    let e = undirected u v in
+    Hashtbl.mem dashed e || (is_solid mesh u v && not (Hashtbl.mem solid e))
   in
   let is (u, v) = is_solid mesh u v in
+  let around_gone = around operation.gone and around_come = around operation.come in
   let left_before (u, v) =
-    let has list = List.exists (fun t -> List.exists (same_way (v, u)) (sides t)) list in
-    has operation.gone || (has_left mesh v u && not (has operation.come))
+    let e = directed v u in
+    Hashtbl.mem around_gone e || (has_left mesh v u && not (Hashtbl.mem around_come e))
   in
   let left_now (u, v) = has_left mesh v u in
   (* Otherwise a worse rule could be hidden by changes elsewhere. *)

@@ -74,6 +74,38 @@ if "RESTRIP_MESHES" in os.environ:
     _, facts = traced("bunny", (bunny,), "--policy", "local", "--cost", "strips")
     assert facts["splits"] == facts["collapses"] > 30000, facts
 
+# ---- steps: n log n, except for judging a patch, which takes n^2 for its n triangles. Words that the program allocates
+# are counted instead.
+def words_of(trace):
+    done = subprocess.run([checker, trace], capture_output=True, text=True, check=True, env={**os.environ, "OCAMLRUNPARAM": "v=0x400"})
+    return float(re.search(r"^minor_words: (\d+)", done.stderr, re.M)[1])
+
+
+def long_trace(n, fan):
+    """A closed fan of n triangles that is split, or a strip of n triangles that are replaced."""
+    trace = scratch / f"long-{n}.trace"
+    if fan:
+        spokes = [(0, i + 1, (i + 1) % n + 1) for i in range(n)]
+        new = [(n + 1, b, c) for _, b, c in spokes[:n // 2]] + [(0, 1, n + 1), (0, n + 1, n // 2 + 1)]
+        before, lines = spokes, [f"split 0 {n + 1} 2 2 - {words(spokes[:n // 2])} + {words(new)}"]
+        solid = []
+    else:
+        strip = [(i, i + 1, i + 2) if i % 2 == 0 else (i + 1, i, i + 2) for i in range(n)]
+        solid = [(i + 1, i + 2) for i in range(n - 1)]
+        moved = lambda all_: [tuple(v + n + 9 for v in one) for one in all_]
+        before, lines = strip, [f"other 0 0 0 0 - {words(strip)} + {words(moved(strip))} d {words(solid)} s {words(moved(solid))}"]
+    trace.write_text("\n".join(["restrip-trace 1", "claim valid"] + [f"t {words([t])}" for t in before] + [f"s {words([e])}" for e in solid] + lines + ["end 1", ""]))
+    return trace
+
+
+def words(all_):
+    return " ".join(str(v) for one in all_ for v in one)
+
+
+for fan in (True, False):
+    once, twice = (words_of(long_trace(n, fan)) for n in (4000, 8000))
+    assert once < twice < 2.3 * once, (fan, once, twice)
+
 # ---- refused
 whole = (scratch / "local.trace").read_text()
 lines = whole.splitlines()
