@@ -143,7 +143,7 @@ function(restrip_generate_tables)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
   endif()
   if(with_tables)
-    set(headers automaton boundary_split collapse fan_collapse flip open_split rows split)
+    set(headers automaton collapse flip rows split)
     list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
     add_custom_command(
       OUTPUT ${folder}/restrip-digests.txt  # gets the present time even if nothing was done

@@ -113,31 +113,21 @@ def patch_of(family, position):
         return fan_patch(["L", "R"], False, False, ["R", "L", "L", "R"])
     k, places = int(position[1]), [int(word) for word in position[3:]]
     fan = ["t%d" % i for i in range(k)]
-    if family in ("collapse", "fan-collapse"):
-        return fan_patch(fan, family == "collapse", False, fan)
-    a, d = {"split": [0] + places, "open-split": places, "boundary-split": places + [None]}[family]
-    order = [n for i in range(k + 1) for n in (["A"] * (i == a) + ["D"] * (i == d) + fan[i:i + 1])]
-    return fan_patch(order, family == "split", family != "boundary-split", fan)
+    if family == "collapse":
+        return fan_patch(fan, True, False, fan)
+    [a] = places
+    return fan_patch(["A"] + fan[:a] + ["D"] + fan[a:], True, True, fan)
 
 
 def positions(family, max_k):
     """The words after "section" in all sections that a certificate must have, in order."""
     if family == "flip":
         return ["flip"]
-    closed = family in ("split", "collapse")
-    found = []
-    for k in range(3 if closed else 1, max_k + 1):
-        if family == "split":
-            found += ["k %d a %d" % (k, a) for a in range(1, k // 2 + 1)]
-        elif family in ("collapse", "fan-collapse"):
-            found.append("k %d" % k)
-        elif family == "open-split":
-            found += ["k %d gaps %d %d" % (k, i, j) for i in range(k + 1) for j in range(i + 1, k - i + 1)]
-        elif family == "boundary-split":
-            found += ["k %d gap %d" % (k, i) for i in range(k // 2 + 1)]
-        else:
-            raise Wrong("unknown family " + family)
-    return found
+    if family == "split":
+        return ["k %d a %d" % (k, a) for k in range(3, max_k + 1) for a in range(1, k // 2 + 1)]
+    if family == "collapse":
+        return ["k %d" % k for k in range(3, max_k + 1)]
+    raise Wrong("unknown family " + family)
 
 
 def configurations(family, position):
@@ -145,12 +135,7 @@ def configurations(family, position):
     if family == "flip":
         return 32
     k = int(position.split()[1])
-    if family == "collapse":
-        return k // 2 << 2 * k + 3
-    if family == "fan-collapse":
-        pairs = sum(1 for i in range(k + 1) for j in range(i + 1, k + 1) if i + j <= k)
-        return (pairs << 2 * k + 2) + (k // 2 + 1 << 2 * k)
-    return 1 << (2 * k if family == "split" else 2 * k - 1)
+    return k // 2 << 2 * k + 3 if family == "collapse" else 1 << 2 * k
 
 
 def natural(word, base=10):
@@ -175,10 +160,9 @@ def pairs_of(mask, ports):
 def valid_keys(family, position, known={}):
     """How many valid configurations a split or the flip has, and their keys. All pairs that these join some recolouring joins."""
     k = None if family == "flip" else int(position.split()[1])
-    ring = family == "split"
-    if (ring, k) not in known:
+    if k not in known:
         fan = ["t%d" % i for i in range(k)] if k else []
-        before = fan_patch(fan, ring, False, fan) if k else fan_patch(["L", "R"], False, False, ["L", "L", "R", "R"])
+        before = fan_patch(fan, True, False, fan) if k else fan_patch(["L", "R"], False, False, ["L", "L", "R", "R"])
         inner, count, keys = len(before.inner), 0, set()
         for edges in range(1 << inner + len(before.owners)):
             strips = before.strips(edges)
@@ -186,14 +170,14 @@ def valid_keys(family, position, known={}):
                 continue
             count += 1
             keys.add((edges >> inner, mask_of(strips)))
-        known[ring, k] = count, keys
-    return known[ring, k]
+        known[k] = count, keys
+    return known[k]
 
 
 def recounted(family, position):
     """Claims of a section of a shipped family; of splits and the flip the keys."""
     counted, keys = {"configurations": configurations(family, position)}, None
-    if not family.endswith("collapse"):
+    if family != "collapse":
         counted["valid"], keys = valid_keys(family, position)
         counted["keys"] = len(keys)
     return counted, keys

@@ -20,7 +20,7 @@ from strips_table import header, line  # noqa: E402
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LINE = re.compile(r"^(\S+) +\d+ (?:sections?|class(?:es)?) +(\d+) (?:rules?|rows?) +(\d+) bytes?$", re.M)
-NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "automaton": "automaton (all valences); rows of its certificate"}
+NOTES = {"automaton": "automaton (all valences); rows of its certificate"}
 
 
 def sizes_in(text):
@@ -93,7 +93,7 @@ def print_families(generate):
         printed = subprocess.check_output([generate, "tables", "--threads", "2", "--out", folder], text=True)
         for family, (rules, size) in sizes_in(printed).items():
             line([NOTES.get(family, family), f"{rules:,}", f"{size:,}"])
-    line(["row starts, for those up to fan-collapse", "", f"{2 * 2 * 2 ** 9:,}"])  # for closed and open fans two for each of 2^(k + 1) masks
+    line(["row starts, for split and collapse", "", f"{2 * 2 ** 9:,}"])  # two bytes for each of 2^(k + 1) masks
 
 
 TABLES = {"counts": print_counts, "ports-met": print_ports_met, "families": print_families}

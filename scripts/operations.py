@@ -159,6 +159,10 @@ class Description:
         return self.given.get("certificate", self.name)
 
     @property
+    def has_table(self):
+        return self.given.get("table", True)
+
+    @property
     def constraint(self):
         return self.given.get("constraint", "strips")
 

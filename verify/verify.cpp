@@ -32,14 +32,20 @@ class Verification {
     totals_.max_k = options_.max_k;
     families_ = all_families(options_.max_k);
     for (const std::string& name : options_.families) {
-      const auto is_called = [&](const auto& family) { return family.name == name; };
-      if (std::none_of(families_.begin(), families_.end(), is_called))
-        throw InputError("--family", 0, fmt::format("unknown family \"{}\"", name));
+      const auto family =
+          std::find_if(families_.begin(), families_.end(), [&](const Family& one) { return one.name == name; });
+      if (family == families_.end()) throw InputError("--family", 0, fmt::format("unknown family \"{}\"", name));
+      if (!family->has_table && options_.dump_command.empty())
+        throw InputError(
+            "--family", 0,
+            fmt::format("\"{}\" has no certificate, because the automaton answers it; give --dump-command, "
+                        "or verify a table of your own with --operation",
+                        name));
     }
     if (!options_.headers_only) {
       check_manifest();
       for (const Family& family : families_)
-        if (chosen(family.name)) read_rules(family, shipped(family.name));
+        if (family.has_table && chosen(family.name)) read_rules(family, shipped(family.name));
       totals_.read.certificates = true;
       check_families();
     }
@@ -100,6 +106,9 @@ class Verification {
     return options_.families.empty() ||
            std::find(options_.families.begin(), options_.families.end(), certificate) != options_.families.end();
   }
+  bool judged(const Family& family) const {
+    return chosen(family.name) && (family.has_table || !options_.operation.empty());
+  }
   std::string shipped(const std::string& certificate) const {
     return fmt::format("{}/certificates/{}.cert", options_.tables_dir, certificate);
   }
@@ -130,11 +139,11 @@ class Verification {
     return found == rules_.end() ? nullptr : &found->second;
   }
 
-  /// Checks the chosen families, with or without a certificate.
+  /// Checks the chosen families. Without a certificate the configurations of a custom operation are counted.
   void check_families() {
     std::vector<PositionTask> tasks;
     for (const Family& family : families_)
-      if (chosen(family.name))
+      if (judged(family))
         for (const PositionTask& task : tasks_of(family, rules_of(family))) tasks.push_back(task);
     const auto progress = [&, all = tasks.size()](std::size_t n) {
       if (options_.show_progress)
@@ -147,7 +156,7 @@ class Verification {
     }
     std::span<const PositionCheck> rest = checks;
     for (const Family& family : families_) {
-      if (!chosen(family.name)) continue;
+      if (!judged(family)) continue;
       const std::size_t count = tasks_of(family, nullptr).size();
       if (const Certificate* rules = rules_of(family)) {
         report_family(family, *rules, rest.first(count), listener_);
@@ -166,7 +175,8 @@ class Verification {
       const Certificate* const rules = rules_of(family);
       const auto expect = [&](const Operation& operation, const SectionRows* rows) {
         const Against otherwise = chosen(family.name) && searched(operation) ? Against::own_patch : Against::nothing;
-        expected.tables.push_back({&operation, rows != nullptr ? Against::certificate : otherwise, rows});
+        expected.tables.push_back(
+            {&operation, rows != nullptr ? Against::certificate : otherwise, rows, family.has_table});
       };
       for (std::size_t i = 0; i < family.sections.size(); ++i)
         for (const Operation& operation : family.sections[i].operations)

@@ -24,7 +24,7 @@ std::string json_numbers(const TableArray& array, const std::string& key) {
 
 std::string json_tables(const TableLayout& layout) {
   std::string text = fmt::format(
-      "{{\n\"format\": \"restrip-tables\",\n\"version\": 1,\n"
+      "{{\n\"format\": \"restrip-tables\",\n\"version\": 2,\n"
       "\"license\": \"MIT, Copyright (c) 2026 The restrip authors\",\n"
       "\"command\": \"restrip-generate tables --language json --max-k {0}\",\n\"max_k\": {0},\n\"operations\": [",
       layout.max_k);
@@ -40,17 +40,18 @@ std::string json_tables(const TableLayout& layout) {
         look_up.triangles);
     between = ",\n    ";
   }
-  text += "\n],\n\"rows\": {\n" + json_numbers(*layout.find("closed_rows"), "closed") + ",\n" +
-          json_numbers(*layout.find("open_rows"), "open") + "\n},\n\"families\": {";
+  text += "\n],\n" + json_numbers(*layout.find("closed_rows"), "rows") + ",\n\"families\": {";
   between = "\n";
   std::set<std::string> written;
   for (const LookUp& look_up : look_ups()) {
     if (look_up.position.empty() || !written.insert(look_up.family).second) continue;
-    text += fmt::format("{}\"{}\": {{\n\"rows\": \"{}\"", between, look_up.family,
-                        look_up.rows == "closed_rows" ? "closed" : "open");
+    text += fmt::format("{}\"{}\": {{", between, look_up.family);
+    between = "\n";
     for (const char* part : {"first", "cells", "rules"})
-      if (const TableArray* array = layout.find(look_up.family + "_" + part))
-        text += ",\n" + json_numbers(*array, part);
+      if (const TableArray* array = layout.find(look_up.family + "_" + part)) {
+        text += between + json_numbers(*array, part);
+        between = ",\n";
+      }
     text += "\n}";
     between = ",\n";
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -155,6 +156,16 @@ const std::vector<Description>& families() {
   static const std::vector<Description> all =
       parse_descriptions("tables/families.json", std::string(families_text), Author::restrip);
   return all;
+}
+
+const std::vector<Description>& tabled_families() {
+  static const std::vector<Description> tabled = [] {
+    std::vector<Description> some;
+    std::copy_if(families().begin(), families().end(), std::back_inserter(some),
+                 [](const Description& family) { return family.has_table; });
+    return some;
+  }();
+  return tabled;
 }
 
 const Description& family_named(const std::string& name) {

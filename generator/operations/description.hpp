@@ -40,6 +40,7 @@ struct Description {
   bool own_cost = false;             ///< `preference` is not the default
   bool gives_all_up = false;         ///< all ports may be given up, or
   Mask may_give_up = 0;              ///< exactly these
+  bool has_table = true;             ///< among the shipped tables; the automaton answers the other families
   std::vector<std::string> numbers;  ///< of its positions: "k", "i", "j"; empty if there is only one position
   std::string range;                 ///< `where` as text
   Conditions where;                  ///< the positions that exist
@@ -61,6 +62,9 @@ struct Description {
 
 /// The families of the shipped file, in its order.
 [[nodiscard]] const std::vector<Description>& families();
+
+/// The families that the shipped tables answer, in the same order. The automaton answers the others.
+[[nodiscard]] const std::vector<Description>& tabled_families();
 
 /// Throws std::invalid_argument for an unknown name.
 [[nodiscard]] const Description& family_named(const std::string& name);

@@ -315,7 +315,7 @@ Description description_from(const JsonValue& value, Author author) {
         "sees; "
         "describe that triangle as part of the patch");
   value.expect_members({"restrip_operation", "name", "about", "certificate", "constraint", "numbers", "where", "listed",
-                        "position", "section", "before", "after", "boundary", "give_up", "cost", "at_most"});
+                        "position", "section", "before", "after", "boundary", "give_up", "cost", "table", "at_most"});
   Description description;
   description.in_file = value.where();
   if (value.has("restrip_operation")) expect_version(value["restrip_operation"]);
@@ -361,6 +361,7 @@ Description description_from(const JsonValue& value, Author author) {
   description.own_cost = value.has("cost");
   if (description.own_cost) description.preference = preference_from(value["cost"], after);
   if (value.has("at_most")) expect_turns(value["at_most"], description);
+  if (value.has("table")) description.has_table = value["table"].truth();
   return description;
 }
 

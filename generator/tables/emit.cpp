@@ -33,13 +33,10 @@ std::string identifier(std::string name) {
   return name;
 }
 
-std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k) {
-  std::string text = banner("Where the rows of keys start, index 1 << k | ports.");
-  for (const auto& [name, packing] : {std::pair{"closed_rows", &closed}, {"open_rows", &open}}) {
-    text += fmt::format("inline constexpr RowStarts<{}> {}{{\n", max_k, name);
-    text += numbers(packing->start) + "};\n";
-  }
-  return text + footer;
+std::string rows_header(const Packing& packing, unsigned max_k) {
+  return banner("Where the rows of keys start, index 1 << k | ports.") +
+         fmt::format("inline constexpr RowStarts<{}> closed_rows{{\n", max_k) + numbers(packing.start) + "};\n" +
+         footer;
 }
 
 RulesHeader rules_header(const Certificate& family, const Packing& packing, unsigned max_k) {

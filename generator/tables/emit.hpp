@@ -12,8 +12,8 @@ namespace restrip::generator {
 /// A family's name with underscores, as used in programs and file names.
 [[nodiscard]] std::string identifier(std::string name);
 
-/// restrip/tables/rows.hpp: the start of the rows of keys, for closed and open fans.
-[[nodiscard]] std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k);
+/// restrip/tables/rows.hpp: the start of the rows of keys.
+[[nodiscard]] std::string rows_header(const Packing& packing, unsigned max_k);
 
 /// A header and the size of its read-only data.
 struct RulesHeader {

@@ -8,13 +8,12 @@ namespace restrip::generator {
 
 std::vector<LookUp> look_ups() {
   std::vector<LookUp> all;
-  for (const Description& family : families()) {
+  for (const Description& family : tabled_families()) {
     // Independent of the position, so any position will do.
     const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
     const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());
     const int added = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
-    all.push_back({identifier(family.name), family.numbers, family.range, identifier(family.certificate),
-                   family.numbers.empty() ? "" : (closed(family) ? "closed_rows" : "open_rows"), added > 0,
+    all.push_back({identifier(family.name), family.numbers, family.range, identifier(family.certificate), added > 0,
                    static_cast<int>(patch.before.edges.size()) - k, static_cast<int>(patch.after.edges.size()) - k,
                    added});
   }
@@ -33,9 +32,8 @@ const TableArray* TableLayout::find(const std::string& name) const {
   return found == arrays.end() ? nullptr : &*found;
 }
 
-TableLayout table_layout(const std::vector<Certificate>& rules, const Packings& packings, unsigned max_k) {
-  TableLayout layout{max_k,
-                     {array_of("closed_rows", packings.closed.start), array_of("open_rows", packings.open.start)}};
+TableLayout table_layout(const std::vector<Certificate>& rules, const Packing& packing, unsigned max_k) {
+  TableLayout layout{max_k, {array_of("closed_rows", packing.start)}};
   for (const Certificate& family : rules) {
     const Description& acts = *family.sections.at(0).position.family;
     if (acts.numbers.empty()) {
@@ -44,7 +42,7 @@ TableLayout table_layout(const std::vector<Certificate>& rules, const Packings& 
           array_of(identifier(family.name) + "_rules", operation_layout({{only.position, &only}}).entries));
       continue;
     }
-    const RuleBlocks blocks = fill(family.sections, closed(acts) ? packings.closed : packings.open, max_k);
+    const RuleBlocks blocks = fill(family.sections, packing, max_k);
     const std::string name = identifier(family.name);
     layout.arrays.push_back(array_of(name + "_first", blocks.first));
     if (!serves_every_position(acts)) layout.arrays.push_back(array_of(name + "_cells", blocks.cells));

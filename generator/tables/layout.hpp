@@ -46,17 +46,16 @@ struct LookUp {
   std::string where;                  ///< their ranges, as text
   std::string
       family;  ///< "F" of the arrays F_first, F_rules, and, if the position matters, F_cells; for F_rules alone: flip
-  std::string rows;       ///< the array of row starts; empty for the flip
   bool from_fan = false;  ///< whether the colours before are the fan's, so that triangles are added
   int before_bits = 0;    ///< bits of the colours before, minus k; for the flip, all
   int after_bits = 0;     ///< the same after
   int triangles = 0;      ///< triangles after minus triangles before
 };
 
-/// One for each family, in the order of tables/families.json.
+/// One for each family with a table, in the order of tables/families.json.
 [[nodiscard]] std::vector<LookUp> look_ups();
 
-/// The families of rules, with the packings of their keys.
-[[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& rules, const Packings& packings, unsigned max_k);
+/// The families of rules, with the packing of their keys.
+[[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& rules, const Packing& packing, unsigned max_k);
 
 }  // namespace restrip::generator

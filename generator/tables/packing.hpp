@@ -14,19 +14,14 @@ struct Packing {
   std::vector<unsigned> cells;  ///< index k: cells in one block
 };
 
-/// The packings of all rules of closed fans, and of all rules of open ones.
-struct Packings {
-  Packing closed;
-  Packing open;
-};
-/// Each packing serves all sections of its fans, valence by valence. First fit, the fullest rows first: deterministic.
-/// Flips have no packing.
-[[nodiscard]] Packings pack(const std::vector<Certificate>& certificates, unsigned max_k);
+/// The packing serves all sections, valence by valence. First fit, the fullest rows first: deterministic. Flips have no
+/// packing.
+[[nodiscard]] Packing pack(const std::vector<Certificate>& certificates, unsigned max_k);
 
 /// The values of `joined` under which a look-up may find this key (docs/reference/notation.md, "Key"): bit i is set if
-/// solid port i is joined to the solid port before it, cyclic in a closed fan. If two solid ports of a closed fan are
-/// joined, either of their bits alone will do.
-[[nodiscard]] std::vector<Mask> spellings(const Key& key, const Position& position);
+/// solid port i is joined to the solid port before it around the closed fan. If exactly two ports are solid and they
+/// are joined, either of their bits alone will do.
+[[nodiscard]] std::vector<Mask> spellings(const Key& key);
 
 /// The rules of a family of fans in their cells: members as in RuleTable of restrip/tables/format.hpp.
 struct RuleBlocks {

@@ -77,11 +77,9 @@ struct Reader {
 /// Roughly proportional to the time of a section, as measured for k = 8 … 10: it grows fourfold with k.
 std::uint64_t weight(const Patches& section) {
   const Description& family = *section.position.family;
-  const bool ring = closed(family);
-  std::uint64_t unit = 1;
-  if (!std::get<SidePattern>(family.after).chords.empty()) unit = ring ? 8 : 4;
+  std::uint64_t unit = std::get<SidePattern>(family.after).chords.empty() ? 1 : 8;
   // The claims of such a section count the configurations of every position served.
-  if (serves_every_position(family)) unit = section.serves.size() * (ring ? 2 : 1);
+  if (serves_every_position(family)) unit = 2 * section.serves.size();
   return unit << (2 * section.position.k);
 }
 
@@ -188,7 +186,7 @@ std::vector<std::size_t> share_of(const std::vector<Patches>& all, unsigned inde
 
 std::string generator_id(const std::string& version) {
   std::string rules;
-  for (const Patches& patches : patches_of(families(), 4)) rules += section_text(solve(patches));
+  for (const Patches& patches : patches_of(tabled_families(), 4)) rules += section_text(solve(patches));
   return version + " " + sha256(rules);
 }
 
@@ -237,7 +235,7 @@ Merged merge_shards(const std::vector<files::NamedBytes>& shards, const std::str
     const auto [shard, max_k] = read_head(reader, id);
     reader.remedy = "remove it and run " + command(shard, max_k, directory);
     if (seen.empty()) {
-      patches = patches_of(families(), max_k);
+      patches = patches_of(tabled_families(), max_k);
       merged = {max_k, {}, std::vector<std::string>(patches.size())};
       for (const Patches& unsolved : patches) merged.sections.push_back({{unsolved}, {}, {}, 1, {}, {}});
       seen.resize(shard.count);

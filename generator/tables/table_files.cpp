@@ -54,7 +54,7 @@ std::vector<std::filesystem::path> table_files(const std::set<std::string>& want
   for (const auto& other : files_in(wanted, "tables")) names.insert(other.first);
   if (!wanted.contains("c++")) return {names.begin(), names.end()};
   names.insert({headers + "rows.hpp", header_path("automaton"), certificate_path("automaton")});
-  for (const Patches& section : patches_of(families(), 3)) {
+  for (const Patches& section : patches_of(tabled_families(), 3)) {
     names.insert(certificate_path(section.certificate));
     names.insert(header_path(section.certificate));
   }
@@ -76,9 +76,9 @@ struct Emitted {
 
 /// The stage `emit`: the files of the languages. MANIFEST, which comes last, lists the C++ files, which restrip-verify
 /// reads.
-Emitted emit(const std::vector<Certificate>& certificates, const Packings& packings, const TablesOptions& options) {
+Emitted emit(const std::vector<Certificate>& certificates, const Packing& packing, const TablesOptions& options) {
   const unsigned max_k = options.max_k;
-  const TableLayout layout = table_layout(certificates, packings, max_k);
+  const TableLayout layout = table_layout(certificates, packing, max_k);
   auto [files, text] = Emitted{};
   for (const auto& [name, file] : files_in(options.languages, "tables")) {
     files.push_back({name, file->of_tables(layout)});
@@ -92,11 +92,10 @@ Emitted emit(const std::vector<Certificate>& certificates, const Packings& packi
     std::size_t rows = 0;  ///< the number that MANIFEST lists
   };
   std::map<std::string, Listed> by_path;
-  by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
+  by_path[headers + "rows.hpp"] = {rows_header(packing, max_k), 0};
   for (const Certificate& family : certificates) {
     by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
-    const bool on_closed = closed(*family.sections[0].position.family);
-    const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
+    const RulesHeader header = rules_header(family, packing, max_k);
     by_path[header_path(family.name)] = {header.text, family.rows()};
     text += summary(family.name, family.sections.size(), family.rows(), header.bytes);
   }
@@ -135,12 +134,11 @@ void make_tables(const TablesOptions& options) {
   const files::ReportOutput report(options.json);
   const bool certified = options.languages.contains("c++");
 
-  std::vector<Section> solved = solve_all(patches_of(families(), options.max_k), options.threads, Watched::yes);
+  std::vector<Section> solved = solve_all(patches_of(tabled_families(), options.max_k), options.threads, Watched::yes);
   std::vector<std::string> texts;
   if (certified) texts = section_texts(solved, options.threads);
   const std::vector<Certificate> certificates = by_certificate(std::move(solved), std::move(texts));
-  const Packings packings = pack(certificates, options.max_k);
-  const Emitted made = emit(certificates, packings, options);
+  const Emitted made = emit(certificates, pack(certificates, options.max_k), options);
   std::vector<files::NamedBytes> written = made.files;
   if (!options.force) written.insert(written.begin(), before.with(made.files));
   out.write(written);
@@ -151,7 +149,7 @@ void make_shard(const TablesOptions& options) {
   const Shard shard = shard_named(options.shard);
   files::OutputSet out(options.out, {file_name(shard)});
   const files::ReportOutput report(options.json);
-  const std::vector<Patches> all = patches_of(families(), options.max_k);
+  const std::vector<Patches> all = patches_of(tabled_families(), options.max_k);
   std::vector<Patches> own;
   for (const std::size_t i : share_of(all, shard.index, shard.count)) own.push_back(all[i]);
   const std::vector<Section> solved = solve_all(own, options.threads, Watched::yes);

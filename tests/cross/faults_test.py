@@ -53,9 +53,6 @@ HEADERS = {
     "numbers": [
         ("a rule of splits", f"{TABLES}/split.hpp", RULE, "split", "table split k 3 a "),
         ("a rule of collapses", f"{TABLES}/collapse.hpp", RULE, "collapse", "table collapse k "),
-        ("a rule of open splits", f"{TABLES}/open_split.hpp", RULE, "open-split", "table open-split k "),
-        ("a rule of boundary splits", f"{TABLES}/boundary_split.hpp", RULE, "boundary-split", "table boundary-split k "),
-        ("a rule of collapses of open fans", f"{TABLES}/fan_collapse.hpp", token("0, 0, 0, 1,", "0, 0, 0, 0,"), "fan-collapse", "-collapse k "),
         ("a rule of the flip", f"{TABLES}/flip.hpp", number_behind(r"FlipTable flip\{\n    "), "flip", "table flip"),
         ("a number of the automaton", f"{TABLES}/automaton.hpp", token("1, 2, 3, 4, 5,", "1, 2, 3, 4, 6,"), "automaton", "next[4]: the table holds 6"),
     ],
@@ -65,6 +62,8 @@ HEADERS = {
     ],
     "readers": [
         ("the look-up in tables", f"{RULES}/rules.hpp", token("const std::size_t by = exchange ? a : 0;", "const std::size_t by = exchange ? k : 0;"), "split", "table split k "),
+        ("what open splits ask the automaton", f"{RULES}/rules.hpp", token("exact::best_open_split(k, i, j,", "exact::best_open_split(k, i, k,"), "open-split", "table open-split k "),
+        ("what collapses onto open fans ask it", f"{RULES}/rules.hpp", token("joined_path(k, i, inner", "joined_path(k, 0, inner"), "fan-collapse", "table boundary-collapse k "),
         ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers give"),
     ],
     "stated": [

@@ -20,6 +20,7 @@ REFUSED = [
     ("restrip-verify --headers --dump-command false --tables-dir tables", "--headers reads no certificates, so --tables-dir has no effect"),
     ("restrip-verify --headers --dump-command false --threads 2", "so --threads has no effect; leave it out"),
     ("restrip-verify --family split --dump-command false --digest-command false", "--digest-command judges all rules, so --family has no effect"),
+    ("restrip-verify --family open-split", '"open-split" has no certificate, because the automaton answers it; give --dump-command'),
     ("restrip-verify --digest-command false", "--digest-command requires --dump-command"),
     ("restrip-verify --max-k 9 --dump-command false --digest-command false", "--digest-command judge fans of up to 8 triangles"),
     ("restrip-verify --operation {bisect} --dump-command false --certificate {certificate}", "--dump-command with --operation needs --header"),

@@ -175,7 +175,7 @@ Target operation_dump_target() {
 
 std::vector<Target> table_targets() {
   std::vector<Target> targets{manifest_target()};
-  for (const Family& family : all_families(small_max_k))
+  for (const Family& family : tabled_families(small_max_k))
     targets.push_back(certificate_target("certificate-" + family.name,
                                          RESTRIP_SMALL_TABLES "/certificates/" + family.name + ".cert", 2000, family));
   targets.push_back(dump_target());

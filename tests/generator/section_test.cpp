@@ -100,11 +100,11 @@ TEST(Sections, CopiesAreImagesOfTheirRepresentatives) {
 
 TEST(Packing, NoTwoKeysShareACell) {
   const std::vector<Certificate> splits = by_certificate(solved("split", 8, 1));
-  const Packing packing = pack(splits, 8).closed;
+  const Packing packing = pack(splits, 8);
   for (const Section& section : splits.at(0).sections) {
     std::set<unsigned> taken;
     for (const Row& row : section.rows)
-      for (const Mask joined : spellings(row.key, section.position)) {
+      for (const Mask joined : spellings(row.key)) {
         const unsigned cell = packing.start[std::size_t{1} << section.position.k | row.key.ports] + joined;
         EXPECT_LT(cell, packing.cells[section.position.k]);
         EXPECT_TRUE(taken.insert(cell).second);

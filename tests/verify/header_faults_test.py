@@ -22,16 +22,15 @@ MAX_K = "5"
 KEY, RULES = "rules/key.hpp", "rules/rules.hpp"
 SITES = [
     (KEY, "if (!", "has(inner, k + 2)", ["true", "false"], "collapse"),
-    (RULES, "reversed(seen, ", "k + 1", ["k"], "open-split"),
     (RULES, "return turned_down(inner & low_bits(k + 2), exchange ? ", "arc + 1", ["arc", "a + 1"], "split"),
     (RULES, "const std::size_t by = exchange ? ", "a", ["k - a"], "split"),
     (RULES, "turned_down(ports, by, k), turned_down(joined, ", "by", ["0"], "split"),
-    (RULES, "k, mirrored ? k - i : i, seen_ports,\n                                 joined_open(k, ", "seen_loop",
-     ["loop"], "boundary-split"),
-    (RULES, "return detail::rule(mirrored ? detail::reversed(seen, ", "k", ["k - 1"], "boundary-split"),
     (RULES, "return {0, count_bits(inner) - 2, false};\n  const Word joined = joined_ring(k, ", "a", ["k - a"], "collapse"),
-    (RULES, "fan_collapse_colors(k, ports, joined_path_with_chord(k, i, ", "j", ["k"], "open-collapse"),
-    (RULES, "fan_collapse_colors(k, ports, joined_path(k, ", "i", ["k - i"], "boundary-collapse"),
+    (RULES, "exact::best_open_split(k, i, j, ports, joined_open(k, ", "loop", ["loop >> 1"], "open-split"),
+    (RULES, "exact::best_open_split(k, i, ", "j", ["k"], "open-split"),
+    (RULES, "exact::best_boundary_split(k, ", "i", ["k - i"], "boundary-split"),
+    (RULES, "exact::best_fan_collapse(k, ports, joined_path_with_chord(k, i, ", "j", ["k"], "open-collapse"),
+    (RULES, "exact::best_fan_collapse(k, ports, joined_path(k, ", "i", ["k - i"], "boundary-collapse"),
     (RULES, "tables::flip[static_cast<std::size_t>(", "inner", ["!inner"], "flip"),
 ]
 SWITCH = """#include <cstdlib>

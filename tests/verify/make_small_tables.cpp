@@ -17,6 +17,8 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder / "certificates");
   const std::vector<NaiveFamily> families = naive_families(corpus_max_k);
   for (const NaiveFamily& family : families) {
+    if (family.name != "split" && family.name != "collapse" && family.name != "flip")
+      continue;  // the others have no table
     std::vector<NaiveTable> tables;
     for (const NaiveSection& section : family.sections)
       tables.push_back(naive_table(family.name, section, true).value());

@@ -27,7 +27,7 @@ const rowsOf = (page) => new Map([...text(page).matchAll(/<tr id="([^"]*)" class
   .map(([, name, kinds, rule, before, rest]) => [name, { kinds, rule: rule.split(' ').map(Number), before: before.split(' ').map(Number), rest }]));
 
 // ---- rows against certificates: each rule has its row, with its answer
-const families = ['split', 'collapse', 'fan-collapse', 'open-split', 'boundary-split', 'flip'];
+const families = ['split', 'collapse', 'flip'];
 const operations = readdirSync(join(root, 'tables/operations')).map((name) => name.replace('.json', ''));
 const counted = new Map();
 for (const name of [...families, ...operations]) {
@@ -51,7 +51,7 @@ for (const name of [...families, ...operations]) {
     --left;
   }
 }
-assert.deepEqual(families.map((name) => counted.get(name)), [5919, 351, 1362, 40862, 10873, 9], 'the certificates have other rules; correct the numbers here');
+assert.deepEqual(families.map((name) => counted.get(name)), [5919, 351, 9], 'the certificates have other rules; correct the numbers here');
 assert.ok(operations.length >= 10 && operations.every((name) => counted.get(name) > 2));
 
 // ---- rows against the dump
@@ -110,17 +110,12 @@ console.log(`${[...counted.values()].reduce((a, b) => a + b)} rules, ${configura
   for (const line of execFileSync(dumpProgram, ['--max-k', '5'], { maxBuffer: 1 << 30, encoding: 'latin1' }).split('\n')) {
     const words = line.split(' ');
     if (words[0] === 'table') {
-      const [, family, , k, , i, j] = words;
-      position = { family, k: +k, closed: family === 'collapse' };
-      const nodes = Array.from({ length: +k }, (_, t) => t);
-      if (family === 'collapse' && 2 * i <= +k) nodes.splice(+i, 0, 'D'), nodes.unshift('A');
-      else if (family === 'open-collapse' && +i + +j <= +k) nodes.splice(+j, 0, 'D'), nodes.splice(+i, 0, 'A');
-      else if (family === 'boundary-collapse' && 2 * i <= +k) nodes.splice(+i, 0, 'A');
-      else position = null;
+      const [, family, , k, , a] = words;
+      position = family === 'collapse' && 2 * a <= +k ? { k: +k } : null;
       if (!position) continue;
-      position.edges = nodes.slice(1).map((node, n) => [nodes[n], node]);
-      if (position.closed) position.edges.push([nodes.at(-1), nodes[0]]);
-      if (nodes.includes('D')) position.edges.push(['A', 'D']);
+      const nodes = Array.from({ length: +k }, (_, t) => t);
+      nodes.splice(+a, 0, 'D'), nodes.unshift('A');
+      position.edges = [...nodes.slice(1).map((node, n) => [nodes[n], node]), [nodes.at(-1), nodes[0]], ['A', 'D']];
       continue;
     }
     if (!position || words.length !== 6) continue;
@@ -134,22 +129,22 @@ console.log(`${[...counted.values()].reduce((a, b) => a + b)} rules, ${configura
     const doors = Array.from({ length: position.k }, (_, t) => t).filter((t) => ports >> t & 1);
     let joined = 0;
     doors.forEach((port, n) => {
-      if (doors.length < 2 || (n === 0 && !position.closed)) return;  // only consecutive ports can be joined in a fan
+      if (doors.length < 2) return;  // only consecutive ports can be joined in a fan
       const other = doors.at(n - 1);
       const [i, j] = [Math.min(port, other), Math.max(port, other)];
       if (reached(port).has(other)) joined |= 1 << j * (j - 1) / 2 + i;
     });
-    const name = `${position.closed ? '' : 'fan-'}collapse-${position.k}-${ports.toString(16)}-${joined.toString(16)}`;
+    const name = `collapse-${position.k}-${ports.toString(16)}-${joined.toString(16)}`;
     counts.set(name, (counts.get(name) ?? 0) + 1);
   }
   let compared = 0;
-  for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /collapse-[1-5]\.html$/.test(name)))
+  for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /^collapse-[1-5]\.html$/.test(name)))
     for (const [name, { rest }] of rowsOf(page)) {
       assert.ok(counts.has(name), `${name}: no configuration has this key`);
       assert.match(rest, new RegExp(`<td>${counts.get(name).toLocaleString('en')}</td>`), name);
       ++compared;
     }
-  assert.ok(compared > 100, `only ${compared} rows were compared`);
+  assert.ok(compared > 40, `only ${compared} rows were compared`);
 }
 
 const browser = await Browser.start(chromium);
@@ -167,7 +162,7 @@ try {
     for (const link of links.filter((to) => to.startsWith('file:'))) readFileSync(new URL(link.replace(/#.*/, '')));
     writeFileSync(join(scratch, `${start.replace('/', '-').replace('.html', '')}.png`), await page.screenshot());
   }
-  assert.equal(await page.run('document.querySelectorAll("table.index tbody tr").length'), 15 + 6 + 1 + 70 + 24 + 8 + operations.length);
+  assert.equal(await page.run('document.querySelectorAll("table.index tbody tr").length'), 15 + 6 + 1 + operations.length);
 
   // A link to a rule shows it, with its pictures; the filters leave what they say.
   await page.open(`${address('atlas/split-8-4.html')}#split-8-4-15-2`);
@@ -205,7 +200,7 @@ try {
   byMet.reduce((before, name) => assert.ok(met.get(before) >= met.get(name)) ?? name);
   assert.equal(await page.run(() => (document.getElementById('often').click(), document.querySelector('#rules tbody tr').id)), 'split-6-3-0-0');
 
-  for (const other of ['open-split-5-1-3', 'boundary-split-4-1', 'collapse-6', 'fan-collapse-5', 'flip', 'bisect', 'refine-face']) {
+  for (const other of ['collapse-6', 'flip', 'bisect', 'refine-face']) {
     await page.open(address(`atlas/${other}.html`));
     await page.until('document.querySelectorAll("#rules tbody tr:first-child svg.patch").length === 2');
     assert.equal(await page.run('[...document.querySelectorAll("path")].some((path) => /NaN|undefined/.test(path.getAttribute("d")))'), false, other);
@@ -214,7 +209,7 @@ try {
   // Nothing of a table is cut off or has to be scrolled for, and each word of a page is explained there.
   for (const width of [1280, 390, 360]) {
     const sized = await browser.page(width, 800);
-    for (const [each, words] of [['split-8-4', ['k', 'a', 'A and D', 'orbit']], ['open-split-5-1-3', ['k', 'gap', 'A and D']], ['boundary-split-4-1', ['k', 'gap', 'A']],
+    for (const [each, words] of [['split-8-4', ['k', 'a', 'A and D', 'orbit']],
       ['collapse-6', ['k', 'A and D', 'orbit']], ['flip', ['A and D']], ['refine-face', []]]) {
       await sized.open(address(`atlas/${each}.html`));
       const found = await sized.run(() => {

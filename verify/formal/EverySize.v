@@ -4,14 +4,14 @@
 Require Import Arith Bool List ZArith Lia.
 Import ListNotations.
 Require Import Statements Checker Rows Symmetry Sequences EveryFan.
-Require EverySplit EveryCollapse EveryOpen EveryBoundary.
+Require Graph EverySplit EveryCollapse EveryOpen EveryBoundary.
 
 (** Two correct tables agree about everything but which of the best recolourings they give. *)
 Theorem correct_agree : Correct_tables_agree.
 Proof.
   intros p T U s c x CT CU Ls Lc E. destruct (CT s c Ls Lc) as [Tv Tn], (CU s c Ls Lc) as [Uv _].
   assert (V : valid (drawing (before p) s c)).
-  { pose proof (valid_decided (drawing (before p) s c)) as [V|V]; [exact V|]. rewrite (Tn V) in E. discriminate. }
+  { pose proof (Graph.valid_decided (drawing (before p) s c)) as [V|V]; [exact V|]. rewrite (Tn V) in E. discriminate. }
   destruct (Tv V) as (x' & E' & Lx & Bx). rewrite E in E'. injection E' as <-. destruct (Uv V) as (y & Ey & Ly & By).
   exists y. split; [exact Ey|]. pose proof (Bx y Ly). pose proof (By x Lx). unfold as_good in *. lia.
 Qed.

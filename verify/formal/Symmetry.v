@@ -447,13 +447,15 @@ Proof.
   - exact (correct_safe q _ S0 S1 D).
   - exact (carried_within _ _ _ Ok _ _ _ _ I W).
 Qed.
-Lemma check_holds p strips lonely closed full by_key :
-  check p strips lonely (agrees closed by_key) full = true -> holds p strips lonely full.
-Proof. intros C. apply check_proves in C as (R & S & W & _). now split. Qed.
+Lemma check_holds p strips lonely also full : check p strips lonely also full = true -> holds p strips lonely full.
+Proof.
+  intros C. split; [|split].
+  - exact (check_correct _ _ _ _ _ C).
+  - exact (check_safe _ _ _ _ _ C).
+  - exact (check_within _ _ _ _ _ C).
+Qed.
 
-(** A turn that takes t_a of a closed fan to t_0, and A to D; the mirror of an open fan, which may exchange A and D, too.
-    Vertices are numbered as in [Statements.v]: ports, fan, inserted triangles. *)
-Definition moved_fan (k : nat) (f : nat -> nat) (inserted : list nat) : list nat :=
-  map f (seq 0 k) ++ map (fun t => k + f t) (seq 0 k) ++ map (fun t => k + t) inserted.
-Definition turned (k a : nat) : list nat := moved_fan k (fun t => (t + (k - a)) mod k) [k + 1; k].
-Definition mirrored (k : nat) (inserted : list nat) : list nat := moved_fan k (fun t => k - 1 - t) inserted.
+(** A turn that takes t_a of a closed fan to t_0, and A to D. Vertices are numbered as in [Statements.v]: ports, fan, inserted
+    triangles. *)
+Definition turned (k a : nat) : list nat :=
+  let f t := (t + (k - a)) mod k in map f (seq 0 k) ++ map (fun t => k + f t) (seq 0 k) ++ [k + (k + 1); k + k].

@@ -163,14 +163,14 @@ def print_tables(lines, directory):
         print(family.replace("-", "_"), file.positions, file.answers)
 
 
-def joined_to_preceding(pairs, ports, count, closed):
-    """The theory has a bit for each port that is joined to the solid port before it; a certificate has pairs of ports,
-    bit j (j - 1) / 2 + i for i < j."""
+def joined_to_preceding(pairs, ports, count):
+    """The theory has a bit for each port that is joined to the solid port before it around the closed fan; a certificate
+    has pairs of ports, bit j (j - 1) / 2 + i for i < j."""
     joined = 0
     for port in range(count):
         if not ports >> port & 1:
             continue
-        for step in range(1, count if closed else port + 1):
+        for step in range(1, count):
             other = (port - step) % count
             if ports >> other & 1:
                 low, high = sorted((port, other))
@@ -188,7 +188,7 @@ def symmetry_of(to):
     return fail("neither a turn nor a mirror")
 
 
-def row_of(line, count, closed):
+def row_of(line, count):
     """`rule P J R K because …` or `copy P J R K by port…`, as a row of Rows.v."""
     mask = "(" + HEXADECIMAL + ")"
     kind, ports, joined, recoloring, kept, behind = matched(
@@ -196,7 +196,7 @@ def row_of(line, count, closed):
     to = [int(port) for port in behind.split()[1:]] if kind == "copy" and behind.startswith("by ") else []
     if ports != kept or (len(to) != count if kind == "copy" else not behind.startswith("because ")):
         fail("bad row: " + line)
-    key = "0x%s 0x%x" % (ports, joined_to_preceding(int(joined, 16), int(ports, 16), count, closed))
+    key = "0x%s 0x%x" % (ports, joined_to_preceding(int(joined, 16), int(ports, 16), count))
     return "Copy %s %s" % (key, symmetry_of(to)) if kind == "copy" else "Rule %s 0x%s" % (key, recoloring)
 
 
@@ -214,7 +214,6 @@ def print_rows(lines, directory):
     if lines[0] != "restrip-certificate 3":
         fail("not a certificate")
     family = matched("operation ([a-z-]+)", lines[1]).group(1)
-    closed = family in ("split", "collapse")
     sections = []  # numbers of the position, rows
     for line in lines[2:-1]:
         if line.startswith("section "):
@@ -225,7 +224,7 @@ def print_rows(lines, directory):
             if not sections:
                 fail("a row before the first section: " + line)
             position, rows = sections[-1]
-            rows.append(row_of(line, int(position[0]), closed))
+            rows.append(row_of(line, int(position[0])))
     matched("end %d [0-9]+ [0-9]+" % sum(len(rows) for _, rows in sections), lines[-1])
     text = "(* Printed by print_coq.py from a certificate. *)\nRequire Import NArith List.\nImport ListNotations.\nRequire Import Rows.\n"
     text += "".join(text_of_section("_".join(position), rows) for position, rows in sections)

@@ -22,7 +22,7 @@ if [ $# -ne 0 ]; then
 fi
 root=$PWD
 out=$root/build/formal
-certificates=(split collapse open-split fan-collapse boundary-split)
+certificates=(split collapse)
 started=$SECONDS
 
 need "${build_packages[@]}" coq make python3 time
@@ -136,7 +136,7 @@ for i in "${!theorems[@]}"; do
     locality) files=(Graph Locality) ;;
     valid_is_stripped) files=(Graph Strips) ;;
     rules_right | even_gaps | rows_say_the_same)
-      files=(Tables_{split,collapse,open_split,open_collapse,boundary_split,boundary_collapse} Rows_{split,collapse,open_split,fan_collapse,boundary_split}
+      files=(Tables_{split,collapse,open_split,open_collapse,boundary_split,boundary_collapse} Rows_{split,collapse}
         Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Shipped)
       ;;
     flip_right) files=(Tables_flip Flip) ;;

@@ -26,6 +26,7 @@ struct ExpectedTable {
   const Operation* operation = nullptr;
   Against against = Against::nothing;
   const SectionRows* rows = nullptr;
+  bool has_digest = true;  ///< look-ups in other languages have it
 };
 
 struct ExpectedDump {

@@ -162,7 +162,8 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
   if (const std::optional<JsonValue> take = value.member("take"))
     take->refuse("expected no taken ports, since a rule does not see the triangle beyond a dashed port");
   value.expect_members({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
-                        "cost", "certificate", "numbers", "where", "listed", "position", "section", "at_most"});
+                        "cost", "certificate", "numbers", "where", "listed", "position", "section", "table",
+                        "at_most"});
   if (const std::optional<JsonValue> version = value.member("restrip_operation")) expect_version(*version);
   name = name_of(value["name"], author);
   if (author == Author::user && is_other_operation(name, value))
@@ -197,6 +198,7 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
     if (position.find(fmt::format("{{{}}}", number)) == std::string::npos)
       value["position"].expected(fmt::format("each number in braces, also \"{{{}}}\"", number));
   section = words_of(value, "section", numbers, position);
+  if (const auto flag = value.member("table")) has_table = flag->truth();
   if (!numbers.empty() && value["before"].is_list() && serves_every_position())
     value["section"].refuse("expected all numbers: triangles may be numbered again at each position");
   for (unsigned k = 0; k <= most_searched_ports; ++k)

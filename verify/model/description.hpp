@@ -26,6 +26,7 @@ class Description {
   std::string name;
   std::string about;        ///< a sentence; may be empty
   std::string certificate;  ///< the name of the certificate with its rules
+  bool has_table = true;    ///< among the shipped tables; the automaton answers the other families
   std::vector<std::string> numbers;
   Conditions where;
   Conditions listed;

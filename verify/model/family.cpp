@@ -30,9 +30,10 @@ Section& section_at(Family& family, const Description& description, const Operat
 
 /// All operations that one certificate serves.
 Family family_of(const std::vector<Description>& descriptions, const std::string& certificate, unsigned max_k) {
-  Family family{certificate, {}, {}};
+  Family family{certificate, {}, {}, true};
   for (const Description& description : descriptions) {
     if (description.certificate != certificate) continue;
+    family.has_table = description.has_table;
     const std::vector<Numbers> positions = description.positions(max_k);
     if (positions.empty())
       throw InputError(description.file(), 0, fmt::format("{} has no position up to {}", description.name, max_k));
@@ -66,6 +67,12 @@ std::vector<Family> families_of(const std::vector<Description>& descriptions, un
 }
 
 std::vector<Family> all_families(unsigned max_k) { return families_of(shipped_descriptions(), max_k); }
+
+std::vector<Family> tabled_families(unsigned max_k) {
+  std::vector<Family> families = all_families(max_k);
+  std::erase_if(families, [](const Family& family) { return !family.has_table; });
+  return families;
+}
 
 Side patch_after(const std::string& certificate, const Numbers& numbers) {
   for (const Description& description : shipped_descriptions())

@@ -15,7 +15,7 @@
 // belong together.
 //
 // Bad input: for colours that no valid stripification has (three solid edges at a triangle, a solid cycle, bits
-// outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a or gaps out of range),
+// outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a out of range),
 // every member of the answer is 0 and `valid` is false.
 //
 // It is for GLSL 4.30 or GLSL ES 3.10 and later. Declare before it, with whatever binding you like:
@@ -46,14 +46,13 @@ uint restrip_element(uvec2 place, uint index) {
   return (restrip_words[place.x + bit / 32u] >> (bit % 32u)) & (0xffffffffu >> (32u - place.y));
 }
 
-// The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D
-// at element `d`, or RESTRIP_NOWHERE. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last
-// element and the first. The chord A - D has the bit after the edges.
+// The patch before an operation as a ring of elements: the k triangles of the fan in order, with A at element `a` and D
+// at element `d`, or RESTRIP_NOWHERE. Inner edge m joins elements m and m + 1, the last one the last element and the
+// first. The chord A - D has the bit after the edges.
 struct RestripPatch {
   uint k;
   uint a;
   uint d;
-  bool ring;
 };
 
 const uint RESTRIP_NOWHERE = 31u;
@@ -61,13 +60,9 @@ const uint RESTRIP_NOWHERE = 31u;
 uint restrip_low(uint n) { return (1u << n) - 1u; }
 bool restrip_has(uint mask, uint i) { return ((mask >> i) & 1u) != 0u; }
 uint restrip_size(RestripPatch p) { return p.k + uint(p.a != RESTRIP_NOWHERE) + uint(p.d != RESTRIP_NOWHERE); }
-uint restrip_edges(RestripPatch p) { return p.ring ? restrip_size(p) : restrip_size(p) - 1u; }
 bool restrip_has_chord(RestripPatch p, uint inner) {
-  return p.d != RESTRIP_NOWHERE && restrip_has(inner, restrip_edges(p));
+  return p.d != RESTRIP_NOWHERE && restrip_has(inner, restrip_size(p));
 }
-
-// Bit i of the result is bit n - 1 - i of the mask.
-uint restrip_reversed(uint mask, uint n) { return n == 0u ? 0u : bitfieldReverse(mask) >> (32u - n); }
 
 // Turns a ring of n bits so that bit `by` becomes bit 0.
 uint restrip_turned(uint mask, uint by, uint n) { return ((mask >> by) | (mask << (n - by))) & restrip_low(n); }
@@ -82,28 +77,28 @@ uint restrip_spread(RestripPatch p, uint ports) {
 
 // At most two solid edges at every element, no solid cycle, no bit outside the patch.
 bool restrip_valid(RestripPatch p, uint inner, uint ports) {
-  uint all = restrip_low(restrip_edges(p));
+  uint all = restrip_low(restrip_size(p));
   uint edges = inner & all;
-  uint below = (edges << 1u) | (p.ring ? edges >> (restrip_size(p) - 1u) : 0u);
+  uint below = (edges << 1u) | (edges >> (restrip_size(p) - 1u));
   uint between = restrip_low(p.d) & ~restrip_low(p.a);  // with a chord: the edges from A up to D
   bool chord = restrip_has_chord(p, inner);
   uint ends = chord ? (1u << p.a) | (1u << p.d) : 0u;
-  if ((inner >> restrip_edges(p)) > uint(chord) || (ports >> p.k) != 0u) return false;
-  if ((edges & below & (restrip_spread(p, ports) | ends)) != 0u || (p.ring && edges == all)) return false;
-  return !chord || ((~edges & between) != 0u && (!p.ring || (~edges & all & ~between) != 0u));
+  if ((inner >> restrip_size(p)) > uint(chord) || (ports >> p.k) != 0u) return false;
+  if ((edges & below & (restrip_spread(p, ports) | ends)) != 0u || edges == all) return false;
+  return !chord || ((~edges & between) != 0u && (~edges & all & ~between) != 0u);
 }
 
 // The element at which the strand from element `at` ends, which has exactly one solid edge among `edges`.
 uint restrip_strand_end(RestripPatch p, uint edges, uint at) {
   if (restrip_has(edges, at)) return at + uint(findLSB(~(edges >> at)));
-  if (at == 0u) at = restrip_size(p);  // downwards from the first element of a ring
+  if (at == 0u) at = restrip_size(p);  // downwards from the first element
   return at - (31u - uint(findMSB(~(edges << (32u - at)))));
 }
 
 // The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the port
 // that comes after the other, with no solid port between them. 0 if no such pair exists.
 uint restrip_joined_by_chord(RestripPatch p, uint edges, uint ports) {
-  uint below_a = p.a > 0u ? p.a - 1u : restrip_size(p) - 1u;  // no edge before the first element of a path
+  uint below_a = p.a > 0u ? p.a - 1u : restrip_size(p) - 1u;
   bool a_goes_on = restrip_has(edges, below_a) != restrip_has(edges, p.a);
   bool d_goes_on = restrip_has(edges, p.d - 1u) != restrip_has(edges, p.d);
   if (!a_goes_on || !d_goes_on) return 0u;
@@ -112,17 +107,17 @@ uint restrip_joined_by_chord(RestripPatch p, uint edges, uint ports) {
   if (!restrip_has(ports, one) || !restrip_has(ports, two)) return 0u;
   uint within = restrip_low(max(one, two) + 1u) & ~restrip_low(min(one, two));
   if (bitCount(ports & within) == 2) return 1u << max(one, two);
-  return p.ring && (ports & ~within) == 0u ? 1u << min(one, two) : 0u;
+  return (ports & ~within) == 0u ? 1u << min(one, two) : 0u;
 }
 
 // Bit i is set when port i is solid and a solid path inside leads to the solid port before it. Adding the solid ports
 // at which a strand begins upwards to the edges sends a carry through each run of solid edges, to the element where it
-// ends. With exactly two solid ports in a ring each comes before the other: either bit stands for the pair.
+// ends. With exactly two solid ports each comes before the other: either bit stands for the pair.
 uint restrip_joined(RestripPatch p, uint inner, uint fan_ports) {
   uint ports = restrip_spread(p, fan_ports);
-  uint edges = inner & restrip_low(restrip_edges(p));
+  uint edges = inner & restrip_low(restrip_size(p));
   uint ends = edges + (ports & edges);
-  if (p.ring) ends = (ends & restrip_low(restrip_size(p))) + (ends >> restrip_size(p));  // the carry goes round
+  ends = (ends & restrip_low(restrip_size(p))) + (ends >> restrip_size(p));  // the carry goes round
   uint joined = ends & ~edges & ports;
   if (restrip_has_chord(p, inner)) joined |= restrip_joined_by_chord(p, edges, ports);
   return restrip_remove_bit(restrip_remove_bit(joined, p.d), p.a);
@@ -130,11 +125,9 @@ uint restrip_joined(RestripPatch p, uint inner, uint fan_ports) {
 
 // The rules of an operation depend on its position and on the key (ports, joined). The cell of a key is
 //     rules[first[k] + place * cells[k] + rows[1 << k | ports] + joined]
-// with one packing, of closed or of open fans. Here is the place of a key in the block of its valence and position.
+// with one packing for all rules. Here is the place of a key in the block of its valence and position.
 uint restrip_key(RestripPatch p, uint inner, uint ports) {
-  uint row = (1u << p.k) | ports;
-  return (p.ring ? restrip_element(RESTRIP_CLOSED_ROWS, row) : restrip_element(RESTRIP_OPEN_ROWS, row)) +
-         restrip_joined(p, inner, ports);
+  return restrip_element(RESTRIP_CLOSED_ROWS, (1u << p.k) | ports) + restrip_joined(p, inner, ports);
 }
 
 RestripRule restrip_no_rule() { return RestripRule(0u, 0, false); }
@@ -144,7 +137,7 @@ RestripRule restrip_rule(uint colors, uint before, int new_triangles) {
 }
 
 RestripRule restrip_split(uint k, uint a, uint loop_edges, uint ports) {
-  RestripPatch fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE, true);
+  RestripPatch fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE);
   if (k < 3u || k > RESTRIP_MAX_K || a < 1u || a >= k) return restrip_no_rule();
   if (!restrip_valid(fan, loop_edges, ports)) return restrip_no_rule();
   // The tables have the positions whose first arc is the shorter one. In the others A and D change places, and the fan
@@ -160,57 +153,11 @@ RestripRule restrip_split(uint k, uint a, uint loop_edges, uint ports) {
 }
 
 RestripRule restrip_collapse(uint k, uint a, uint inner, uint ports) {
-  RestripPatch ring = RestripPatch(k, 0u, a + 1u, true);
+  RestripPatch ring = RestripPatch(k, 0u, a + 1u);
   if (k < 3u || k > RESTRIP_MAX_K || a < 1u || a >= k) return restrip_no_rule();
   if (!restrip_valid(ring, inner, ports)) return restrip_no_rule();
   uint cell = restrip_element(RESTRIP_COLLAPSE_FIRST, k) + restrip_key(ring, inner, ports);
   return restrip_rule(restrip_element(RESTRIP_COLLAPSE_RULES, cell), inner, -2);
-}
-
-RestripRule restrip_open_split(uint k, uint i, uint j, uint loop_edges, uint ports) {
-  RestripPatch fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE, false);
-  if (k < 1u || k > RESTRIP_MAX_K || i >= j || j > k) return restrip_no_rule();
-  if (!restrip_valid(fan, loop_edges, ports)) return restrip_no_rule();
-  bool mirrored = i + j > k;  // the tables have the other positions
-  uint first = mirrored ? k - j : i;
-  uint second = mirrored ? k - i : j;
-  // Places in ascending order: (0, 1) ... (0, k), (1, 2) ... (1, k - 1), (2, 3) ...
-  uint place = first * (k + 1u - first) + (second - first - 1u);
-  uint block = restrip_element(RESTRIP_OPEN_SPLIT_FIRST, k) + place * restrip_element(RESTRIP_OPEN_SPLIT_CELLS, k);
-  uint key = mirrored ? restrip_key(fan, restrip_reversed(loop_edges, k - 1u), restrip_reversed(ports, k))
-                      : restrip_key(fan, loop_edges, ports);
-  uint cell = restrip_element(RESTRIP_OPEN_SPLIT_RULES, block + key);
-  uint path = cell & restrip_low(k + 1u);
-  return restrip_rule((mirrored ? restrip_reversed(path, k + 1u) : path) | (cell & (1u << (k + 1u))), loop_edges, 2);
-}
-
-RestripRule restrip_boundary_split(uint k, uint i, uint loop_edges, uint ports) {
-  RestripPatch fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE, false);
-  if (k < 1u || k > RESTRIP_MAX_K || i > k || !restrip_valid(fan, loop_edges, ports)) return restrip_no_rule();
-  bool mirrored = 2u * i > k;
-  uint block = restrip_element(RESTRIP_BOUNDARY_SPLIT_FIRST, k) +
-               (mirrored ? k - i : i) * restrip_element(RESTRIP_BOUNDARY_SPLIT_CELLS, k);
-  uint key = mirrored ? restrip_key(fan, restrip_reversed(loop_edges, k - 1u), restrip_reversed(ports, k))
-                      : restrip_key(fan, loop_edges, ports);
-  uint cell = restrip_element(RESTRIP_BOUNDARY_SPLIT_RULES, block + key);
-  return restrip_rule(mirrored ? restrip_reversed(cell, k) : cell, loop_edges, 1);
-}
-
-// After a collapse onto an open fan nothing depends on where the removed triangles were.
-RestripRule restrip_onto_open_fan(RestripPatch path, uint inner, uint ports, int new_triangles) {
-  if (!restrip_valid(path, inner, ports)) return restrip_no_rule();
-  uint cell = restrip_element(RESTRIP_FAN_COLLAPSE_FIRST, path.k) + restrip_key(path, inner, ports);
-  return restrip_rule(restrip_element(RESTRIP_FAN_COLLAPSE_RULES, cell), inner, new_triangles);
-}
-
-RestripRule restrip_open_collapse(uint k, uint i, uint j, uint inner, uint ports) {
-  if (k < 1u || k > RESTRIP_MAX_K || i >= j || j > k) return restrip_no_rule();
-  return restrip_onto_open_fan(RestripPatch(k, i, j + 1u, false), inner, ports, -2);
-}
-
-RestripRule restrip_boundary_collapse(uint k, uint i, uint inner, uint ports) {
-  if (k < 1u || k > RESTRIP_MAX_K || i > k) return restrip_no_rule();
-  return restrip_onto_open_fan(RestripPatch(k, i, RESTRIP_NOWHERE, false), inner, ports, -1);
 }
 
 RestripFlipRule restrip_flip(uint inner, uint ports) {

@@ -15,7 +15,7 @@
 // before the include: there are the data and the bodies. Nothing is allocated, no library is called, nothing is written.
 //
 // Bad input: for colours that no valid stripification has (three solid edges at a triangle, a solid cycle, bits outside
-// the patch), and for positions that the tables do not hold (k > RESTRIP_TABLES_MAX_K, a or gaps out of range), every
+// the patch), and for positions that the tables do not hold (k > RESTRIP_TABLES_MAX_K, a out of range), every
 // member of the answer is 0 and `valid` is false.
 #ifndef RESTRIP_TABLES_H
 #define RESTRIP_TABLES_H
@@ -47,10 +47,6 @@ typedef struct restrip_flip_rule {
 
 restrip_rule restrip_split(uint32_t k, uint32_t a, uint32_t loop, uint32_t ports);
 restrip_rule restrip_collapse(uint32_t k, uint32_t a, uint32_t inner, uint32_t ports);
-restrip_rule restrip_open_split(uint32_t k, uint32_t i, uint32_t j, uint32_t loop, uint32_t ports);
-restrip_rule restrip_open_collapse(uint32_t k, uint32_t i, uint32_t j, uint32_t inner, uint32_t ports);
-restrip_rule restrip_boundary_split(uint32_t k, uint32_t i, uint32_t loop, uint32_t ports);
-restrip_rule restrip_boundary_collapse(uint32_t k, uint32_t i, uint32_t inner, uint32_t ports);
 restrip_flip_rule restrip_flip(uint32_t inner, uint32_t ports);
 
 #ifdef __cplusplus
@@ -64,15 +60,14 @@ restrip_flip_rule restrip_flip(uint32_t inner, uint32_t ports);
 
 // The rules of an operation depend on its position and on the key (ports, joined). The cell of a key is
 //     rules[first[k] + place * cells[k] + rows[1 << k | ports] + joined]
-// with one packing, `closed_rows` or `open_rows`, for all rules of closed and of open fans.
+// with one packing for all rules.
 @arrays@
 
-// The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D
-// at element `d`, or restrip_nowhere. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last
-// element and the first. The chord A - D has the bit after the edges.
+// The patch before an operation as a ring of elements: the k triangles of the fan in order, with A at element `a` and D
+// at element `d`, or restrip_nowhere. Inner edge m joins elements m and m + 1, the last one the last element and the
+// first. The chord A - D has the bit after the edges.
 typedef struct restrip_patch {
   uint32_t k, a, d;
-  bool ring;
 } restrip_patch;
 
 #define restrip_nowhere UINT32_C(31)
@@ -82,22 +77,14 @@ static bool restrip_has(uint32_t mask, uint32_t i) { return (mask >> i & 1) != 0
 static uint32_t restrip_size(restrip_patch p) {
   return p.k + (p.a != restrip_nowhere ? 1U : 0U) + (p.d != restrip_nowhere ? 1U : 0U);
 }
-static uint32_t restrip_edges(restrip_patch p) { return p.ring ? restrip_size(p) : restrip_size(p) - 1; }
 static bool restrip_has_chord(restrip_patch p, uint32_t inner) {
-  return p.d != restrip_nowhere && restrip_has(inner, restrip_edges(p));
+  return p.d != restrip_nowhere && restrip_has(inner, restrip_size(p));
 }
 
 static int32_t restrip_count(uint32_t mask) {
   int32_t n = 0;
   for (; mask != 0; mask &= mask - 1) ++n;
   return n;
-}
-
-// Bit i of the result is bit n - 1 - i of the mask.
-static uint32_t restrip_reversed(uint32_t mask, uint32_t n) {
-  uint32_t result = 0;
-  for (uint32_t i = 0; i < n; ++i) result |= (mask >> i & 1) << (n - 1 - i);
-  return result;
 }
 
 // Turns a ring of n bits so that bit `by` becomes bit 0.
@@ -122,15 +109,15 @@ static uint32_t restrip_spread(restrip_patch p, uint32_t ports) {
 // At most two solid edges at every element, no solid cycle, no bit outside the patch.
 static bool restrip_valid(restrip_patch p, uint32_t inner, uint32_t ports) {
   const uint32_t size = restrip_size(p);
-  const uint32_t all = restrip_low(restrip_edges(p));
+  const uint32_t all = restrip_low(restrip_size(p));
   const uint32_t edges = inner & all;
-  const uint32_t below = edges << 1 | (p.ring ? edges >> (size - 1) : 0);
+  const uint32_t below = edges << 1 | edges >> (size - 1);
   const uint32_t between = restrip_low(p.d) & ~restrip_low(p.a);  // with a chord: the edges from A up to D
   const bool chord = restrip_has_chord(p, inner);
   const uint32_t ends = chord ? UINT32_C(1) << p.a | UINT32_C(1) << p.d : 0;
-  if (inner >> restrip_edges(p) > (chord ? 1U : 0U) || ports >> p.k != 0) return false;
-  if ((edges & below & (restrip_spread(p, ports) | ends)) != 0 || (p.ring && edges == all)) return false;
-  return !chord || ((~edges & between) != 0 && (!p.ring || (~edges & all & ~between) != 0));
+  if (inner >> restrip_size(p) > (chord ? 1U : 0U) || ports >> p.k != 0) return false;
+  if ((edges & below & (restrip_spread(p, ports) | ends)) != 0 || edges == all) return false;
+  return !chord || ((~edges & between) != 0 && (~edges & all & ~between) != 0);
 }
 
 // The element at which the strand from element `at` ends, which has exactly one solid edge among `edges`.
@@ -139,7 +126,7 @@ static uint32_t restrip_strand_end(restrip_patch p, uint32_t edges, uint32_t at)
     while (restrip_has(edges, at)) ++at;
     return at;
   }
-  if (at == 0) at = restrip_size(p);  // downwards from the first element of a ring
+  if (at == 0) at = restrip_size(p);  // downwards from the first element
   while (at > 0 && restrip_has(edges, at - 1)) --at;
   return at;
 }
@@ -147,7 +134,7 @@ static uint32_t restrip_strand_end(restrip_patch p, uint32_t edges, uint32_t at)
 // The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the port
 // that comes after the other, with no solid port between them. 0 if no such pair exists.
 static uint32_t restrip_joined_by_chord(restrip_patch p, uint32_t edges, uint32_t ports) {
-  const uint32_t below_a = p.a > 0 ? p.a - 1 : restrip_size(p) - 1;  // no edge before the first element of a path
+  const uint32_t below_a = p.a > 0 ? p.a - 1 : restrip_size(p) - 1;
   const bool a_goes_on = restrip_has(edges, below_a) != restrip_has(edges, p.a);
   const bool d_goes_on = restrip_has(edges, p.d - 1) != restrip_has(edges, p.d);
   if (!a_goes_on || !d_goes_on) return 0;
@@ -158,29 +145,26 @@ static uint32_t restrip_joined_by_chord(restrip_patch p, uint32_t edges, uint32_
   const uint32_t high = one < two ? two : one;
   const uint32_t within = restrip_low(high + 1) & ~restrip_low(low);
   if (restrip_count(ports & within) == 2) return UINT32_C(1) << high;
-  return p.ring && (ports & ~within) == 0 ? UINT32_C(1) << low : 0;
+  return (ports & ~within) == 0 ? UINT32_C(1) << low : 0;
 }
 
 // Bit i is set when port i is solid and a solid path inside leads to the solid port before it. Adding the solid ports
 // at which a strand begins upwards to the edges sends a carry through each run of solid edges, to the element where it
-// ends. With exactly two solid ports in a ring each comes before the other: either bit stands for the pair.
+// ends. With exactly two solid ports each comes before the other: either bit stands for the pair.
 static uint32_t restrip_joined(restrip_patch p, uint32_t inner, uint32_t fan_ports) {
   const uint32_t size = restrip_size(p);
   const uint32_t ports = restrip_spread(p, fan_ports);
-  const uint32_t edges = inner & restrip_low(restrip_edges(p));
+  const uint32_t edges = inner & restrip_low(restrip_size(p));
   uint32_t ends = edges + (ports & edges);
-  if (p.ring) ends = (ends & restrip_low(size)) + (ends >> size);  // the carry goes round
+  ends = (ends & restrip_low(size)) + (ends >> size);  // the carry goes round
   uint32_t joined = ends & ~edges & ports;
   if (restrip_has_chord(p, inner)) joined |= restrip_joined_by_chord(p, edges, ports);
   return restrip_remove_bit(restrip_remove_bit(joined, p.d), p.a);
 }
 
 // The place of a key in the block of its valence and position.
-static uint32_t restrip_closed_key(restrip_patch p, uint32_t inner, uint32_t ports) {
+static uint32_t restrip_key(restrip_patch p, uint32_t inner, uint32_t ports) {
   return restrip_closed_rows[UINT32_C(1) << p.k | ports] + restrip_joined(p, inner, ports);
-}
-static uint32_t restrip_open_key(restrip_patch p, uint32_t inner, uint32_t ports) {
-  return restrip_open_rows[UINT32_C(1) << p.k | ports] + restrip_joined(p, inner, ports);
 }
 
 static const restrip_rule restrip_no_rule = {0, 0, false};
@@ -191,7 +175,7 @@ static restrip_rule restrip_rule_of(uint32_t colors, uint32_t before, int32_t ne
 }
 
 restrip_rule restrip_split(uint32_t k, uint32_t a, uint32_t loop, uint32_t ports) {
-  const restrip_patch fan = {k, restrip_nowhere, restrip_nowhere, true};
+  const restrip_patch fan = {k, restrip_nowhere, restrip_nowhere};
   if (k < 3 || k > RESTRIP_TABLES_MAX_K || a < 1 || a >= k || !restrip_valid(fan, loop, ports)) return restrip_no_rule;
   // The tables have the positions whose first arc is the shorter one. In the others A and D change places, and the fan
   // is turned until it begins with the second arc.
@@ -199,64 +183,16 @@ restrip_rule restrip_split(uint32_t k, uint32_t a, uint32_t loop, uint32_t ports
   const uint32_t arc = exchange ? k - a : a;
   const uint32_t by = exchange ? a : 0;
   const uint32_t cell = restrip_split_rules[restrip_split_first[k] + (arc - 1) * restrip_split_cells[k] +
-                                            restrip_closed_key(fan, restrip_turned(loop, by, k), restrip_turned(ports, by, k))];
+                                            restrip_key(fan, restrip_turned(loop, by, k), restrip_turned(ports, by, k))];
   const uint32_t ring = restrip_turned(cell & restrip_low(k + 2), exchange ? arc + 1 : 0, k + 2);
   return restrip_rule_of(ring | (cell & UINT32_C(1) << (k + 2)), loop, 2);
 }
 
 restrip_rule restrip_collapse(uint32_t k, uint32_t a, uint32_t inner, uint32_t ports) {
-  const restrip_patch ring = {k, 0, a + 1, true};
+  const restrip_patch ring = {k, 0, a + 1};
   if (k < 3 || k > RESTRIP_TABLES_MAX_K || a < 1 || a >= k || !restrip_valid(ring, inner, ports)) return restrip_no_rule;
-  return restrip_rule_of(restrip_collapse_rules[restrip_collapse_first[k] + restrip_closed_key(ring, inner, ports)],
+  return restrip_rule_of(restrip_collapse_rules[restrip_collapse_first[k] + restrip_key(ring, inner, ports)],
                          inner, -2);
-}
-
-restrip_rule restrip_open_split(uint32_t k, uint32_t i, uint32_t j, uint32_t loop, uint32_t ports) {
-  const restrip_patch fan = {k, restrip_nowhere, restrip_nowhere, false};
-  if (k < 1 || k > RESTRIP_TABLES_MAX_K || i >= j || j > k || !restrip_valid(fan, loop, ports)) return restrip_no_rule;
-  const bool mirrored = i + j > k;  // the tables have the other positions
-  const uint32_t low = mirrored ? k - j : i;
-  const uint32_t high = mirrored ? k - i : j;
-  if (mirrored) {
-    loop = restrip_reversed(loop, k - 1);
-    ports = restrip_reversed(ports, k);
-  }
-  // Places in ascending order: (0, 1) ... (0, k), (1, 2) ... (1, k - 1), (2, 3) ...
-  const uint32_t place = low * (k + 1 - low) + (high - low - 1);
-  const uint32_t cell = restrip_open_split_rules[restrip_open_split_first[k] + place * restrip_open_split_cells[k] +
-                                                 restrip_open_key(fan, loop, ports)];
-  const uint32_t path = cell & restrip_low(k + 1);
-  return restrip_rule_of((mirrored ? restrip_reversed(path, k + 1) : path) | (cell & UINT32_C(1) << (k + 1)), loop, 2);
-}
-
-restrip_rule restrip_boundary_split(uint32_t k, uint32_t i, uint32_t loop, uint32_t ports) {
-  const restrip_patch fan = {k, restrip_nowhere, restrip_nowhere, false};
-  if (k < 1 || k > RESTRIP_TABLES_MAX_K || i > k || !restrip_valid(fan, loop, ports)) return restrip_no_rule;
-  const bool mirrored = 2 * i > k;
-  const uint32_t place = mirrored ? k - i : i;
-  if (mirrored) {
-    loop = restrip_reversed(loop, k - 1);
-    ports = restrip_reversed(ports, k);
-  }
-  const uint32_t cell = restrip_boundary_split_rules[restrip_boundary_split_first[k] +
-                                                     place * restrip_boundary_split_cells[k] +
-                                                     restrip_open_key(fan, loop, ports)];
-  return restrip_rule_of(mirrored ? restrip_reversed(cell, k) : cell, loop, 1);
-}
-
-// After a collapse onto an open fan nothing depends on where the removed triangles were.
-restrip_rule restrip_open_collapse(uint32_t k, uint32_t i, uint32_t j, uint32_t inner, uint32_t ports) {
-  const restrip_patch path = {k, i, j + 1, false};
-  if (k < 1 || k > RESTRIP_TABLES_MAX_K || i >= j || j > k || !restrip_valid(path, inner, ports)) return restrip_no_rule;
-  return restrip_rule_of(restrip_fan_collapse_rules[restrip_fan_collapse_first[k] + restrip_open_key(path, inner, ports)],
-                         inner, -2);
-}
-
-restrip_rule restrip_boundary_collapse(uint32_t k, uint32_t i, uint32_t inner, uint32_t ports) {
-  const restrip_patch path = {k, i, restrip_nowhere, false};
-  if (k < 1 || k > RESTRIP_TABLES_MAX_K || i > k || !restrip_valid(path, inner, ports)) return restrip_no_rule;
-  return restrip_rule_of(restrip_fan_collapse_rules[restrip_fan_collapse_first[k] + restrip_open_key(path, inner, ports)],
-                         inner, -1);
 }
 
 restrip_flip_rule restrip_flip(uint32_t inner, uint32_t ports) {

@@ -1,16 +1,15 @@
-// A complete reader of restrip_tables.json: the rule of any operation, in any position, for any colours, valid or not.
+// A complete reader of restrip_tables.json: the rule of each of its operations, in any position, for any colours, valid or not.
 // It follows docs/reference/notation.md and works with lists of triangles, edges and strands, where the compiled look-ups do sums
 // of masks, so that it can check them.
 
-/// A patch before an operation: a row of elements, some without a port, perhaps closed to a ring, perhaps with a chord.
+/// A patch before an operation: a ring of elements, two of them perhaps without a port and joined by a chord.
 class Patch {
   #known = [];
 
-  constructor(k, inserted, ring) {
+  constructor(k, inserted) {
     this.k = k;
-    this.ring = ring;
     const size = k + inserted.length;
-    this.edges = Array.from({ length: ring ? size : size - 1 }, (_, m) => [m, (m + 1) % size]);
+    this.edges = Array.from({ length: size }, (_, m) => [m, (m + 1) % size]);
     if (inserted.length === 2) this.edges.push(inserted);
     let port = 0;
     this.ports = Array.from({ length: size }, (_, element) => (inserted.includes(element) ? -1 : port++));
@@ -52,14 +51,13 @@ class Patch {
       if ((ports >> low & 1) === 0 || (ports >> high & 1) === 0) continue;
       const within = (2 << high) - (1 << low);
       if ((ports & within) === (1 << low | 1 << high)) joined |= 1 << high;
-      else if (this.ring && (ports & ~within) === 0) joined |= 1 << low;
+      else if ((ports & ~within) === 0) joined |= 1 << low;
     }
     return joined;
   }
 }
 
 const count = (mask) => { let n = 0; for (; mask !== 0; mask &= mask - 1) ++n; return n; };
-const reversed = (mask, n) => { let r = 0; for (let i = 0; i < n; ++i) r |= (mask >> i & 1) << (n - 1 - i); return r; };
 const turned = (mask, by, n) => (mask >> by | mask << (n - by)) & ((1 << n) - 1);
 
 /// The rules of one position of an operation.
@@ -70,28 +68,21 @@ class Place {
   #seen;  // how the colours of a split are seen from a position that the tables have, and its answer from here
   #first;
 
-  constructor(json, operation, [k, p, q]) {
+  constructor(json, operation, [k, p]) {
     this.operation = operation;
     this.#table = json.families[operation.family];
-    const ring = this.#table.rows === 'closed';
-    const inserted = operation.from_fan ? [] : ring ? [0, p + 1] : q !== undefined ? [p, q + 1] : [p];
-    this.#patch = new Patch(k, inserted, ring);
-    this.#starts = json.rows[this.#table.rows];
-    const [place, seen] = operation.from_fan ? Place.#place(k, p, q, ring) : [0, null];
+    this.#patch = new Patch(k, operation.from_fan ? [] : [0, p + 1]);
+    this.#starts = json.rows;
+    const [place, seen] = operation.from_fan ? Place.#place(k, p) : [0, null];
     this.#first = this.#table.first[k] + (place === 0 ? 0 : place * this.#table.cells[k]);
     this.#seen = seen;
   }
 
-  /// The tables have half of the positions of splits; the others are mirror images, or have A and D exchanged.
-  static #place(k, p, q, ring) {
-    if (ring && 2 * p <= k) return [p - 1, null];
-    if (ring) return [k - p - 1, { loop: (loop) => turned(loop, p, k), ports: (ports) => turned(ports, p, k),
+  /// The tables have half of the positions of splits; the others have A and D exchanged.
+  static #place(k, p) {
+    if (2 * p <= k) return [p - 1, null];
+    return [k - p - 1, { loop: (loop) => turned(loop, p, k), ports: (ports) => turned(ports, p, k),
                                    answer: (cell) => turned(cell & (4 << k) - 1, k - p + 1, k + 2) | cell & 4 << k }];
-    const seen = { loop: (loop) => reversed(loop, k - 1), ports: (ports) => reversed(ports, k) };
-    if (q === undefined) return 2 * p <= k ? [p, null] : [k - p, { ...seen, answer: (cell) => reversed(cell, k) }];
-    const at = (i, j) => i * (k + 1 - i) + (j - i - 1);
-    if (p + q <= k) return [at(p, q), null];
-    return [at(k - q, k - p), { ...seen, answer: (cell) => reversed(cell & (2 << k) - 1, k + 1) | cell & 2 << k }];
   }
 
   /// { colors, strips }: the inner edges after the operation and the change in the number of strips; null if the colours
@@ -112,18 +103,15 @@ class Place {
 export class Tables {
   /// `json`: what JSON.parse makes of the file.
   constructor(json) {
-    if (json.format !== 'restrip-tables' || json.version !== 1) throw new Error('not tables of restrip, version 1');
+    if (json.format !== 'restrip-tables' || json.version !== 2) throw new Error('not tables of restrip, version 2');
     this.json = json;
     this.operations = new Map(json.operations.map((operation) => [operation.name, operation]));
   }
 
-  /// A position of an operation: [k, a], [k, i, j] or [k, i]; null if the tables do not have it.
+  /// A position [k, a] of an operation; null if the tables do not have it.
   at(name, position) {
-    const operation = this.operations.get(name);
-    const [k, p, q] = position;
-    const closed = this.json.families[operation.family].rows === 'closed';
-    const there = closed ? k >= 3 && p >= 1 && p < k : k >= 1 && p >= 0 && (q === undefined ? p <= k : p < q && q <= k);
-    return there && k <= this.json.max_k ? new Place(this.json, operation, position) : null;
+    const [k, a] = position;
+    return k >= 3 && k <= this.json.max_k && a >= 1 && a < k ? new Place(this.json, this.operations.get(name), position) : null;
   }
 
   /// { inner, ports, strips }: the ports are those that stay solid. Null if the colours are not valid.

@@ -14,7 +14,7 @@
 //! `unsafe`. The functions are `const`.
 //!
 //! Bad input: the answer is `None` for colours that no valid stripification has (three solid edges at a triangle, a solid
-//! cycle, bits outside the patch), and for positions that the tables do not hold (`k > MAX_K`, a or gaps out of range).
+//! cycle, bits outside the patch), and for positions that the tables do not hold (`k > MAX_K`, a out of range).
 #![cfg_attr(rustfmt, rustfmt_skip)]
 #![allow(dead_code)] // a program need not use every operation
 #![allow(clippy::unreadable_literal)]
@@ -37,16 +37,16 @@ pub struct FlipRule {
 
 /// Split of a closed fan.
 pub const fn split(k: u32, a: u32, loop_edges: u32, ports: u32) -> Option<Rule> {
-    let fan = Patch { k, a: NOWHERE, d: NOWHERE, ring: true };
+    let fan = Patch { k, a: NOWHERE, d: NOWHERE };
     if k < 3 || k > MAX_K || a < 1 || a >= k || !fan.valid(loop_edges, ports) {
         return None;
     }
     // The tables have the positions whose first arc is the shorter one. In the others A and D change places, and the fan
     // is turned until it begins with the second arc.
     let (arc, by) = if 2 * a > k { (k - a, a) } else { (a, 0) };
-    let key = closed_key(fan, turned(loop_edges, by, k), turned(ports, by, k));
+    let place = key(fan, turned(loop_edges, by, k), turned(ports, by, k));
     let start = SPLIT_FIRST[k as usize] as u32 + (arc - 1) * SPLIT_CELLS[k as usize] as u32;
-    let cell = SPLIT_RULES[(start + key) as usize] as u32;
+    let cell = SPLIT_RULES[(start + place) as usize] as u32;
     let ring = turned(cell & low(k + 2), if by != 0 { arc + 1 } else { 0 }, k + 2);
     rule(ring | (cell & 1 << (k + 2)), loop_edges, 2)
 }
@@ -56,59 +56,12 @@ pub const fn collapse(k: u32, a: u32, inner: u32, ports: u32) -> Option<Rule> {
     if k < 3 || k > MAX_K || a < 1 || a >= k {
         return None;
     }
-    let ring = Patch { k, a: 0, d: a + 1, ring: true };
+    let ring = Patch { k, a: 0, d: a + 1 };
     if !ring.valid(inner, ports) {
         return None;
     }
-    let cell = COLLAPSE_FIRST[k as usize] as u32 + closed_key(ring, inner, ports);
+    let cell = COLLAPSE_FIRST[k as usize] as u32 + key(ring, inner, ports);
     rule(COLLAPSE_RULES[cell as usize] as u32, inner, -2)
-}
-
-/// Split of an open fan, two triangles.
-pub const fn open_split(k: u32, i: u32, j: u32, loop_edges: u32, ports: u32) -> Option<Rule> {
-    let fan = Patch { k, a: NOWHERE, d: NOWHERE, ring: false };
-    if k < 1 || k > MAX_K || i >= j || j > k || !fan.valid(loop_edges, ports) {
-        return None;
-    }
-    let mirrored = i + j > k; // the tables have the other positions
-    let (from, to) = if mirrored { (k - j, k - i) } else { (i, j) };
-    // Places in ascending order: (0, 1) ... (0, k), (1, 2) ... (1, k - 1), (2, 3) ...
-    let place = from * (k + 1 - from) + (to - from - 1);
-    let key = fan_key(fan, loop_edges, ports, mirrored);
-    let start = OPEN_SPLIT_FIRST[k as usize] as u32 + place * OPEN_SPLIT_CELLS[k as usize] as u32;
-    let cell = OPEN_SPLIT_RULES[(start + key) as usize] as u32;
-    let path = cell & low(k + 1);
-    rule(if mirrored { reversed(path, k + 1) } else { path } | (cell & 1 << (k + 1)), loop_edges, 2)
-}
-
-/// Collapse onto an open fan, two triangles removed.
-pub const fn open_collapse(k: u32, i: u32, j: u32, inner: u32, ports: u32) -> Option<Rule> {
-    if k < 1 || k > MAX_K || i >= j || j > k {
-        return None;
-    }
-    onto_open_fan(Patch { k, a: i, d: j + 1, ring: false }, inner, ports, -2)
-}
-
-/// Split of an open fan along its boundary, one triangle.
-pub const fn boundary_split(k: u32, i: u32, loop_edges: u32, ports: u32) -> Option<Rule> {
-    let fan = Patch { k, a: NOWHERE, d: NOWHERE, ring: false };
-    if k < 1 || k > MAX_K || i > k || !fan.valid(loop_edges, ports) {
-        return None;
-    }
-    let mirrored = 2 * i > k;
-    let key = fan_key(fan, loop_edges, ports, mirrored);
-    let place = if mirrored { k - i } else { i };
-    let start = BOUNDARY_SPLIT_FIRST[k as usize] as u32 + place * BOUNDARY_SPLIT_CELLS[k as usize] as u32;
-    let cell = BOUNDARY_SPLIT_RULES[(start + key) as usize] as u32;
-    rule(if mirrored { reversed(cell, k) } else { cell }, loop_edges, 1)
-}
-
-/// Collapse onto an open fan, one triangle removed.
-pub const fn boundary_collapse(k: u32, i: u32, inner: u32, ports: u32) -> Option<Rule> {
-    if k < 1 || k > MAX_K || i > k {
-        return None;
-    }
-    onto_open_fan(Patch { k, a: i, d: NOWHERE, ring: false }, inner, ports, -1)
 }
 
 /// Flip of the edge between two triangles.
@@ -124,15 +77,14 @@ pub const fn flip(inner: u32, ports: u32) -> Option<FlipRule> {
     Some(FlipRule { inner: entry >> 4, ports: entry & 15, strips })
 }
 
-/// The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D at
-/// element `d`, or NOWHERE. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last element and
-/// the first. The chord A - D has the bit after the edges.
+/// The patch before an operation as a ring of elements: the k triangles of the fan in order, with A at element `a` and D at
+/// element `d`, or NOWHERE. Inner edge m joins elements m and m + 1, the last one the last element and the first. The
+/// chord A - D has the bit after the edges.
 #[derive(Clone, Copy)]
 struct Patch {
     k: u32,
     a: u32,
     d: u32,
-    ring: bool,
 }
 
 const NOWHERE: u32 = 31;
@@ -143,11 +95,6 @@ const fn low(n: u32) -> u32 {
 
 const fn has(mask: u32, i: u32) -> bool {
     mask >> i & 1 != 0
-}
-
-/// Bit i of the result is bit n - 1 - i of the mask.
-const fn reversed(mask: u32, n: u32) -> u32 {
-    if n == 0 { 0 } else { mask.reverse_bits() >> (32 - n) }
 }
 
 /// Turns a ring of n bits so that bit `by` becomes bit 0.
@@ -168,12 +115,8 @@ impl Patch {
         self.k + (self.a != NOWHERE) as u32 + (self.d != NOWHERE) as u32
     }
 
-    const fn edges(self) -> u32 {
-        if self.ring { self.size() } else { self.size() - 1 }
-    }
-
     const fn has_chord(self, inner: u32) -> bool {
-        self.d != NOWHERE && has(inner, self.edges())
+        self.d != NOWHERE && has(inner, self.size())
     }
 
     /// Ports as a mask over elements.
@@ -183,19 +126,19 @@ impl Patch {
 
     /// At most two solid edges at every element, no solid cycle, no bit outside the patch.
     const fn valid(self, inner: u32, ports: u32) -> bool {
-        let all = low(self.edges());
+        let all = low(self.size());
         let edges = inner & all;
-        let below = edges << 1 | if self.ring { edges >> (self.size() - 1) } else { 0 };
+        let below = edges << 1 | edges >> (self.size() - 1);
         let between = low(self.d) & !low(self.a); // with a chord: the edges from A up to D
         let chord = self.has_chord(inner);
         let ends = if chord { 1 << self.a | 1 << self.d } else { 0 };
-        if inner >> self.edges() > chord as u32 || ports >> self.k != 0 {
+        if inner >> self.size() > chord as u32 || ports >> self.k != 0 {
             return false;
         }
-        if edges & below & (self.spread(ports) | ends) != 0 || (self.ring && edges == all) {
+        if edges & below & (self.spread(ports) | ends) != 0 || edges == all {
             return false;
         }
-        !chord || (!edges & between != 0 && (!self.ring || !edges & all & !between != 0))
+        !chord || (!edges & between != 0 && !edges & all & !between != 0)
     }
 
     /// The element at which the strand from element `at` ends, which has exactly one solid edge among `edges`.
@@ -203,14 +146,14 @@ impl Patch {
         if has(edges, at) {
             return at + (edges >> at).trailing_ones();
         }
-        let at = if at == 0 { self.size() } else { at }; // downwards from the first element of a ring
+        let at = if at == 0 { self.size() } else { at }; // downwards from the first element
         at - (edges << (32 - at)).leading_ones()
     }
 
     /// The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the
     /// port that comes after the other, with no solid port between them. 0 if no such pair exists.
     const fn joined_by_chord(self, edges: u32, ports: u32) -> u32 {
-        let below_a = if self.a > 0 { self.a - 1 } else { self.size() - 1 }; // no edge before the first of a path
+        let below_a = if self.a > 0 { self.a - 1 } else { self.size() - 1 };
         let a_goes_on = has(edges, below_a) != has(edges, self.a);
         let d_goes_on = has(edges, self.d - 1) != has(edges, self.d);
         if !a_goes_on || !d_goes_on {
@@ -225,7 +168,7 @@ impl Patch {
         let within = low(last + 1) & !low(first);
         if (ports & within).count_ones() == 2 {
             1 << last
-        } else if self.ring && ports & !within == 0 {
+        } else if ports & !within == 0 {
             1 << first
         } else {
             0
@@ -234,14 +177,12 @@ impl Patch {
 
     /// Bit i is set when port i is solid and a solid path inside leads to the solid port before it. Adding the solid ports
     /// at which a strand begins upwards to the edges sends a carry through each run of solid edges, to the element where
-    /// it ends. With exactly two solid ports in a ring each comes before the other: either bit stands for the pair.
+    /// it ends. With exactly two solid ports each comes before the other: either bit stands for the pair.
     const fn joined(self, inner: u32, fan_ports: u32) -> u32 {
         let ports = self.spread(fan_ports);
-        let edges = inner & low(self.edges());
-        let mut ends = edges + (ports & edges);
-        if self.ring {
-            ends = (ends & low(self.size())) + (ends >> self.size()); // the carry goes round
-        }
+        let edges = inner & low(self.size());
+        let carried = edges + (ports & edges);
+        let ends = (carried & low(self.size())) + (carried >> self.size()); // the carry goes round
         let mut joined = ends & !edges & ports;
         if self.has_chord(inner) {
             joined |= self.joined_by_chord(edges, ports);
@@ -254,35 +195,13 @@ const fn rule(colors: u32, before: u32, new_triangles: i32) -> Option<Rule> {
     Some(Rule { colors, strips: new_triangles - colors.count_ones() as i32 + before.count_ones() as i32 })
 }
 
-/// After a collapse onto an open fan nothing depends on where the removed triangles were.
-const fn onto_open_fan(path: Patch, inner: u32, ports: u32, new_triangles: i32) -> Option<Rule> {
-    if !path.valid(inner, ports) {
-        return None;
-    }
-    let cell = FAN_COLLAPSE_FIRST[path.k as usize] as u32 + open_key(path, inner, ports);
-    rule(FAN_COLLAPSE_RULES[cell as usize] as u32, inner, new_triangles)
-}
-
-/// The key of an open fan, seen from its other end if `mirrored`.
-const fn fan_key(fan: Patch, loop_edges: u32, ports: u32, mirrored: bool) -> u32 {
-    if mirrored {
-        open_key(fan, reversed(loop_edges, fan.k - 1), reversed(ports, fan.k))
-    } else {
-        open_key(fan, loop_edges, ports)
-    }
-}
-
 // The rules of an operation depend on its position and on the key (ports, joined). The cell of a key is
 //     RULES[FIRST[k] + place * CELLS[k] + ROWS[1 << k | ports] + joined]
-// with one packing, CLOSED_ROWS or OPEN_ROWS, for all rules of closed and of open fans.
+// with one packing for all rules.
 
 /// The place of a key in the block of its valence and position.
-const fn closed_key(patch: Patch, inner: u32, ports: u32) -> u32 {
+const fn key(patch: Patch, inner: u32, ports: u32) -> u32 {
     CLOSED_ROWS[(1 << patch.k | ports) as usize] as u32 + patch.joined(inner, ports)
-}
-
-const fn open_key(patch: Patch, inner: u32, ports: u32) -> u32 {
-    OPEN_ROWS[(1 << patch.k | ports) as usize] as u32 + patch.joined(inner, ports)
 }
 
 /// The largest valence that the tables answer.

@@ -15,7 +15,7 @@
 // belong together.
 //
 // Bad input: for colours that no valid stripification has (three solid edges at a triangle, a solid cycle, bits
-// outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a or gaps out of range),
+// outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a out of range),
 // every member of the answer is 0 and `valid` is false.
 //
 // Declare in the same module, with whatever binding you like:
@@ -46,14 +46,13 @@ fn restrip_element(place: vec2<u32>, index: u32) -> u32 {
   return (restrip_words[place.x + bit / 32u] >> (bit % 32u)) & (0xffffffffu >> (32u - place.y));
 }
 
-// The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D
-// at element `d`, or RESTRIP_NOWHERE. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last
-// element and the first. The chord A - D has the bit after the edges.
+// The patch before an operation as a ring of elements: the k triangles of the fan in order, with A at element `a` and D
+// at element `d`, or RESTRIP_NOWHERE. Inner edge m joins elements m and m + 1, the last one the last element and the
+// first. The chord A - D has the bit after the edges.
 struct RestripPatch {
   k: u32,
   a: u32,
   d: u32,
-  ring: bool,
 }
 
 const RESTRIP_NOWHERE = 31u;
@@ -63,14 +62,8 @@ fn restrip_has(mask: u32, i: u32) -> bool { return ((mask >> i) & 1u) != 0u; }
 fn restrip_size(p: RestripPatch) -> u32 {
   return p.k + u32(p.a != RESTRIP_NOWHERE) + u32(p.d != RESTRIP_NOWHERE);
 }
-fn restrip_edges(p: RestripPatch) -> u32 { return restrip_size(p) - u32(!p.ring); }
 fn restrip_has_chord(p: RestripPatch, inner: u32) -> bool {
-  return p.d != RESTRIP_NOWHERE && restrip_has(inner, restrip_edges(p));
-}
-
-// Bit i of the result is bit n - 1 - i of the mask.
-fn restrip_reversed(mask: u32, n: u32) -> u32 {
-  return select(reverseBits(mask) >> (32u - n), 0u, n == 0u);
+  return p.d != RESTRIP_NOWHERE && restrip_has(inner, restrip_size(p));
 }
 
 // Turns a ring of n bits so that bit `by` becomes bit 0.
@@ -92,19 +85,19 @@ fn restrip_spread(p: RestripPatch, ports: u32) -> u32 {
 
 // At most two solid edges at every element, no solid cycle, no bit outside the patch.
 fn restrip_valid(p: RestripPatch, inner: u32, ports: u32) -> bool {
-  let all = restrip_low(restrip_edges(p));
+  let all = restrip_low(restrip_size(p));
   let edges = inner & all;
-  let below = (edges << 1u) | select(0u, edges >> (restrip_size(p) - 1u), p.ring);
+  let below = (edges << 1u) | (edges >> (restrip_size(p) - 1u));
   let between = restrip_low(p.d) & ~restrip_low(p.a);  // with a chord: the edges from A up to D
   let chord = restrip_has_chord(p, inner);
   let ends = select(0u, (1u << p.a) | (1u << p.d), chord);
-  if ((inner >> restrip_edges(p)) > u32(chord) || (ports >> p.k) != 0u) {
+  if ((inner >> restrip_size(p)) > u32(chord) || (ports >> p.k) != 0u) {
     return false;
   }
-  if ((edges & below & (restrip_spread(p, ports) | ends)) != 0u || (p.ring && edges == all)) {
+  if ((edges & below & (restrip_spread(p, ports) | ends)) != 0u || edges == all) {
     return false;
   }
-  return !chord || ((~edges & between) != 0u && (!p.ring || (~edges & all & ~between) != 0u));
+  return !chord || ((~edges & between) != 0u && (~edges & all & ~between) != 0u);
 }
 
 // The element at which the strand from element `at` ends, which has exactly one solid edge among `edges`.
@@ -112,14 +105,14 @@ fn restrip_strand_end(p: RestripPatch, edges: u32, at: u32) -> u32 {
   if (restrip_has(edges, at)) {
     return at + countTrailingZeros(~(edges >> at));
   }
-  let from_above = select(at, restrip_size(p), at == 0u);  // downwards from the first element of a ring
+  let from_above = select(at, restrip_size(p), at == 0u);  // downwards from the first element
   return from_above - countLeadingZeros(~(edges << (32u - from_above)));
 }
 
 // The pair of ports (by element) that a path over the chord joins, as the bit that names it in a key: the bit of the port
 // that comes after the other, with no solid port between them. 0 if no such pair exists.
 fn restrip_joined_by_chord(p: RestripPatch, edges: u32, ports: u32) -> u32 {
-  let below_a = select(restrip_size(p), p.a, p.a > 0u) - 1u;  // no edge before the first element of a path
+  let below_a = select(restrip_size(p), p.a, p.a > 0u) - 1u;
   let a_goes_on = restrip_has(edges, below_a) != restrip_has(edges, p.a);
   let d_goes_on = restrip_has(edges, p.d - 1u) != restrip_has(edges, p.d);
   if (!a_goes_on || !d_goes_on) {
@@ -134,19 +127,17 @@ fn restrip_joined_by_chord(p: RestripPatch, edges: u32, ports: u32) -> u32 {
   if (countOneBits(ports & within) == 2u) {
     return 1u << max(one, two);
   }
-  return select(0u, 1u << min(one, two), p.ring && (ports & ~within) == 0u);
+  return select(0u, 1u << min(one, two), (ports & ~within) == 0u);
 }
 
 // Bit i is set when port i is solid and a solid path inside leads to the solid port before it. Adding the solid ports
 // at which a strand begins upwards to the edges sends a carry through each run of solid edges, to the element where it
-// ends. With exactly two solid ports in a ring each comes before the other: either bit stands for the pair.
+// ends. With exactly two solid ports each comes before the other: either bit stands for the pair.
 fn restrip_joined(p: RestripPatch, inner: u32, fan_ports: u32) -> u32 {
   let ports = restrip_spread(p, fan_ports);
-  let edges = inner & restrip_low(restrip_edges(p));
+  let edges = inner & restrip_low(restrip_size(p));
   var ends = edges + (ports & edges);
-  if (p.ring) {
-    ends = (ends & restrip_low(restrip_size(p))) + (ends >> restrip_size(p));  // the carry goes round
-  }
+  ends = (ends & restrip_low(restrip_size(p))) + (ends >> restrip_size(p));  // the carry goes round
   var joined = ends & ~edges & ports;
   if (restrip_has_chord(p, inner)) {
     joined |= restrip_joined_by_chord(p, edges, ports);
@@ -156,11 +147,9 @@ fn restrip_joined(p: RestripPatch, inner: u32, fan_ports: u32) -> u32 {
 
 // The rules of an operation depend on its position and on the key (ports, joined). The cell of a key is
 //     rules[first[k] + place * cells[k] + rows[1 << k | ports] + joined]
-// with one packing, of closed or of open fans. Here is the place of a key in the block of its valence and position.
+// with one packing for all rules. Here is the place of a key in the block of its valence and position.
 fn restrip_key(p: RestripPatch, inner: u32, ports: u32) -> u32 {
-  let row = (1u << p.k) | ports;
-  let rows = select(RESTRIP_OPEN_ROWS, RESTRIP_CLOSED_ROWS, p.ring);
-  return restrip_element(rows, row) + restrip_joined(p, inner, ports);
+  return restrip_element(RESTRIP_CLOSED_ROWS, (1u << p.k) | ports) + restrip_joined(p, inner, ports);
 }
 
 fn restrip_no_rule() -> RestripRule { return RestripRule(0u, 0, false); }
@@ -170,7 +159,7 @@ fn restrip_rule(colors: u32, before: u32, new_triangles: i32) -> RestripRule {
 }
 
 fn restrip_split(k: u32, a: u32, loop_edges: u32, ports: u32) -> RestripRule {
-  let fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE, true);
+  let fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE);
   if (k < 3u || k > RESTRIP_MAX_K || a < 1u || a >= k) {
     return restrip_no_rule();
   }
@@ -190,7 +179,7 @@ fn restrip_split(k: u32, a: u32, loop_edges: u32, ports: u32) -> RestripRule {
 }
 
 fn restrip_collapse(k: u32, a: u32, inner: u32, ports: u32) -> RestripRule {
-  let ring = RestripPatch(k, 0u, a + 1u, true);
+  let ring = RestripPatch(k, 0u, a + 1u);
   if (k < 3u || k > RESTRIP_MAX_K || a < 1u || a >= k) {
     return restrip_no_rule();
   }
@@ -199,65 +188,6 @@ fn restrip_collapse(k: u32, a: u32, inner: u32, ports: u32) -> RestripRule {
   }
   let cell = restrip_element(RESTRIP_COLLAPSE_FIRST, k) + restrip_key(ring, inner, ports);
   return restrip_rule(restrip_element(RESTRIP_COLLAPSE_RULES, cell), inner, -2);
-}
-
-fn restrip_open_split(k: u32, i: u32, j: u32, loop_edges: u32, ports: u32) -> RestripRule {
-  let fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE, false);
-  if (k < 1u || k > RESTRIP_MAX_K || i >= j || j > k) {
-    return restrip_no_rule();
-  }
-  if (!restrip_valid(fan, loop_edges, ports)) {
-    return restrip_no_rule();
-  }
-  let mirrored = i + j > k;  // the tables have the other positions
-  let first = select(i, k - j, mirrored);
-  let second = select(j, k - i, mirrored);
-  // Places in ascending order: (0, 1) ... (0, k), (1, 2) ... (1, k - 1), (2, 3) ...
-  let place = first * (k + 1u - first) + (second - first - 1u);
-  let block = restrip_element(RESTRIP_OPEN_SPLIT_FIRST, k) + place * restrip_element(RESTRIP_OPEN_SPLIT_CELLS, k);
-  let key = restrip_key(fan, select(loop_edges, restrip_reversed(loop_edges, k - 1u), mirrored),
-                        select(ports, restrip_reversed(ports, k), mirrored));
-  let cell = restrip_element(RESTRIP_OPEN_SPLIT_RULES, block + key);
-  let path = cell & restrip_low(k + 1u);
-  let mirrored_path = select(path, restrip_reversed(path, k + 1u), mirrored);
-  return restrip_rule(mirrored_path | (cell & (1u << (k + 1u))), loop_edges, 2);
-}
-
-fn restrip_boundary_split(k: u32, i: u32, loop_edges: u32, ports: u32) -> RestripRule {
-  let fan = RestripPatch(k, RESTRIP_NOWHERE, RESTRIP_NOWHERE, false);
-  if (k < 1u || k > RESTRIP_MAX_K || i > k || !restrip_valid(fan, loop_edges, ports)) {
-    return restrip_no_rule();
-  }
-  let mirrored = 2u * i > k;
-  let block = restrip_element(RESTRIP_BOUNDARY_SPLIT_FIRST, k) +
-               select(i, k - i, mirrored) * restrip_element(RESTRIP_BOUNDARY_SPLIT_CELLS, k);
-  let key = restrip_key(fan, select(loop_edges, restrip_reversed(loop_edges, k - 1u), mirrored),
-                        select(ports, restrip_reversed(ports, k), mirrored));
-  let cell = restrip_element(RESTRIP_BOUNDARY_SPLIT_RULES, block + key);
-  return restrip_rule(select(cell, restrip_reversed(cell, k), mirrored), loop_edges, 1);
-}
-
-// After a collapse onto an open fan nothing depends on where the removed triangles were.
-fn restrip_onto_open_fan(path: RestripPatch, inner: u32, ports: u32, new_triangles: i32) -> RestripRule {
-  if (!restrip_valid(path, inner, ports)) {
-    return restrip_no_rule();
-  }
-  let cell = restrip_element(RESTRIP_FAN_COLLAPSE_FIRST, path.k) + restrip_key(path, inner, ports);
-  return restrip_rule(restrip_element(RESTRIP_FAN_COLLAPSE_RULES, cell), inner, new_triangles);
-}
-
-fn restrip_open_collapse(k: u32, i: u32, j: u32, inner: u32, ports: u32) -> RestripRule {
-  if (k < 1u || k > RESTRIP_MAX_K || i >= j || j > k) {
-    return restrip_no_rule();
-  }
-  return restrip_onto_open_fan(RestripPatch(k, i, j + 1u, false), inner, ports, -2);
-}
-
-fn restrip_boundary_collapse(k: u32, i: u32, inner: u32, ports: u32) -> RestripRule {
-  if (k < 1u || k > RESTRIP_MAX_K || i > k) {
-    return restrip_no_rule();
-  }
-  return restrip_onto_open_fan(RestripPatch(k, i, RESTRIP_NOWHERE, false), inner, ports, -1);
 }
 
 fn restrip_flip(inner: u32, ports: u32) -> RestripFlipRule {

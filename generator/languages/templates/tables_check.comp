@@ -17,25 +17,19 @@ uint answer(uvec4 at, uint before, uint ports) {
   switch (at.x) {
     case 0u: return packed_rule(restrip_split(at.y, at.z, before, ports));
     case 1u: return packed_rule(restrip_collapse(at.y, at.z, before, ports));
-    case 2u: return packed_rule(restrip_open_split(at.y, at.z, at.w, before, ports));
-    case 3u: return packed_rule(restrip_open_collapse(at.y, at.z, at.w, before, ports));
-    case 4u: return packed_rule(restrip_boundary_split(at.y, at.z, before, ports));
-    case 5u: return packed_rule(restrip_boundary_collapse(at.y, at.z, before, ports));
   }
   RestripFlipRule flip = restrip_flip(before, ports);
   return packed_rule(RestripRule((flip.inner << 4u) | flip.ports, flip.strips, flip.valid));
 }
 
 bool inside(uvec4 at) {
-  bool fan = at.y >= 1u && at.y <= RESTRIP_MAX_K;
-  if (at.x < 2u) return fan && at.y >= 3u && at.z >= 1u && at.z < at.y;
-  return fan && (at.x < 4u ? at.z < at.w && at.w <= at.y : at.z <= at.y);
+  return at.y >= 3u && at.y <= RESTRIP_MAX_K && at.z >= 1u && at.z < at.y;
 }
 
 uint rules_outside(uint i) {
   uint count = 0u;
-  for (uint operation = 0u; operation < 6u; ++operation) {
-    uvec4 at = uvec4(operation, i % 20u, i / 20u % 20u, i / 400u);
+  for (uint operation = 0u; operation < 2u; ++operation) {
+    uvec4 at = uvec4(operation, i % 20u, i / 20u, 0u);
     if (!inside(at) && answer(at, 0u, 0u) != 0u) ++count;
   }
   if (i == 0u && (restrip_flip(2u, 0u).valid || restrip_flip(0u, 16u).valid)) ++count;
@@ -51,10 +45,9 @@ uint mix_in(uint before, uint ports, uint answered) {
 
 void main() {
   uvec4 at = positions[gl_GlobalInvocationID.y];
-  const uint more_bits[8] = uint[8](1u, 4u, 0u, 3u, 0u, 1u, 0u, 0u);  // colours before, more than k - 1
-  uint port_bits = at.x < 6u ? at.y : 4u;
-  uint bits = at.x < 6u ? 2u * at.y - 1u + more_bits[at.x] : 5u;
-  uint end = at.x == 7u ? 8000u : 1u << bits;
+  uint port_bits = at.x < 2u ? at.y : 4u;
+  uint bits = at.x < 2u ? 2u * at.y + 3u * at.x : 5u;  // a collapse has three more colours before
+  uint end = at.x == 7u ? 400u : 1u << bits;
   uint digest = 0u;
   for (uint i = gl_GlobalInvocationID.x; i < end; i += gl_NumWorkGroups.x * 64u) {
     uint before = i >> port_bits;

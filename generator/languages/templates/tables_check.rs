@@ -1,7 +1,7 @@
 //! Asks restrip_tables.rs everything, and prints digests of what it answers, as `restrip-dump-tables --digests` does.
 //!   rustc -O restrip_tables_check.rs && ./restrip_tables_check [K]
-//! A line for each operation, 0 to 6, and position: "operation k p q digest".
-//! The position of a split or collapse of a closed fan is p = a; in an open fan p = i and q = j; unused ones are 0.
+//! A line for each operation, 0, 1 and 6, and position: "operation k p q digest". The position of a split or collapse is
+//! p = a; unused ones are 0.
 mod restrip_tables;
 use restrip_tables::*;
 
@@ -12,26 +12,17 @@ fn packed(colors: u32, strips: i32) -> u32 {
     0x8000_0000 | ((strips + 8) as u32) << 16 | colors
 }
 
-fn answer(operation: u32, [k, p, q]: [u32; 3], before: u32, ports: u32) -> u32 {
+fn answer(operation: u32, [k, p]: [u32; 2], before: u32, ports: u32) -> u32 {
     let rule = match operation {
         0 => split(k, p, before, ports),
         1 => collapse(k, p, before, ports),
-        2 => open_split(k, p, q, before, ports),
-        3 => open_collapse(k, p, q, before, ports),
-        4 => boundary_split(k, p, before, ports),
-        5 => boundary_collapse(k, p, before, ports),
         _ => return flip(before, ports).map_or(0, |rule| packed(rule.inner << 4 | rule.ports, rule.strips)),
     };
     rule.map_or(0, |rule| packed(rule.colors, rule.strips))
 }
 
-fn inside(operation: u32, [k, p, q]: [u32; 3]) -> bool {
-    k <= MAX_K
-        && match operation {
-            0 | 1 => k >= 3 && p >= 1 && p < k,
-            2 | 3 => k >= 1 && p < q && q <= k,
-            _ => k >= 1 && p <= k,
-        }
+fn inside([k, p]: [u32; 2]) -> bool {
+    k >= 3 && k <= MAX_K && p >= 1 && p < k
 }
 
 fn mix(before: u32, ports: u32, answered: u32) -> u32 {
@@ -41,34 +32,31 @@ fn mix(before: u32, ports: u32, answered: u32) -> u32 {
     h ^ h >> 16
 }
 
-fn line(operation: u32, at: [u32; 3], before_bits: u32, port_bits: u32) {
+fn line(operation: u32, at: [u32; 2], before_bits: u32, port_bits: u32) {
     let mut digest = 0u32;
     for before in 0..1 << before_bits {
         for ports in 0..1 << port_bits {
             digest = digest.wrapping_add(mix(before, ports, answer(operation, at, before, ports)));
         }
     }
-    println!("{} {} {} {} {:08x}", operation, at[0], at[1], at[2], digest);
+    println!("{} {} {} 0 {:08x}", operation, at[0], at[1], digest);
 }
 
 fn main() {
     let max_k: u32 = std::env::args().nth(1).map_or(MAX_K, |word| word.parse().expect("K"));
-    let more_bits = [0i32, 3, -1, 2, -1, 0]; // colours before, more than k
     let mut outside = 0;
-    for operation in 0..6 {
+    for operation in 0..2 {
         for k in 0..20 {
             for p in 0..20 {
-                for q in 0..if operation / 2 == 1 { 20 } else { 1 } {
-                    if !inside(operation, [k, p, q]) {
-                        outside += u32::from(answer(operation, [k, p, q], 0, 0) != 0);
-                    } else if k <= max_k {
-                        line(operation, [k, p, q], (k as i32 + more_bits[operation as usize]) as u32, k);
-                    }
+                if !inside([k, p]) {
+                    outside += u32::from(answer(operation, [k, p], 0, 0) != 0);
+                } else if k <= max_k {
+                    line(operation, [k, p], k + 3 * operation, k);
                 }
             }
         }
     }
-    line(6, [0, 0, 0], 1, 4);
-    outside += u32::from(answer(6, [0, 0, 0], 2, 0) != 0 || answer(6, [0, 0, 0], 0, 16) != 0);
+    line(6, [0, 0], 1, 4);
+    outside += u32::from(answer(6, [0, 0], 2, 0) != 0 || answer(6, [0, 0], 0, 16) != 0);
     println!("rules outside the tables: {}", outside);
 }

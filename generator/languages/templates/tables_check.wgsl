@@ -13,10 +13,6 @@ fn answer(at: vec4<u32>, before: u32, ports: u32) -> u32 {
   switch at.x {
     case 0u: { return packed(restrip_split(at.y, at.z, before, ports)); }
     case 1u: { return packed(restrip_collapse(at.y, at.z, before, ports)); }
-    case 2u: { return packed(restrip_open_split(at.y, at.z, at.w, before, ports)); }
-    case 3u: { return packed(restrip_open_collapse(at.y, at.z, at.w, before, ports)); }
-    case 4u: { return packed(restrip_boundary_split(at.y, at.z, before, ports)); }
-    case 5u: { return packed(restrip_boundary_collapse(at.y, at.z, before, ports)); }
     default: {
       let flip = restrip_flip(before, ports);
       return packed(RestripRule((flip.inner << 4u) | flip.ports, flip.strips, flip.valid));
@@ -25,17 +21,13 @@ fn answer(at: vec4<u32>, before: u32, ports: u32) -> u32 {
 }
 
 fn inside(at: vec4<u32>) -> bool {
-  let fan = at.y >= 1u && at.y <= RESTRIP_MAX_K;
-  if (at.x < 2u) {
-    return fan && at.y >= 3u && at.z >= 1u && at.z < at.y;
-  }
-  return fan && ((at.x < 4u && at.z < at.w && at.w <= at.y) || (at.x >= 4u && at.z <= at.y));
+  return at.y >= 3u && at.y <= RESTRIP_MAX_K && at.z >= 1u && at.z < at.y;
 }
 
 fn rules_outside(i: u32) -> u32 {
   var count = 0u;
-  for (var operation = 0u; operation < 6u; operation++) {
-    let at = vec4<u32>(operation, i % 20u, i / 20u % 20u, i / 400u);
+  for (var operation = 0u; operation < 2u; operation++) {
+    let at = vec4<u32>(operation, i % 20u, i / 20u, 0u);
     if (!inside(at) && answer(at, 0u, 0u) != 0u) {
       count++;
     }
@@ -56,14 +48,13 @@ fn mix_in(before: u32, ports: u32, answered: u32) -> u32 {
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
   let at = positions[id.y];
-  var more_bits = array<u32, 6>(1u, 4u, 0u, 3u, 0u, 1u);  // colours before, more than k - 1
   var port_bits = 4u;
   var bits = 5u;
-  if (at.x < 6u) {
+  if (at.x < 2u) {
     port_bits = at.y;
-    bits = 2u * at.y - 1u + more_bits[at.x];
+    bits = 2u * at.y + 3u * at.x;  // a collapse has three more colours before
   }
-  let end = select(1u << bits, 8000u, at.x == 7u);
+  let end = select(1u << bits, 400u, at.x == 7u);
   var digest = 0u;
   for (var i = id.x; i < end; i += groups.x * 64u) {
     if (at.x == 7u) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
+#include "exhaustive_search.hpp"
 #include "fan_operation.hpp"
 #include "restrip/operations/operations.hpp"
 
@@ -73,6 +76,44 @@ TEST(Rules, AgreeWithTheExactSolverAtEveryPosition) {
           if (HasFailure()) return;
         }
   EXPECT_GT(compared, 200000U);
+}
+
+/// All answers for an open fan: valid exactly if the colours are, and as good as the best of all recolourings.
+std::size_t search_all(const exact::FanOperation& split, bool splits) {
+  naive::ExhaustiveSearch before((splits ? split.inverse() : split).patch());
+  naive::ExhaustiveSearch after((splits ? split : split.inverse()).patch());
+  const std::size_t edges = (splits ? split.inverse() : split).patch().edges.size();
+  std::size_t compared = 0;
+  for (Word ports = 0; ports < bit(split.k); ++ports) {
+    before.solve(ports);
+    after.solve(ports);
+    for (Word colors = 0; colors < bit(edges); ++colors, ++compared) {
+      const Rule rule = rule_of(split, splits, colors, ports);
+      const std::optional<naive::Mask> key = before.key(colors);
+      if (rule.valid == key.has_value() && (!key || after.judge(rule.colors, *key) == after.best(*key))) continue;
+      ADD_FAILURE() << "colours " << colors << ", ports " << ports << ": answered " << rule.colors;
+      return compared;
+    }
+  }
+  return compared;
+}
+
+// The automaton answers open fans, so nothing else checks the way from their colours to its answers in C++.
+TEST(Rules, OpenFansAreAnsweredAsWellAsASearchDoes) {
+  std::size_t compared = 0;
+  for (const int family : {2, 3})
+    for (std::size_t k = 1; k <= 8; ++k)
+      for (const exact::FanOperation& split : exact::fan_operations(family, k))
+        for (const bool splits : {true, false}) {
+          SCOPED_TRACE(split.text() + (splits ? "" : ", back"));
+          compared += search_all(split, splits);
+          if (HasFailure()) return;
+        }
+  std::size_t all = 0;
+  for (std::size_t k = 1; k <= 8; ++k)
+    all += (k * (k + 1) / 2 * (1 + 8) + (k + 1) * (1 + 2))
+           << (2 * k - 1);  // colours before: k - 1, or k + 2; k - 1, or k
+  EXPECT_EQ(compared, all);
 }
 
 TEST(Rules, FlipsKeepPortsWhereTheyCan) {

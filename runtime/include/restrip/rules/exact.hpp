@@ -1,6 +1,6 @@
 // Rules for fans of any valence, looked up by their key in the automaton of all valences
-// (restrip/tables/automaton.hpp). For small k they are as good as the rules of the tables.
-// docs/explanation/automaton.md says how they are checked.
+// (restrip/tables/automaton.hpp): all open fans, and closed ones too large for the tables. For small closed fans they
+// are as good as the rules of the tables. docs/explanation/automaton.md says how they are checked.
 //
 // A recolouring keeps every port. It is sound when every triangle keeps at most two solid edges, nothing inside is a
 // solid cycle, and it joins only ports that were joined before. Of all sound recolourings these functions return one

@@ -1,13 +1,13 @@
 // Rules: from the colours before an operation to the best colours after it.
 //
-// For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on the
-// colours, no allocation, constexpr. For larger fans it is read from the automaton of all valences (exact.hpp), with
-// two table reads for each triangle. In both cases the recolouring is sound for every surrounding mesh, has the most
-// solid edges of all sound recolourings, and among these the fewest isolated triangles in the patch. Splits and
-// collapses keep every port. Flips may clear ports, which would occasionally save a strip in splits and collapses as
-// well (docs/explanation/theory.md, "Ports given up"). docs/explanation/what-is-proven.md says what is proved for which
-// k. Source of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh".
-// docs/reference/notation.md numbers the bits.
+// For closed fans of up to table_max_k triangles, and for flips, the answer is read from the generated tables: constant
+// time, no branch on the colours, no allocation, constexpr. For larger and for open fans it is read from the automaton
+// of all valences (exact.hpp), with two table reads for each triangle. In both cases the recolouring is sound for every
+// surrounding mesh, has the most solid edges of all sound recolourings, and among these the fewest isolated triangles
+// in the patch. Splits and collapses keep every port. Flips may clear ports, which would occasionally save a strip in
+// splits and collapses as well (docs/explanation/theory.md, "Ports given up"). docs/explanation/what-is-proven.md says
+// what is proved for which k. Source of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a
+// stripified CLOD mesh". docs/reference/notation.md numbers the bits.
 //
 // Positions are SplitPosition, GapPair and Gap, with k <= max_word_valence. A position out of range is a programming
 // error, found in debug builds (precondition.hpp). Colours that no valid stripification has (a triangle with three
@@ -20,18 +20,15 @@
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/exact.hpp"
 #include "restrip/rules/key.hpp"
-#include "restrip/tables/boundary_split.hpp"
 #include "restrip/tables/collapse.hpp"
-#include "restrip/tables/fan_collapse.hpp"
 #include "restrip/tables/flip.hpp"
-#include "restrip/tables/open_split.hpp"
 #include "restrip/tables/rows.hpp"
 #include "restrip/tables/split.hpp"
 
 namespace restrip {
 
-/// The largest valence that has tables: 8 in the shipped tables, or the --max-k of `restrip-generate tables`
-/// (docs/reference/tables.md).
+/// The largest valence of a closed fan that has tables: 8 in the shipped tables, or the --max-k of `restrip-generate
+/// tables` (docs/reference/tables.md).
 inline constexpr unsigned table_max_k = tables::split.first.size() - 1;
 
 /// The place of a split or collapse in a closed fan of k >= 3 triangles: A before t_0, D before t_a, 1 <= a < k.
@@ -70,17 +67,6 @@ struct FlipRule {
 
 namespace detail {
 
-/// Bit i of the result is bit n - 1 - i of the mask.
-constexpr Word reversed(Word mask, std::size_t n) noexcept {
-  mask = (mask & 0x5555555555555555U) << 1 | (mask >> 1 & 0x5555555555555555U);
-  mask = (mask & 0x3333333333333333U) << 2 | (mask >> 2 & 0x3333333333333333U);
-  mask = (mask & 0x0f0f0f0f0f0f0f0fU) << 4 | (mask >> 4 & 0x0f0f0f0f0f0f0f0fU);
-  mask = (mask & 0x00ff00ff00ff00ffU) << 8 | (mask >> 8 & 0x00ff00ff00ff00ffU);
-  mask = (mask & 0x0000ffff0000ffffU) << 16 | (mask >> 16 & 0x0000ffff0000ffffU);
-  mask = mask << 32 | mask >> 32;
-  return n == 0 ? 0 : mask >> (word_bits - n);
-}
-
 /// Turns an n-bit ring so that bit `by` becomes bit 0; 0 <= by < n < 64.
 constexpr Word turned_down(Word mask, std::size_t by, std::size_t n) noexcept {
   return (mask >> by | mask << (n - by)) & low_bits(n);
@@ -113,9 +99,8 @@ constexpr Word ends_ring(std::size_t k, std::size_t a, Word inner, Word ports) n
 }
 
 template <class Table>
-constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std::size_t k, std::size_t place,
-                    Word ports, Word joined) noexcept {
-  const std::size_t row = rows[static_cast<std::size_t>(bit(k) | ports)];
+constexpr Word cell(const Table& table, std::size_t k, std::size_t place, Word ports, Word joined) noexcept {
+  const std::size_t row = tables::closed_rows[static_cast<std::size_t>(bit(k) | ports)];
   return table.rules[table.first[k] + place * table.cells[k] + row + static_cast<std::size_t>(joined)];
 }
 
@@ -130,14 +115,8 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
   const bool exchange = 2 * a > k;
   const std::size_t by = exchange ? a : 0;
   const std::size_t arc = exchange ? k - a : a;
-  const Word inner =
-      cell(tables::split, tables::closed_rows, k, arc - 1, turned_down(ports, by, k), turned_down(joined, by, k));
+  const Word inner = cell(tables::split, k, arc - 1, turned_down(ports, by, k), turned_down(joined, by, k));
   return turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2) | (inner & bit(k + 2));
-}
-
-constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexcept {
-  return k > table_max_k ? exact::best_fan_collapse(k, ports, joined).colors
-                         : cell(tables::fan_collapse, tables::open_rows, k, 0, ports, joined);
 }
 
 }  // namespace detail
@@ -160,7 +139,7 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
   if (!valid_ring(k, a, inner, ports)) return {0, count_bits(inner) - 2, false};
   const Word joined = joined_ring(k, a, inner, ports);
   const Word loop = k > table_max_k ? exact::best_collapse(k, ports, joined).colors
-                                    : detail::cell(tables::collapse, tables::closed_rows, k, 0, ports, joined);
+                                    : detail::cell(tables::collapse, k, 0, ports, joined);
   return detail::rule(loop, inner, -2);
 }
 
@@ -169,19 +148,7 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
   const auto [k, i, j] = at;
   RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_split_rule", detail::no_such_gaps);
   if (!valid_open(k, loop, ports)) return {0, 2 + count_bits(loop), false};
-  if (k > table_max_k)
-    return detail::rule(exact::best_open_split(k, i, j, ports, joined_open(k, loop, ports)).colors, loop, 2);
-  const bool mirrored = i + j > k;
-  const std::size_t low = mirrored ? k - j : i;
-  const std::size_t high = mirrored ? k - i : j;
-  const Word seen_loop = mirrored ? detail::reversed(loop, k - 1) : loop;
-  const Word seen_ports = mirrored ? detail::reversed(ports, k) : ports;
-  // Places of a valence in ascending order: by the low gap, then by the high gap.
-  const std::size_t place = low * (k + 1 - low) + (high - low - 1);
-  const Word seen =
-      detail::cell(tables::open_split, tables::open_rows, k, place, seen_ports, joined_open(k, seen_loop, seen_ports));
-  const Word inner = mirrored ? detail::reversed(seen, k + 1) | (seen & bit(k + 1)) : seen;
-  return detail::rule(inner, loop, 2);
+  return detail::rule(exact::best_open_split(k, i, j, ports, joined_open(k, loop, ports)).colors, loop, 2);
 }
 
 /// Split of an open fan along its boundary, one triangle: `loop` has k - 1 bits, `ports` k, the answer k. k <=
@@ -190,14 +157,7 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
   const auto [k, i] = at;
   RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_split_rule", detail::no_such_gap);
   if (!valid_open(k, loop, ports)) return {0, 1 + count_bits(loop), false};
-  if (k > table_max_k)
-    return detail::rule(exact::best_boundary_split(k, i, ports, joined_open(k, loop, ports)).colors, loop, 1);
-  const bool mirrored = 2 * i > k;
-  const Word seen_loop = mirrored ? detail::reversed(loop, k - 1) : loop;
-  const Word seen_ports = mirrored ? detail::reversed(ports, k) : ports;
-  const Word seen = detail::cell(tables::boundary_split, tables::open_rows, k, mirrored ? k - i : i, seen_ports,
-                                 joined_open(k, seen_loop, seen_ports));
-  return detail::rule(mirrored ? detail::reversed(seen, k) : seen, loop, 1);
+  return detail::rule(exact::best_boundary_split(k, i, ports, joined_open(k, loop, ports)).colors, loop, 1);
 }
 
 /// Collapse onto an open fan, two triangles removed: `inner` has k + 2 bits, `ports` k, the answer k - 1.
@@ -205,7 +165,8 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
   const auto [k, i, j] = at;
   RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_collapse_rule", detail::no_such_gaps);
   if (!valid_path_with_chord(k, i, j, inner, ports)) return {0, count_bits(inner) - 2, false};
-  return detail::rule(detail::fan_collapse_colors(k, ports, joined_path_with_chord(k, i, j, inner, ports)), inner, -2);
+  return detail::rule(exact::best_fan_collapse(k, ports, joined_path_with_chord(k, i, j, inner, ports)).colors, inner,
+                      -2);
 }
 
 /// Collapse onto an open fan, one triangle removed: `inner` and `ports` have k bits, the answer k - 1.
@@ -213,7 +174,7 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
   const auto [k, i] = at;
   RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_collapse_rule", detail::no_such_gap);
   if (!valid_path(k, i, inner, ports)) return {0, count_bits(inner) - 1, false};
-  return detail::rule(detail::fan_collapse_colors(k, ports, joined_path(k, i, inner, ports)), inner, -1);
+  return detail::rule(exact::best_fan_collapse(k, ports, joined_path(k, i, inner, ports)).colors, inner, -1);
 }
 
 /// Flip: four ports, counter-clockwise; p_0 and p_1 belong to one triangle before, p_1 and p_2 after.
