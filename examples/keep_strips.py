@@ -41,7 +41,7 @@ flip = checked("mesh_flip", c_void_p, c_uint32, POINTER(Change))
 indices_u16 = checked("mesh_strip_indices_u16", c_void_p, POINTER(c_uint16), c_size_t, POINTER(c_size_t))
 find = declare("mesh_find", c_uint32, c_void_p, c_uint32, c_uint32)
 free = declare("mesh_free", None, c_void_p)
-if declare("abi_version", c_uint32)() != 2:
+if declare("abi_version", c_uint32)() != 3:
     sys.exit("the library has another interface")
 
 
