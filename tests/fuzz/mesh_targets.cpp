@@ -234,6 +234,8 @@ std::vector<Target> mesh_targets() {
         "# c\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 1 1 0.5e-1\nvt 0 1\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1/2/3 2//1 "
         "\\\n3\nf -1 -2 -3\nf 1 2 3 4\nl 1 2\n",
         obj_bytes(textured),
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nv 1 1 0\ng a\ng b\nf 1 2 3 4 5\nf 1 6 3 4 5 2\nf 1 1 2 3 4 4 "
+        "5\np 1\n",
         "v 0 0 0 1 0 0.5\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nvt 0 1\nvt .5\nvn 0 0 1\nf 1/1/1 2/-1/-1 3/1/1\nf 2/1/1 1/1/1 "
         "3/2/1\n"},
        with_attributes(read_obj),
@@ -260,7 +262,9 @@ std::vector<Target> mesh_targets() {
       {"stl",
        {binary_stl,
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
-        "endsolid\n"},
+        "endsolid\n",
+        "solid a facet normal 0 0 1 colour 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet "
+        "endsolid a"},
        soup(read_stl),
        10000},
       {"gltf",

@@ -156,6 +156,12 @@ def samples(all_of):
 (text,) = re.findall(r"## What is not read\n(.*?)\n## ", page, re.S)
 rows = [[cell.strip() for cell in line.strip("|").split(" | ")] for line in text.splitlines() if line.startswith("| ")][2:]
 table = {name.replace("`", ""): [[entry for entry in cell.split("; ") if entry != "–"] for cell in cells] for name, *cells in rows}
+# Every format that is read has a row, or is in the sentence below the table.
+read_at_all = re.findall(r"^\| ((?:`\.[a-z]+`(?:, )?)+) \| (?!–)", page, re.M)
+extensions = re.findall(r"`(\.[a-z]+)`", " ".join(read_at_all))
+assert {".obj", ".glb", ".pm"} <= set(extensions)
+for extension in extensions:
+    assert any(extension in name.split(", ") for name in table) or f"`{extension}`" in text.splitlines()[-2] + text.splitlines()[-3], extension
 for column, known in enumerate((LEFT_OUT, REFUSED)):
     for name in table.keys() | known.keys():
         listed, shown = table.get(name, [[], []])[column], known.get(name, {})

@@ -117,7 +117,7 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
       }
     }
   }
-  EXPECT_EQ(ways, 2U * (4 + 3 * 4 + 1 + 2));
+  EXPECT_GE(ways, 2U * (4 + 3 * 4 + 1 + 2));
   EXPECT_GT(requirements, 0U);
 }
 

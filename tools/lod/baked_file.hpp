@@ -31,7 +31,7 @@ namespace restrip::tools {
 struct BakedBytes {
   std::string bytes;
   BakedMesh baked;
-  std::vector<std::string> left_out = {};  ///< other attributes of the base in glTF
+  std::vector<std::string> left_out = {};  ///< as Soup::left_out
 };
 
 /// A .glb that draws the base as its strips and holds `baked`, the bytes of a baked mesh, in the extension. The

@@ -55,35 +55,69 @@ std::string ply_of_strips(const StripFile& file) {
   return ply_bytes(soup_of(file));
 }
 
+// How files are recognised.
+constexpr auto begins_with_obj_line = [](std::string_view /*bytes*/, std::string_view word) {
+  constexpr std::array lines{"v", "vt", "vn", "vp", "f", "fo", "o", "g", "s", "l", "p", "mtllib", "usemtl"};
+  return std::find(lines.begin(), lines.end(), word) != lines.end();
+};
+constexpr auto begins_with_off = [](std::string_view /*bytes*/, std::string_view word) {
+  const std::size_t off = word.find("OFF");
+  return off != std::string_view::npos && word.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos;
+};
+constexpr auto is_stl = [](std::string_view bytes, std::string_view word) {
+  return is_binary_stl(bytes) || word == "solid" || word == "SOLID";
+};
+constexpr auto is_pm = [](std::string_view bytes, std::string_view /*word*/) {
+  return bytes.starts_with("ProgMesh") || is_hoppe_pm(bytes);
+};
+
+/// In the order in which help and messages list them.
 constexpr std::array all_formats{
     MeshFormat{.extension = ".obj",
+               .recognises = begins_with_obj_line,
                .read = read_alone<read_obj>,
                .write_mesh = obj_bytes,
                .write_strips = [](const StripFile& file) { return obj_bytes(soup_of(file)); },
                .attributes = MeshFormat::Attributes::usual,
                .strips_as = "triangles in their order"},
-    MeshFormat{.extension = ".off", .read = read_alone<read_off>, .write_mesh = off_bytes},
+    MeshFormat{
+        .extension = ".off", .recognises = begins_with_off, .read = read_alone<read_off>, .write_mesh = off_bytes},
     MeshFormat{.extension = ".ply",
+               .recognises = [](std::string_view /*bytes*/, std::string_view word) { return word == "ply"; },
                .read = read_alone<read_ply>,
                .write_mesh = ply_bytes,
                .write_strips = ply_of_strips,
                .attributes = MeshFormat::Attributes::usual,
                .strips_as = "tristrips",
                .holds_strips = true},
-    MeshFormat{.extension = ".stl", .read = read_alone<read_stl>, .write_mesh = stl_bytes, .rounds = true},
-    MeshFormat{.extension = ".gltf", .read = read_any_gltf},
-    MeshFormat{.extension = ".glb",
-               .read = read_any_gltf,
-               .write_strips = [](const StripFile& file) { return glb_bytes(file); },
-               .write_progressive = progressive_glb_bytes,
-               .write_baked = baked_glb_bytes,
-               .attributes = MeshFormat::Attributes::all,
-               .holds_strips = true,
-               .usual_form = StripForm::stitched,
-               .forms = true,
+    MeshFormat{.extension = ".stl",
+               .recognises = is_stl,
+               .read = read_alone<read_stl>,
+               .write_mesh = stl_bytes,
                .rounds = true},
-    MeshFormat{.extension = ".pm", .read = read_alone<parse_pm>, .write_progressive = pm_bytes, .rounds = true},
+    MeshFormat{.extension = ".gltf",
+               .recognises = [](std::string_view /*bytes*/, std::string_view word) { return word.starts_with('{'); },
+               .read = read_any_gltf},
+    MeshFormat{
+        .extension = ".glb",
+        .recognises = [](std::string_view bytes, std::string_view /*word*/) { return bytes.starts_with("glTF"); },
+        .read = read_any_gltf,
+        .write_strips = [](const StripFile& file) { return glb_bytes(file); },
+        .write_progressive = progressive_glb_bytes,
+        .write_baked = baked_glb_bytes,
+        .attributes = MeshFormat::Attributes::all,
+        .holds_strips = true,
+        .usual_form = StripForm::stitched,
+        .forms = true,
+        .rounds = true},
+    MeshFormat{.extension = ".pm",
+               .recognises = is_pm,
+               .read = read_alone<parse_pm>,
+               .write_progressive = pm_bytes,
+               .rounds = true},
     MeshFormat{.extension = ".baked",
+               .recognises = [](std::string_view bytes,
+                                std::string_view /*word*/) { return bytes.starts_with(baked_format::magic); },
                .read = read_alone<read_baked_mesh>,
                .write_baked = [](std::string_view baked, const StripOptions&) -> WrittenStrips {
                  return {.bytes = std::string(baked)};
@@ -96,21 +130,14 @@ constexpr std::array all_formats{
                .forms = true},
 };
 
-/// The extension of the format, detected from the first bytes; empty if unknown. Binary STL is detected by its size.
-std::string_view extension_of_bytes(std::string_view bytes) {
-  if (bytes.starts_with("glTF")) return ".glb";
-  if (bytes.starts_with("ProgMesh") || is_hoppe_pm(bytes)) return ".pm";
-  if (bytes.starts_with(baked_format::magic)) return ".baked";
-  if (is_binary_stl(bytes)) return ".stl";
-  const std::string_view word = TextCursor(bytes).word_on_any_line();
-  if (word == "ply") return ".ply";
-  if (word.starts_with('{')) return ".gltf";
-  if (word == "solid" || word == "SOLID") return ".stl";
-  if (const std::size_t off = word.find("OFF");
-      off != std::string_view::npos && word.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos)
-    return ".off";
-  constexpr std::array obj_lines{"v", "vt", "vn", "vp", "f", "fo", "o", "g", "s", "l", "p", "mtllib", "usemtl"};
-  return std::find(obj_lines.begin(), obj_lines.end(), word) != obj_lines.end() ? ".obj" : "";
+/// The format of a file, or nullptr.
+const MeshFormat* format_of(std::string_view bytes) {
+  // The header of a binary STL may begin with any word.
+  const std::string_view word = is_binary_stl(bytes) ? "" : TextCursor(bytes).word_on_any_line();
+  const auto found = std::find_if(all_formats.begin(), all_formats.end(), [&](const MeshFormat& format) {
+    return format.recognises != nullptr && format.recognises(bytes, word);
+  });
+  return found == all_formats.end() ? nullptr : &*found;
 }
 
 /// The finest level with its strips. The triangles are in strip order.
@@ -155,7 +182,7 @@ std::vector<std::string> extensions_of(FormatCan can) {
 
 ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const std::string& name,
                     const ReadSibling& sibling, ReadAttributes attributes) {
-  const MeshFormat* format = format_named(extension.empty() ? extension_of_bytes(bytes) : extension);
+  const MeshFormat* format = extension.empty() ? format_of(bytes) : format_named(extension);
   if (!extension.empty() && format != nullptr && !reads(*format))
     throw BadInput(fmt::format("{}: a {} file is only written, not read: it has no vertex positions; give the mesh",
                                name, extension));

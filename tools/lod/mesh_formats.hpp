@@ -27,6 +27,8 @@ using ReadMesh = std::variant<Soup, ProgressiveMesh, BakedBytes>;
 /// A null function means that the format does not support it.
 struct MeshFormat {
   std::string_view extension;  ///< in lower case, with its dot
+  /// Whether a file is of this format, by its bytes and its first word.
+  bool (*recognises)(std::string_view bytes, std::string_view word) = nullptr;
   ReadMesh (*read)(std::string_view bytes, const std::string& name, const ReadSibling& sibling,
                    ReadAttributes attributes) = nullptr;
   std::string (*write_mesh)(const Soup& mesh) = nullptr;

@@ -28,7 +28,7 @@ struct ProgressiveMesh {
   std::vector<Corners> base;               ///< the triangles of the coarse mesh
   std::vector<Record> splits;              ///< from coarse to fine
   std::string file = {};                   ///< the source, for messages; may be empty
-  std::vector<std::string> left_out = {};  ///< other attributes in the file
+  std::vector<std::string> left_out = {};  ///< as Soup::left_out
 
   /// The number of triangles of the finest mesh.
   [[nodiscard]] std::size_t fine_triangles() const noexcept {

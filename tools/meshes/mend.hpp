@@ -23,7 +23,7 @@ struct Mended {
   std::size_t welded_vertices = 0;     ///< merged into an earlier vertex
   std::size_t vanished_triangles = 0;  ///< had two corners that were merged
   std::size_t turned_triangles = 0;
-  /// Attributes of the file that are dropped (Soup::left_out).
+  /// Soup::left_out, and attributes that the output does not hold.
   std::vector<std::string> left_out = {};
   Rounding rounding = {};  ///< by the output format
 };

@@ -21,7 +21,7 @@ namespace restrip::tools {
 using ReadSibling = std::function<std::string(const std::string& file_name)>;
 
 /// Whether to read vertex attributes: all of them in glTF; normals, texture coordinates and colours in OBJ and PLY.
-/// Other attributes are listed in Soup::left_out.
+/// Everything else is listed in Soup::left_out.
 enum class ReadAttributes { no, yes };
 
 /// The readers, one per format, on the bytes of a file. `name` is for messages.

@@ -29,7 +29,7 @@
 //  - left_out: {degenerate_triangles, non_manifold_vertices, frozen_vertices, large_vertices}, what no operation
 //    touches
 //  - mended: {welded_vertices, vanished_triangles, turned_triangles}, when it was asked for
-//  - left_out_content: other attributes of the vertices in the file, if any
+//  - left_out_content: what the file holds besides the mesh, if anything
 //  - valid, faults: whether every check passed; which did not
 #pragma once
 
