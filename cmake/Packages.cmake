@@ -1,5 +1,5 @@
-# Debian packages, one for each component: `cpack -G DEB` in the build folder. The library is a package without programs,
-# for every architecture; the C interface has two packages, so that programs do not require its header.
+# Debian packages, one for each component: `cpack -G DEB` in the build folder. The library is a package without programs;
+# the C interface has two packages, so that programs do not require its header.
 set(CPACK_PACKAGE_NAME restrip)
 set(CPACK_PACKAGE_CONTACT "The restrip authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
@@ -8,10 +8,9 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_COMPONENTS_ALL runtime)
-set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Header-only library, with its tables of proven rules")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Headers with tables of proven rules, and the library compiled")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME librestrip-dev)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_ARCHITECTURE all)
 if(TARGET restrip_c)
   list(APPEND CPACK_COMPONENTS_ALL c_shared c)
   get_target_property(abi restrip_c SOVERSION)

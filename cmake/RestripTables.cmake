@@ -184,12 +184,13 @@ function(restrip_generate_tables)
   add_custom_target(${arg_TARGET}_files DEPENDS ${made})
   add_library(${arg_TARGET} INTERFACE)
   add_dependencies(${arg_TARGET} ${arg_TARGET}_files)
-  target_link_libraries(${arg_TARGET} INTERFACE restrip::restrip)
+  # The compiled library has the shipped tables.
+  target_link_libraries(${arg_TARGET} INTERFACE $<IF:$<BOOL:${with_tables}>,restrip::header_only,restrip::restrip>)
   set_target_properties(${arg_TARGET} PROPERTIES RESTRIP_FOLDER ${folder} RESTRIP_OF_FANS ${with_tables} RESTRIP_MAX_K ${arg_MAX_K}
                                                  RESTRIP_C_CHECK "${check}" RESTRIP_OPERATIONS "${operations}")
   if(with_tables)
     # Targets that link this search its folder before the shipped tables: see runtime/CMakeLists.txt.
-    set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include)
+    set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include INTERFACE_RESTRIP_BODIES headers)
   endif()
   if(arg_LANGUAGE)
     target_include_directories(${arg_TARGET} INTERFACE ${folder}-languages)

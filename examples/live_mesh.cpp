@@ -1,5 +1,5 @@
 #include <cstdio>
-#include <restrip/restrip.hpp>
+#include <restrip/live_mesh.hpp>
 
 int main() {
   std::vector<std::uint32_t> triangles;  // a sheet of 40 by 40 squares, as an index buffer
@@ -14,7 +14,7 @@ int main() {
     if (ranges.outgrown) make_buffer(live.room());            // then the only range is everything
     for (const auto& range : ranges) written += range.count;  // upload each range
     std::printf("%zu triangles, strips: %zu, indices written: %zu of %zu\n", live.mesh().triangle_count(),
-                live.keeper().strips(), written, live.indices().size());
+                live.strips(), written, live.indices().size());
   };
   end_of_frame();
   for (std::uint32_t v = 100; v < 110; ++v) live.collapse(live.edge(v + 41, v));  // or refused, with a reason

@@ -1,4 +1,4 @@
-// The C interface (include/restrip.h is its manual), over the header-only library.
+// The C interface (include/restrip.h is its manual), over the library.
 #include "restrip.h"
 
 #include <algorithm>

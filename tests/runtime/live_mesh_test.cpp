@@ -8,6 +8,7 @@
 
 #include "buffer_changes.hpp"
 #include "random_operation.hpp"
+#include "restrip/live_apply.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/tables/operations/merge.hpp"
 #include "restrip/tables/operations/refine_face.hpp"

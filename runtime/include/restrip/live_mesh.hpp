@@ -7,27 +7,25 @@
 //   for (const auto& range : ranges) upload(range);
 //   live.undo();                                       // the last frame, if a history is kept
 //
-// The parts can also be used separately: StripMesh, Keeper, StripBuffer, History.
+// The parts can also be used separately: StripMesh, Keeper, StripBuffer, History. This header only declares: for a
+// member or a parameter by reference fwd.hpp is enough. With the compiled library (restrip::restrip) a file that
+// includes it compiles almost as fast as one that includes the same standard headers.
+//
+// Different objects may be used by different threads at the same time, one object only by one.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "restrip/fwd.hpp"
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/history.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/operations/apply.hpp"
-#include "restrip/operations/checked.hpp"
-#include "restrip/operations/refine.hpp"
-#include "restrip/output/buffer_history.hpp"
-#include "restrip/output/live_buffer.hpp"
+#include "restrip/operations/result.hpp"
 #include "restrip/output/strip_format.hpp"
-#include "restrip/search/keeper.hpp"
-#include "restrip/search/stripify.hpp"
+#include "restrip/search/effort.hpp"
 
 namespace restrip {
 
@@ -42,143 +40,86 @@ struct LiveOptions {
   StripFormat format = {.width = IndexWidth::bits32};
 };
 
-/// Can be neither copied nor moved. Each call throws what its parts throw. After an exception of update(), undo() or
-/// redo() the mesh is valid, and the next update() returns everything that has not been returned; if memory ran out,
-/// earlier frames perhaps cannot be undone. `Mesh` is StripMesh: this is a template so that searches and buffers are
-/// compiled where a LiveMesh is used, not wherever this header is included.
-template <class Mesh>
-class BasicLiveMesh {
+/// Can be moved, not copied; an object that was moved from can only be destroyed or assigned to. Each call throws what
+/// its parts throw. After an exception of update(), undo() or redo() the mesh is valid, and the next update() returns
+/// everything that has not been returned; if memory ran out, earlier frames perhaps cannot be undone.
+class LiveMesh {
  public:
-  using Halfedge = typename Mesh::Halfedge;
+  using Halfedge = StripMesh::Halfedge;
 
   /// `triangles`: as for StripMesh::build, which leaves out triangles with a corner twice or out of range. Only
   /// `report` counts them; check it unless the triangles are known to be good.
   template <class Triangles>
-  BasicLiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
-                BuildReport* report = nullptr)
-      : BasicLiveMesh(with_strips(Mesh::build(triangles, vertex_count, report), options), options) {}
+  LiveMesh(const Triangles& triangles, std::size_t vertex_count, const LiveOptions& options = {},
+           BuildReport* report = nullptr)
+      : LiveMesh(StripMesh::build(triangles, vertex_count, report), options, Colors::from_scratch) {}
   /// Takes a mesh with its colours.
-  explicit BasicLiveMesh(Mesh mesh, LiveOptions options = {})
-      : mesh_(std::move(mesh)),
-        keeper_(mesh_, options.policy, options.cost),
-        buffer_(options.format),
-        most_history_(options.history) {
-    mesh_.watch(&changed_);
-    buffer_.rebuild(mesh_);
-    if (options.history != 0) history_.emplace(mesh_, buffer_, options.history);
-  }
-  BasicLiveMesh(const BasicLiveMesh&) = delete;
-  BasicLiveMesh& operator=(const BasicLiveMesh&) = delete;
-  ~BasicLiveMesh() = default;
+  explicit LiveMesh(StripMesh mesh, const LiveOptions& options = {})
+      : LiveMesh(std::move(mesh), options, Colors::of_mesh) {}
+  LiveMesh(LiveMesh&& other) noexcept;
+  LiveMesh& operator=(LiveMesh&& other) noexcept;
+  ~LiveMesh();
 
   /// The halfedge from v to w, or {none}, which every operation refuses. O(valence of v).
-  [[nodiscard]] Halfedge edge(Vertex v, Vertex w) const noexcept {
-    return v < mesh_.vertex_bound() ? mesh_.spoke(v, w) : Halfedge{};
-  }
+  [[nodiscard]] Halfedge edge(Vertex v, Vertex w) const noexcept;
 
   /// Does the operation under the policy, or refuses it with a reason.
-  Checked split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
-    return checked_split(keeper_, where, new_vertex);
-  }
-  Checked collapse(Halfedge chord) { return checked_collapse(keeper_, chord); }
-  Checked flip(Halfedge h) { return checked_flip(keeper_, h); }
+  Checked split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
+  Checked collapse(Halfedge chord);
+  Checked flip(Halfedge h);
   /// The operations of refine.hpp, in the same way.
-  Checked split_face(Halfedge h) { return checked_split_face(keeper_, h); }
-  Checked join_faces(Halfedge chord) { return checked_join_faces(keeper_, chord); }
-  Checked bisect(Halfedge h) { return checked_bisect(keeper_, h); }
-  Checked merge(Halfedge chord) { return checked_merge(keeper_, chord); }
-  /// A custom operation: see apply.hpp.
-  template <SurfaceTable Table>
-  Checked apply(const Table& table, Halfedge where) {
-    return checked_apply(keeper_, table, where);
-  }
+  Checked split_face(Halfedge h);
+  Checked join_faces(Halfedge chord);
+  Checked bisect(Halfedge h);
+  Checked merge(Halfedge chord);
+  /// A custom operation (apply.hpp). Its body is in live_apply.hpp; include that.
+  template <class Table>
+  Checked apply(const Table& table, Halfedge where);
   /// For idle time: see Keeper::improve. Returns the cost saved.
-  std::size_t improve(std::size_t budget) { return keeper_.improve(budget); }
+  std::size_t improve(std::size_t budget);
 
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
   /// Upload::outgrown says that the buffer on the device is too small.
-  Upload update(const RangeOptions& ranges = {}) {
-    const Upload upload = end_frame(ranges);
-    undelivered_ = false;
-    return upload;
-  }
+  Upload update(const RangeOptions& ranges = {});
   /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
   /// restored exactly, and so are the indices of strips and their width. False when there is nothing to undo or redo.
   /// Call update() next, which returns the ranges to upload. Your data of vertices is not restored, and the numbers of
   /// removed vertices are used again: save the data of a vertex before an operation that changes it. Linear time in the
   /// mesh.
-  bool undo() { return step(false); }
-  bool redo() { return step(true); }
+  bool undo();
+  bool redo();
 
   /// The number of frames that can be undone and redone; update() ends a frame first.
-  [[nodiscard]] std::size_t undoable() const noexcept { return can_step() ? history_->mesh.undoable() : 0; }
-  [[nodiscard]] std::size_t redoable() const noexcept { return can_step() ? history_->mesh.redoable() : 0; }
+  [[nodiscard]] std::size_t undoable() const noexcept;
+  [[nodiscard]] std::size_t redoable() const noexcept;
 
   /// The buffer: see live_buffer.hpp. `indices` are empty when they have 16 bits.
-  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
-  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return buffer_.indices16(); }
-  [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return buffer_.bytes(); }
-  [[nodiscard]] std::size_t index_bytes() const noexcept { return buffer_.index_bytes(); }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept;
+  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept;
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept;
+  [[nodiscard]] std::size_t index_bytes() const noexcept;
   /// The number of indices that the buffer on the device should have room for.
-  [[nodiscard]] std::size_t room() const noexcept { return buffer_.room(); }
-  [[nodiscard]] const LiveBuffer& buffer() const noexcept { return buffer_; }
-  [[nodiscard]] const Mesh& mesh() const noexcept { return mesh_; }
-  [[nodiscard]] Keeper<Mesh>& keeper() noexcept { return keeper_; }
+  [[nodiscard]] std::size_t room() const noexcept;
+
+  [[nodiscard]] const StripMesh& mesh() const noexcept;
+  [[nodiscard]] std::size_t strips() const noexcept;
   /// Counts of rules used and not used in all operations so far.
-  [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return keeper_.rule_counts(); }
+  [[nodiscard]] const RuleCounts& rule_counts() const noexcept;
+  /// The parts, for members that are not repeated here: include search/keeper.hpp, output/live_buffer.hpp.
+  [[nodiscard]] Keeper<StripMesh>& keeper() noexcept;
+  [[nodiscard]] const LiveBuffer& buffer() const noexcept;
 
  private:
-  static Mesh with_strips(Mesh mesh, const LiveOptions& options) {
-    stripify(mesh, options.effort, options.cost);
-    return mesh;
-  }
-  /// Of the mesh and its buffer, which have the same frames.
-  struct Histories {
-    Histories(const Mesh& now, LiveBuffer& buffer_now, std::size_t most) : mesh(now, most), buffer(buffer_now) {}
-    History mesh;
-    LiveHistory buffer;
-  };
+  enum class Colors : std::uint8_t { of_mesh, from_scratch };
+  struct Parts;
 
-  [[nodiscard]] bool can_step() const noexcept { return history_ && !interrupted_; }
-  Upload end_frame(const RangeOptions& ranges) {
-    if (std::exchange(undelivered_, true)) buffer_.keep_upload();
-    if (interrupted_) buffer_.forget();
-    const Upload upload = buffer_.update(mesh_, changed_, ranges);
-    if (most_history_ != 0) {
-      if (std::exchange(interrupted_, true)) {
-        history_.emplace(mesh_, buffer_, most_history_);
-      } else {
-        const bool is_frame = history_->mesh.frame(mesh_, changed_);
-        history_->buffer.frame(buffer_, changed_, is_frame, history_->mesh.undoable());
-      }
-      interrupted_ = false;
-    }
-    changed_.clear();
-    return upload;
-  }
-  bool step(bool forward) {
-    if (most_history_ == 0) return false;
-    end_frame({});
-    if ((forward ? redoable() : undoable()) == 0) return false;
-    interrupted_ = true;
-    const bool exact = forward ? history_->buffer.redo(buffer_) : history_->buffer.undo(buffer_);
-    forward ? history_->mesh.redo(mesh_) : history_->mesh.undo(mesh_);
-    if (exact) changed_.clear();  // the buffer is up to date already
-    interrupted_ = false;
-    keeper_.rebuild();
-    return true;
-  }
+  LiveMesh(StripMesh mesh, const LiveOptions& options, Colors colors);
 
-  Mesh mesh_;
-  Keeper<Mesh> keeper_;
-  std::vector<Triangle> changed_;
-  LiveBuffer buffer_;
-  std::size_t most_history_ = 0;
-  std::optional<Histories> history_;
-  bool interrupted_ = false;  // by an exception, so that mesh, buffer and histories may be out of step
-  bool undelivered_ = false;  // the last frame has ended, but nothing was returned
+  std::unique_ptr<Parts> parts_;
 };
 
-using LiveMesh = BasicLiveMesh<StripMesh>;
-
 }  // namespace restrip
+
+#ifndef RESTRIP_COMPILED
+#include "restrip/impl/live_mesh.hpp"
+#endif

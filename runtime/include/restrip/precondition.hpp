@@ -32,6 +32,15 @@
 #error "restrip needs C++20: compile with -std=c++20 (MSVC: /std:c++20) or a later standard"
 #endif
 
+// Where the bodies are. In programs that link the compiled library (the CMake target restrip::restrip),
+// RESTRIP_COMPILED is defined: headers then leave out the bodies that the library has, and do not instantiate its
+// templates for StripMesh again. Without the macro everything is in the headers.
+#ifdef RESTRIP_COMPILED
+#define RESTRIP_INLINE
+#else
+#define RESTRIP_INLINE inline
+#endif
+
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,4 +1,5 @@
-// restrip: maintains triangle strips while a mesh changes, by proven rules. Header-only, C++20, standard library only.
+// restrip: maintains triangle strips while a mesh changes, by proven rules. C++20, standard library only; all in
+// headers, or compiled as a library.
 //
 // Start with live_mesh.hpp (mesh, strips and index buffer in one object), with search/strips_of.hpp for a mesh that
 // does not change, or with mesh/mesh.hpp (the interface of a custom mesh) and search/keeper.hpp. Each folder includes
@@ -8,7 +9,7 @@
 //   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
 //   operations/, output/     operations with strips kept; strips and index buffers out
 //   search/, formats/        searches beyond a patch: strips from scratch, keepers with a policy; reading files
-//   live_mesh.hpp            all of it in one object
+//   live_mesh.hpp            all of it in one object; live_apply.hpp for its custom operations
 //
 // Not included here: operations/batch.hpp (needs threads), mesh/adapters/ and operations/adapters/ (need OpenMesh or
 // CGAL), operations/test_adapter.hpp (for tests).
@@ -21,6 +22,8 @@
 #else
 
 #include "restrip/formats/baked_file.hpp"
+#include "restrip/fwd.hpp"
+#include "restrip/live_apply.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/cost.hpp"
@@ -39,6 +42,7 @@
 #include "restrip/operations/join.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
+#include "restrip/operations/result.hpp"
 #include "restrip/output/buffer_history.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/index_bound.hpp"
@@ -56,6 +60,7 @@
 #include "restrip/rules/key.hpp"
 #include "restrip/rules/rules.hpp"
 #include "restrip/search/descent.hpp"
+#include "restrip/search/effort.hpp"
 #include "restrip/search/end_search.hpp"
 #include "restrip/search/greedy.hpp"
 #include "restrip/search/keeper.hpp"

@@ -63,7 +63,9 @@ class StripMesh {
   /// not a multiple of three.
   template <class Triangles = std::span<const std::array<Vertex, 3>>>
   [[nodiscard]] static StripMesh build(const Triangles& triangles, std::size_t vertex_count,
-                                       BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
+                                       BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr) {
+    return build_of(TriangleList(triangles), vertex_count, report, origin);
+  }
 
   // ---- walking
   [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side = 0) noexcept { return {t << 2 | side}; }
@@ -328,6 +330,9 @@ class StripMesh {
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
   class Sides;
+  template <class Element>
+  static StripMesh build_of(const TriangleList<Element>& list, std::size_t vertex_count, BuildReport* report_out,
+                            std::vector<std::uint32_t>* origin);
   void find_non_manifold_vertices(BuildReport& report);
 
   std::vector<Record> triangles_;
@@ -339,15 +344,16 @@ class StripMesh {
 };
 
 // Preconditions that the operations check in debug builds; defined in checks.hpp.
-[[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
-                                         Vertex new_vertex);
-[[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
-[[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+                                                 Vertex new_vertex);
+[[nodiscard]] RESTRIP_INLINE Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
+[[nodiscard]] RESTRIP_INLINE Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
 /// Whether the triangles `in` may replace `out` (StripMesh::replace). The rules of checks.hpp hold, with these
 /// differences: all vertices must be different, and no mesh edge may be made that exists already. Quadratic in the
 /// triangles, and linear in the valence of the vertices between which there are new edges.
-[[nodiscard]] inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                                           std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
+[[nodiscard]] RESTRIP_INLINE Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
+                                                   std::span<const StripMesh::Places> in,
+                                                   std::span<const Vertex> vertices);
 
 // Defined in walks.hpp, which the checks use; declared here because walks.hpp may be read after them.
 template <class Visit>
@@ -355,5 +361,7 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 
 }  // namespace restrip
 
+#ifndef RESTRIP_COMPILED
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/impl/strip_mesh.hpp"
+#endif

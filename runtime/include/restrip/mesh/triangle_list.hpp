@@ -14,6 +14,7 @@
 #include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 #include "restrip/precondition.hpp"
 
@@ -102,6 +103,15 @@ template <class Element>
 void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
                     std::span<std::array<std::uint32_t, 3>> across, BuildReport& report);
 
+namespace detail {
+
+/// The root of t in a forest in which a root is its own parent. Shortens the way to it.
+RESTRIP_INLINE std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept;
+
+}  // namespace detail
+
 }  // namespace restrip
 
+#ifndef RESTRIP_COMPILED
 #include "restrip/mesh/impl/join_sides.hpp"
+#endif

@@ -20,24 +20,9 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/impl/patch_checks.hpp"
 #include "restrip/operations/operations.hpp"
+#include "restrip/operations/result.hpp"
 
 namespace restrip {
-
-/// What a checked operation on a custom mesh did, or why it was refused. The halfedge of the rewrite leads to a new
-/// vertex.
-template <class Halfedge>
-struct CustomChecked {
-  Refusal refusal = Refusal::granted;
-  Rewrite<Halfedge> rewrite{};  ///< of the operation, if it was granted
-
-  [[nodiscard]] constexpr bool granted() const noexcept { return refusal == Refusal::granted; }
-  constexpr explicit operator bool() const noexcept { return granted(); }
-};
-
-/// The same on a StripMesh.
-struct Checked : CustomChecked<StripMesh::Halfedge> {
-  Vertex new_vertex = none;  ///< of a split, split_face or bisect, if it was granted
-};
 
 namespace detail {
 

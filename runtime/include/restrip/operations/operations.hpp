@@ -13,18 +13,9 @@
 #include <cstdint>
 
 #include "restrip/mesh/mesh.hpp"
+#include "restrip/operations/result.hpp"
 
 namespace restrip {
-
-/// The result of an operation. (Baked operations count only strips, see baked.hpp.)
-template <class Halfedge>
-struct Rewrite {
-  Halfedge halfedge{};  ///< split: the chord v_s -> v_t; collapse: a spoke of v_s (see CollapsibleMesh); flip: the
-                        ///< turned edge
-  std::uint32_t valence = 0;  ///< k of the fan that was split or that the collapse left; 4 for a flip
-  int strips = 0;             ///< change in the number of strips
-  int isolated = 0;           ///< change in the number of isolated triangles of the whole mesh
-};
 
 /// Splits a vertex and recolours the patch (VertexSplit describes the new triangles).
 template <NamesNewVertices Mesh>

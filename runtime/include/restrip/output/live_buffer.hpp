@@ -32,13 +32,6 @@
 
 namespace restrip {
 
-/// The result of an update: the ranges to upload, ascending and disjoint.
-struct Upload : std::span<const IndexRange> {
-  /// The buffer has become longer than LiveBuffer::room() was, or its indices wider: make a new buffer of room()
-  /// indices on the device. The only range is then the whole buffer.
-  bool outgrown = false;
-};
-
 class LiveBuffer {
  public:
   /// Empty; the first update writes the whole buffer. Live buffers do not support batches (limits of a batch throw
@@ -54,40 +47,11 @@ class LiveBuffer {
   /// Writes the whole buffer, which the caller uploads to a device with room(). Linear time. Throws as the rebuild() of
   /// its buffer does.
   template <NumberedMesh Mesh>
-  void rebuild(const Mesh& mesh) {
-    write_all(mesh);
-    make_room();
-    kept_ = false;
-  }
+  void rebuild(const Mesh& mesh);
   /// Brings the buffer in step with the mesh, like the update() of its buffer, and throws the same; then the next
   /// update writes everything. The result is valid until the next call.
   template <NumberedMesh Mesh>
-  Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {}) {
-    if (!std::exchange(kept_, true)) {  // until this update returns, its caller has only what the last one returned
-      device_ = returned_;
-      all_changed_ = false;
-    }
-    const bool widens =
-        format_.width == IndexWidth::automatic && index_bytes() == 2 &&
-        !std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
-    std::span<const IndexRange> ranges{&all_, 1};
-    if (whole_ || widens) {
-      write_all(mesh);
-    } else {
-      whole_ = true;
-      ranges = std::visit([&](auto& buffer) { return buffer.update(mesh, changed, options); }, buffer_);
-      whole_ = false;
-    }
-    make_room();
-    kept_ = false;
-    const bool outgrown = returned_ != device_;
-    if (outgrown || all_changed_) {
-      all_ = {0, size()};
-      ranges = {&all_, 1};
-    }
-    if (size() == 0) ranges = {};
-    return {ranges, outgrown};
-  }
+  Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {});
   /// Makes the next update also return the ranges of the last one, for a caller that has not uploaded them. It reports
   /// an outgrown buffer if the device's, as it was before the last update, is outgrown then.
   void keep_upload() noexcept {
@@ -151,16 +115,7 @@ class LiveBuffer {
     friend bool operator==(const Extent&, const Extent&) = default;
   };
   template <class Mesh>
-  void write_all(const Mesh& mesh) {
-    if (format_.width == IndexWidth::automatic) {
-      bool wide = false;
-      for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
-      make(wide);
-    }
-    whole_ = all_changed_ = true;
-    std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
-    whole_ = false;
-  }
+  void write_all(const Mesh& mesh);
   void make(bool wide) {
     if (format_.form == StripForm::list)
       buffer_ = wide ? Buffer(TriangleListBuffer()) : Buffer(TriangleListBuffer16());
@@ -194,5 +149,57 @@ class LiveBuffer {
   Extent returned_;  // by the last update
   IndexRange all_;
 };
+
+template <NumberedMesh Mesh>
+void LiveBuffer::rebuild(const Mesh& mesh) {
+  write_all(mesh);
+  make_room();
+  kept_ = false;
+}
+
+template <NumberedMesh Mesh>
+Upload LiveBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options) {
+  if (!std::exchange(kept_, true)) {  // until this update returns, its caller has only what the last one returned
+    device_ = returned_;
+    all_changed_ = false;
+  }
+  const bool widens =
+      format_.width == IndexWidth::automatic && index_bytes() == 2 &&
+      !std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
+  std::span<const IndexRange> ranges{&all_, 1};
+  if (whole_ || widens) {
+    write_all(mesh);
+  } else {
+    whole_ = true;
+    ranges = std::visit([&](auto& buffer) { return buffer.update(mesh, changed, options); }, buffer_);
+    whole_ = false;
+  }
+  make_room();
+  kept_ = false;
+  const bool outgrown = returned_ != device_;
+  if (outgrown || all_changed_) {
+    all_ = {0, size()};
+    ranges = {&all_, 1};
+  }
+  if (size() == 0) ranges = {};
+  return {ranges, outgrown};
+}
+
+template <class Mesh>
+void LiveBuffer::write_all(const Mesh& mesh) {
+  if (format_.width == IndexWidth::automatic) {
+    bool wide = false;
+    for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
+    make(wide);
+  }
+  whole_ = all_changed_ = true;
+  std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
+  whole_ = false;
+}
+
+#ifdef RESTRIP_COMPILED
+extern template void LiveBuffer::rebuild(const StripMesh&);
+extern template Upload LiveBuffer::update(const StripMesh&, std::span<const std::uint32_t>, const RangeOptions&);
+#endif
 
 }  // namespace restrip

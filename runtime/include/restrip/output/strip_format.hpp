@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "restrip/precondition.hpp"
+
 namespace restrip {
 
 enum class StripForm : std::uint8_t {
@@ -59,6 +61,13 @@ struct RangeOptions {
   std::size_t align = 4;
 };
 
+/// The result of an update of a live buffer: the ranges to upload, ascending and disjoint.
+struct Upload : std::span<const IndexRange> {
+  /// The buffer has become longer than room() was, or its indices wider: make a new buffer of room() indices on the
+  /// device. The only range is then the whole buffer.
+  bool outgrown = false;
+};
+
 /// The highest vertex number with 16-bit indices: 0xFFFF restarts strips, or is forbidden as in glTF.
 inline constexpr std::uint32_t highest_index16 = 0xFFFE;
 
@@ -88,8 +97,11 @@ struct IndexBuffer {
 /// repeated indices or not. Strips keep their order, except that in the stitched form a strip of odd length waits for
 /// the next such strip, so that no index is spent on parity. Linear time. Throws std::invalid_argument for a limit that
 /// is too low, and std::length_error when 16 bits are wanted and an index is too high.
-[[nodiscard]] inline IndexBuffer format_strips(std::span<const std::uint32_t> indices, const StripFormat& format = {});
+[[nodiscard]] RESTRIP_INLINE IndexBuffer format_strips(std::span<const std::uint32_t> indices,
+                                                       const StripFormat& format = {});
 
 }  // namespace restrip
 
+#ifndef RESTRIP_COMPILED
 #include "restrip/output/impl/strip_format.hpp"
+#endif

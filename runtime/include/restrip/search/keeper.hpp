@@ -231,3 +231,13 @@ class Keeper {
 }  // namespace restrip
 
 #include "restrip/search/impl/keeper.hpp"
+
+#ifdef RESTRIP_COMPILED
+namespace restrip {
+
+extern template class Keeper<StripMesh>;
+extern template Rewrite<StripMesh::Halfedge> Keeper<StripMesh>::split(const VertexSplit<StripMesh::Halfedge>&);
+extern template Rewrite<StripMesh::Halfedge> Keeper<StripMesh>::split(const VertexSplit<StripMesh::Halfedge>&, Vertex);
+
+}  // namespace restrip
+#endif

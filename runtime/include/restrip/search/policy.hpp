@@ -6,15 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "restrip/search/effort.hpp"
 #include "restrip/search/end_search.hpp"
 
 namespace restrip {
-
-/// Each searches further than the one before it.
-enum class Policy : std::uint8_t { bare, rules, local, quick, full, best };
-
-/// The default policy, chosen for default_cost (mesh/cost.hpp).
-inline constexpr Policy default_policy = Policy::quick;
 
 /// The search from each strip end in a patch, under the cost of strips.
 struct Search {

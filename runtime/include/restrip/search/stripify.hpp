@@ -15,6 +15,7 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
+#include "restrip/search/effort.hpp"
 #include "restrip/search/greedy.hpp"
 #include "restrip/search/impl/annealing.hpp"
 #include "restrip/search/rounds.hpp"
@@ -23,20 +24,6 @@
 #include "restrip/search/window_rounds.hpp"
 
 namespace restrip {
-
-/// In the order of their running times. The resulting cost is never higher than with the previous effort.
-enum class Effort {
-  fast,  ///< one pass, linear time. Strips: greedy.hpp, about 200 to 700 triangles per strip; otherwise strips of some
-         ///< 50 triangles that keep turning left and right, and a few moves at their ends
-  full,  ///< strips: then rounds of tunnelling (rounds.hpp), towards one strip for each connected component; otherwise
-         ///< annealing and a round of small windows, some 10 microseconds a triangle
-  best   ///< strips: larger limits of tunnelling; otherwise annealing for four times as long again, and larger windows
-         ///< (window_rounds.hpp) for about as long as that
-};
-
-/// The default effort, here and in LiveMesh, in C and JavaScript and on every command line. policy.hpp has the default
-/// for maintaining strips.
-inline constexpr Effort default_effort = Effort::fast;
 
 /// Colours the whole mesh from scratch and returns the number of strips. The result depends only on the mesh and the
 /// arguments, and is the same on every machine. `cost` is as in cost.hpp, with one addition: if swaps have a weight, a
@@ -118,5 +105,9 @@ std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit, 
   annealing.give(sides);
   return annealing.strips();
 }
+
+#ifdef RESTRIP_COMPILED
+extern template std::size_t stripify(StripMesh&, Effort, Cost, std::uint64_t, std::uint64_t);
+#endif
 
 }  // namespace restrip

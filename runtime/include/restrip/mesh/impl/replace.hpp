@@ -115,8 +115,8 @@ inline bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, con
 
 }  // namespace detail
 
-inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                             std::span<const StripMesh::Places> in, std::span<const Vertex> vertices) {
+RESTRIP_INLINE Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
+                                     std::span<const StripMesh::Places> in, std::span<const Vertex> vertices) {
   if (out.empty() || in.empty() || out.size() > StripMesh::most_replaced || in.size() > StripMesh::most_replaced)
     return Refusal::other_patch;
   const auto listed = [&](Vertex v) { return std::count(vertices.begin(), vertices.end(), v) != 0; };
@@ -153,8 +153,8 @@ inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> ou
   return Refusal::granted;
 }
 
-inline void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in, std::span<Vertex> vertices,
-                               std::span<Triangle> made) {
+RESTRIP_INLINE void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in,
+                                       std::span<Vertex> vertices, std::span<Triangle> made) {
   RESTRIP_ASSERT(check_replace(*this, out, in, vertices) == Refusal::granted, "StripMesh::replace",
                  describe(check_replace(*this, out, in, vertices)));
   RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "`made` must have one element for each new triangle");

@@ -6,19 +6,21 @@
 #include <stdexcept>
 #include <utility>
 
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/impl/join_sides.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {
 
-inline void StripMesh::join(Halfedge g, Halfedge h) noexcept {
+RESTRIP_INLINE void StripMesh::join(Halfedge g, Halfedge h) noexcept {
   if (!on_boundary(g)) link_of(g) = on_boundary(h) ? edge_of_mesh : h.id << 1;
   if (!on_boundary(h)) link_of(h) = on_boundary(g) ? edge_of_mesh : g.id << 1;
   touch(triangle(g));
   touch(triangle(h));
 }
 
-inline Triangle StripMesh::take_triangle() {
+RESTRIP_INLINE Triangle StripMesh::take_triangle() {
   if (free_.empty()) {
     triangles_.emplace_back();
     return static_cast<Triangle>(triangles_.size() - 1);
@@ -28,12 +30,12 @@ inline Triangle StripMesh::take_triangle() {
   return t;
 }
 
-inline void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept {
+RESTRIP_INLINE void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept {
   triangles_[t] = {{a, b, c}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}};
   touch(t);
 }
 
-inline void StripMesh::expect_touches_around(Vertex v) {
+RESTRIP_INLINE void StripMesh::expect_touches_around(Vertex v) {
   if (watch_.changed == nullptr) return;
   std::size_t triangles = 0;
   Halfedge h = spoke(v);
@@ -44,13 +46,13 @@ inline void StripMesh::expect_touches_around(Vertex v) {
   expect_touches(triangles + most_other_touches);
 }
 
-inline Vertex StripMesh::next_vertex() const noexcept {
+RESTRIP_INLINE Vertex StripMesh::next_vertex() const noexcept {
   const auto free = std::find_if(free_vertices_.rbegin(), free_vertices_.rend(),
                                  [this](Vertex v) { return v < spoke_.size() && spoke_[v] == none; });
   return free != free_vertices_.rend() ? *free : static_cast<Vertex>(spoke_.size());
 }
 
-inline Vertex StripMesh::new_vertex(Vertex wanted) {
+RESTRIP_INLINE Vertex StripMesh::new_vertex(Vertex wanted) {
   if (wanted == none) {
     // Vertices that were named by a caller in the meantime are in use again: skip them.
     while (!free_vertices_.empty()) {
@@ -70,7 +72,7 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
   return wanted;
 }
 
-inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
+RESTRIP_INLINE StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   RESTRIP_ASSERT(wanted >= spoke_.size() || spoke_[wanted] == none, "StripMesh::take_room",
                  describe(Refusal::vertex_in_use));
@@ -89,13 +91,13 @@ inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes
   return room;
 }
 
-inline void StripMesh::give_back(const Room& room) {
+RESTRIP_INLINE void StripMesh::give_back(const Room& room) {
   if (room.right != none) free_.push_back(room.right);
   if (room.left != none) free_.push_back(room.left);
   free_vertices_.push_back(room.vertex);
 }
 
-inline void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
+RESTRIP_INLINE void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
   triangles_.reserve(triangles);
   free_.reserve(triangles);
   spoke_.reserve(vertices);
@@ -103,13 +105,13 @@ inline void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
   free_vertices_.reserve(vertices);
 }
 
-inline void StripMesh::clear_colors() noexcept {
+RESTRIP_INLINE void StripMesh::clear_colors() noexcept {
   for (Record& record : triangles_)
     for (std::uint32_t& link : record.link)
       if (link != edge_of_mesh) link &= ~1U;
 }
 
-inline void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
+RESTRIP_INLINE void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
   expect_touches(triangle_count());
   for (Triangle t = 0; t < triangles_.size(); ++t) {
     if (!alive(t)) continue;
@@ -127,7 +129,7 @@ inline void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
   }
 }
 
-inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   const Halfedge first = spoke(v);
   if (first.id == none) return first;
   Halfedge h = first;
@@ -139,16 +141,17 @@ inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   return {none};
 }
 
-inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved,
-                                                    Vertex wanted) {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
+                                                            std::span<const Halfedge> moved, Vertex wanted) {
   RESTRIP_ASSERT(check_split(*this, {left, right}, wanted) == Refusal::granted, "StripMesh::insert_vertex",
                  describe(check_split(*this, {left, right}, wanted)));
   expect_touches(moved.size() + most_other_touches);
   return insert_vertex(left, right, moved, take_room(VertexSplit<Halfedge>::Spokes::both, wanted));
 }
 
-inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved,
-                                                    const Room& room) noexcept {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
+                                                            std::span<const Halfedge> moved,
+                                                            const Room& room) noexcept {
   const Vertex v_s = from(left);
   const Vertex v_t = room.vertex;
   for (const Halfedge h : moved) set_corner(h, v_t);
@@ -170,14 +173,15 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge righ
   return chord;
 }
 
-inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
   RESTRIP_ASSERT(check_split(*this, where, wanted) == Refusal::granted, "StripMesh::insert_vertex",
                  describe(check_split(*this, where, wanted)));
   expect_touches_around(from(where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left));
   return insert_vertex(where, take_room(where.spokes, wanted));
 }
 
-inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where,
+                                                            const Room& room) noexcept {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
   const bool has_right = where.spokes != Spokes::left_only;
@@ -249,12 +253,12 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
   return chord;
 }
 
-inline void StripMesh::expect_back(std::size_t removals) {
+RESTRIP_INLINE void StripMesh::expect_back(std::size_t removals) {
   detail::make_room(free_, 2 * removals);
   detail::make_room(free_vertices_, removals);
 }
 
-inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
                  describe(check_collapse(*this, chord)));
   expect_back(1);
@@ -265,7 +269,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   return merged;
 }
 
-inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
   const Halfedge back = opposite(chord);
   const bool has_left = !on_boundary(chord);
   const bool has_right = !on_boundary(back);
@@ -293,7 +297,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed)
   return merged;
 }
 
-inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
   RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
                  describe(check_collapse(*this, chord)));
   expect_back(1);
@@ -304,8 +308,8 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<co
   return merged;
 }
 
-inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved,
-                                                    Room& freed) noexcept {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved,
+                                                            Room& freed) noexcept {
   const Vertex v_s = from(chord);
   const Vertex v_t = to(chord);
   for (const Halfedge h : moved) set_corner(h, v_s);
@@ -317,8 +321,8 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<co
 }
 
 /// Joins the neighbours on both sides of the triangles at the chord, and empties these triangles.
-inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
-                                             Room& freed) noexcept {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
+                                                     Room& freed) noexcept {
   freed.left = freed.right = none;
   Halfedge merged{};
   if (has_right) {
@@ -348,7 +352,7 @@ inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool
   return merged;
 }
 
-inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
+RESTRIP_INLINE StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   RESTRIP_ASSERT(check_flip(*this, h) == Refusal::granted, "StripMesh::turn_edge", describe(check_flip(*this, h)));
   expect_touches(most_other_touches);
   const Halfedge g = opposite(h);
@@ -413,10 +417,9 @@ class StripMesh::Sides {
   Record* triangles_;
 };
 
-template <class Triangles>
-StripMesh StripMesh::build(const Triangles& triangles, std::size_t vertex_count, BuildReport* report_out,
-                           std::vector<std::uint32_t>* origin) {
-  const TriangleList list(triangles);
+template <class Element>
+StripMesh StripMesh::build_of(const TriangleList<Element>& list, std::size_t vertex_count, BuildReport* report_out,
+                              std::vector<std::uint32_t>* origin) {
   detail::expect_vertices(vertex_count);
   StripMesh mesh;
   BuildReport report;
@@ -441,7 +444,7 @@ StripMesh StripMesh::build(const Triangles& triangles, std::size_t vertex_count,
   return mesh;
 }
 
-inline void StripMesh::find_non_manifold_vertices(BuildReport& report) {
+RESTRIP_INLINE void StripMesh::find_non_manifold_vertices(BuildReport& report) {
   std::vector<std::uint32_t> corners(spoke_.size(), 0);
   for (Triangle t = 0; t < triangles_.size(); ++t) {
     for (unsigned s = 0; s < 3; ++s) {

@@ -13,19 +13,11 @@
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/operations/operations.hpp"
+#include "restrip/operations/result.hpp"
 #include "restrip/search/descent.hpp"
 #include "restrip/search/impl/patch_choice.hpp"
 
 namespace restrip {
-
-/// The sources of a Keeper's colours, over all operations except baked ones and operations under Policy::bare.
-struct RuleCounts {
-  std::uint64_t asked = 0;     ///< rules looked up
-  std::uint64_t taken = 0;     ///< of them: their colours were written
-  std::uint64_t kept = 0;      ///< of them: passed-on colours cost no more and were kept
-  std::uint64_t improved = 0;  ///< operations after which a search lowered the cost, or joins strips or isolated ones
-  friend constexpr bool operator==(const RuleCounts&, const RuleCounts&) = default;
-};
 
 namespace detail {
 

@@ -1,0 +1,14 @@
+// Declarations of the classes that a program names in its own headers: enough for parameters, and for members behind a
+// pointer.
+#pragma once
+
+namespace restrip {
+
+class StripMesh;
+class LiveMesh;
+struct LiveOptions;
+class LiveBuffer;
+template <class Mesh>
+class Keeper;
+
+}  // namespace restrip

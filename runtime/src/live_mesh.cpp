@@ -1,0 +1,4 @@
+// LiveMesh.
+#include "restrip/live_mesh.hpp"
+
+#include "restrip/impl/live_mesh.hpp"

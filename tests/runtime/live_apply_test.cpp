@@ -1,0 +1,30 @@
+// Custom operations on a LiveMesh: done under its policy and drawn, or refused; undone like any other.
+#include "restrip/live_apply.hpp"
+
+#include <gtest/gtest.h>
+
+#include "restrip/output/check_buffer.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/tables/operations/merge.hpp"
+#include "restrip/tables/operations/refine_face.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+TEST(LiveApply, DoesAndUndoesCustomOperations) {
+  LiveMesh live(sample::torus(8, 8), {.history = 10'000});
+  const auto before = sample::triangles_of(live.mesh());
+  const Checked refined = live.apply(tables::refine_face, StripMesh::halfedge(20));
+  ASSERT_TRUE(refined);
+  EXPECT_GT(live.mesh().triangle_count(), before.size());
+  EXPECT_EQ(live.strips(), count_strips(live.mesh()));
+  live.update();
+  EXPECT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh()));
+  EXPECT_FALSE(live.apply(tables::merge, StripMesh::halfedge(20)));
+  ASSERT_TRUE(live.undo());
+  EXPECT_EQ(sample::triangles_of(live.mesh()), before);
+}
+
+}  // namespace
+}  // namespace restrip
