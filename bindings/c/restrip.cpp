@@ -205,12 +205,16 @@ bool any_null(const Pointers*... pointers) noexcept {
 
 // ---- meshes
 
+/// As many as a mesh of all its triangles can have, if it has no boundary.
+constexpr std::size_t most_vertices = StripMesh::max_triangles;
+
 template <class Index>
 restrip_status build(const Index* indices, std::size_t index_count, std::size_t vertex_count,
                      restrip_build_report* report, std::uint32_t* origin, restrip_mesh** out) {
   if (out != nullptr) *out = nullptr;
   if (out == nullptr || (indices == nullptr && index_count != 0)) return RESTRIP_NULL_ARGUMENT;
   if (index_count % 3 != 0) return RESTRIP_BAD_ARGUMENT;
+  if (vertex_count > most_vertices) return RESTRIP_TOO_LARGE;  // before memory is asked for
   return guarded([&] {
     BuildReport found;
     std::vector<std::uint32_t> places;
@@ -241,6 +245,26 @@ bool format_of(const restrip_format* format, StripFormat& out) noexcept {
   return true;
 }
 
+/// strips_of() with time and memory that do not depend on the vertex numbers: they are renumbered without gaps.
+template <class Index>
+IndexBuffer strips_of_sparse(std::span<const Index> list, std::size_t vertex_count, const StripFormat& format,
+                             Effort effort, const Cost& cost) {
+  std::vector<std::uint32_t> used(list.begin(), list.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const auto place_of = [&used](std::size_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+  };
+  std::vector<std::uint32_t> places(list.size());
+  std::transform(list.begin(), list.end(), places.begin(), place_of);
+  const IndexBuffer strips =
+      strips_of(places, place_of(vertex_count), {.width = IndexWidth::bits32, .list_if_shorter = false}, effort, cost);
+  std::vector<std::uint32_t> indices = std::get<0>(strips.indices);
+  for (std::uint32_t& index : indices)
+    if (index != restart_index) index = used[index];
+  return format_strips(indices, format);
+}
+
 template <class Index>
 restrip_status strips_of_list(const Index* indices, std::size_t index_count, std::size_t vertex_count,
                               std::int32_t effort, const restrip_cost* cost, const restrip_format* format,
@@ -252,8 +276,12 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
   StripFormat wanted;
   if (index_count % 3 != 0 || !named(effort, Effort::best, how) || !format_of(format, wanted) || !cost_of(cost, what))
     return RESTRIP_BAD_ARGUMENT;
+  if (vertex_count > RESTRIP_NONE) return RESTRIP_TOO_LARGE;
   return guarded([&] {
-    *out = new restrip_buffer(strips_of(std::span<const Index>(indices, index_count), vertex_count, wanted, how, what));
+    const std::span list(indices, index_count);
+    const bool sparse = vertex_count > index_count && vertex_count - index_count > StripMesh::max_vertex_gap;
+    *out = new restrip_buffer(sparse ? strips_of_sparse(list, vertex_count, wanted, how, what)
+                                     : strips_of(list, vertex_count, wanted, how, what));
     return RESTRIP_OK;
   });
 }
@@ -727,7 +755,7 @@ restrip_status restrip_live_begin(restrip_mesh* mesh, std::int32_t form) {
 restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   StripFormat wanted;
-  if (!format_of(format, wanted) || wanted.most_vertices + wanted.most_indices != 0) return RESTRIP_BAD_ARGUMENT;
+  if (!format_of(format, wanted) || wanted.most_vertices != 0 || wanted.most_indices != 0) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     mesh->live = std::make_unique<restrip::c::Live>(wanted);
     mesh->mesh.watch(&mesh->live->changed);

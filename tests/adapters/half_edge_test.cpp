@@ -1,5 +1,6 @@
 // docs/how-to/own-mesh.md suffices to write an adapter: a mesh that was written from it keeps the contract, supports
 // every policy, either cost, strips from scratch and live buffers, and its owner's undo works with strips.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -162,6 +163,129 @@ TEST(HalfEdgeMesh, HasCheckedOperations) {
   expect_checked(mesh, mesh);
   Keeper keeper(mesh, Policy::quick, Cost::indices());
   expect_checked(mesh, keeper);
+}
+
+}  // namespace
+}  // namespace restrip
+
+namespace half_edge {
+
+/// Also has the checks of docs/how-to/own-mesh.md, which know vertices, and counts how often they are asked.
+struct CheckedMesh : Mesh {
+  using Mesh::Mesh;
+  mutable int asked = 0;
+
+  [[nodiscard]] std::vector<std::uint32_t> neighbors(Halfedge spoke) const {
+    std::vector<std::uint32_t> found;
+    Halfedge h = spoke;
+    do {
+      found.push_back(to(h));
+      h = on_boundary(h) ? Halfedge{} : opposite(next(next(h)));
+    } while (h != Halfedge{} && h != spoke);
+    if (h == spoke) return found;
+    for (h = spoke; !on_boundary(opposite(h));) {
+      h = next(opposite(h));
+      found.push_back(to(h));
+    }
+    return found;
+  }
+};
+
+restrip::Refusal check_collapse(const CheckedMesh& mesh, Halfedge chord) {
+  ++mesh.asked;
+  std::size_t apexes = 0;
+  for (const Halfedge h : {chord, mesh.opposite(chord)}) apexes += mesh.on_boundary(h) ? 0U : 1U;
+  std::size_t common = 0;
+  const auto ahead = mesh.neighbors(mesh.opposite(chord));
+  for (const std::uint32_t v : mesh.neighbors(chord)) common += static_cast<std::size_t>(std::ranges::count(ahead, v));
+  return common == apexes ? restrip::Refusal::granted : restrip::Refusal::link_condition;
+}
+restrip::Refusal check_flip(const CheckedMesh& mesh, Halfedge h) {
+  ++mesh.asked;
+  const auto apex = [&](Halfedge side) { return mesh.to(mesh.next(side)); };
+  return mesh.find(apex(h), apex(mesh.opposite(h))) == Halfedge{} ? restrip::Refusal::granted
+                                                                  : restrip::Refusal::edge_exists;
+}
+restrip::Refusal check_split(const CheckedMesh& mesh, const restrip::VertexSplit<Halfedge>& where) {
+  ++mesh.asked;
+  return mesh.from(where.left) == 0 ? restrip::Refusal::vertex_in_use : restrip::Refusal::granted;
+}
+
+}  // namespace half_edge
+
+namespace restrip {
+namespace {
+
+/// The refusals of every edge, through this target, are those of a StripMesh.
+template <class Target>
+void expect_refusals_of(const StripMesh& known, const half_edge::CheckedMesh& mesh, const Target& target) {
+  std::size_t refused = 0;
+  for (const StripMesh::Halfedge h : sample::sides_of(known)) {
+    const auto mine = mesh.find(known.from(h), known.to(h));
+    const Refusal collapse = detail::refusal_of_collapse(target, mine);
+    ASSERT_EQ(collapse == Refusal::granted, check_collapse(known, h) == Refusal::granted) << describe(collapse);
+    const Refusal flip = detail::refusal_of_flip(target, mine);
+    ASSERT_EQ(flip == Refusal::granted, check_flip(known, h) == Refusal::granted) << describe(flip);
+    const Refusal split = detail::refusal_of_split(target, {turn_ccw(mesh, mine), mine});
+    ASSERT_EQ(split, known.from(h) == 0 ? Refusal::vertex_in_use : Refusal::granted);
+    refused += collapse == Refusal::link_condition ? 1U : 0U;
+  }
+  EXPECT_GT(refused, 10U);
+}
+TEST(HalfEdgeMesh, HasItsOwnChecksThroughEveryWrapper) {
+  for (const StripMesh& known : {sample::torus(3, 6), sample::torus(4, 3)}) {
+    std::vector<std::uint32_t> corners;
+    for (const auto& triangle : sample::triangles_of(known))
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
+    half_edge::CheckedMesh mesh(corners);
+    Watched watched(mesh);
+    struct Derived : decltype(watched) {
+      explicit Derived(half_edge::CheckedMesh& base) : Watched(base) {}
+    } derived(mesh);
+    Watched<decltype(watched)> twice(watched);
+    expect_refusals_of(known, mesh, mesh);
+    expect_refusals_of(known, mesh, watched);
+    expect_refusals_of(known, mesh, derived);
+    expect_refusals_of(known, mesh, twice);
+    Keeper keeper(twice, Policy::quick);
+    const auto ring = mesh.find(0, 1);
+    mesh.asked = 0;
+    EXPECT_EQ(checked_split_face(keeper, ring).refusal, Refusal::vertex_in_use);
+    EXPECT_GE(mesh.asked, 1);
+    const Refusal expected = detail::refusal_of_collapse(mesh, ring);
+    mesh.asked = 0;
+    EXPECT_EQ(checked_collapse(keeper, ring).refusal, expected);
+    EXPECT_GE(mesh.asked, 1);
+  }
+}
+
+/// The mesh's own checks are asked about what the checks on triangles grant, and only about that.
+TEST(HalfEdgeMesh, ChecksTrianglesBeforeItsOwnChecks) {
+  for (const std::vector<std::uint32_t>& corners :
+       {std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, {0, 1, 2}, {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}}) {
+    half_edge::CheckedMesh mesh(corners);
+    Watched watched(mesh);
+    Keeper keeper(watched, Policy::quick);
+    std::size_t size = triangles_in(mesh);
+    for (bool collapsed = true; collapsed;) {
+      collapsed = false;
+      for (std::uint32_t t = 0; t < mesh.triangle_bound() && !collapsed; ++t)
+        for (unsigned side = 0; mesh.has_triangle(t) && side < 3 && !collapsed; ++side) {
+          auto h = mesh.halfedge(t);
+          for (unsigned turn = 0; turn < side; ++turn) h = mesh.next(h);
+          mesh.asked = 0;
+          const auto done = checked_collapse(keeper, h);
+          collapsed = done.granted();
+          EXPECT_EQ(mesh.asked > 0, collapsed || done.refusal == Refusal::link_condition) << describe(done.refusal);
+        }
+      if (collapsed) {
+        ASSERT_LT(triangles_in(mesh), size);
+        size = triangles_in(mesh);
+        ASSERT_GT(size, 0U);
+      }
+    }
+    EXPECT_EQ(size, corners.size() == 12 ? 4U : 1U);
+  }
 }
 
 }  // namespace

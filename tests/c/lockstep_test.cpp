@@ -432,6 +432,39 @@ TEST(CInterface, BuffersInEveryForm) {
   restrip_buffer_free(buffer);
 }
 
+/// Vertex numbers are renumbered or refused before memory is asked for.
+TEST(CInterface, VertexNumbersTakeNoMemory) {
+  constexpr std::uint32_t far = 4'000'000'000;
+  const std::vector<std::uint32_t> list{0, 1, far, far, 1, 70'000, far, 70'000, far + 1, 5, 5, 1, 0, 1, 4'294'967'294};
+  restrip_mesh* mesh = nullptr;
+  for (const std::size_t vertices : {std::size_t{536'870'912}, std::size_t{far} + 2, SIZE_MAX})
+    EXPECT_EQ(restrip_mesh_build_u32(list.data(), list.size(), vertices, nullptr, nullptr, &mesh), RESTRIP_TOO_LARGE);
+  EXPECT_EQ(mesh, nullptr);
+  restrip_buffer* buffer = nullptr;
+  restrip_format format{RESTRIP_FORM_RESTART, 0, 0, 0, 1};
+  EXPECT_EQ(restrip_strips_of_u32(list.data(), list.size(), std::size_t{RESTRIP_NONE} + 1, RESTRIP_EFFORT_FAST, nullptr,
+                                  &format, &buffer),
+            RESTRIP_TOO_LARGE);
+  for (const std::int32_t form : {RESTRIP_FORM_RESTART, RESTRIP_FORM_STITCHED, RESTRIP_FORM_LENGTHS, RESTRIP_FORM_LIST})
+    for (const std::size_t vertices : {std::size_t{far} + 2, std::size_t{far} + 1}) {
+      format.form = form;
+      ASSERT_EQ(
+          restrip_strips_of_u32(list.data(), list.size(), vertices, RESTRIP_EFFORT_FAST, nullptr, &format, &buffer),
+          RESTRIP_OK);
+      restrip_buffer_view view{};
+      ASSERT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
+      EXPECT_EQ(view.index_bits, 32);
+      std::vector<Corners> expected{{0, 1, far}, {1, 70'000, far}};
+      if (vertices > far + 1) expected.push_back({70'000, far + 1, far});
+      EXPECT_EQ(read_view(view.indices, 4 * view.index_count, view), expected);
+      restrip_buffer_free(buffer);
+    }
+  const std::vector<std::uint16_t> narrow{0, 1, 2};  // far below the number of vertices
+  ASSERT_EQ(restrip_strips_of_u16(narrow.data(), 3, RESTRIP_NONE, RESTRIP_EFFORT_FAST, nullptr, nullptr, &buffer),
+            RESTRIP_OK);
+  restrip_buffer_free(buffer);
+}
+
 TEST(CInterface, FormatsAreChecked) {
   const Handle mesh = handle_of(sample::octahedron());
   restrip_buffer* buffer = nullptr;
@@ -446,6 +479,10 @@ TEST(CInterface, FormatsAreChecked) {
     EXPECT_EQ(status_of(bad), RESTRIP_BAD_ARGUMENT);
   const restrip_format batches{RESTRIP_FORM_RESTART, 0, 64, 0, 0};
   EXPECT_EQ(restrip_live_begin_format(mesh.get(), &batches), RESTRIP_BAD_ARGUMENT);
+  for (const std::size_t most : {std::size_t{3}, SIZE_MAX / 2 + 1, SIZE_MAX - 3}) {  // whose sum is 0, among others
+    const restrip_format opposite{RESTRIP_FORM_RESTART, 32, most, 0 - most, 0};
+    EXPECT_EQ(restrip_live_begin_format(mesh.get(), &opposite), RESTRIP_BAD_ARGUMENT);
+  }
   ASSERT_EQ(restrip_live_begin_format(mesh.get(), nullptr), RESTRIP_OK);
   const restrip_range* ranges = nullptr;
   std::size_t count = 0;

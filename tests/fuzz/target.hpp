@@ -1,4 +1,4 @@
-// A fuzz target: one reader of the programs, with small files to start from.
+// A fuzz target: one reader of the programs, or a LiveMesh, with small files to start from.
 #pragma once
 
 #include <functional>
@@ -23,10 +23,11 @@ struct Target {
   unsigned runs = 0;  ///< default number of runs in a test; about two seconds with sanitizers
 };
 
-/// Readers of meshes, of tables and custom operations (by the verifier), and of the generator's shards.
+/// Readers of meshes, of tables and custom operations (by the verifier), and of the generator's shards; a LiveMesh.
 [[nodiscard]] std::vector<Target> mesh_targets();
 [[nodiscard]] std::vector<Target> table_targets();
 [[nodiscard]] std::vector<Target> shard_targets();
+[[nodiscard]] std::vector<Target> live_targets();
 
 /// A promise of a reader: throws std::logic_error if it is broken.
 void promise(bool kept, const char* what);

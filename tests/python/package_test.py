@@ -96,6 +96,29 @@ class StripsOf(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, said):
                 restrip.strips_of(grid(3), **options)
 
+    def test_sparse_vertices_take_no_memory(self):
+        far, near = 4_000_000_000, grid(4)
+        names = np.arange(near.max() + 1, dtype=np.int64) * 150_000_000
+        faces = names[near]
+        drawn = lambda corners: sorted(tuple(np.roll(face, -int(np.argmin(face))).tolist()) for face in corners)
+        for options in ({}, {"vertex_count": far}, {"cost": "strips"}):
+            for index in ("auto", 32):
+                self.assertEqual(drawn(restrip.faces_of(restrip.strips_of(faces, index=index, **options))), drawn(faces))
+        strips, close = restrip.strips_of(faces, format="strips"), restrip.strips_of(near, format="strips")
+        self.assertEqual([strip.tolist() for strip in strips], [names[strip].tolist() for strip in close])
+        self.assertEqual(len(restrip.strips_of(faces, format="vtk")), len(restrip.strips_of(near, format="vtk")))
+        self.assertEqual(restrip.strips_of([[0, 1, 2]], vertex_count=far).dtype, np.uint16)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            self.assertEqual(restrip.strips_of([[0, 1, 2], [2, 1, far]], vertex_count=far, index=16).tolist(), [0, 1, 2])
+        self.assertIn("1 of 2 faces are left out", str(caught[0].message))
+        with self.assertRaisesRegex(restrip.RestripError, "index='auto'"):
+            restrip.strips_of([[0, 1, far]], index=16)
+        with self.assertRaisesRegex(ValueError, "vertex 4000000000 of 1 faces.*numpy.unique"):
+            restrip.LiveMesh([[0, 1, far]])
+        with self.assertRaisesRegex(ValueError, "vertex_count 4000000001"):
+            restrip.LiveMesh([[0, 1, far]], far + 1)
+
     def test_what_is_left_out_gives_a_warning(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
@@ -203,6 +226,11 @@ class Live(unittest.TestCase):
             mesh.colors = np.full(mesh.triangle_bound, 7)
         with self.assertRaises(restrip.RestripError):
             mesh.colors = colors[1:]
+        for wrong in (colors.astype(int) + 256, colors - 0.0, colors.astype(int) - 8, colors == 1, [8] * len(colors), colors.reshape(-1, 1), "no"):
+            with self.assertRaisesRegex(ValueError, "colors: expected integers from 0 to 7"):
+                mesh.colors = wrong
+        mesh.colors = colors.tolist()
+        self.assertEqual(mesh.colors.tolist(), colors.tolist())
 
     def test_a_buffer_must_be_begun(self):
         with self.assertRaisesRegex(restrip.RestripError, "live"):

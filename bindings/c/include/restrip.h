@@ -118,8 +118,9 @@ typedef struct restrip_build_report {
  * edges are dashed, and the policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES. `report` may be null. `origin`
  * may be null, or has room for index_count / 3 numbers and receives for each triangle of the mesh its place in
  * `indices` (they differ when some are left out). The indices are copied. index_count must be a multiple of 3 (else
- * RESTRIP_BAD_ARGUMENT); a mesh holds at most 536,870,911 triangles and 4,294,967,295 vertices (else
- * RESTRIP_TOO_LARGE). O(T). Release the mesh with restrip_mesh_free. After an error *mesh is null. */
+ * RESTRIP_BAD_ARGUMENT); a mesh holds at most 536,870,911 triangles and as many vertices (else
+ * RESTRIP_TOO_LARGE), and has memory for all vertices below vertex_count. O(T). Release the mesh with
+ * restrip_mesh_free. After an error *mesh is null. */
 RESTRIP_API restrip_status restrip_mesh_build_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
 RESTRIP_API restrip_status restrip_mesh_build_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
@@ -362,8 +363,9 @@ typedef struct restrip_buffer_view {
 typedef struct restrip_buffer restrip_buffer;
 /* The strips of a triangle list, without a mesh: as restrip_mesh_build_u32 and restrip_mesh_stripify. `cost` may be
  * null: RESTRIP_FEWEST_INDICES; `format` may be null: restarts, the narrowest indices. Triangles with a corner twice or
- * out of range are left out. RESTRIP_TOO_LARGE when 16 bits are requested and do not suffice. After an error *buffer is
- * null. */
+ * out of range are left out. RESTRIP_TOO_LARGE when 16 bits are requested and do not suffice, and for a vertex_count
+ * above 4,294,967,295. Vertex numbers far above the number of indices take no memory. After an error *buffer is null.
+ */
 RESTRIP_API restrip_status restrip_strips_of_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
                                                  int32_t effort, const restrip_cost* cost, const restrip_format* format,
                                                  restrip_buffer** buffer);

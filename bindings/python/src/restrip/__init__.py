@@ -37,6 +37,7 @@ _LENGTHS = 2
 _SLICES = 50
 _TOO_LARGE = 103  # RESTRIP_TOO_LARGE
 _MOST = 2 * sys.maxsize + 1  # of size_t
+_GAP = 1 << 20  # vertex numbers further above the number of corners are sparse
 _NEEDS_32 = "vertex 65,535 needs 32-bit indices; use index='auto'"
 
 
@@ -161,7 +162,8 @@ class LiveMesh:
     one). Strips are made from scratch by `effort` ("fast", "full", "best"; None: every triangle is a strip) and maintained by
     `policy` ("bare", "rules", "local", "quick", "full", "best": docs/reference/policies.md has figures) for `cost`: "strips",
     "indices", or a triple (restart, swap, isolated) of weights. Memory is linear in the faces and in the largest vertex
-    number, about 17 bytes for each; `strips_of` shows how to renumber sparse vertices.
+    number, about 17 bytes for each. Sparse vertices are refused: renumber them by
+    `used, corners = np.unique(faces, return_inverse=True)`; with `corners.reshape(-1, 3)` in place of `faces`, `used[i]` is vertex i.
 
     Attributes: `report`, a Report, counts defects of the faces; faces that are left out give a warning. `outgrown` says
     whether the last update() needs a new buffer on the device, and `room` how many indices that buffer should hold.
@@ -183,7 +185,10 @@ class LiveMesh:
         corners = _corners(faces, NONE)
         if vertex_count is None:
             vertex_count = int(corners.max()) + 1 if corners.size else 0
-        vertex_count = _number("vertex_count", vertex_count)
+            if vertex_count > corners.size + _GAP:
+                raise ValueError(f"faces: vertex {vertex_count - 1} of {len(corners)} faces needs memory for all vertices below it; renumber sparse vertices "
+                                 "by used, corners = numpy.unique(faces, return_inverse=True), or give vertex_count if you want that many")
+        vertex_count = _number("vertex_count", vertex_count, NONE // 8)
         kept = _one_of("policy", policy, _POLICIES)
         report, mesh, weights = lib.BuildReport(), ctypes.c_void_p(), _cost(cost)
         lib.call("mesh_build_u32", _address(corners), corners.size, vertex_count, report, None, mesh)
@@ -387,6 +392,12 @@ class LiveMesh:
 
     @colors.setter
     def colors(self, colors) -> None:
+        colors = np.asarray(colors)
+        if colors.size == 0:
+            colors = colors.astype(np.uint8)
+        if colors.ndim != 1 or colors.dtype.kind not in "iu" or (colors.size and not 0 <= colors.min() <= colors.max() <= 7):
+            raise ValueError(f"colors: expected integers from 0 to 7 in one dimension, one for each triangle number, found {colors.dtype} of shape "
+                             f"{colors.shape}" + (f", {colors.min()} to {colors.max()}" if colors.size and colors.dtype.kind in "iuf" else ""))
         colors = np.ascontiguousarray(colors, dtype=np.uint8)
         lib.call("mesh_set_colors", self._mesh, _address(colors), colors.size)
 
@@ -503,27 +514,47 @@ def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort:
       "strips"    a list of arrays, one for each strip,
       "vtk"       one array, in which each strip follows the number of its indices, as in vtkPolyData and pyvista.
     Windings are kept; an index is repeated if a strip turns twice the same way. `index` is 16, 32 or "auto".
-    Memory is linear in the faces and in the largest vertex number, about 17 bytes for each. Sparse vertices are renumbered by
-    `used, corners = np.unique(faces, return_inverse=True)`: with `corners.reshape(-1, 3)` in place of `faces`, `used[i]` is
-    vertex i. If a triangle list has fewer indices than the array that is returned, a warning says so. With `progress` the strips of the
+    Memory is linear in the faces, whatever the vertex numbers. If a triangle list has fewer indices than the array that is returned, a warning says so. With `progress` the strips of the
     effort "fast" are improved step by step, and progress(done, budget, saved) is called in between; it may stop that by
     returning True.
     """
     _one_of("format", format, _FORMATS)
     _one_of("effort", effort, _EFFORTS)
-    mesh = LiveMesh(faces, vertex_count, policy="full", cost=cost, effort=effort if progress is None else "fast")
+    corners = _corners(faces, NONE)
+    if vertex_count is None:
+        vertex_count = int(corners.max()) + 1 if corners.size else 0
+    used = None
+    if _number("vertex_count", vertex_count) > corners.size + _GAP:  # sparse: renumbered without gaps
+        used, inverse = np.unique(corners, return_inverse=True)
+        corners, vertex_count = inverse.reshape(-1, 3), int(np.searchsorted(used, vertex_count))
+    mesh = LiveMesh(corners, vertex_count, policy="full", cost=cost, effort=effort if progress is None else "fast")
     if progress is not None:
         mesh.improve({"fast": 1, "full": 40, "best": 400}[effort] * max(1, mesh.triangle_count), progress)
     if format in _FORMS:
-        indices = mesh.indices(format, index)
+        indices = _renamed(mesh.indices(format, index if used is None else 32), used, index)
         if len(indices) > 3 * mesh.triangle_count:
             warnings.warn(f"restrip: these strips have {len(indices)} indices, a triangle list has {3 * mesh.triangle_count}", stacklevel=2)
         return indices
-    strips = mesh.strip_indices(index)
+    strips = mesh.strip_indices(index if used is None else 32)
+    if used is not None and strips:
+        strips = np.split(_renamed(np.concatenate(strips), used, index), np.cumsum([len(strip) for strip in strips])[:-1])
     if format == "strips":
         return strips
     parts = [part for strip in strips for part in (np.array([len(strip)], np.int64), strip.astype(np.int64))]
     return np.concatenate(parts) if parts else np.empty(0, np.int64)
+
+
+def _renamed(indices: np.ndarray, used: Optional[np.ndarray], index: Index) -> np.ndarray:
+    """Indices of 32 bits with the vertices used[i] in place of i, in the width `index`; the same indices if `used` is None."""
+    if used is None:
+        return indices
+    restarts = indices == NONE
+    named = used[np.where(restarts, 0, indices)] if used.size else indices
+    narrow = not named.size or named.max() < 0xFFFF
+    if _bits(index) == 16 and not narrow:
+        raise RestripError(_TOO_LARGE, f"indices: {_NEEDS_32}")
+    dtype = np.dtype(np.uint16 if narrow and index != 32 else np.uint32)
+    return np.where(restarts, np.iinfo(dtype).max, named).astype(dtype)
 
 
 def faces_of(indices) -> np.ndarray:

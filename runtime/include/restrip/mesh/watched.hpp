@@ -15,18 +15,20 @@
 // (operations/test_adapter.hpp), and so can the triangles that a buffer draws (output/check_buffer.hpp).
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/refusal.hpp"
 #include "restrip/mesh/walks.hpp"
 
 namespace restrip {
 
-/// Models the concepts that the mesh models. Refers to the mesh, which must outlive it. Each call takes the time of the
-/// mesh's call and of a walk around the vertices whose triangles change. Room in the list is made before anything
-/// changes; after std::bad_alloc nothing has changed.
+/// Models the concepts that the mesh models, and has its checks. Refers to the mesh, which must outlive it. Each call
+/// takes the time of the mesh's call and of a walk around the vertices whose triangles change. Room in the list is made
+/// before anything changes; after std::bad_alloc nothing has changed.
 template <NumberedMesh Mesh>
 class Watched {
  public:
@@ -53,6 +55,22 @@ class Watched {
   { return mesh_->leaves_boundary(h); }
   [[nodiscard]] bool alive(Halfedge h) const requires requires(const Mesh& m) { m.alive(h); }
   { return mesh_->alive(h); }
+
+  // ---- checks of the mesh (operations/checked.hpp), found by argument-dependent lookup as for the mesh itself
+  template <class... Name>
+  [[nodiscard]] friend Refusal check_split(const Watched& watched, const VertexSplit<Halfedge>& where,
+                                           const Name&... name) requires requires(const Mesh& m) {
+    { check_split(m, where, name...) } -> std::same_as<Refusal>;
+  }
+  { return check_split(watched.mesh(), where, name...); }
+  [[nodiscard]] friend Refusal check_collapse(const Watched& watched, Halfedge chord) requires requires(const Mesh& m) {
+    { check_collapse(m, chord) } -> std::same_as<Refusal>;
+  }
+  { return check_collapse(watched.mesh(), chord); }
+  [[nodiscard]] friend Refusal check_flip(const Watched& watched, Halfedge h) requires requires(const Mesh& m) {
+    { check_flip(m, h) } -> std::same_as<Refusal>;
+  }
+  { return check_flip(watched.mesh(), h); }
 
   // ---- changes
   void set_solid(Halfedge h, bool solid) {

@@ -7,9 +7,13 @@
 //
 // Each calls its check and does the operation if it is granted; a refused operation changes nothing. Pass a mesh for
 // the rules (operations.hpp), or a Keeper for its policy. The checks of a StripMesh are in mesh/checks.hpp. On a custom
-// mesh handles are checked if it has alive(), and the check is its own check_split(), check_collapse() or check_flip(),
-// found by argument-dependent lookup. Without these it is what a walk around the patch can see, which excludes the link
-// condition and flips onto an existing edge: vertices have no names there.
+// mesh handles are checked if it has alive(), then what a walk around the patch can see, which excludes the link
+// condition and flips onto an existing edge, because vertices have no names there. Then its own checks follow, found by
+// argument-dependent lookup, also through a Watched:
+//
+//   restrip::Refusal check_collapse(const Mesh& mesh, Mesh::Halfedge chord);
+//   restrip::Refusal check_flip(const Mesh& mesh, Mesh::Halfedge h);
+//   restrip::Refusal check_split(const Mesh& mesh, const restrip::VertexSplit<Mesh::Halfedge>& where);
 #pragma once
 
 #include <concepts>

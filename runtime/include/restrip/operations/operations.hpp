@@ -6,8 +6,8 @@
 //
 // Same preconditions as the mesh operation. Debug builds check them first and abort with the reason
 // (precondition.hpp). For a StripMesh they check all of checks.hpp. For other meshes they check what a walk around the
-// patch finds, and `bool alive(h)` if the mesh has it. They also call check_split(mesh, where), check_collapse(mesh,
-// chord) and check_flip(mesh, h) for meshes that have them; these return a Refusal.
+// patch finds, and `bool alive(h)` if the mesh has it, then the mesh's own check_split(), check_collapse() and
+// check_flip(), if it has them (checked.hpp).
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // The preconditions of operations, on any mesh. The concepts of mesh.hpp have no vertices, so only the checks of
 // checks.hpp are possible that a walk around the patch can make, and a check that the colours there are valid, which
-// fails after changes made without restrip. If a mesh has check_split(), check_collapse() or check_flip(), found by
-// argument-dependent lookup, these are called instead.
+// fails after changes made without restrip. If these grant an operation and the mesh has check_split(),
+// check_collapse() or check_flip(), found by argument-dependent lookup, that decides. The checks of a StripMesh are
+// complete by themselves.
 //
 // Nothing outside the patch is read, so that operations on disjoint patches may be checked at the same time.
 #pragma once
@@ -16,6 +17,10 @@
 /// The precondition that a check grants an operation.
 #define RESTRIP_ASSERT_GRANTED(refusal, function) \
   RESTRIP_ASSERT((refusal) == ::restrip::Refusal::granted, function, ::restrip::describe(refusal))
+
+namespace restrip {
+class StripMesh;
+}
 
 namespace restrip::detail {
 
@@ -109,9 +114,14 @@ Refusal check_flip_patch(const Mesh& mesh, typename Mesh::Halfedge h) {
   return Refusal::granted;
 }
 
+template <class Mesh>
+inline constexpr bool checks_are_complete = std::derived_from<Mesh, StripMesh>;
+
 /// The checks of debug builds before split(), collapse() and flip(). `name`: the caller's name for the new vertex.
 template <ColoredMesh Mesh, class... Name>
 Refusal refusal_of_split(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const Name&... name) {
+  if constexpr (!checks_are_complete<Mesh>)
+    if (const Refusal refusal = check_split_patch(mesh, where); refusal != Refusal::granted) return refusal;
   if constexpr (requires {
                   { check_split(mesh, where, name...) } -> std::same_as<Refusal>;
                 })
@@ -121,27 +131,31 @@ Refusal refusal_of_split(const Mesh& mesh, const VertexSplit<typename Mesh::Half
                      })
     return check_split(mesh, where);
   else
-    return check_split_patch(mesh, where);
+    return Refusal::granted;
 }
 
 template <ColoredMesh Mesh>
 Refusal refusal_of_collapse(const Mesh& mesh, typename Mesh::Halfedge chord) {
+  if constexpr (!checks_are_complete<Mesh>)
+    if (const Refusal refusal = check_collapse_patch(mesh, chord); refusal != Refusal::granted) return refusal;
   if constexpr (requires {
                   { check_collapse(mesh, chord) } -> std::same_as<Refusal>;
                 })
     return check_collapse(mesh, chord);
   else
-    return check_collapse_patch(mesh, chord);
+    return Refusal::granted;
 }
 
 template <ColoredMesh Mesh>
 Refusal refusal_of_flip(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (!checks_are_complete<Mesh>)
+    if (const Refusal refusal = check_flip_patch(mesh, h); refusal != Refusal::granted) return refusal;
   if constexpr (requires {
                   { check_flip(mesh, h) } -> std::same_as<Refusal>;
                 })
     return check_flip(mesh, h);
   else
-    return check_flip_patch(mesh, h);
+    return Refusal::granted;
 }
 
 }  // namespace restrip::detail
