@@ -159,7 +159,7 @@ class BasicStripBuffer {
               std::uint32_t edge_goes);
   template <class Mesh>
   void read(const Mesh& mesh, std::uint32_t t);
-  [[nodiscard]] std::uint32_t best_cut(std::uint32_t near, std::uint32_t begin) const noexcept;
+  [[nodiscard]] std::uint32_t best_cut(std::uint32_t wanted, std::uint32_t begin) const noexcept;
   template <class Mesh>
   [[nodiscard]] Start start(const Mesh& mesh, const Text& text, bool forward) const;
   [[nodiscard]] bool is_forward(const Text& text) const noexcept;

@@ -210,10 +210,10 @@ class BakedReader {
       if (h.id == none) return fail(nowhere);
       flips.push_back(baked_format::canonical(now_, h));
     }
-    std::uint64_t far = 0;
-    if (head % 2 != 0 && !number(far)) return false;
+    std::uint64_t skipped = 0;
+    if (head % 2 != 0 && !number(skipped)) return false;
     next = 0;
-    for (; far > 0; --far, ++next) {
+    for (; skipped > 0; --skipped, ++next) {
       if (!number(step)) return false;
       next += step;
       if (next >= 3 * std::uint64_t{now_.triangle_bound()}) return fail(nowhere);

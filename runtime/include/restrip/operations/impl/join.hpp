@@ -136,17 +136,17 @@ Repair join_and_absorb(Mesh& mesh, Each&& each) {
 
 /// The same for the triangles to the left of some halfedges, each once; boundary halfedges are skipped.
 template <class Mesh, class Halfedge>
-Repair join_in(Mesh& mesh, std::span<Halfedge> near) {
+Repair join_in(Mesh& mesh, std::span<Halfedge> nearby) {
   std::size_t count = 0;
-  for (const Halfedge h : near) {
-    const auto met = near.first(count);
+  for (const Halfedge h : nearby) {
+    const auto met = nearby.first(count);
     if (mesh.on_boundary(h) ||
         std::any_of(met.begin(), met.end(), [&](Halfedge g) { return in_same_triangle(mesh, h, g); }))
       continue;
-    near[count++] = h;
+    nearby[count++] = h;
   }
   return join_and_absorb(mesh, [&](auto&& visit) {
-    for (const Halfedge h : near.first(count)) visit(h);
+    for (const Halfedge h : nearby.first(count)) visit(h);
   });
 }
 
@@ -155,14 +155,14 @@ Repair join_in(Mesh& mesh, std::span<Halfedge> near) {
 template <class Mesh, class Table>
 Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first) {
   const auto patch = read_sides(mesh, table.triangles_after, first);
-  std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
+  std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> nearby;
   std::size_t count = 0;
-  for (const auto& triangle : patch.sides()) near[count++] = triangle[0];
+  for (const auto& triangle : patch.sides()) nearby[count++] = triangle[0];
   for (std::size_t t = 0; t < patch.sides().size(); ++t)
     for (std::size_t s = 0; s < 3; ++s)
       if (table.triangles_after[t].side[s] >= tables::PatchTriangle::port_side)
-        near[count++] = mesh.opposite(patch.side[t][s]);
-  return join_in(mesh, std::span(near).first(count));
+        nearby[count++] = mesh.opposite(patch.side[t][s]);
+  return join_in(mesh, std::span(nearby).first(count));
 }
 
 // ---- Around an interior vertex bits name the strip ends, and the ports joined before but not now.
@@ -326,14 +326,14 @@ Repair join_around(Mesh& mesh, typename Mesh::Halfedge h) {
 template <ColoredMesh Mesh>
 Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_at_edge", describe(Refusal::no_such_edge));
-  std::array<typename Mesh::Halfedge, 6> near;
+  std::array<typename Mesh::Halfedge, 6> nearby;
   std::size_t count = 0;
   for (const auto inner : {h, mesh.opposite(h)}) {
     if (mesh.on_boundary(inner)) continue;
     const auto second = mesh.next(inner);
-    for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) near[count++] = g;
+    for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) nearby[count++] = g;
   }
-  return detail::join_in(mesh, std::span(near).first(count));
+  return detail::join_in(mesh, std::span(nearby).first(count));
 }
 
 template <NumberedMesh Mesh>

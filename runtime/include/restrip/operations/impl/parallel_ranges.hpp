@@ -22,20 +22,20 @@ namespace restrip::detail {
 /// ended. In a program without exceptions a thread that cannot be started ends the program.
 template <class Body>
 void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
-  constexpr std::size_t small = 32;  // operations that are not worth a thread
-  if (threads == 1 || n <= small) {
+  constexpr std::size_t few = 32;  // operations that are not worth a thread
+  if (threads == 1 || n <= few) {
     if (n > 0) body(std::size_t{0}, n);
     return;
   }
 #ifdef RESTRIP_USE_TBB
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, small),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, few),
                       [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
   });
 #else
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t pieces = std::min<std::size_t>(threads, (n + small - 1) / small);
+  const std::size_t pieces = std::min<std::size_t>(threads, (n + few - 1) / few);
   const auto run = [&](std::size_t piece) {
     body(n / pieces * piece + std::min(piece, n % pieces), n / pieces * (piece + 1) + std::min(piece + 1, n % pieces));
   };

@@ -184,12 +184,12 @@ void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
 // Chooses where to cut the strip: near a link, and so that few indices are repeated. A strip repeats an index if it
 // turns around the same vertex in two triangles, but not in the triangles next to a cut.
 template <class Index>
-std::uint32_t BasicStripBuffer<Index>::best_cut(std::uint32_t near, std::uint32_t begin) const noexcept {
+std::uint32_t BasicStripBuffer<Index>::best_cut(std::uint32_t wanted, std::uint32_t begin) const noexcept {
   const auto turns_around = [&](std::uint32_t i) { return strip_[i - 1].edge ^ strip_[i].corners ^ strip_[i].edge; };
-  std::uint32_t best = near;
+  std::uint32_t best = wanted;
   std::uint32_t most = 0;
-  const std::uint32_t last = std::min(near + detail::cut_window, links_ - 4);
-  for (std::uint32_t cut = std::max(near - detail::cut_window, begin + 3); cut <= last; ++cut) {
+  const std::uint32_t last = std::min(wanted + detail::cut_window, links_ - 4);
+  for (std::uint32_t cut = std::max(wanted - detail::cut_window, begin + 3); cut <= last; ++cut) {
     std::uint32_t saved = 0;
     for (std::uint32_t i = cut - 2; i <= cut; ++i) saved += std::uint32_t{turns_around(i) == turns_around(i + 1)};
     if (saved > most) best = cut;

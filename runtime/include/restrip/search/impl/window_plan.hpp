@@ -29,14 +29,14 @@ struct WindowSide {
     dashed,     ///< frozen, or on the boundary
     leaving,    ///< a dual edge to a later triangle of the window, in a new slot from here on
     arriving,   ///< one from an earlier triangle; its slot is free again
-    port,       ///< a solid edge out of the window to a strand that ends outside, as `far` says
+    port,       ///< a solid edge out of the window to a strand that ends outside, as `far_end` says
     port_out,   ///< a solid edge out of the window to a strand that comes back at a later triangle, by `slot`
     port_back,  ///< the other end of such a strand
   };
   Kind kind = Kind::dashed;
   std::uint8_t slot = 0;
-  std::uint8_t turn = 0;  ///< of ports: how the strip turns beyond it, seen from the edge (other_solid_sides)
-  std::uint8_t far = 0;   ///< of Kind::port: a StrandEnd
+  std::uint8_t turn = 0;     ///< of ports: how the strip turns beyond it, seen from the edge (other_solid_sides)
+  std::uint8_t far_end = 0;  ///< of Kind::port: a StrandEnd
 };
 
 struct WindowTriangle {
@@ -198,7 +198,7 @@ class WindowPlan {
       if (!step.goes_on) {
         side.kind = Kind::port;
         const unsigned last_turn = mesh.other_solid_sides(mesh.opposite(in));
-        side.far = side.turn == 0 ? ends_there : last_turn == 1 ? ends_wrong : ends_well;
+        side.far_end = side.turn == 0 ? ends_there : last_turn == 1 ? ends_wrong : ends_well;
         return true;
       }
       in = step.in;

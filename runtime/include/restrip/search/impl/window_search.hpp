@@ -24,8 +24,8 @@ class Frontier {
  public:
   [[nodiscard]] std::uint8_t& operator[](std::size_t slot) noexcept { return bytes_[slot]; }
   [[nodiscard]] std::uint8_t operator[](std::size_t slot) const noexcept { return bytes_[slot]; }
-  void set_far(std::uint8_t slot, std::uint8_t far) noexcept {
-    bytes_[slot] = static_cast<std::uint8_t>((bytes_[slot] & 3U) | unsigned{far} << 2);
+  void set_far(std::uint8_t slot, std::uint8_t far_end) noexcept {
+    bytes_[slot] = static_cast<std::uint8_t>((bytes_[slot] & 3U) | unsigned{far_end} << 2);
   }
   [[nodiscard]] std::uint64_t hash() const noexcept {
     const Words words = std::bit_cast<Words>(bytes_);
@@ -163,7 +163,7 @@ class WindowSearch {
         ++tally.isolated;
         continue;
       }
-      std::array<std::uint8_t, 2> far{};
+      std::array<std::uint8_t, 2> far_end{};
       std::array<std::uint8_t, 2> own{};
       std::uint8_t end_here = marks.end(ends_there);  // what the strand of a triangle of degree one ends with
       std::size_t n = 0;
@@ -174,30 +174,30 @@ class WindowSearch {
         const auto meets = [&](unsigned turn_beyond) {
           tally.swaps += int{(turn_beyond ^ turn) == 3};
           end_here = turn_beyond == 1 ? marks.end(ends_wrong) : ends_well;
-          if (far[n] == ends_there) far[n] = turn == 1 ? marks.end(ends_wrong) : ends_well;
+          if (far_end[n] == ends_there) far_end[n] = turn == 1 ? marks.end(ends_wrong) : ends_well;
         };
         own[n] = side.slot;
         switch (side.kind) {
           case Kind::leaving:
             frontier[side.slot] = static_cast<std::uint8_t>(1 + turn);
-            far[n] = side.slot;
+            far_end[n] = side.slot;
             break;
           case Kind::arriving:
-            far[n] = frontier[side.slot] >> 2;
+            far_end[n] = frontier[side.slot] >> 2;
             meets((frontier[side.slot] & 3U) - 1);
             frontier[side.slot] = 0;
             break;
           case Kind::port:
-            far[n] = marks.end(side.far);
+            far_end[n] = marks.end(side.far_end);
             own[n] = ends_well;
             meets(marks.turn(side.turn));
             break;
           case Kind::port_out:
-            far[n] = side.slot;
+            far_end[n] = side.slot;
             meets(marks.turn(side.turn));
             break;
           case Kind::port_back:
-            far[n] = frontier[side.slot] >> 2;
+            far_end[n] = frontier[side.slot] >> 2;
             meets(marks.turn(side.turn));
             frontier[side.slot] = 0;
             break;
@@ -207,14 +207,14 @@ class WindowSearch {
         ++n;
       }
       if (degree == 1)
-        far[1] = end_here;
-      else if (far[0] == own[1] && far[0] < frontier_slots)
+        far_end[1] = end_here;
+      else if (far_end[0] == own[1] && far_end[0] < frontier_slots)
         return false;  // a cycle
-      const bool ends0 = far[0] >= frontier_slots;
-      const bool ends1 = far[1] >= frontier_slots;
-      if (ends0 && ends1) tally.windings += int{far[0] == ends_wrong && far[1] == ends_wrong};
-      if (!ends0) frontier.set_far(far[0], far[1]);
-      if (!ends1) frontier.set_far(far[1], far[0]);
+      const bool ends0 = far_end[0] >= frontier_slots;
+      const bool ends1 = far_end[1] >= frontier_slots;
+      if (ends0 && ends1) tally.windings += int{far_end[0] == ends_wrong && far_end[1] == ends_wrong};
+      if (!ends0) frontier.set_far(far_end[0], far_end[1]);
+      if (!ends1) frontier.set_far(far_end[1], far_end[0]);
     }
     return true;
   }
