@@ -62,9 +62,11 @@ HEADERS = {
     ],
     "readers": [
         ("the look-up in tables", f"{RULES}/rules.hpp", token("const std::size_t by = exchange ? a : 0;", "const std::size_t by = exchange ? k : 0;"), "split", "table split k "),
+        ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers give"),
+    ],
+    "questions": [
         ("what open splits ask the automaton", f"{RULES}/rules.hpp", token("exact::best_open_split(k, i, j,", "exact::best_open_split(k, i, k,"), "open-split", "table open-split k "),
         ("what collapses onto open fans ask it", f"{RULES}/rules.hpp", token("joined_path(k, i, inner", "joined_path(k, 0, inner"), "fan-collapse", "table boundary-collapse k "),
-        ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers give"),
     ],
     "stated": [
         ("the strips that a rule states", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table states "),
