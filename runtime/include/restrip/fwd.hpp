@@ -2,6 +2,8 @@
 // pointer.
 #pragma once
 
+#include "restrip/precondition.hpp"
+
 namespace restrip {
 
 class StripMesh;
