@@ -881,7 +881,7 @@ restrip_status restrip_baked_move(restrip_mesh* mesh, std::size_t level, std::si
     auto& keeper = mesh->keeper;
     for (std::size_t at = keeper.baked()->level(); at != level && played < most; at = keeper.baked()->level()) {
       ++played;
-      const BakedSplit& split = mesh->file->splits[at < level ? at : at - 1];
+      const SplitRecord& split = mesh->file->splits[at < level ? at : at - 1];
       if (at < level)
         keeper.split_record(at, spokes_of(mesh->mesh, split), split.v_t);
       else
@@ -906,7 +906,7 @@ restrip_status restrip_baked_record(const restrip_mesh* mesh, std::size_t i, res
   if (any_null(mesh, record)) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->file) return RESTRIP_NOT_BAKED;
   if (i >= mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
-  const BakedSplit& split = mesh->file->splits[i];
+  const SplitRecord& split = mesh->file->splits[i];
   *record = {split.v_s, split.v_t, split.v_l, split.v_r};
   return RESTRIP_OK;
 }

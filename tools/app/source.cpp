@@ -57,7 +57,7 @@ Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& men
   source.mesh = std::move(std::get<ProgressiveMesh>(read));
   BuildReport report;
   const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
-  source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices, 0, 0};
+  source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices};
   return source;
 }
 

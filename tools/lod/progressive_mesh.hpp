@@ -6,22 +6,12 @@
 #include <vector>
 
 #include "meshes/soup.hpp"
+#include "restrip/mesh/split_record.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::tools {
 
-/// One vertex split, given by vertices; read backward, one edge collapse of v_t into v_s. The orientation is the same
-/// as in VertexSplit: v_l is the apex to the left of v_s -> v_t. If the new mesh edge lies on the boundary, one apex is
-/// `none`.
-struct Record {
-  Vertex v_s = none;  ///< is split and stays
-  Vertex v_t = none;  ///< is new
-  Vertex v_l = none;
-  Vertex v_r = none;
-  /// The number of triangles that the split adds.
-  [[nodiscard]] std::size_t triangles() const noexcept { return v_l != none && v_r != none ? 2 : 1; }
-  friend bool operator==(const Record&, const Record&) = default;
-};
+using Record = SplitRecord;
 
 struct ProgressiveMesh {
   std::vector<Point> points;               ///< of all vertices
@@ -44,14 +34,6 @@ struct ProgressiveMesh {
     return level;
   }
 };
-
-/// The spokes of a split, found by its vertices. Spokes that do not exist are {none}; check_split refuses them.
-[[nodiscard]] inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const Record& record) {
-  using Split = VertexSplit<StripMesh::Halfedge>;
-  if (record.v_r == none) return {mesh.spoke(record.v_s, record.v_l), {}, Split::Spokes::left_only};
-  if (record.v_l == none) return {{}, mesh.spoke(record.v_s, record.v_r), Split::Spokes::right_only};
-  return {mesh.spoke(record.v_s, record.v_l), mesh.spoke(record.v_s, record.v_r), Split::Spokes::both};
-}
 
 /// The spokes of the split with this number. Throws BadInput, naming the file and the split, if `now`, the mesh after
 /// the previous splits, does not allow it (checks.hpp).

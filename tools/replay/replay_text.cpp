@@ -43,9 +43,9 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   const LeftOut& left = subject.left_out;
   if (left.degenerate_triangles != 0)
     fmt::format_to(out, "  left out: {}\n", counted(left.degenerate_triangles, "degenerate triangle"));
-  if (left.non_manifold_vertices + left.frozen_vertices != 0)
-    fmt::format_to(out, "  left alone: {} where the mesh is not manifold, {} next to them\n",
-                   counted(left.non_manifold_vertices, "vertex", "vertices"), left.frozen_vertices);
+  if (left.non_manifold_vertices != 0)
+    fmt::format_to(out, "  left alone: {} where the mesh is not manifold\n",
+                   counted(left.non_manifold_vertices, "vertex", "vertices"));
 
   fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17} {:>12} {:>6}   {}\n", "triangles", "strips", "per strip",
                  "isolated", "indices per tri.", "live buffer", "ACMR",
@@ -175,7 +175,6 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"left_out",
        {{"degenerate_triangles", subject.left_out.degenerate_triangles},
         {"non_manifold_vertices", subject.left_out.non_manifold_vertices},
-        {"frozen_vertices", subject.left_out.frozen_vertices},
         {"large_vertices", subject.left_out.large_vertices}}},
       {"valid", report.valid() && (!walk || walk->fault.empty())},
       {"faults", report.faults},

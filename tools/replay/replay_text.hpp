@@ -26,8 +26,7 @@
 //  - buffer_bytes_written_per_operation: what a split rewrites of it
 //  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,
 //    fault, fault_step, trace}; when there was one
-//  - left_out: {degenerate_triangles, non_manifold_vertices, frozen_vertices, large_vertices}, what no operation
-//    touches
+//  - left_out: {degenerate_triangles, non_manifold_vertices, large_vertices}, what no operation touches
 //  - mended: {welded_vertices, vanished_triangles, turned_triangles}, when it was asked for
 //  - left_out_content: what the file holds besides the mesh, if anything
 //  - valid, faults: whether every check passed; which did not

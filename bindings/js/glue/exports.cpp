@@ -5,7 +5,6 @@
 #include <new>
 
 #include "session.hpp"
-#include "simplify.hpp"
 
 #ifdef __wasm__
 // Functions that the standard library of WebAssembly calls when memory runs out or when it would throw. Its own
@@ -43,6 +42,22 @@ struct Page {
   std::unique_ptr<Session> session;  // null if the bytes of a baked mesh were refused
   std::string damage;                // why
   BuildReport left_out;
+};
+
+/// A mesh that is being simplified.
+struct Simplifying {
+  std::vector<float> points;
+  BuildReport left_out;
+  Simplifier simplifier;
+
+  Simplifying(std::vector<float> places, std::span<const Corners> triangles)
+      : points(std::move(places)),
+        simplifier(StripMesh::build(triangles, points.size() / 3, &left_out), in_64_bits(points)) {}
+  static std::vector<Simplifier::Point> in_64_bits(const std::vector<float>& points) {
+    std::vector<Simplifier::Point> all(points.size() / 3);
+    for (std::size_t i = 0; i < points.size() / 3 * 3; ++i) all[i / 3][i % 3] = points[i];
+    return all;
+  }
 };
 
 /// A triangle of the picture. `beyond` and `joined` are by its sides, side i from corner i to the next one: the
@@ -96,20 +111,25 @@ RESTRIP_EXPORT(Page*, restrip_open)
       std::move(source), std::vector<float>(points, points + 3 * std::size_t{point_count}), &page->left_out);
   return page;
 }
-RESTRIP_EXPORT(Simplifier*, restrip_simplify_begin)
+RESTRIP_EXPORT(Simplifying*, restrip_simplify_begin)
 (const float* points, std::uint32_t point_count, const Corners* triangles, std::uint32_t triangle_count) {
-  return new Simplifier({points, points + 3 * std::size_t{point_count}}, {triangles, triangle_count});
+  return new Simplifying({points, points + 3 * std::size_t{point_count}}, {triangles, triangle_count});
 }
-/// Runs at most `most` attempts and returns the excess of triangles; 0 when it has ended.
-RESTRIP_EXPORT(std::uint32_t, restrip_simplify_run)(Simplifier* simplifier, std::uint32_t wanted, std::uint32_t most) {
-  return word(simplifier->run(wanted, most));
+/// Does at most `most` collapses and returns the excess of triangles; 0 when it has ended.
+RESTRIP_EXPORT(std::uint32_t, restrip_simplify_run)(Simplifying* mesh, std::uint32_t wanted, std::uint32_t most) {
+  return mesh->simplifier.run(wanted, most) ? 0 : word(mesh->simplifier.mesh().triangle_count() - wanted);
 }
 /// Opens the resulting mesh and removes the simplifier.
-RESTRIP_EXPORT(Page*, restrip_simplify_end)(Simplifier* simplifier) {
-  const std::unique_ptr<Simplifier> owned(simplifier);
+RESTRIP_EXPORT(Page*, restrip_simplify_end)(Simplifying* mesh) {
+  const std::unique_ptr<Simplifying> owned(mesh);
+  const auto& collapses = owned->simplifier.collapses();
+  Progressive made{{}, {collapses.rbegin(), collapses.rend()}, owned->points.size() / 3};
+  const StripMesh& coarse = owned->simplifier.mesh();
+  for (Triangle t = 0; t < coarse.triangle_bound(); ++t)
+    if (coarse.alive(t)) made.base.push_back(coarse.corners(t));
   auto* page = new Page;
-  page->left_out = owned->report();
-  page->session = std::make_unique<Session>(owned->result(), owned->points());
+  page->left_out = owned->left_out;
+  page->session = std::make_unique<Session>(std::move(made), std::move(owned->points));
   return page;
 }
 RESTRIP_EXPORT(Page*, restrip_open_baked)(const std::byte* bytes, std::uint32_t count) {

@@ -19,7 +19,7 @@ using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 using Corners = std::array<Vertex, 3>;
 
-using Record = BakedSplit;
+using Record = SplitRecord;
 static_assert(sizeof(Corners) == 12 && sizeof(Record) == 16, "JavaScript passes these as numbers of 32 bits");
 
 struct Progressive {
@@ -29,7 +29,7 @@ struct Progressive {
 
   [[nodiscard]] std::size_t fine_triangles() const noexcept {
     std::size_t n = base.size();
-    for (const Record& r : splits) n += r.v_l != none && r.v_r != none ? 2 : 1;
+    for (const Record& r : splits) n += r.triangles();
     return n;
   }
 };

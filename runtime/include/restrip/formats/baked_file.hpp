@@ -13,19 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "restrip/mesh/split_record.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/baked.hpp"
 
 namespace restrip {
-
-/// One vertex split, by vertices; read backward, a collapse of v_t into v_s. v_l is to the left of v_s -> v_t. If the
-/// new edge lies on the boundary, v_l or v_r is `none`.
-struct BakedSplit {
-  Vertex v_s = none;
-  Vertex v_t = none;
-  Vertex v_l = none;
-  Vertex v_r = none;
-};
 
 /// User data for each record, the same number of bytes for all: a texture coordinate, an error bound, a priority.
 struct BakedPayload {
@@ -40,14 +32,11 @@ struct BakedPayload {
 struct BakedFile {
   std::vector<std::array<float, 3>> points;  ///< of all vertices: the base first, then one for each split
   std::vector<std::array<Vertex, 3>> base;   ///< triangle t of the base has handle t in `mesh`
-  std::vector<BakedSplit> splits;            ///< from coarse to fine
+  std::vector<SplitRecord> splits;           ///< from coarse to fine
   StripMesh mesh;                            ///< the base, in its colours
   BakedRecords<StripMesh::Halfedge> records;
   BakedPayload payload{};
 };
-
-/// The spokes of a split of the mesh as it is before that split.
-[[nodiscard]] inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const BakedSplit& split);
 
 /// Fills `file` and returns an empty string, or returns what is wrong with the bytes, phrased to follow the file name
 /// and a colon; then `file` is unchanged. Refuses bytes that are truncated, altered (the checksum covers all of them),

@@ -15,13 +15,6 @@
 
 namespace restrip {
 
-inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const BakedSplit& split) {
-  using Split = VertexSplit<StripMesh::Halfedge>;
-  if (split.v_r == none) return {mesh.spoke(split.v_s, split.v_l), {}, Split::Spokes::left_only};
-  if (split.v_l == none) return {{}, mesh.spoke(split.v_s, split.v_r), Split::Spokes::right_only};
-  return {mesh.spoke(split.v_s, split.v_l), mesh.spoke(split.v_s, split.v_r), Split::Spokes::both};
-}
-
 namespace detail {
 
 /// Every function that reads returns false when it cannot continue; fault() then says why.
@@ -176,7 +169,7 @@ class BakedReader {
     if (!point() || !number(v_s)) return false;
     if (v_s >= v_t || now_.spoke(static_cast<Vertex>(v_s)).id == none)
       return fail("it splits a vertex that does not exist");
-    BakedSplit split{static_cast<Vertex>(v_s), v_t, none, none};
+    SplitRecord split{static_cast<Vertex>(v_s), v_t, none, none};
     baked_format::neighbors_of(now_, split.v_s, neighbors_);
     if (!number(apexes)) return false;
     const std::uint64_t radix = neighbors_.size() + 1;
