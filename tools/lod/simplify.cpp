@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/progress.hpp"
 #include "lod/coloring_check.hpp"
@@ -34,8 +35,9 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
   for (const Point& p : soup.points) points.push_back({p.x, p.y, p.z});
 
   Simplifier simplifier(std::move(mesh), points, options.boundary);
-  Progress progress("simplifying", (triangles - result.wanted_triangles) / 2);
-  while (!simplifier.run(result.wanted_triangles, 1000)) progress.at(simplifier.collapses().size());
+  const std::size_t collapses = (triangles - result.wanted_triangles) / 2;
+  Progress progress("simplifying", collapses);
+  while (!simplifier.run(result.wanted_triangles, collapses / 100 + 1)) progress.at(simplifier.collapses().size());
 
   result.left_out = {report.degenerate_triangles, report.non_manifold_vertices, simplifier.large_vertices()};
   if (simplifier.mesh().triangle_count() > result.wanted_triangles) result.left_out.obstacles = simplifier.obstacles();
