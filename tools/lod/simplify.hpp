@@ -11,6 +11,8 @@
 
 namespace restrip::tools {
 
+using restrip::BoundaryPolicy;
+
 struct SimplifyOptions {
   double base = 0.02;  ///< the wanted share of triangles, 0 < base <= 1
   BoundaryPolicy boundary = BoundaryPolicy::move;
