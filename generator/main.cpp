@@ -162,7 +162,11 @@ int main(int argc, char** argv) {
   std::string family = "split";
   unsigned k = 0;
   auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
-  dump_command->footer("Columns:\n" + dump_columns() + "\nExample:\n  restrip-generate dump --family split --k 4\n");
+  dump_command->footer("Columns:\n" + dump_columns() +
+                       "  others             their numbers, then inner,ports,inner_after,strips,isolated; ports_after "
+                       "before strips\n                     if ports may be given up\n"
+                       "\nExamples, from the top of the source tree:\n  restrip-generate dump --family split --k 4\n"
+                       "  restrip-generate dump --operation tables/operations/bisect.json\n");
   std::vector<std::string> names;
   for (const Description& one : families()) names.push_back(one.name);
   dump_command->add_option("--family", family, fmt::format("One of {}", fmt::join(names, ", ")))
@@ -170,6 +174,15 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   auto* k_option =
       dump_command->add_option("--k", k, "Valence: 3 … 13 (open families: 1 … 13)")->check(CLI::Range(1, 13));
+  std::string dumped;
+  std::optional<unsigned> dumped_max_k;
+  auto* dumped_option =
+      dump_command->add_option("--operation", dumped, "Instead, a custom operation or family: its file")
+          ->excludes("--family")
+          ->excludes("--k");
+  dump_command->add_option("--max-k", dumped_max_k, "Of its family: the largest first number; default 8")
+      ->check(CLI::Range(3, 10))
+      ->needs(dumped_option);
 
   PositionNumbers numbers{};
   std::string described_family = "split";
@@ -213,7 +226,9 @@ int main(int argc, char** argv) {
       served.empty() ? make_automaton_files(automaton) : make_served_headers(served, automaton.out);
     if (*merge_command) merge_shards(merge_in, merge_out, merge_json);
     if (*rules_command) make_rules(rules);
-    if (*dump_command) {
+    if (*dump_command && !dumped.empty()) {
+      dump_rules(dumped, dumped_max_k, stdout);
+    } else if (*dump_command) {
       const Description& chosen = family_named(family);
       if (chosen.numbers.empty() && !k_option->empty())
         throw std::invalid_argument(fmt::format("--family {}: it has one position, without --k", family));

@@ -43,18 +43,23 @@ void expect_within_limits(const Patches& section) {
   }
 }
 
-/// The files of a description, from the sections of its certificate. Positions that it omits, because they are images
-/// of others, are solved for them. Adds the bytes of the table.
-std::map<std::filesystem::path, std::string> files_of(const Description& description, const std::vector<Section>& known,
-                                                      const std::set<std::string>& languages, unsigned max_k,
-                                                      std::size_t& table_bytes) {
-  std::vector<Description> every{description};
+/// All positions of a description with their rules.
+struct AnsweredPositions {
+  std::vector<Description> every;  ///< the description with all positions listed
+  std::vector<Section> images;
+  std::vector<AnsweredPosition> positions;
+};
+
+/// From the sections of its certificate. Positions that it omits, because they are images of others, are solved.
+AnsweredPositions answered_positions(const Description& description, const std::vector<Section>& known,
+                                     unsigned max_k) {
+  AnsweredPositions answered;
+  auto& [every, images, positions] = answered;
+  every = {description};
   every[0].listed.clear();
   every[0].section = description.place.empty() ? description.name : description.place;
   const std::vector<Patches> patches = patches_of(every, max_k);
-  std::vector<Section> images;
   images.reserve(patches.size());
-  std::vector<AnsweredPosition> positions;
   for (const Patches& one : patches) {
     const Position& position = one.serves[0];
     const auto serves = [&](const Section& other) {
@@ -69,7 +74,15 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
     }
     positions.push_back({position, found == known.end() ? &images.back() : &*found});
   }
-  const OperationLayout layout = operation_layout(positions);
+  return answered;
+}
+
+/// The files of a description, from the sections of its certificate. Adds the bytes of the table.
+std::map<std::filesystem::path, std::string> files_of(const Description& description, const std::vector<Section>& known,
+                                                      const std::set<std::string>& languages, unsigned max_k,
+                                                      std::size_t& table_bytes) {
+  const AnsweredPositions answered = answered_positions(description, known, max_k);
+  const OperationLayout layout = operation_layout(answered.positions);
   table_bytes += layout.bytes();
   std::map<std::filesystem::path, std::string> files;
   if (languages.contains("c++")) files[operation_header_path(description.name)] = operation_header(layout);
@@ -109,6 +122,37 @@ void add_figures(const Certificate& certificate, std::size_t bytes, nlohmann::or
 }
 
 }  // namespace
+
+void dump_rules(const std::string& file, std::optional<unsigned> max_k, std::FILE* out) {
+  const std::vector<Description> descriptions = read_descriptions(file);
+  if (descriptions.size() != 1)
+    throw std::runtime_error(
+        fmt::format("{}: describes {} operations; dump a file of one at a time", file, descriptions.size()));
+  const Description& description = descriptions[0];
+  if (max_k && description.numbers.empty())
+    throw std::runtime_error(fmt::format("{}: not a family, so --max-k has no effect; leave it out", file));
+  std::vector<Section> sections;
+  for (Patches& patches : patches_of(descriptions, max_k.value_or(most_ports))) {
+    expect_within_limits(patches);
+    sections.push_back(solve(std::move(patches)));
+  }
+  const bool gives_up = description.gives_all_up || description.may_give_up != 0;
+  for (const std::string& number : description.numbers) fmt::print(out, "{},", number);
+  fmt::print(out, "inner,ports,inner_after,{}strips,isolated\n", gives_up ? "ports_after," : "");
+  const AnsweredPositions answered = answered_positions(description, sections, max_k.value_or(most_ports));
+  for (const auto& [position, section] : answered.positions) {
+    const Operation operation = operation_at(position);
+    std::string place;
+    for (std::size_t i = 0; i < description.numbers.size(); ++i) place += fmt::format("{},", position.numbers().at(i));
+    for_each_valid(operation, [&, rows = section](const Configuration& c) {
+      const Row& row = row_of(*rows, c.ports, c.outcome.joined);
+      const Change change = change_of(operation.patch, c, row);
+      fmt::print(out, "{}{},{},{},", place, c.before, c.ports, row.recoloring);
+      if (gives_up) fmt::print(out, "{},", row.kept);
+      fmt::print(out, "{},{}\n", change.strips, change.isolated);
+    });
+  }
+}
 
 void make_rules(const RulesOptions& options) {
   std::vector<Description> descriptions;

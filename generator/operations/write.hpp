@@ -1,6 +1,7 @@
-// The command `restrip-generate rules`.
+// The commands `restrip-generate rules` and `restrip-generate dump --operation`.
 #pragma once
 
+#include <cstdio>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,5 +21,9 @@ struct RulesOptions {
 /// Solves every operation and writes its files, all at once. Reports on standard output. Throws std::exception with
 /// file and remedy.
 void make_rules(const RulesOptions& options);
+
+/// The rules of an operation file with one description as CSV, in the columns of docs/reference/verifiers.md, "Rules as
+/// CSV": for a family, of every position up to `max_k` (8). Throws as above.
+void dump_rules(const std::string& file, std::optional<unsigned> max_k, std::FILE* out);
 
 }  // namespace restrip::generator

@@ -79,6 +79,15 @@ for family, k in families.items():
     verify("rules rules.csv", 0, f"{family}: ")
 run("restrip-generate dump --family flip > rules.csv", 0)
 verify("rules rules.csv", 0, "flip: ")
+operations = sorted((root / "tables/operations").glob("*.json")) + sorted((root / "tests/corpus/operations/families").glob("*.json"))
+assert len(operations) > 12
+for file in operations:
+    max_k = " --max-k 4" * ("numbers" in json.loads(file.read_text()))
+    run(f"restrip-generate dump --operation {file}{max_k} > rules.csv", 0)
+    text = verify(f"rules rules.csv --operation {file}", 0, f"{file.stem}: ")
+    assert re.search(r"\nwithout a row +0\n", text) and "positions without any row" not in text, text
+run(f"restrip-generate dump --operation {operations[0]} --max-k 3", 2, "not a family, so --max-k has no effect")
+run(f"restrip-generate dump --operation {root}/tables/families.json", 2, "is a name of restrip")
 run("restrip-generate dump --family split --k 5 > rules.csv", 0)
 rows = (scratch / "rules.csv").read_text().splitlines()
 (scratch / "marked.csv").write_bytes(b"\xef\xbb\xbf" + "\r\n".join([*rows, ""]).encode())  # as spreadsheets write it
