@@ -227,7 +227,7 @@ size = ("--size", f"{WIDTH},{HEIGHT}", "-o", scratch / "b.png")
 run("simplify", mesh, "--base", "0.2", "-o", scratch / "mesh.pm")
 run("draw", scratch / "mesh.pm", *LEVEL[2:], *size)
 assert (scratch / "b.png").read_bytes() == first
-for policy in ("local", "quick"):
+for policy in ("local", "full"):
     run("draw", scratch / "mesh.pm", "--policy", policy, "--triangles", 300, *size)
     assert (scratch / "b.png").read_bytes() != first, policy
 
