@@ -15,7 +15,7 @@ from pathlib import Path
 
 from markdown_it import MarkdownIt
 
-BUTTONS = ('<p class="buttons"><a class="button" href="viewer.html">See what strips save</a> <a class="button" href="atlas/index.html">Atlas of rules</a> '
+BUTTONS = ('<p class="buttons"><a class="button" href="maker.html">Make a rule</a> <a class="button" href="viewer.html">See what strips save</a> <a class="button" href="atlas/index.html">Atlas of rules</a> '
            '<a class="button" href="atlas/paint.html">Paint a configuration</a></p>')
 
 
@@ -99,7 +99,7 @@ def whole(title, body, style, up):
     return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<meta name="color-scheme" content="light dark">\n<title>{escape(title)}</title>\n'
             f'<meta property="og:title" content="{escape(title)}">\n<meta property="og:image" content="{up}docs/ribbon.png">\n'
-            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}viewer.html">Viewer</a> '
+            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}maker.html">Make a rule</a> <a href="{up}viewer.html">Viewer</a> '
             f'<a href="{up}atlas/index.html">Atlas of rules</a></nav>\n<main class="prose">{body}</main>\n</body>\n</html>\n')
 
 

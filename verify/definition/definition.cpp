@@ -168,8 +168,9 @@ Judged Definition::judged(Colors configuration, Colors recoloring) const {
   if (refuting_world(configuration, recoloring).has_value()) return judged = {Verdict::unsound};
   const CostValues own = cost(configuration, recoloring);
   const CostValues least = best(configuration).value().cost;
-  const auto* const higher = std::mismatch(own.begin(), own.end(), least.begin()).first;
-  if (higher != own.end()) judged = {Verdict::not_best, static_cast<unsigned>(higher - own.begin())};
+  unsigned criterion = 0;
+  while (criterion < own.size() && own[criterion] == least[criterion]) ++criterion;
+  if (criterion < own.size()) judged = {Verdict::not_best, criterion};
   return judged;
 }
 

@@ -46,8 +46,9 @@ Obstacle obstacle_in(const Definition& definition, Colors recoloring, unsigned w
   clear(left.ports, ~operation.may_give_up);
   obstacle.ports = left.ports & ~operation.may_give_up;
   const Degrees degree = degrees(operation.after, left);
-  const auto* const most = std::max_element(degree.begin(), degree.end());
-  if (*most > most_solid(operation.constraint)) obstacle.triangle = static_cast<unsigned>(most - degree.begin());
+  const auto most = std::max_element(degree.begin(), degree.end()) - degree.begin();
+  if (degree[static_cast<std::size_t>(most)] > most_solid(operation.constraint))
+    obstacle.triangle = static_cast<unsigned>(most);
   return obstacle;
 }
 

@@ -1,0 +1,132 @@
+// Claim: the page's modules are the programs. For every operation file of the project, for families, and for 50 random
+// operations, the modules write the same certificate, header and tables in other languages, and the verifier's claims
+// and its last line are the same, byte by byte. Files with mistakes are refused in the same words. Of 200 certificates
+// with one rule changed, and sealed again, the module and the program say the same: first line, claims, counterexamples.
+//   node maker_test.mjs WEB_FOLDER RESTRIP_GENERATE RESTRIP_VERIFY NAUTY SCRATCH; NAUTY: yes if the module has it
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { sealed } from '../../web/maker/certificate.mjs';
+import { judged, made, program } from '../../web/maker/programs.mjs';
+import { randomOperation } from './random_operations.mjs';
+
+const [folder, generateProgram, verifyProgram, hasNauty, scratch] = process.argv.slice(2);
+const root = fileURLToPath(new URL('../../', import.meta.url));
+rmSync(scratch, { recursive: true, force: true });
+mkdirSync(scratch, { recursive: true });
+const compiled = (name) => WebAssembly.compile(readFileSync(join(folder, 'maker', name)));
+let heard = [];
+const modules = { generate: await program(await compiled('generate.wasm')), judge: await program(await compiled('judge.wasm'), (one) => heard.push(one)) };
+const languages = ['c++', 'c', 'glsl', 'json', 'rust', 'wgsl'];
+
+const run = (program, ...words) => spawnSync(program, words, { cwd: scratch, encoding: 'utf8', maxBuffer: 1 << 28 });
+/// Claims without their times. Without nauty the module counts orbits once, so the claim that they were counted again
+/// is missing.
+const untimed = (claims) => claims.filter(({ claim }) => hasNauty === 'yes' || claim !== 'the orbits, counted again').map(({ seconds, ...rest }) => rest);
+const lastLine = (line) => (hasNauty === 'yes' ? line : line.replace(/\d+ claims/, 'claims'));
+
+/// The verdict of the program on files of the scratch folder.
+function nativeVerdict(name, certificate, header, words = []) {
+  const given = ['--operation', name, '--certificate', certificate, ...(header ? ['--header', header] : []), ...words];
+  const { status, stdout, stderr } = run(verifyProgram, ...given, '--json', 'verdict.json');
+  if (status === 2) return { error: stderr.trim().replace(/^restrip-verify: /, '') };
+  const { claims, failed } = JSON.parse(readFileSync(join(scratch, 'verdict.json'), 'utf8'));
+  assert.equal(status, failed === 0 ? 0 : 1);
+  return { claims: untimed(claims), failed, last: lastLine(stdout.trim().split('\n').at(-1)) };
+}
+const told = ({ error, claims, failed, last }) => (error ? { error } : { claims: untimed(claims), failed, last: lastLine(last.trim().split('\n').at(-1)) });
+
+/// Both ways of one file; returns what the modules made.
+async function compare(name, text, maxK) {
+  writeFileSync(join(scratch, name), text);
+  const words = maxK ? ['--max-k', String(maxK)] : [];
+  const native = run(generateProgram, 'rules', '--operation', name, '--out', 'rules', '--language', languages.join(), '--force', '--json', 'report.json', ...words);
+  heard = [];
+  const mine = await made(modules, name, text, { languages, ...(maxK ? { max_k: maxK } : {}) });
+  if (native.status !== 0) {
+    assert.equal(mine.error, native.stderr.trim().replace(/^restrip-generate: /, ''), name);
+    return mine;
+  }
+  assert.equal(mine.error, undefined, name);
+  for (const [file, bytes] of Object.entries(mine.files)) assert.ok(bytes === readFileSync(join(scratch, 'rules', file), 'utf8'), `${name}: ${file} differs`);
+  for (const [file, bytes] of Object.entries(mine.bytes)) assert.ok(Buffer.from(bytes).equals(readFileSync(join(scratch, 'rules', file))), `${name}: ${file} differs`);
+  assert.deepEqual([Object.keys(mine.files).length, Object.keys(mine.bytes).length], [languages.length + 1, 1]);
+  assert.deepEqual(mine.report, JSON.parse(readFileSync(join(scratch, 'report.json'), 'utf8')).operations);
+  const [certificate, header] = ['.cert', '.hpp'].map((ending) => `rules/${Object.keys(mine.files).find((file) => file.endsWith(ending))}`);
+  // The files of the programs have other names.
+  const renamed = JSON.parse(JSON.stringify(nativeVerdict(name, certificate, header, words)).replaceAll(certificate, 'rules.cert').replaceAll(header, 'rules.hpp'));
+  assert.deepEqual(told(mine.verdict), renamed, name);
+  assert.deepEqual(heard.filter(({ claim }) => claim).map(({ claim }) => claim), mine.verdict.claims);
+  assert.equal(mine.verdict.failed, 0, name);
+  return mine;
+}
+
+// ---- every operation file, under a name that is free, and families
+const operations = new Map();
+for (const name of readdirSync(join(root, 'tables/operations'))) {
+  const text = readFileSync(join(root, 'tables/operations', name), 'utf8').replace(/"name": "([^"]*)"/, '"name": "my-$1"');
+  operations.set(`my-${name}`, [text, await compare(`my-${name}`, text)]);
+}
+assert.ok(operations.size >= 10);
+for (const name of ['own_cost', 'own_operation']) await compare(`${name}.json`, readFileSync(join(root, 'examples', `${name}.json`), 'utf8'));
+for (const k of [3, 5]) await compare('own_family.json', readFileSync(join(root, 'examples/own_family.json'), 'utf8'), k);
+
+// ---- 50 random ones
+let seed = 20;
+const random = (n) => (seed = seed * 48271 % 2147483647) % n;
+let refused = 0;
+const shapes = new Set();
+for (let n = 0; n < 50; ++n) {
+  const operation = randomOperation(random, `random-${n}`);
+  shapes.add(`${operation.before.length} ${operation.after.length} ${operation.constraint} ${operation.cost ? 'cost' : ''} ${operation.boundary ? 'boundary' : ''}`);
+  const text = JSON.stringify(operation, null, 1);
+  const mine = await compare(`random-${n}.json`, text);
+  if (mine.error) ++refused;
+  else operations.set(`random-${n}.json`, [text, mine]);
+}
+assert.ok(refused < 25 && shapes.size > 20, `${refused} refused, ${shapes.size} shapes`);
+
+// ---- files with mistakes: the same sentence, with line, column and member
+const good = [...operations.values()][0][0];
+const mistakes = [good.replace('"before"', '"befor"'), good.slice(0, 90), good.replace('"a", "b", "c"', '"a", "b", "b"'), good.replace(/"name": "[^"]*"/, '"name": "Big Name"'),
+  good.replace('"after": [', '"after": [["x", "y", "z"], '), '[]', '{', '', '\u0000', '{"restrip_operation": 1, "name": "x", "before": {"triangles": 1, "edges": [], "ports": [0, 0, 0, 0]}, "after": {"triangles": 1, "edges": [], "ports": [0]}}'];
+const sentences = new Set();
+for (const [n, text] of mistakes.entries()) {
+  const { error } = await compare(`mistake-${n}.json`, text);
+  assert.match(error, new RegExp(`^mistake-${n}\\.json`));
+  sentences.add(error.replace(/^[^ ]* /, ''));
+}
+assert.ok(sentences.size > 7, [...sentences].join('\n'));
+
+// ---- 200 certificates with one rule changed
+const all = [...operations].filter(([, [, mine]]) => mine.certificate.split('\n').length > 8);
+let notVerified = 0;
+for (let n = 0; n < 200; ++n) {
+  const [name, [text, mine]] = all[random(all.length)];
+  const lines = mine.certificate.split('\n');
+  const rows = [...lines.keys()].filter((i) => /^(rule|copy) /.test(lines[i]));
+  const row = rows[random(rows.length)];
+  const words = lines[row].split(' ');
+  const inner = +/\{\d+, \d+\},\s*\{\d+, (\d+)\},/.exec(mine.header)[1];
+  words[3] = (parseInt(words[3], 16) ^ 1 << random(inner)).toString(16);
+  lines[row] = words.join(' ');
+  const certificate = sealed(lines.join('\n'));
+  writeFileSync(join(scratch, 'rules.cert'), certificate);
+  const verdict = await judged(modules.judge, name, text, { certificate });
+  assert.deepEqual(told(verdict), nativeVerdict(name, 'rules.cert'), `${name}: ${lines[row]}`);
+  assert.ok(verdict.error || verdict.failed > 0, `${name}: ${lines[row]} is accepted`);
+  if (!verdict.error) ++notVerified;
+}
+assert.ok(notVerified > 150, `${notVerified} judged`);
+// What is not sealed is refused by its sums, in the same words.
+{
+  const [name, [text, mine]] = all[0];
+  const certificate = mine.certificate.replace('claim keys', 'claim kexs');
+  writeFileSync(join(scratch, 'rules.cert'), certificate);
+  const verdict = await judged(modules.judge, name, text, { certificate });
+  assert.deepEqual(told(verdict), nativeVerdict(name, 'rules.cert'));
+  assert.match(verdict.error, /^rules\.cert/);
+}
+console.log(`${operations.size} operations, ${refused} refused, ${sentences.size} sentences, 200 changed rules, ${notVerified} of them judged`);

@@ -1,0 +1,40 @@
+#include "module.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <string_view>
+
+#include "files.hpp"
+
+#define MAKER_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+namespace {
+std::string answer;
+}  // namespace
+
+MAKER_EXPORT(maker_take)
+void* maker_take(std::uint32_t bytes) { return std::malloc(bytes); }
+
+/// The member `files` of a request has the files that the command reads, by name. If the command throws, the answer has
+/// its sentence as `error`.
+MAKER_EXPORT(maker_answer)
+void maker_answer(char* request, std::uint32_t bytes) {
+  nlohmann::ordered_json out;
+  try {
+    const nlohmann::json asked = nlohmann::json::parse(std::string_view(request, bytes));
+    std::free(request);
+    auto& files = restrip::maker::memory_files();
+    files.clear();
+    for (const auto& [name, text] : asked.at("files").items()) files[name] = text.get<std::string>();
+    out = restrip::maker::answer_of(asked);
+  } catch (const std::exception& error) {
+    out = {{"error", error.what()}};
+  }
+  answer = out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+MAKER_EXPORT(maker_text)
+const char* maker_text() { return answer.data(); }
+MAKER_EXPORT(maker_size)
+std::uint32_t maker_size() { return static_cast<std::uint32_t>(answer.size()); }
