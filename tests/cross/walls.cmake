@@ -19,6 +19,10 @@ set(door_parallel_ranges "<tbb/.*>")
 # Only the verifying programs write files.
 set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The readers of the program, for JavaScript.
+# The programs of the page "Make a rule": one is the generator's, the other the verifier's; what is below them has neither.
+set(door_maker "\"common/[^\"]*\"|<nlohmann/json.hpp>|<stdio.h>")
+set(door_maker_generate "\"operations/write.hpp\"")
+set(door_maker_judge "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"|\"judge/orbits.hpp\"")
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
@@ -96,6 +100,9 @@ function(judge room source line out)
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
      OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
+     OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
+     OR source MATCHES "/web/maker/module/generate.cpp$" AND what MATCHES "^(${door_maker_generate})$"
+     OR source MATCHES "/web/maker/module/(judge|no_nauty/orbits).cpp$" AND what MATCHES "^(${door_maker_judge})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/languages/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"
@@ -168,6 +175,7 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
                        "tools/paper/any.cpp|\"app/options.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
                        "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "bindings/js/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
+                       "web/maker/module/generate.cpp|\"verify.hpp\"" "web/maker/module/judge.cpp|\"operations/write.hpp\""
                        "bindings/js/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
                        "bindings/c/any.cpp|\"lod/simplify.hpp\"" "bindings/c/any.cpp|<fmt/format.h>" "bindings/c/any.cpp|\"restrip/search/impl/tunnel.hpp\""
                        "examples/any.c|<unistd.h>")
