@@ -43,7 +43,7 @@ inline void neighbors_of(const StripMesh& mesh, Vertex v, std::vector<Vertex>& o
 
 /// A dual edge by the lower one of its two halfedges.
 [[nodiscard]] inline StripMesh::Halfedge canonical(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
-  return {std::min(h.id, mesh.opposite(h).id)};
+  return {(std::min)(h.id, mesh.opposite(h).id)};
 }
 
 }  // namespace restrip::baked_format

@@ -32,7 +32,7 @@ class History {
  public:
   /// Begins with the mesh as it is. Linear time. `most_triangles` limits the changed triangles of all frames together:
   /// beyond it the oldest frames are dropped, but never the last one.
-  explicit History(const StripMesh& mesh, std::size_t most_triangles = std::numeric_limits<std::size_t>::max())
+  explicit History(const StripMesh& mesh, std::size_t most_triangles = (std::numeric_limits<std::size_t>::max)())
       : last_(mesh), most_(most_triangles) {}
 
   /// Ends a frame. `changed`: the list made by the watch of the mesh since the previous frame; not cleared. Frames that
@@ -72,7 +72,7 @@ class History {
     std::size_t kept = 0;  // of the beginning
     std::vector<Value> before;
     std::vector<Value> after;
-    [[nodiscard]] std::size_t size() const noexcept { return std::max(before.size(), after.size()); }
+    [[nodiscard]] std::size_t size() const noexcept { return (std::max)(before.size(), after.size()); }
   };
   struct Frame {
     std::vector<Change<StripMesh::Record>> triangles;
@@ -87,7 +87,7 @@ class History {
     /// Its memory, in triangles; 0: neither the mesh nor its free handles have changed.
     [[nodiscard]] std::size_t size() const noexcept {
       const bool grown = triangles_before != triangles_after || vertices_before != vertices_after;
-      return std::max({triangles.size(), spokes.size(), free.size(), free_vertices.size(), std::size_t{grown}});
+      return (std::max)({triangles.size(), spokes.size(), free.size(), free_vertices.size(), std::size_t{grown}});
     }
   };
 
@@ -99,8 +99,8 @@ class History {
   static Tail<Value> tail_of(const std::vector<Value>& before, const std::vector<Value>& after, std::size_t changes) {
     // Each change removes an element from the end or appends one.
     Tail<Value> tail;
-    tail.kept = std::min(before.size(), after.size());
-    tail.kept -= std::min(tail.kept, changes);
+    tail.kept = (std::min)(before.size(), after.size());
+    tail.kept -= (std::min)(tail.kept, changes);
     while (tail.kept < before.size() && tail.kept < after.size() && before[tail.kept] == after[tail.kept]) ++tail.kept;
     tail.before.assign(before.begin() + static_cast<std::ptrdiff_t>(tail.kept), before.end());
     tail.after.assign(after.begin() + static_cast<std::ptrdiff_t>(tail.kept), after.end());
@@ -117,11 +117,11 @@ class History {
   /// So that apply() does not throw.
   static void make_room(StripMesh& mesh, const Frame& frame) {
     const auto reach = [](auto& list, std::size_t size) {
-      detail::make_room(list, std::max(size, list.size()) - list.size());
+      detail::make_room(list, (std::max)(size, list.size()) - list.size());
     };
-    reach(mesh.triangles_, std::max(frame.triangles_before, frame.triangles_after));
-    reach(mesh.spoke_, std::max(frame.vertices_before, frame.vertices_after));
-    reach(mesh.non_manifold_, std::max(frame.vertices_before, frame.vertices_after));
+    reach(mesh.triangles_, (std::max)(frame.triangles_before, frame.triangles_after));
+    reach(mesh.spoke_, (std::max)(frame.vertices_before, frame.vertices_after));
+    reach(mesh.non_manifold_, (std::max)(frame.vertices_before, frame.vertices_after));
     reach(mesh.free_, frame.free.kept + frame.free.size());
     reach(mesh.free_vertices_, frame.free_vertices.kept + frame.free_vertices.size());
   }
@@ -129,7 +129,7 @@ class History {
     const auto size = forward ? frame.triangles_after : frame.triangles_before;
     if (mesh.triangles_.size() < size) mesh.triangles_.resize(size, removed);
     const auto vertices = forward ? frame.vertices_after : frame.vertices_before;
-    mesh.spoke_.resize(std::max(vertices, mesh.spoke_.size()), none);
+    mesh.spoke_.resize((std::max)(vertices, mesh.spoke_.size()), none);
     for (const auto& change : frame.triangles)
       if (change.at < size) mesh.triangles_[change.at] = forward ? change.after : change.before;
     mesh.triangles_.resize(size);

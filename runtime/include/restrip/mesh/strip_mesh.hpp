@@ -28,7 +28,7 @@ class TrialColors;
 /// Room for `more` elements, so that appending them throws nothing.
 template <class Vector>
 void make_room(Vector& vector, std::size_t more) {
-  if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
+  if (vector.capacity() - vector.size() < more) vector.reserve((std::max)(vector.size() + more, 2 * vector.capacity()));
 }
 }  // namespace detail
 

@@ -22,7 +22,7 @@ namespace restrip {
 
 using Vertex = std::uint32_t;    ///< index of a vertex
 using Triangle = std::uint32_t;  ///< index of a triangle
-inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
 #ifndef RESTRIP_MAX_TRIANGLES
 /// The most triangles that a list or a StripMesh holds, 2^29 - 1: a halfedge has 29 bits for its triangle. Tests define

@@ -97,12 +97,12 @@ class BasicBufferHistory {
     // From `last`, which is brought in step, the values before. `named` is cleared.
     void take(std::vector<std::uint32_t>& named, std::vector<Value>& last, const std::vector<Value>& now,
               Value beyond) {
-      for (std::size_t i = std::min(last.size(), now.size()); i < std::max(last.size(), now.size()); ++i)
+      for (std::size_t i = (std::min)(last.size(), now.size()); i < (std::max)(last.size(), now.size()); ++i)
         named.push_back(static_cast<std::uint32_t>(i));
       std::sort(named.begin(), named.end());
       named.erase(std::unique(named.begin(), named.end()), named.end());
       size = last.size();
-      last.resize(std::max(last.size(), now.size()), beyond);
+      last.resize((std::max)(last.size(), now.size()), beyond);
       for (const std::uint32_t i : named) {
         if (i >= last.size()) break;
         const Value after = i < now.size() ? now[i] : beyond;
@@ -115,7 +115,7 @@ class BasicBufferHistory {
     }
     void exchange_with(std::vector<Value>& array, Value beyond) {
       const std::size_t now = array.size();
-      array.resize(std::max(now, size), beyond);
+      array.resize((std::max)(now, size), beyond);
       for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
       array.resize(std::exchange(size, now), beyond);
     }
@@ -128,9 +128,9 @@ class BasicBufferHistory {
   };
 
   void note_all(const Buffer& buffer) {
-    cells_.resize(std::max(buffer.cells_.size(), last_.cells_.size()));
-    triangles_.resize(std::max(buffer.run_of_.size(), last_.run_of_.size()));
-    places_.resize(std::max(buffer.places_.places_.size(), last_.places_.places_.size()));
+    cells_.resize((std::max)(buffer.cells_.size(), last_.cells_.size()));
+    triangles_.resize((std::max)(buffer.run_of_.size(), last_.run_of_.size()));
+    places_.resize((std::max)(buffer.places_.places_.size(), last_.places_.places_.size()));
     for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
   }
   // The places that have changed since they were read last.
@@ -159,7 +159,7 @@ class BasicBufferHistory {
   // Writes a frame to the buffer and the copy; the next update returns its ranges.
   void put(Frame& frame, Buffer& buffer) {
     detail::make_room(buffer.written_, frame.cells.at.size() + 1);
-    buffer.mark(std::min(frame.cells.size, buffer.cells_.size()), std::max(frame.cells.size, buffer.cells_.size()));
+    buffer.mark((std::min)(frame.cells.size, buffer.cells_.size()), (std::max)(frame.cells.size, buffer.cells_.size()));
     for (const std::uint32_t i : frame.cells.at) buffer.mark(i, i + std::size_t{1});
     buffer.keep_ranges();
     Frame copy = frame;

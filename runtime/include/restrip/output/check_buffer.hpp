@@ -38,7 +38,7 @@ template <class Index>
   std::vector<DrawnTriangle> drawn;
   std::size_t start = 0;
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] == std::numeric_limits<Index>::max()) start = i + 1;
+    if (indices[i] == (std::numeric_limits<Index>::max)()) start = i + 1;
     if (i < start + 2) continue;
     DrawnTriangle t{indices[i - 2], indices[i - 1], indices[i]};
     if ((i - start) % 2 == 1) std::swap(t[0], t[1]);

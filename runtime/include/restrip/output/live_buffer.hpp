@@ -65,7 +65,7 @@ class LiveBuffer {
   /// list. If room() grows, the next update reports an outgrown buffer.
   void reserve(std::size_t triangles) {
     std::visit([triangles](auto& buffer) { buffer.reserve(triangles); }, buffer_);  // throws if the product wraps
-    room_ = std::max(room_, (format_.form == StripForm::list ? 3 : 2) * triangles);
+    room_ = (std::max)(room_, (format_.form == StripForm::list ? 3 : 2) * triangles);
   }
 
   [[nodiscard]] const StripFormat& format() const noexcept { return format_; }
@@ -136,7 +136,7 @@ class LiveBuffer {
   [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::uint32_t t) {
     if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return true;
     const auto [a, b, c] = detail::corners_from(mesh, mesh.halfedge(t));
-    return std::max({a, b, c}) <= highest_index16;
+    return (std::max)({a, b, c}) <= highest_index16;
   }
 
   StripFormat format_;

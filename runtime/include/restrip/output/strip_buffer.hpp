@@ -71,7 +71,7 @@ class BasicStripBuffer {
   static_assert(std::is_same_v<Index, std::uint16_t> || std::is_same_v<Index, std::uint32_t>);
   using Range = IndexRange;
   /// The index between two runs, and in gaps: all bits set, as in graphics interfaces.
-  static constexpr Index restart = std::numeric_limits<Index>::max();
+  static constexpr Index restart = (std::numeric_limits<Index>::max)();
 
   /// Empty; the first update writes the whole buffer. `form`: any but a list.
   BasicStripBuffer() = default;

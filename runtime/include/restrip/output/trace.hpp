@@ -127,7 +127,7 @@ class Trace {
   using Edge = std::array<std::uint32_t, 2>;     // the smaller vertex first
   using Corners = std::array<std::uint32_t, 3>;  // counter-clockwise, the smallest first
 
-  static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t nothing = (std::numeric_limits<std::uint32_t>::max)();
   struct SeenTriangle {
     Corners corners{nothing, nothing, nothing};
     std::uint32_t solid = 0;  // bit s: the edge from corner s to the next one
@@ -155,7 +155,7 @@ class Trace {
       if ((triangle.solid >> side & 1U) == 0) continue;
       const std::uint32_t from = triangle.corners[side];
       const std::uint32_t to = triangle.corners[side == 2 ? 0 : side + 1];
-      edges.push_back({std::min(from, to), std::max(from, to)});
+      edges.push_back({(std::min)(from, to), (std::max)(from, to)});
     }
   }
   /// Leaves each edge once: it was found from both of its triangles, or from one.

@@ -152,7 +152,7 @@ class BasicTriangleListBuffer {
   static std::array<Index, 3> corners_of(const Mesh& mesh, std::uint32_t t) {
     const std::array<std::uint32_t, 3> corner = detail::corners_from(mesh, mesh.halfedge(t));
     for (const std::uint32_t v : corner)
-      if (v >= std::numeric_limits<Index>::max())
+      if (v >= (std::numeric_limits<Index>::max)())
         RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
     return {static_cast<Index>(corner[0]), static_cast<Index>(corner[1]), static_cast<Index>(corner[2])};
   }

@@ -26,7 +26,7 @@ namespace restrip {
   constexpr std::uint32_t restart = 0xFFFFFFFFU;
   std::size_t vertices = 0;
   for (const std::uint32_t v : indices)
-    if (v != restart) vertices = std::max(vertices, v + std::size_t{1});
+    if (v != restart) vertices = (std::max)(vertices, v + std::size_t{1});
   // A vertex is in the cache until `cache_size` others have entered after it.
   std::vector<std::size_t> came_in(vertices, 0);  // the number of the miss; 0: never
   std::size_t misses = 0;

@@ -80,7 +80,7 @@ struct FoundMoves {
 
 /// The limits of one call of Descent::run.
 struct DescentLimits {
-  std::uint32_t moves = std::numeric_limits<std::uint32_t>::max();  ///< moves priced; the last triangle may exceed it
+  std::uint32_t moves = (std::numeric_limits<std::uint32_t>::max)();  ///< moves priced; the last triangle may exceed it
   std::uint32_t tries = 0;  ///< chains: first moves tried at each triangle without a gainful move; 0: no chains
   std::int32_t worse = 0;   ///< chains: the highest price of their first move
 };

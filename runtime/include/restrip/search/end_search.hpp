@@ -36,9 +36,9 @@ namespace restrip {
 
 /// The limits of one call of EndSearch::run.
 struct EndLimits {
-  std::uint32_t looks = std::numeric_limits<std::uint32_t>::max();  ///< ends examined, with up to three dashed edges
-  std::uint32_t length = 1;                                         ///< moves of a chain, at most max_length
-  std::int32_t worse = 0;                                           ///< the highest rise of the cost within a chain
+  std::uint32_t looks = (std::numeric_limits<std::uint32_t>::max)();  ///< ends examined, with up to three dashed edges
+  std::uint32_t length = 1;                                           ///< moves of a chain, at most max_length
+  std::int32_t worse = 0;                                             ///< the highest rise of the cost within a chain
 };
 
 /// Sums over all calls.

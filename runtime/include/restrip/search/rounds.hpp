@@ -36,7 +36,7 @@ class TunnelRounds {
       if (next_ >= mesh.triangle_bound()) {
         const std::size_t strips = locator.strips();
         const bool poor = strips + strips / 8 >= strips_at_start_;
-        if (poor) states_ = std::min(last_, states_ > last_ / 4 ? last_ : states_ * 4);
+        if (poor) states_ = (std::min)(last_, states_ > last_ / 4 ? last_ : states_ * 4);
         strips_at_start_ = strips;
         next_ = 0;
         if (mesh.triangle_count() == 0) break;

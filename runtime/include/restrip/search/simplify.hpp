@@ -65,7 +65,7 @@ class Simplifier {
   /// Collapses edges until at most `wanted` triangles are left, no further edge may collapse, or `most` collapses are
   /// done. Returns whether it is finished: call it again until then, between reports of progress. A few microseconds a
   /// collapse, O(n log n) for all of them, whatever the valences. May throw std::bad_alloc; then only destroy it.
-  bool run(std::size_t wanted, std::size_t most = std::numeric_limits<std::size_t>::max());
+  bool run(std::size_t wanted, std::size_t most = (std::numeric_limits<std::size_t>::max)());
 
   /// The mesh as it is now. Non-manifold vertices, and what check_collapse() refuses, are unchanged.
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
@@ -108,7 +108,7 @@ class Simplifier {
   void gather(Vertex v);
   [[nodiscard]] double cost_of(const Quadric& quadric, std::size_t to) const;
   [[nodiscard]] bool keeps_direction(Triangle t, const Vector& before, const Vector& after, double squared) const;
-  [[nodiscard]] Refusal check(Halfedge chord);
+  [[nodiscard]] Refusal refusal_of(Halfedge chord);
   void collapse(Halfedge chord);
 
   StripMesh mesh_;

@@ -34,7 +34,7 @@
 namespace restrip {
 
 struct WindowLimits {
-  static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t no_limit = (std::numeric_limits<std::uint32_t>::max)();
   /// The size of a ball, at most Window::max_triangles; smaller if the connected component is.
   std::uint32_t triangles = 40;
   /// Partial colourings more than this much above the cheapest are dropped, except the present one. Measured in thirds

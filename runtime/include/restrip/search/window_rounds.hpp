@@ -19,7 +19,7 @@ namespace restrip {
 /// at random among equal colourings, so every round starts from different colours.
 class WindowRounds {
  public:
-  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+  static constexpr std::uint64_t no_limit = (std::numeric_limits<std::uint64_t>::max)();
 
   /// The budget of a round of windows of 20 triangles: twice the work of a whole round on meshes with 1.3 indices per
   /// triangle. A round exceeds it only if strips are thousands of triangles long, so rounds take linear time.
@@ -35,7 +35,7 @@ class WindowRounds {
   /// on the same mesh have the same result. One colouring costs about 50 ns.
   WindowChange run(SidedMesh auto& mesh, std::uint64_t budget, const WindowLimits& limits = {}) {
     WindowChange sum{{}, 0, true};
-    const std::uint64_t stop = spent() + std::min(budget, no_limit - spent());
+    const std::uint64_t stop = spent() + (std::min)(budget, no_limit - spent());
     for (std::size_t left = mesh.triangle_bound(); left > 0 && spent() < stop; --left) {
       if (next_ >= mesh.triangle_bound()) next_ = 0;
       const Triangle t = next_++;

@@ -82,7 +82,7 @@ struct ArcAutomaton {
   /// The bits of a case that say that the right link is solid.
   static constexpr unsigned solid = 3;
   /// What `next` holds where a letter is not allowed: a boundary after a boundary.
-  static constexpr Number no_class = std::numeric_limits<Number>::max();
+  static constexpr Number no_class = (std::numeric_limits<Number>::max)();
 
   std::array<Number, Letters * Classes> next;           ///< index 4 * class + letter
   std::array<std::uint64_t, Letters * Classes> before;  ///< the same index, four bits for each case after it

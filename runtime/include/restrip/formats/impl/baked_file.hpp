@@ -247,7 +247,7 @@ inline std::string set_payload(std::vector<std::byte>& file, std::span<const std
     return "a payload of " + std::to_string(payload.size()) + " bytes does not have the same number for each of " +
            std::to_string(records) + " records";
   const std::size_t each = records == 0 ? 0 : payload.size() / records;
-  if (each > std::numeric_limits<std::uint32_t>::max()) return "the payload has more than 2^32 - 1 bytes a record";
+  if (each > (std::numeric_limits<std::uint32_t>::max)()) return "the payload has more than 2^32 - 1 bytes a record";
   std::vector<std::byte> bytes;
   bytes.reserve(header_bytes + 4 + reader.rest().size() + payload.size() + checksum_bytes);
   const auto put = [&bytes](std::uint64_t value, unsigned size) {

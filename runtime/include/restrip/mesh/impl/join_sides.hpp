@@ -45,7 +45,7 @@ class JoinSides {
     for (std::uint32_t t = 0; t < sides_.triangle_bound(); ++t) {
       if (!sides_.takes(t)) continue;
       for (std::uint32_t h = t << 2; h < (t << 2 | 3U); ++h) {
-        std::uint32_t& first = lists_[std::min(sides_.corner(h), sides_.corner(next(h)))];
+        std::uint32_t& first = lists_[(std::min)(sides_.corner(h), sides_.corner(next(h)))];
         sides_.link(h) = first;
         first = h;
       }
@@ -153,13 +153,13 @@ class JoinSides {
     // Looks at only a few others, so that an edge of many sides takes linear time.
     constexpr std::size_t most_looks = 8;
     for (std::size_t i = 0; i < few.size(); ++i)
-      for (std::size_t j = i; j < std::min(i + most_looks, many.size()); ++j)
+      for (std::size_t j = i; j < (std::min)(i + most_looks, many.size()); ++j)
         if (!are_backs(few[i], many[j])) {
           std::swap(many[i], many[j]);
           break;
         }
     for (std::size_t i = 0; i < few.size(); ++i)
-      for (std::size_t j = i - std::min(i, most_looks); are_backs(few[i], many[i]) && j < i; ++j)
+      for (std::size_t j = i - (std::min)(i, most_looks); are_backs(few[i], many[i]) && j < i; ++j)
         if (!are_backs(few[i], many[j]) && !are_backs(few[j], many[i])) std::swap(many[i], many[j]);
     for (std::size_t i = 0; i < few.size(); ++i) join(few[i], many[i]);
   }

@@ -159,9 +159,9 @@ RESTRIP_INLINE void StripMesh::replace(std::span<const Triangle> out, std::span<
                  describe(check_replace(*this, out, in, vertices)));
   RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "`made` must have one element for each new triangle");
   // Everything that may throw comes first.
-  const std::size_t taken_over = std::min(out.size(), in.size());
+  const std::size_t taken_over = (std::min)(out.size(), in.size());
   const std::size_t more = in.size() - taken_over;
-  const std::size_t fresh = more - std::min(more, free_.size());
+  const std::size_t fresh = more - (std::min)(more, free_.size());
   const auto new_vertices = static_cast<std::size_t>(std::count(vertices.begin(), vertices.end(), none));
   if (fresh > max_triangles - triangles_.size())
     RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");

@@ -78,7 +78,7 @@ RESTRIP_INLINE StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spoke
                  describe(Refusal::vertex_in_use));
   // Everything that may throw comes first, so either everything has been taken or nothing.
   const std::size_t needed = spokes == Spokes::both ? 2 : 1;
-  const std::size_t fresh = needed - std::min(needed, free_.size());
+  const std::size_t fresh = needed - (std::min)(needed, free_.size());
   if (fresh > max_triangles - triangles_.size())
     RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
   detail::make_room(triangles_, fresh);

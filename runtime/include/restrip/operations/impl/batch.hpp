@@ -117,14 +117,14 @@ BatchReport find_fault(const StripMesh& mesh, std::span<const Request> requests,
   if constexpr (std::is_same_v<Request, SplitRequest>)
     for (const SplitRequest& request : requests)
       if (request.new_vertex != none && refusal_of_name(mesh, request.new_vertex) == Refusal::granted)
-        vertex_bound = std::max(vertex_bound, request.new_vertex + std::size_t{1});
+        vertex_bound = (std::max)(vertex_bound, request.new_vertex + std::size_t{1});
   std::vector<std::uint32_t> triangles(mesh.triangle_bound(), none);
   std::vector<std::uint32_t> vertices(vertex_bound, none);
   std::vector<Verdict> verdicts(requests.size());
 
   const auto enter = [threads](std::uint32_t& owner, std::uint32_t number) {
     if (threads == 1) {
-      owner = std::min(owner, number);
+      owner = (std::min)(owner, number);
       return;
     }
     const std::atomic_ref<std::uint32_t> shared(owner);
@@ -144,8 +144,8 @@ BatchReport find_fault(const StripMesh& mesh, std::span<const Request> requests,
   const auto owner_of = [&](std::size_t i) {
     std::uint32_t earliest = none;
     for_each_claim(
-        mesh, requests[i], [&](Triangle t) { earliest = std::min(earliest, triangles[t]); },
-        [&](Vertex v) { earliest = std::min(earliest, vertices[v]); });
+        mesh, requests[i], [&](Triangle t) { earliest = (std::min)(earliest, triangles[t]); },
+        [&](Vertex v) { earliest = (std::min)(earliest, vertices[v]); });
     return earliest;
   };
   parallel_ranges(requests.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -184,10 +184,10 @@ template <class Operation>
 std::optional<std::size_t> PatchClaims::claim_patch(const Operation& operation, std::size_t number) {
   std::uint32_t earliest = none;
   detail::for_each_claim(
-      mesh_, operation, [&](Triangle t) { earliest = std::min(earliest, triangles_[t]); },
+      mesh_, operation, [&](Triangle t) { earliest = (std::min)(earliest, triangles_[t]); },
       [&](Vertex v) {
         if (v >= vertices_.size()) vertices_.resize(v + std::size_t{1}, none);
-        earliest = std::min(earliest, vertices_[v]);
+        earliest = (std::min)(earliest, vertices_[v]);
       });
   if (earliest != none) return earliest;
   const auto owner = static_cast<std::uint32_t>(number);

@@ -153,13 +153,13 @@ Contract check_numbers(const Mesh& mesh, MeshPicture<Mesh>& picture) {
     for (std::size_t i = 0; i < picture.size(); ++i) {
       if (picture.on_boundary(i)) continue;
       const auto t = static_cast<std::uint32_t>(mesh.triangle(picture.halfedges[i]));
-      const std::size_t first = std::min({i, picture.next[i], picture.next[picture.next[i]]});
+      const std::size_t first = (std::min)({i, picture.next[i], picture.next[picture.next[i]]});
       if (t >= first_of.size() || !mesh.has_triangle(t)) return Contract::triangle_numbers;
       if (first_of[t] != picture.size() && first_of[t] != first) return Contract::triangle_numbers;
       first_of[t] = first;
       const std::size_t back = picture.find(mesh.halfedge(t));
       if (back == picture.size() || picture.on_boundary(back)) return Contract::triangle_numbers;
-      if (std::min({back, picture.next[back], picture.next[picture.next[back]]}) != first)
+      if ((std::min)({back, picture.next[back], picture.next[picture.next[back]]}) != first)
         return Contract::triangle_numbers;
       picture.number[i] = t;
       picture.chosen[i] = back == i ? 1 : 0;

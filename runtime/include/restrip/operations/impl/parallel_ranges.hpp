@@ -34,10 +34,11 @@ void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
                       [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
   });
 #else
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  if (threads == 0) threads = (std::max)(1U, std::thread::hardware_concurrency());
   const std::size_t pieces = std::min<std::size_t>(threads, (n + few - 1) / few);
   const auto run = [&](std::size_t piece) {
-    body(n / pieces * piece + std::min(piece, n % pieces), n / pieces * (piece + 1) + std::min(piece + 1, n % pieces));
+    body(n / pieces * piece + (std::min)(piece, n % pieces),
+         n / pieces * (piece + 1) + (std::min)(piece + 1, n % pieces));
   };
 #ifdef __cpp_exceptions
   std::vector<std::exception_ptr> failures(pieces);

@@ -128,7 +128,7 @@ class AdapterDrive {
       constexpr TriangleState no_triangle{{{nothing, nothing, nothing}, {}, {}}};
       const bool first = states_.empty();
       const std::size_t bound = mesh_.triangle_bound();
-      states_.resize(std::max(states_.size(), bound), no_triangle);
+      states_.resize((std::max)(states_.size(), bound), no_triangle);
       for (std::uint32_t t = 0; t < states_.size(); ++t) {
         const TriangleState now = t < bound && mesh_.has_triangle(t) ? state_of(t) : no_triangle;
         if (!first && now != states_[t] && std::find(changed_->begin(), changed_->end(), t) == changed_->end())

@@ -155,7 +155,7 @@ class CutPacking {
     const std::vector<Amount> load = load_of(found);
     for (std::size_t row = 0; row < size(); ++row) {
       Amount most = 2 * Amount{unit_};
-      for (const std::uint32_t out : border_of(row)) most = std::max({most, load[out], load[out ^ 1U]});
+      for (const std::uint32_t out : border_of(row)) most = (std::max)({most, load[out], load[out ^ 1U]});
       found[row] = found[row] * 2 * unit_ / most;
     }
     raise(plain);
@@ -260,9 +260,9 @@ class CutPacking {
                      [&](std::uint32_t a, std::uint32_t b) { return multipliers[a] > multipliers[b]; });
     for (const std::uint32_t row : order) {
       const unsigned lacking = rows_[row].lacking;
-      Amount room = std::numeric_limits<Amount>::max();
+      Amount room = (std::numeric_limits<Amount>::max)();
       for (const std::uint32_t out : border_of(row))
-        room = std::min(
+        room = (std::min)(
             {room, (2 * Amount{unit_} - load[out]) / lacking, (2 * Amount{unit_} - load[out ^ 1U]) / (3 - lacking)});
       if (room <= 0) continue;
       put(load, row, room);

@@ -65,7 +65,7 @@ class RunPlaces {
   [[nodiscard]] std::uint32_t last() const noexcept { return previous(head); }
   /// The place with the smallest gap of at least `cells`; if none exists, the place with the largest gap, or no_place.
   [[nodiscard]] std::uint32_t find_gap(std::uint32_t cells) const noexcept {
-    const std::size_t size = std::min(cells, largest_gap);
+    const std::size_t size = (std::min)(cells, largest_gap);
     std::size_t word = size / 64;
     std::uint64_t bits = totals_.sizes[word] >> (size % 64) << (size % 64);
     while (bits == 0 && ++word < totals_.sizes.size()) bits = totals_.sizes[word];
@@ -146,7 +146,7 @@ class RunPlaces {
   }
   // Sorts the gap after p in again, after it has changed.
   void sort_in(std::uint32_t p) noexcept {
-    const auto size = static_cast<std::uint8_t>(std::min(gap(p), largest_gap));
+    const auto size = static_cast<std::uint8_t>((std::min)(gap(p), largest_gap));
     if (places_[p].size == size) return;
     take_out(p);
     if (size == 0) return;

@@ -127,7 +127,7 @@ bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge i
     if (run != known) {
       if (run == reading) break;
       if (run != nothing && places_.state(run) == State::settled) {
-        stays = std::max(links - begin, least) + places_.run(run).triangles > detail::longest_joined_run;
+        stays = (std::max)(links - begin, least) + places_.run(run).triangles > detail::longest_joined_run;
         if (stays) break;
         touch(run);
       }
@@ -188,12 +188,12 @@ std::uint32_t BasicStripBuffer<Index>::best_cut(std::uint32_t wanted, std::uint3
   const auto turns_around = [&](std::uint32_t i) { return strip_[i - 1].edge ^ strip_[i].corners ^ strip_[i].edge; };
   std::uint32_t best = wanted;
   std::uint32_t most = 0;
-  const std::uint32_t last = std::min(wanted + detail::cut_window, links_ - 4);
-  for (std::uint32_t cut = std::max(wanted - detail::cut_window, begin + 3); cut <= last; ++cut) {
+  const std::uint32_t last = (std::min)(wanted + detail::cut_window, links_ - 4);
+  for (std::uint32_t cut = (std::max)(wanted - detail::cut_window, begin + 3); cut <= last; ++cut) {
     std::uint32_t saved = 0;
     for (std::uint32_t i = cut - 2; i <= cut; ++i) saved += std::uint32_t{turns_around(i) == turns_around(i + 1)};
     if (saved > most) best = cut;
-    most = std::max(most, saved);
+    most = (std::max)(most, saved);
   }
   return best;
 }
@@ -253,7 +253,7 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   std::uint32_t p = run.corner[1];
   std::uint32_t q = run.corner[2];
   std::uint32_t in = p ^ q;
-  std::uint32_t largest = std::max({run.corner[0], p, q});
+  std::uint32_t largest = (std::max)({run.corner[0], p, q});
   Index* out = text_.data() + letters_;
   if (stitched_) *out++ = static_cast<Index>(run.corner[0]);
   for (const std::uint32_t corner : run.corner) *out++ = static_cast<Index>(corner);
@@ -270,12 +270,12 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
     *out++ = static_cast<Index>(x);
     p = q ^ ((p ^ q) & (0U - repeats));
     q = x;
-    largest = std::max(largest, x);
+    largest = (std::max)(largest, x);
   }
   if (triangles > 1) {
     const std::uint32_t x = (link + run.step)->corners ^ in;
     *out++ = static_cast<Index>(x);
-    largest = std::max(largest, x);
+    largest = (std::max)(largest, x);
   }
   if (largest >= restart)
     RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
@@ -323,7 +323,7 @@ bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
     // Keeps its beginning or its end, whichever is unchanged for longer.
     const Index* now = cells_.data() + old.first;
     const Index* then = text_.data() + text.first;
-    const std::uint32_t both = std::min(text.length, old.length);
+    const std::uint32_t both = (std::min)(text.length, old.length);
     std::uint32_t head = 0;
     while (head < both && now[head] == then[head]) ++head;
     std::uint32_t tail = 0;
@@ -331,11 +331,11 @@ bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
     const std::uint32_t high = places_.limit(text.place) - text.length;
     const bool fits_at_end = old.end() >= places_.run(before).end() + text.length;
     if (fits_at_end && (tail > head || first > high)) first = old.end() - text.length;
-    first = std::min(first, high);
+    first = (std::min)(first, high);
   }
   write(text, first);
-  blank(old.first, std::min(first, old.end()));
-  blank(std::max(first + text.length, old.first), old.end());
+  blank(old.first, (std::min)(first, old.end()));
+  blank((std::max)(first + text.length, old.first), old.end());
   places_.set(text.place, {first, text.length, text.end - text.begin, text.cuts});
   own(text, text.place);
   return true;
@@ -403,8 +403,8 @@ void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, st
   else
     std::copy_backward(from, from + run.length, cells_.data() + run.end());
   mark(first, run.end());
-  blank(old, std::min(first, old + run.length));
-  blank(std::max(run.end(), old), old + run.length);
+  blank(old, (std::min)(first, old + run.length));
+  blank((std::max)(run.end(), old), old + run.length);
   if (before == places_.previous(place)) return places_.set(place, run);
   places_.remove(place);
   places_.insert(before, run);  // into the same place: it was freed last
@@ -491,8 +491,8 @@ void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept 
     Range& last = written_.back();
     const std::size_t last_end = last.first + last.count;
     if (first <= last_end && last.first <= end) {
-      last.first = std::min(last.first, first);
-      last.count = std::max(last_end, end) - last.first;
+      last.first = (std::min)(last.first, first);
+      last.count = (std::max)(last_end, end) - last.first;
       return;
     }
   }
@@ -508,12 +508,12 @@ void BasicStripBuffer<Index>::draws(std::vector<Range>& draws) const {
 
 inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap,
                                 std::size_t unit) noexcept {
-  unit = std::max(unit, std::size_t{1});
+  unit = (std::max)(unit, std::size_t{1});
   for (IndexRange& range : ranges) {
-    std::size_t stop = std::min(range.first + range.count, end);
-    if (const std::size_t over = stop % unit; over != 0) stop += std::min(unit - over, end - stop);
+    std::size_t stop = (std::min)(range.first + range.count, end);
+    if (const std::size_t over = stop % unit; over != 0) stop += (std::min)(unit - over, end - stop);
     range.first -= range.first % unit;
-    range.count = stop - std::min(range.first, stop);
+    range.count = stop - (std::min)(range.first, stop);
   }
   std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t kept = 0;
@@ -523,7 +523,7 @@ inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end
     const std::size_t joined = kept == 0 ? 0 : ranges[kept - 1].first + ranges[kept - 1].count;
     if (kept == 0 || (first > joined && first - joined > gap)) ranges[kept++] = {first, 0};
     IndexRange& last = ranges[kept - 1];
-    last.count = std::max(last.count, stop - last.first);
+    last.count = (std::max)(last.count, stop - last.first);
   }
   ranges.resize(kept);
 }

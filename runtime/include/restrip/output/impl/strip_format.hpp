@@ -34,7 +34,7 @@ class StripFormatter {
           ++triangles_;
         }
         strips_.push_back({first, last + 3 - first, (first - begin) % 2 != 0});
-        for (std::size_t j = first; j < last + 3; ++j) highest_ = std::max(highest_, text_[j]);
+        for (std::size_t j = first; j < last + 3; ++j) highest_ = (std::max)(highest_, text_[j]);
       }
       begin = end + 1;
     }
@@ -153,7 +153,7 @@ class StripFormatter {
     if (used != 0 && form_ == StripForm::stitched) extra += 2;
     const std::size_t most = format_.most_indices == 0 ? strip.count
                              : format_.most_indices > used + extra
-                                 ? std::min(strip.count, format_.most_indices - used - extra)
+                                 ? (std::min)(strip.count, format_.most_indices - used - extra)
                                  : 0;
     for (std::size_t i = 0; i < most && format_.most_vertices != 0; ++i) {
       std::size_t& batch = batch_of_[text_[strip.first + i]];

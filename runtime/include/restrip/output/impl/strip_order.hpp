@@ -37,7 +37,7 @@ class StripOrder {
       : written_{strips_in(one_way), strips_in(other_way)}, cache_size_(cache_size), done_(written_[0].size(), false) {
     std::size_t vertices = 0;
     for (const std::uint32_t v : one_way)
-      if (v != restart_index) vertices = std::max(vertices, v + std::size_t{1});
+      if (v != restart_index) vertices = (std::max)(vertices, v + std::size_t{1});
     came_in_.assign(vertices, 0);
     trial_of_.assign(vertices, 0);
     trial_came_in_.assign(vertices, {});
@@ -77,7 +77,7 @@ class StripOrder {
 
   [[nodiscard]] std::span<const std::uint32_t> beginning(Choice of) const noexcept {
     const std::span<const std::uint32_t> all = written_[of.turned ? 1 : 0][of.strip];
-    return all.first(std::min(all.size(), 2 * cache_size_));
+    return all.first((std::min)(all.size(), 2 * cache_size_));
   }
 
   // Strips that have been written are taken out of the list of v while it is read.
@@ -111,14 +111,14 @@ class StripOrder {
       if (alone == 0 || misses_alone - alone >= cache_size_) alone = ++misses_alone;
     }
     const std::size_t now = misses - misses_;
-    return {misses_alone - std::min(misses_alone, now), misses_alone};
+    return {misses_alone - (std::min)(misses_alone, now), misses_alone};
   }
 
   bool best_beside_cache(Choice& best) {
     Gain best_gain;
     std::size_t tried = 0;
     // The vertices that entered last come first: they stay longest.
-    for (std::size_t i = recent_.size(); i-- > recent_.size() - std::min(recent_.size(), cache_size_);)
+    for (std::size_t i = recent_.size(); i-- > recent_.size() - (std::min)(recent_.size(), cache_size_);)
       for_each_choice_at(recent_[i], [&](Choice choice) {
         if (tried == most_tried) return false;
         ++tried;

@@ -129,7 +129,7 @@ class SidedWriter {
   // With room for what is written at once.
   std::uint32_t* indices(std::size_t size) {
     if (indices_.size() - size < most_at_once)
-      indices_.resize(std::max(std::min(indices_.capacity(), size + 512), size + most_at_once));
+      indices_.resize((std::max)((std::min)(indices_.capacity(), size + 512), size + most_at_once));
     return indices_.data();
   }
 
@@ -196,7 +196,7 @@ ColoringReport check_coloring(const Mesh& mesh) {
         const std::uint32_t a = detail::find_root(parent, t);
         const std::uint32_t b = detail::find_root(parent, u);
         report.solid_cycles += a == b ? 1U : 0U;
-        parent[std::max(a, b)] = std::min(a, b);
+        parent[(std::max)(a, b)] = (std::min)(a, b);
       }
     }
     report.over_degree += degree > 2 ? 1U : 0U;

@@ -96,11 +96,11 @@ class Annealing : private ColoringCopy {
         if (std::exchange(block, word / 64) != word / 64) {
           const std::uint64_t at = tried_ / stage;
           const std::uint64_t into = tried_ - at * stage;
-          const std::uint64_t last = moves - std::min(moves, 2 * stage) + 1;
+          const std::uint64_t last = moves - (std::min)(moves, 2 * stage) + 1;
           if (at < 2)
             temperature_ = (hot >> at) - (hot >> (at + 1)) * into / stage;
           else
-            temperature_ = (hot >> 2) * (last - std::min(into, last)) / last;
+            temperature_ = (hot >> 2) * (last - (std::min)(into, last)) / last;
         }
         for (std::uint64_t left = flaws_[word]; left != 0; left &= left - 1) {
           const auto t = static_cast<Triangle>(word * 64 + static_cast<unsigned>(std::countr_zero(left)));
@@ -164,7 +164,7 @@ class Annealing : private ColoringCopy {
     const std::uint32_t before_here = turn_here == 0 ? none : across(other(h));
     const std::uint32_t beyond = turn_there == 0 ? none : across(other(there));
     if (kept >> 2 == h >> 2 || kept >> 2 == there >> 2 || before_here >> 2 == there >> 2 || before_here >> 2 == g >> 2)
-      return std::numeric_limits<std::int64_t>::min();
+      return (std::numeric_limits<std::int64_t>::min)();
     // The turn from the cleared edge to the one that stays. A turn t is 1 or 2; in reverse it is 3 - t.
     const unsigned to_kept = before + 1;
     const unsigned turn_kept = turn(kept);

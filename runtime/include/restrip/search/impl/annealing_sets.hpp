@@ -100,7 +100,7 @@ class StripTrees {
 /// next word with a number is found in O(log(bound)) steps, however many empty words lie between.
 class MarkedWords {
  public:
-  static constexpr std::size_t no_word = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t no_word = (std::numeric_limits<std::size_t>::max)();
 
   /// Empties the set.
   void reset(std::size_t bound) {

@@ -23,7 +23,7 @@ namespace restrip::detail {
 class ChunkLists {
  public:
   using Id = std::uint32_t;
-  static constexpr Id no_chunk = std::numeric_limits<Id>::max();
+  static constexpr Id no_chunk = (std::numeric_limits<Id>::max)();
 
   struct Chunk {
     Id before = no_chunk;  // in the order of ranks

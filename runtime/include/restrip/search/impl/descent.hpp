@@ -161,7 +161,7 @@ EdgeEnd end_of_edge(const SidedMesh auto& mesh, StripMesh::Halfedge h) {
     way.swaps = int{turn[keeps - 1] == keeps} - int{turn[keeps - 1] == gives} - int{freed_turn == keeps} -
                 int{mesh.other_solid_sides(across_freed) == freed_turn};
   }
-  end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
+  end.fewest_swaps = (std::min)(end.way[0].swaps, end.way[1].swaps);
   return end;
 }
 

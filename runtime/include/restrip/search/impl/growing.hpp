@@ -76,7 +76,7 @@ class Growing {
     const std::uint32_t there = across_[t][side];
     const Triangle u = there == none ? t : there >> 2;
     const unsigned neighbors = --left_[u];
-    const unsigned list = std::min(neighbors, 3U);
+    const unsigned list = (std::min)(neighbors, 3U);
     waiting_[list * across_.size() + count_[list]] = u;
     count_[list] += static_cast<Triangle>(neighbors < 3);
   }
@@ -96,7 +96,7 @@ class Growing {
     const Turn avoided = last != Turn::none ? last : entered == 1 ? Turn::right : Turn::left;
     const unsigned score_right = 2 * left_over(t, right) + static_cast<unsigned>(avoided == Turn::right);
     const unsigned score_left = 2 * left_over(t, left) + static_cast<unsigned>(avoided == Turn::left);
-    if (std::min(score_right, score_left) > 2 * 3 + 1) return {};
+    if ((std::min)(score_right, score_left) > 2 * 3 + 1) return {};
     const bool turns_left = score_left < score_right;
     return {t << 2 | (turns_left ? left : right), turns_left ? Turn::left : Turn::right};
   }

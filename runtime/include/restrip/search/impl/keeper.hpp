@@ -103,7 +103,7 @@ template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
   begin();
-  unsettled_ = std::numeric_limits<std::size_t>::max();
+  unsettled_ = (std::numeric_limits<std::size_t>::max)();
   if (baked_) baked_->leave_step();
   if (policy_ == Policy::bare) {
     around_.clear();
@@ -238,10 +238,11 @@ std::size_t Keeper<Mesh>::improve(std::size_t budget) {
     return before - cost();
   }
   const std::uint64_t spent = spent_by_improve();
-  const std::uint64_t stop = spent + std::min<std::uint64_t>(budget, std::numeric_limits<std::uint64_t>::max() - spent);
+  const std::uint64_t stop =
+      spent + std::min<std::uint64_t>(budget, (std::numeric_limits<std::uint64_t>::max)() - spent);
   ColoringChange sum;
   constexpr std::size_t at_once = 256;
-  unsettled_ = std::min(unsettled_, sides.triangle_bound());
+  unsettled_ = (std::min)(unsettled_, sides.triangle_bound());
   while (unsettled_ > 0 && spent_by_improve() < stop) {
     patch_.clear();
     for (; unsettled_ > 0 && patch_.size() < at_once; --unsettled_) {
@@ -262,7 +263,7 @@ template <class Mesh>
 void Keeper<Mesh>::rebuild() {
   up_to_date_ = false;
   rounds_.restart();
-  unsettled_ = std::numeric_limits<std::size_t>::max();
+  unsettled_ = (std::numeric_limits<std::size_t>::max)();
   if (tunnels()) {
     auto&& sides = by_sides(*mesh_);
     locator_.rebuild(sides);

@@ -95,7 +95,7 @@ struct Simplifier::Quadric {
   /// The cost of a collapse along x.
   [[nodiscard]] double cost_at(const Vector& x) const noexcept {
     using namespace detail::simplify;
-    return (std::max(0.0, at(x)) + tie_weight * dot(x, x) * area) * scale();
+    return ((std::max)(0.0, at(x)) + tie_weight * dot(x, x) * area) * scale();
   }
   /// Adds the quadric of the vertex from which `way` leads here.
   void add_moved(const Quadric& other, const Vector& way) noexcept {
@@ -180,7 +180,7 @@ inline bool Simplifier::run(std::size_t wanted, std::size_t most) {
       continue;
     }
     const Halfedge chord = mesh_.opposite(best.h);
-    if (check(chord) != Refusal::granted) {
+    if (refusal_of(chord) != Refusal::granted) {
       propose(best.v_t, &best);
       continue;
     }
@@ -212,7 +212,7 @@ inline void Simplifier::place(std::span<const Point> points) {
   for_each_vertex([&](Vertex v) {
     ++sites_[v].neighbors;
     if (!finite(points[v])) return;
-    for (const double x : points[v]) largest = std::max(largest, std::abs(x));
+    for (const double x : points[v]) largest = (std::max)(largest, std::abs(x));
   });
   const int first_scale = -exponent(largest);
   Point low{1, 1, 1};
@@ -221,11 +221,11 @@ inline void Simplifier::place(std::span<const Point> points) {
     if (!finite(points[v])) return;
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = std::ldexp(points[v][i], first_scale);
-      low[i] = std::min(low[i], x);
-      high[i] = std::max(high[i], x);
+      low[i] = (std::min)(low[i], x);
+      high[i] = (std::max)(high[i], x);
     }
   });
-  const int second_scale = -exponent(std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}));
+  const int second_scale = -exponent((std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]}));
   for (Vertex v = 0; v < sites_.size(); ++v) {
     const auto at = [&](std::size_t i) {
       return std::ldexp(std::ldexp(points[v][i], first_scale) - low[i], second_scale);
@@ -313,16 +313,16 @@ inline void Simplifier::find_corners() {
     }
     if (v != start) continue;  // it ends at a vertex that never moves
     const std::size_t n = loop.size();
-    const double far = length.back() * afar;
+    const double distance = length.back() * afar;
     const auto point = [&](std::size_t i) { return sites_[loop[i % n]].point; };
     const auto place_of = [&](std::size_t i) { return length[i % n] + (i >= n ? length.back() : 0); };
     std::size_t back = 0;
     std::size_t front = 0;
     for (std::size_t i = n; i < 2 * n; ++i) {  // one turn later, so that there are vertices before
-      while (back + 1 < i && place_of(i) - place_of(back + 1) >= far) ++back;
-      front = std::max(front, i + 1);
+      while (back + 1 < i && place_of(i) - place_of(back + 1) >= distance) ++back;
+      front = (std::max)(front, i + 1);
       while (front + 1 < i + n &&
-             place_of(front % (2 * n)) + (front >= 2 * n ? 2 * length.back() : 0) - place_of(i) < far)
+             place_of(front % (2 * n)) + (front >= 2 * n ? 2 * length.back() : 0) - place_of(i) < distance)
         ++front;
       const auto turns = [&](std::size_t from, std::size_t to, double squared_cosine) {
         return turns_by_more(seen(minus(point(i), point(from))), seen(minus(point(to), point(i))), squared_cosine);
@@ -446,13 +446,13 @@ inline double Simplifier::cost_of(const Quadric& quadric, std::size_t to) const 
     const Vector rim = minus(fan_[j].way, spoke.way);
     const Vector normal = cross(a, b);
     const double squared = dot(normal, normal);
-    const double side = std::max({dot(a, a), dot(b, b), dot(rim, rim)});
+    const double side = (std::max)({dot(a, a), dot(b, b), dot(rim, rim)});
     if (!(squared > flat * side * side)) {
       if (!(squared > 0)) {
         if (!(spoke.squared <= 0)) return infinite;
         continue;
       }
-      const double before = std::max({dot(spoke.way, spoke.way), dot(fan_[j].way, fan_[j].way), dot(rim, rim)});
+      const double before = (std::max)({dot(spoke.way, spoke.way), dot(fan_[j].way, fan_[j].way), dot(rim, rim)});
       if (spoke.squared > flat * before * before) return infinite;
     }
     if (spoke.squared > 0 && turns_by_more(normal, spoke.normal, turn)) return infinite;
@@ -460,8 +460,8 @@ inline double Simplifier::cost_of(const Quadric& quadric, std::size_t to) const 
     const Vector& original = original_[t];
     if (dot(normal, original) <= 0 && dot(original, original) > 0) return infinite;
     if (!directions_.empty() && !keeps_direction(t, spoke.normal, normal, squared)) return infinite;
-    worst = std::min(worst, squared / (side * side));
-    longest = std::max(longest, side);
+    worst = (std::min)(worst, squared / (side * side));
+    longest = (std::max)(longest, side);
   }
   return fan_[to].cost + shape_weight * longest / worst * quadric.area * quadric.scale();
 }
@@ -482,7 +482,7 @@ inline bool Simplifier::keeps_direction(Triangle t, const Vector& before, const 
 
 // ---- collapses
 
-inline Refusal Simplifier::check(Halfedge chord) {
+inline Refusal Simplifier::refusal_of(Halfedge chord) {
   return detail::check_collapse_with(mesh_, chord, [this](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
     ++mark_;
     for_each_spoke(mesh_, v_t, [this](Halfedge h) { sites_[mesh_.to(h)].mark = mark_; });
@@ -539,7 +539,7 @@ inline std::vector<Obstacle> Simplifier::obstacles() {
       return "a vertex has more than 256 neighbours";
     if (boundary_ == BoundaryPolicy::lock && (mesh_.leaves_boundary(h) || mesh_.leaves_boundary(back)))
       return "the boundary is locked";
-    const Refusal refusal = check(h);
+    const Refusal refusal = refusal_of(h);
     return refusal != Refusal::granted ? describe(refusal) : "a triangle would turn over or lose its area";
   };
   static_assert(most_neighbors == 256);

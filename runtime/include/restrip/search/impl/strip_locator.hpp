@@ -65,7 +65,7 @@ void StripLocator::renumber(const SidedMesh auto& mesh, Halfedge h, bool up) {
     if (!step(mesh, t, entry)) break;
   }
   const auto count = static_cast<Label>(renumbered_.size());
-  const Label gap = std::min(label_step, middle_label / (count + 1));
+  const Label gap = (std::min)(label_step, middle_label / (count + 1));
   Label label = up ? middle_label - gap * (count / 2) : middle_label + gap * (count / 2);
   for (const Triangle member : renumbered_) {
     addresses_[member].label = label;
@@ -135,7 +135,7 @@ void StripLocator::divide(const SidedMesh auto& mesh, Triangle member) {
   entry = (s + 1) % 3;
   if (!mesh.solid(StripMesh::halfedge(t, entry))) entry = (s + 2) % 3;
   while (lists_[c].count > chunk_limit_) {
-    const std::uint32_t piece = std::min(lists_[c].count / 2, chunk_limit_ / 2);
+    const std::uint32_t piece = (std::min)(lists_[c].count / 2, chunk_limit_ / 2);
     moving_.clear();
     while (moving_.size() < piece) {
       moving_.push_back(t);

@@ -68,7 +68,7 @@ WindowChange Window::solve(SidedMesh auto& mesh, const WindowLimits& limits) {
   }
   // A third of a strip is two thirds of an end.
   const std::uint64_t third = std::max<std::uint64_t>({cost_.restart, std::uint64_t{3} * cost_.swap, cost_.isolated});
-  const auto slack = limits.slack == WindowLimits::no_limit ? std::numeric_limits<std::int64_t>::max()
+  const auto slack = limits.slack == WindowLimits::no_limit ? (std::numeric_limits<std::int64_t>::max)()
                                                             : static_cast<std::int64_t>(2 * third * limits.slack / 3);
   search_.run(plan_.triangles(), plan_.steps(), slack, limits.states, random_);
   // Edges that become dashed are cleared before others are set.

@@ -83,7 +83,7 @@ class WindowSearch {
     tally_of_present_ = tally_of(
         [&](std::size_t i) { return unsigned{triangles[steps[i].first].present} & triangles[steps[i].first].leaving; });
     price_of_present_ = price(tally_of_present_) * unit;
-    constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+    constexpr std::int64_t no_limit = (std::numeric_limits<std::int64_t>::max)();
     least_dropped_ = no_limit;
     slack_ = slack < no_limit / unit ? slack * unit + unit - 1 : no_limit;
     nodes_.clear();
@@ -94,7 +94,7 @@ class WindowSearch {
       const auto drop_above = [&](std::int64_t highest) {
         std::erase_if(next_, [&](const State& state) {
           const bool drop = state.price > highest && !state.present;
-          if (drop) least_dropped_ = std::min(least_dropped_, state.price);
+          if (drop) least_dropped_ = (std::min)(least_dropped_, state.price);
           return drop;
         });
       };
@@ -226,7 +226,7 @@ class WindowSearch {
     std::size_t places = 256;
     while (places < layer_.size() * 4) places *= 2;
     table_.assign(places, 0);
-    least_ = std::numeric_limits<std::int64_t>::max();
+    least_ = (std::numeric_limits<std::int64_t>::max)();
     for (const State& from : layer_) {
       int degree = sides_in(first.ports);
       for (const WindowSide& side : first.sides)
@@ -244,7 +244,7 @@ class WindowSearch {
             if (state.price <= price_of_present_ && (!dear || state.present))
               offer(state, opened, random);
             else if (dear)
-              least_dropped_ = std::min(least_dropped_, state.price);
+              least_dropped_ = (std::min)(least_dropped_, state.price);
           }
         }
         if (opened == 0) break;
@@ -253,7 +253,7 @@ class WindowSearch {
   }
 
   void offer(const State& state, unsigned opened, PseudoRandom& random) {
-    least_ = std::min(least_, state.price);
+    least_ = (std::min)(least_, state.price);
     if (next_.size() * 2 >= table_.size()) rehash();
     std::size_t at = static_cast<std::size_t>(state.frontier.hash()) & (table_.size() - 1);
     while (table_[at] != 0 && !(next_[table_[at] - 1].frontier == state.frontier)) at = (at + 1) & (table_.size() - 1);
@@ -272,7 +272,7 @@ class WindowSearch {
     if (there.price > state.price) {
       there.price = state.price;
       there.ties = 1;
-    } else if (there.ties == std::numeric_limits<std::uint16_t>::max() || random.below(++there.ties) != 0) {
+    } else if (there.ties == (std::numeric_limits<std::uint16_t>::max)() || random.below(++there.ties) != 0) {
       return;
     }
     nodes_[there.node] = node;
