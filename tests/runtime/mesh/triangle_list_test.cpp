@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/impl/join_sides.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "sample_meshes.hpp"
 
