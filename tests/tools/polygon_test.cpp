@@ -41,7 +41,7 @@ std::vector<Corners> fan_of(std::size_t size) {
   return fan;
 }
 
-std::vector<Corners> triangles_of(const Outline& outline) {
+std::vector<Corners> cut_outline(const Outline& outline) {
   std::vector<Corners> made = fan_of(outline.size());
   PolygonCutter cutter(outline);
   EXPECT_TRUE(cutter.cut(made));
@@ -50,7 +50,7 @@ std::vector<Corners> triangles_of(const Outline& outline) {
 
 /// `flat`: how many triangles have no area.
 void expect_covered(const Outline& outline, const std::string& name, std::size_t flat = 0) {
-  const std::vector<Corners> triangles = triangles_of(outline);
+  const std::vector<Corners> triangles = cut_outline(outline);
   const Point whole = area_of(outline);
   const double length = std::sqrt(dot(whole, whole));
   double sum = 0;
@@ -105,7 +105,7 @@ TEST(Polygon, ConvexOnesBecomeFans) {
       const double at = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(size);
       outline.push_back({std::cos(at), std::sin(at), 1});
     }
-    EXPECT_EQ(triangles_of(outline), fan_of(size));
+    EXPECT_EQ(cut_outline(outline), fan_of(size));
   }
 }
 
@@ -202,14 +202,14 @@ TEST(Polygon, OutlinesThatCrossThemselvesEnd) {
       Outline outline;
       for (std::size_t i = 0; i < size; ++i) outline.push_back({number(range), number(range), number(2)});
       std::set<std::uint32_t> named;
-      for (const Corners& t : triangles_of(outline)) {
+      for (const Corners& t : cut_outline(outline)) {
         EXPECT_FALSE(degenerate(t));
         named.insert(t.begin(), t.end());
       }
       EXPECT_EQ(named.size(), size);
     }
   for (const double far : {1e38, 1e-38})
-    (void)triangles_of({{0, 0, 0}, {far, 0, 0}, {far, far, 0}, {far / 2, far / 4, 0}});
+    (void)cut_outline({{0, 0, 0}, {far, 0, 0}, {far, far, 0}, {far / 2, far / 4, 0}});
 }
 
 // Every reader hands its polygons over: the same outline in each format that has polygons.
