@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <new>
@@ -13,6 +14,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -70,6 +72,12 @@ struct restrip_buffer {
   }
   const restrip::IndexBuffer buffer;
   std::vector<restrip_range> draws;
+};
+
+struct restrip_levels {
+  std::vector<std::uint32_t> base;
+  std::vector<restrip_record> records;
+  std::vector<restrip_obstacle> obstacles;
 };
 
 /// A StripMesh, the keeper of its strips, and optional parts.
@@ -179,6 +187,11 @@ restrip_status guarded(Work&& work) noexcept {
   }
 }
 
+/// Writes a text for the caller, cut off to `size` with its end.
+void tell(std::string_view what, char* text, std::size_t size) noexcept {
+  if (size != 0) text[what.copy(text, size - 1)] = '\0';
+}
+
 /// The number given, as a member of an enumeration of the library, 0 to `last`.
 template <class Enum>
 bool named(std::int32_t number, Enum last, Enum& out) noexcept {
@@ -208,6 +221,11 @@ bool any_null(const Pointers*... pointers) noexcept {
 /// As many as a mesh of all its triangles can have, if it has no boundary.
 constexpr std::size_t most_vertices = StripMesh::max_triangles;
 
+restrip_build_report report_of(const BuildReport& found) noexcept {
+  return {found.degenerate_triangles, found.out_of_range_triangles, found.boundary_edges,
+          found.non_manifold_edges,   found.inconsistent_edges,     found.non_manifold_vertices};
+}
+
 template <class Index>
 restrip_status build(const Index* indices, std::size_t index_count, std::size_t vertex_count,
                      restrip_build_report* report, std::uint32_t* origin, restrip_mesh** out) {
@@ -220,9 +238,7 @@ restrip_status build(const Index* indices, std::size_t index_count, std::size_t 
     std::vector<std::uint32_t> places;
     *out = new restrip_mesh(StripMesh::build(std::span<const Index>(indices, index_count), vertex_count, &found,
                                              origin != nullptr ? &places : nullptr));
-    if (report != nullptr)
-      *report = {found.degenerate_triangles, found.out_of_range_triangles, found.boundary_edges,
-                 found.non_manifold_edges,   found.inconsistent_edges,     found.non_manifold_vertices};
+    if (report != nullptr) *report = report_of(found);
     std::copy(places.begin(), places.end(), origin);
     return RESTRIP_OK;
   });
@@ -282,6 +298,65 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
     const bool sparse = vertex_count > index_count && vertex_count - index_count > StripMesh::max_vertex_gap;
     *out = new restrip_buffer(sparse ? strips_of_sparse(list, vertex_count, wanted, how, what)
                                      : strips_of(list, vertex_count, wanted, how, what));
+    return RESTRIP_OK;
+  });
+}
+
+// ---- simplification
+
+restrip_record record_of(const SplitRecord& split) noexcept { return {split.v_s, split.v_t, split.v_l, split.v_r}; }
+
+/// What is wrong with the arguments of a simplification; empty if nothing is.
+template <class Index>
+std::string fault_of(std::span<const Index> indices, std::span<const double> points, std::int32_t boundary) {
+  const std::size_t vertex_count = points.size() / 3;
+  if (indices.size() % 3 != 0) return std::to_string(indices.size()) + " indices are not whole triangles";
+  if (boundary != RESTRIP_BOUNDARY_LOCK && boundary != RESTRIP_BOUNDARY_MOVE)
+    return "boundary " + std::to_string(boundary) + " is neither 0 (lock) nor 1 (move)";
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (indices[i] >= vertex_count)
+      return "triangle " + std::to_string(i / 3) + " has corner " + std::to_string(indices[i]) + ", but there are " +
+             std::to_string(vertex_count) + " vertices";
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::isfinite(points[i])) return "a coordinate of vertex " + std::to_string(i / 3) + " is not a finite number";
+  return {};
+}
+
+template <class Index>
+restrip_status simplify(const Index* indices, std::size_t index_count, const double* points, std::size_t vertex_count,
+                        std::size_t wanted, std::int32_t boundary, restrip_build_report* report, char* text,
+                        std::size_t text_size, restrip_levels** out) {
+  if (out != nullptr) *out = nullptr;
+  if (out == nullptr || (indices == nullptr && index_count != 0) || (points == nullptr && vertex_count != 0) ||
+      (text == nullptr && text_size != 0))
+    return RESTRIP_NULL_ARGUMENT;
+  tell({}, text, text_size);
+  if (vertex_count > most_vertices || index_count / 3 > StripMesh::max_triangles) return RESTRIP_TOO_LARGE;
+  return guarded([&]() -> restrip_status {
+    const std::span list(indices, index_count);
+    const std::string fault = fault_of(list, std::span(points, 3 * vertex_count), boundary);
+    if (!fault.empty()) {
+      tell(fault, text, text_size);
+      return RESTRIP_BAD_ARGUMENT;
+    }
+    std::vector<Simplifier::Point> places(vertex_count);
+    for (std::size_t i = 0; i < 3 * vertex_count; ++i) places[i / 3][i % 3] = points[i];
+    BuildReport found;
+    Simplifier simplifier(StripMesh::build(list, vertex_count, &found), places,
+                          boundary == RESTRIP_BOUNDARY_LOCK ? BoundaryPolicy::lock : BoundaryPolicy::move);
+    simplifier.run(wanted);
+    auto levels = std::make_unique<restrip_levels>();
+    const StripMesh& coarse = simplifier.mesh();
+    for (Triangle t = 0; t < coarse.triangle_bound(); ++t)
+      if (coarse.alive(t))
+        for (const Vertex v : coarse.corners(t)) levels->base.push_back(v);
+    const std::vector<SplitRecord>& collapses = simplifier.collapses();
+    std::transform(collapses.rbegin(), collapses.rend(), std::back_inserter(levels->records), record_of);
+    if (coarse.triangle_count() > wanted)
+      for (const Obstacle& obstacle : simplifier.obstacles())
+        levels->obstacles.push_back({obstacle.why, obstacle.edges});
+    if (report != nullptr) *report = report_of(found);
+    *out = levels.release();
     return RESTRIP_OK;
   });
 }
@@ -845,16 +920,12 @@ restrip_status restrip_baked_read(const void* bytes, std::size_t size, char* tex
   if (mesh != nullptr) *mesh = nullptr;
   if (mesh == nullptr || (bytes == nullptr && size != 0) || (text == nullptr && text_size != 0))
     return RESTRIP_NULL_ARGUMENT;
-  if (text_size != 0) text[0] = '\0';
+  tell({}, text, text_size);
   return guarded([&]() -> restrip_status {
     auto file = std::make_unique<BakedFile>();
     const std::string fault = read_baked({static_cast<const std::byte*>(bytes), size}, *file);
     if (!fault.empty()) {
-      if (text_size != 0) {
-        const std::size_t kept = std::min(fault.size(), text_size - 1);
-        std::memcpy(text, fault.data(), kept);
-        text[kept] = '\0';
-      }
+      tell(fault, text, text_size);
       return RESTRIP_BAD_FILE;
     }
     *mesh = new restrip_mesh(std::move(file));
@@ -906,8 +977,7 @@ restrip_status restrip_baked_record(const restrip_mesh* mesh, std::size_t i, res
   if (any_null(mesh, record)) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->file) return RESTRIP_NOT_BAKED;
   if (i >= mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
-  const SplitRecord& split = mesh->file->splits[i];
-  *record = {split.v_s, split.v_t, split.v_l, split.v_r};
+  *record = record_of(mesh->file->splits[i]);
   return RESTRIP_OK;
 }
 restrip_status restrip_baked_payload(const restrip_mesh* mesh, std::size_t i, const void** bytes, std::size_t* size) {
@@ -926,6 +996,28 @@ restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coor
   *vertex_count = mesh->file->points.size();
   return RESTRIP_OK;
 }
+
+// ---- simplification
+
+restrip_status restrip_simplify_u32(const std::uint32_t* indices, std::size_t index_count, const double* points,
+                                    std::size_t vertex_count, std::size_t wanted, std::int32_t boundary,
+                                    restrip_build_report* report, char* text, std::size_t text_size,
+                                    restrip_levels** levels) {
+  return simplify(indices, index_count, points, vertex_count, wanted, boundary, report, text, text_size, levels);
+}
+restrip_status restrip_simplify_u16(const std::uint16_t* indices, std::size_t index_count, const double* points,
+                                    std::size_t vertex_count, std::size_t wanted, std::int32_t boundary,
+                                    restrip_build_report* report, char* text, std::size_t text_size,
+                                    restrip_levels** levels) {
+  return simplify(indices, index_count, points, vertex_count, wanted, boundary, report, text, text_size, levels);
+}
+restrip_status restrip_levels_read(const restrip_levels* levels, restrip_levels_view* view) {
+  if (any_null(levels, view)) return RESTRIP_NULL_ARGUMENT;
+  *view = {levels->base.data(),    levels->base.size(),      levels->records.data(),
+           levels->records.size(), levels->obstacles.data(), levels->obstacles.size()};
+  return RESTRIP_OK;
+}
+void restrip_levels_free(restrip_levels* levels) { delete levels; }
 
 // ---- the rules by themselves
 

@@ -35,7 +35,7 @@ class WithLibrary(build_py):
         if made:
             shutil.copyfile(made, target)
             return
-        subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O2", "-DNDEBUG", "-fPIC", "-shared", "-fvisibility=hidden",
+        subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-fPIC", "-shared", "-fvisibility=hidden",
                         "-fvisibility-inlines-hidden", *shlex.split(os.environ.get("CXXFLAGS", "")), f'-DRESTRIP_VERSION="{VERSION}"', "-pthread",
                         *(f"-I{folder}" for folder in (C / "include", C, ROOT / "runtime/include", ROOT / "tables/include")),
                         C / "restrip.cpp", "-o", target], check=True)

@@ -4,13 +4,15 @@
 >>> restrip.strips_of(numpy.array([[0, 1, 2], [2, 1, 3], [2, 3, 4]]))
 array([0, 1, 2, 3, 4], dtype=uint16)
 
-`strips_of` is for meshes that do not change. `LiveMesh` has the operations of a mesh that changes, maintains its strips, and
+`strips_of` is for meshes that do not change, `simplify` makes levels of detail. `LiveMesh` has the operations of a mesh that changes, maintains its strips, and
 returns the parts of its index buffer that changed. Faces go in as arrays of any integer type with three columns, such as
 `trimesh.Trimesh.faces`, or `mesh.regular_faces` of pyvista.
 """
 from __future__ import annotations
 
 import ctypes
+import math
+import numbers
 import operator
 import sys
 import warnings
@@ -21,7 +23,7 @@ import numpy as np
 from . import _library as lib
 from ._library import NONE, RestripError
 
-__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "faces_of", "strips_of"]
+__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Simplified", "faces_of", "simplify", "strips_of"]
 __version__: str = lib.plain("version").decode()
 
 Cost = Union[str, Tuple[int, int, int]]
@@ -80,6 +82,21 @@ class Report(NamedTuple):
     non_manifold_vertices: int
 
 
+class Simplified(NamedTuple):
+    """A coarser mesh and the way back. All vertices are those of the points given:
+      faces      the remaining faces, three columns
+      records    from coarse to fine, four columns: each splits v_t off v_s, between v_l and v_r (NONE on the boundary). On
+                 LiveMesh(faces, len(points)) a record is played by
+                 mesh.split(mesh.find(v_s, v_l), mesh.find(v_s, v_r), v_t), and the last one leads back to the faces given
+      shortfall  None, or a sentence that says why there are more faces than wanted
+      report     a Report on the faces given"""
+
+    faces: np.ndarray
+    records: np.ndarray
+    shortfall: Optional[str]
+    report: Report
+
+
 def _one_of(what: str, value: str, known: Sequence[str]) -> int:
     if value not in known:
         raise ValueError(f"{what} {value!r}: expected one of {', '.join(known)}")
@@ -133,12 +150,16 @@ def _bits(index: Index) -> int:
     return 0 if index == "auto" else int(index)
 
 
+def _numbers(address: Optional[int], count: int, dtype) -> np.ndarray:
+    """The numbers there, while they are valid."""
+    if not count:
+        return np.empty(0, dtype)
+    return np.frombuffer((ctypes.c_uint8 * (count * np.dtype(dtype).itemsize)).from_address(address), dtype)
+
+
 def _array(view: lib.BufferView) -> np.ndarray:
     """The indices of a view, while it is valid."""
-    dtype = np.dtype(np.uint16 if view.index_bits == 16 else np.uint32)
-    if not view.index_count:
-        return np.empty(0, dtype)
-    return np.frombuffer((ctypes.c_uint8 * (view.index_count * dtype.itemsize)).from_address(view.indices), dtype)
+    return _numbers(view.indices, view.index_count, np.uint16 if view.index_bits == 16 else np.uint32)
 
 
 def _fitted(index: Optional[Index], name: str, *arguments) -> None:
@@ -555,6 +576,56 @@ def _renamed(indices: np.ndarray, used: Optional[np.ndarray], index: Index) -> n
         raise RestripError(_TOO_LARGE, f"indices: {_NEEDS_32}")
     dtype = np.dtype(np.uint16 if narrow and index != 32 else np.uint32)
     return np.where(restarts, np.iinfo(dtype).max, named).astype(dtype)
+
+
+def simplify(points, faces, share: Optional[float] = None, *, count: Optional[int] = None, boundary: str = "move") -> Simplified:
+    """A coarser mesh, and the collapses that lead there, for levels of detail.
+
+    `points` has three columns of finite numbers, `faces` three columns of vertices below their number. Edges collapse into one
+    of their ends, the cheapest first, until `share` (0 to 1) of the faces is left, or `count` faces; give one of them. No face
+    turns by 90 degrees or more or loses its area, and a height field stays one. `boundary` is "move", along the boundary, or
+    "lock". If no edge may collapse any more, there are more faces than wanted: `shortfall` of the result, and a warning, say
+    why. Takes O(n log n) time.
+    """
+    places = np.asarray(points)
+    if places.size == 0:
+        places = places.reshape(-1, 3).astype(np.float64)
+    if places.ndim != 2 or places.shape[1] != 3 or places.dtype.kind not in "fiu":
+        raise ValueError(f"points: expected numbers with three columns, found {places.dtype} of shape {places.shape}")
+    corners = _corners(faces, NONE)
+    policy = _one_of("boundary", boundary, ("lock", "move"))
+    if (share is None) == (count is None):
+        raise ValueError("simplify: give either share or count")
+    if count is not None:
+        wanted = _number("count", count)
+    elif isinstance(share, numbers.Real) and 0 <= share <= 1:
+        wanted = math.ceil(float(share) * len(corners))
+    else:
+        raise ValueError(f"share {share!r}: expected a number from 0 to 1")
+    places = np.ascontiguousarray(places, np.float64)
+    report, levels, view, text = lib.BuildReport(), ctypes.c_void_p(), lib.LevelsView(), ctypes.create_string_buffer(200)
+    try:
+        lib.call("simplify_u32", _address(corners), corners.size, _address(places), len(places), wanted, policy, report, text, len(text), levels)
+    except RestripError as error:
+        if not text.value:
+            raise
+        raise RestripError(error.code, f"simplify: {text.value.decode()}") from None
+    try:
+        lib.call("levels_read", levels, view)
+        base = _numbers(view.base, view.base_count, np.uint32).reshape(-1, 3).copy()
+        records = _numbers(view.records, 4 * view.record_count, np.uint32).reshape(-1, 4).copy()
+        obstacles = [(obstacle.edges, obstacle.why.decode()) for obstacle in view.obstacles[:view.obstacle_count]]
+    finally:
+        lib.plain("levels_free", levels)
+    shortfall = None
+    if len(base) > wanted:
+        reasons = "; ".join(f"{edges}: {why}" for edges, why in obstacles)
+        shortfall = f"{len(base)} faces are left, {wanted} were wanted: none of the {sum(edges for edges, _ in obstacles)} edges may collapse ({reasons})"
+        warnings.warn(f"restrip: {shortfall}", stacklevel=2)
+    result = Simplified(base, records, shortfall, Report(*(getattr(report, name) for name in Report._fields)))
+    if result.report.degenerate_triangles:
+        warnings.warn(f"restrip: {result.report.degenerate_triangles} of {len(corners)} faces are left out: {result.report}", stacklevel=2)
+    return result
 
 
 def faces_of(indices) -> np.ndarray:
