@@ -20,7 +20,7 @@ std::string sealed(std::string_view text) {
 }  // namespace
 
 std::vector<Target> shard_targets() {
-  const std::vector<Section> all = solve_all(patches_of(families(), 3), 1, Watched::no);
+  const std::vector<Section> all = solve_all(patches_of(tabled_families(), 3), 1, Watched::no);
   const auto read = [](std::string_view bytes) {
     const Merged merged = merge_shards({{"f", sealed(bytes)}}, id, "folder");
     for (const Section& section : merged.sections)

@@ -128,7 +128,7 @@ TEST_F(Shards, SealedNonsenseIsRefusedByLine) {
       {"restrip-shard 1", "restrip-shard 2", ":1: 'restrip-shard 2' where"},
       {"max-k 3", "max-k 2", ":3: 'max-k 2' where"},
       {"max-k 3", "max-k 99", ":3: "},
-      {"max-k 3", "max-k 4", ":5: "},
+      {"max-k 3", "max-k 4", ":6: "},
       {"shard 1 of 2", "shard 3 of 2", ":4: "},
       {"shard 1 of 2", "shard 1 of 2 3", ":4: "},
       {"shard 1 of 2", "shard 2 of 2", ":5: "},

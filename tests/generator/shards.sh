@@ -45,10 +45,11 @@ case $how in
     refused missing 'shard-0007-of-0050.txt: is missing; run restrip-generate tables --shard 7/50 --max-k 4 --out bad/missing'
     cp $good bad/twice/shard-0051-of-0050.txt
     refused twice 'shard-0051-of-0050.txt: is shard 7 of 50, and so is .*remove one'
-    head -c 200 $good >bad/truncated/shard-0007-of-0050.txt
-    refused truncated 'shard-0007-of-0050.txt: is truncated or altered.*run its shard again'
-    sed 's/^claim valid 1/claim valid 2/;s/^section k 3/section k 4/' $good >bad/altered/shard-0007-of-0050.txt
-    refused altered 'shard-0007-of-0050.txt: is truncated or altered'
+    full=more/shard-0001-of-0050.txt  # shard 7 has no sections
+    head -c 200 $full >bad/truncated/shard-0001-of-0050.txt
+    refused truncated 'shard-0001-of-0050.txt: is truncated or altered.*run its shard again'
+    sed 's/^rule 0 0/rule 0 1/' $full >bad/altered/shard-0001-of-0050.txt
+    refused altered 'shard-0001-of-0050.txt: is truncated or altered'
     restrip-generate tables --max-k 5 --shard 7/50 --out bad/valence
     refused valence 'shard-0007-of-0050.txt: .*--max-k 5, but .*--max-k 4; keep one set'
     restrip-generate tables --max-k 4 --shard 7/49 --out bad/count

@@ -376,7 +376,7 @@ class Meshes(Folder):
         self.assertEqual(self.contents(), before)
 
     def test_a_progressive_mesh_that_does_not_fit_is_named(self):
-        self.put("bad.pm", self.bytes_of("a.pm")[:-4] + bytes(4))
+        self.put("bad.pm", self.bytes_of("a.pm")[:-4] + b"\1\0\0\0")
         for arguments in ("draw bad.pm -o b.svg", "bake bad.pm -o b.baked", "stats bad.pm", "convert bad.pm -o b.obj",
                           "replay bad.pm --policy baked"):
             self.refuses(arguments, "bad.pm: split ")
