@@ -95,15 +95,17 @@ TEST(Reading, MembersOfAnObjectAreFoundWithoutWalkingOverIt) {
   EXPECT_TRUE(grows_at_most(linear, work(1000), work(2000)));
 }
 
-/// On a spiral: no two points coincide, and no three are collinear.
-Soup soup_of(const sample::HubMesh& mesh) {
+/// On rings of n around vertex 0, each turned by half a step, so that most edges can collapse at either size.
+Soup soup_of(const sample::HubMesh& mesh, std::uint32_t n) {
   Soup soup;
   soup.triangles = mesh.triangles;
-  for (std::uint32_t v = 0; v < mesh.vertices; ++v) {
-    const double turn = 2.399963229728653 * v;
-    const double radius = std::sqrt(static_cast<double>(v));
+  soup.points.push_back({});
+  for (std::uint32_t v = 0; v + 1 < mesh.vertices; ++v) {
+    const double step = 6.283185307179586 / n;
+    const double turn = step * (v + 0.5 * (v / n));
+    const double radius = 1 / step + v / n;
     soup.points.push_back({static_cast<float>(radius * std::cos(turn)), static_cast<float>(radius * std::sin(turn)),
-                           static_cast<float>(v % 7)});
+                           static_cast<float>(v % 7) / 8});
   }
   return soup;
 }
@@ -119,7 +121,7 @@ const std::vector<Simplified>& simplified(std::uint32_t n) {
   const auto [place, fresh] = made.try_emplace(n);
   if (fresh)
     for (const sample::HubMesh& mesh : sample::hub_meshes(n)) {
-      const Soup soup = soup_of(mesh);
+      const Soup soup = soup_of(mesh, n);
       place->second.push_back({soup, simplify(soup, {0.1, BoundaryPolicy::move}).mesh});
     }
   return place->second;
