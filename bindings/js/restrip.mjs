@@ -118,7 +118,7 @@ export class Restrip {
     let page = 0;
     try {
       const all = Math.max(1, corners.length / 3 - wanted);
-      for (let left; (left = this.#wasm.restrip_simplify_run(simplifier, wanted, 4000)) > 0;) yield 1 - left / all;
+      for (let left; (left = this.#wasm.restrip_simplify_run(simplifier, wanted, 1000)) > 0;) yield 1 - left / all;
       page = this.#wasm.restrip_simplify_end(simplifier);
     } finally {
       if (page === 0) this.#wasm.restrip_close(this.#wasm.restrip_simplify_end(simplifier));  // the caller has stopped early
