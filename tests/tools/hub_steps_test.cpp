@@ -209,7 +209,7 @@ TEST(ToolsHubSteps, DrawingIsLinear) {
 TEST(ToolsHubSteps, ColoringStripsIsLinear) {
   std::array<Work, 2> work;
   for (const unsigned size : {0U, 1U}) {
-    const Soup soup = soup_of(sample::pinched(100'000U << size));
+    const Soup soup = soup_of(sample::pinched(100'000U << size), 100'000U << size);
     std::vector<StripCorners> strips;
     for (const Corners& t : soup.triangles) strips.push_back({t});
     std::size_t colors = 0;
