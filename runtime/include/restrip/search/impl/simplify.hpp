@@ -90,7 +90,7 @@ struct Simplifier::Quadric {
   [[nodiscard]] double at(const Vector& x) const noexcept {
     return detail::simplify::dot(x, times(x)) + 2 * detail::simplify::dot(linear, x) + constant;
   }
-  /// Sums grow with the area; the rest of this power makes
+  /// Sums grow with the area; this factor takes back a quarter power of it, so that large flat regions are not spared.
   [[nodiscard]] double scale() const noexcept { return area > 0 ? 1 / std::sqrt(std::sqrt(area)) : 1; }
   /// The cost of a collapse along x.
   [[nodiscard]] double cost_at(const Vector& x) const noexcept {
@@ -281,7 +281,7 @@ inline Simplifier::Vector Simplifier::direction_of(Triangle t) const {
   return first < first_[faces_[t] + 1] ? directions_[first] : original_[t];
 }
 
-/// Walks along the outlines, those of height fields as seen from above. A corner must be one both for its neighbours
+/// Walks along the outlines; height fields are seen from above. A corner must be one both for its neighbours
 /// and from afar, so that steps of a jagged outline, and points of a finely divided curve, are not corners.
 inline void Simplifier::find_corners() {
   using namespace detail::simplify;
