@@ -29,8 +29,8 @@ PIECES = ["\n", "\r", "\r\n", "\v", "\f", "\0", "\x1b[2K", "\x7f", "\x85", "\u20
           "??/", "??/\n", "?", "/", "*", "*/", "/*", "//", "\"", "'", ")json\"", "R\"(", "`", "#", "#include <cstdlib>", "%:", "<%", "{", "}", ";",
           "int owned;", "@name@", "$ENV{HOME}", "${name}", "$(id)", "\u00e9", "\u20ac", "\U0001f600", "\ud7ff", "\ufdd0", "\ufffe", "\U000e0041",
           "a", "word", " ", "  ", "<!--", "-->", "]]>", "*)", "(*", "--", "'''", "\"\"\"", "\t"]
-NAMES = ["int", "class", "co-await", "split", "flip", "automaton", "rule-of", "fn", "highp", "unix", "aux", "std", "main", "open-rows",
-         "restrict", "noncoherent"]
+NAMES = ["int", "class", "co-await", "split", "flip", "automaton", "rule-of", "fn", "highp", "unix", "aux", "std", "main", "restrict",
+         "noncoherent"]
 # Sentences that would be read as code somewhere.
 ABOUTS = ["The next line belongs to this one \\", "\ufeffHarmless.", "Harmless.\rint owned;", "Harmless. */ int owned; /*", "Harmless.\x1b[2J",
           "Harmless.\fint owned;", "Harmless.\n#include <cstdlib>\ninline const int owned = std::system(\"touch owned\");",
