@@ -75,7 +75,7 @@ struct Reader {
 };
 
 /// Roughly proportional to the time of a section, as measured for k = 8 … 10: it grows fourfold with k.
-std::uint64_t weight(const Patches& section) {
+std::uint64_t weight_of(const Patches& section) {
   const Description& family = *section.position.family;
   std::uint64_t unit = std::get<SidePattern>(family.after).chords.empty() ? 1 : 8;
   // The claims of such a section count the configurations of every position served.
@@ -169,7 +169,7 @@ Shard shard_named(const std::string& text) {
 std::vector<std::size_t> share_of(const std::vector<Patches>& all, unsigned index, unsigned count) {
   std::vector<std::uint64_t> weights;
   weights.reserve(all.size());
-  for (const Patches& section : all) weights.push_back(weight(section));
+  for (const Patches& section : all) weights.push_back(weight_of(section));
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return weights[x] > weights[y]; });

@@ -127,7 +127,7 @@ void expect_limits(const JsonValue& description, const Operation& operation) {
 void expect_version(const JsonValue& value) { value.number(1, 1, "the version of the format"); }
 
 /// Whether some triangle of a side has its side on the boundary of the mesh.
-bool has_boundary(const Side& side) {
+bool touches_boundary(const Side& side) {
   return std::any_of(side.around.begin(), side.around.end(), [](const auto& around) {
     return std::find(around.begin(), around.end(), boundary_side) != around.end();
   });
@@ -138,7 +138,7 @@ void expect_turns(const JsonValue& bound, const Operation& operation) {
   if (operation.constraint == Constraint::forest)
     bound.refuse("expected no bound on indices: the solid edges of a forest are not strips");
   const bool known = !operation.before.around.empty() && !operation.after.around.empty();
-  if (!known || (!operation.on_a_mesh() && has_boundary(operation.before) != has_boundary(operation.after)))
+  if (!known || (!operation.on_a_mesh() && touches_boundary(operation.before) != touches_boundary(operation.after)))
     bound.refuse(
         fmt::format("expected no bound on indices: in this graph it is not known which way a strip turns{}; "
                     "give the sides by their triangles",

@@ -50,6 +50,8 @@ inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size
 
 }  // namespace detail
 
+// NOLINTBEGIN(readability-redundant-declaration): strip_mesh.hpp needs these names before it is read to its end.
+
 /// Whether the vertex may be split there. `new_vertex`: the name of the new vertex, or `none` for the next free one.
 /// O(1).
 [[nodiscard]] RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
@@ -97,6 +99,8 @@ template <class Shared>
 
 /// Whether the edge of h may be flipped. O(valence).
 [[nodiscard]] RESTRIP_INLINE Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+
+// NOLINTEND(readability-redundant-declaration)
 
 }  // namespace restrip
 
