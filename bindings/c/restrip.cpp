@@ -211,6 +211,12 @@ bool cost_of(const restrip_cost* given, Cost& out) noexcept {
   return out.restart >= 1 && out.restart <= most && out.swap <= most && out.isolated <= most;
 }
 
+/// False when the weight is out of range.
+bool cache_of(const restrip_cache* given, VertexCache& out) noexcept {
+  if (given != nullptr) out = {given->size, given->weight};
+  return out.weight >= 0 && out.weight <= 1000;
+}
+
 template <class... Pointers>
 bool any_null(const Pointers*... pointers) noexcept {
   return (... || (pointers == nullptr));
@@ -264,7 +270,7 @@ bool format_of(const restrip_format* format, StripFormat& out) noexcept {
 /// strips_of() with time and memory that do not depend on the vertex numbers: they are renumbered without gaps.
 template <class Index>
 IndexBuffer strips_of_sparse(std::span<const Index> list, std::size_t vertex_count, const StripFormat& format,
-                             Effort effort, const Cost& cost) {
+                             Effort effort, const Cost& cost, const VertexCache& cache) {
   std::vector<std::uint32_t> used(list.begin(), list.end());
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -273,8 +279,8 @@ IndexBuffer strips_of_sparse(std::span<const Index> list, std::size_t vertex_cou
   };
   std::vector<std::uint32_t> places(list.size());
   std::transform(list.begin(), list.end(), places.begin(), place_of);
-  const IndexBuffer strips =
-      strips_of(places, place_of(vertex_count), {.width = IndexWidth::bits32, .list_if_shorter = false}, effort, cost);
+  const IndexBuffer strips = strips_of(places, place_of(vertex_count),
+                                       {.width = IndexWidth::bits32, .list_if_shorter = false}, effort, cost, cache);
   std::vector<std::uint32_t> indices = std::get<0>(strips.indices);
   for (std::uint32_t& index : indices)
     if (index != restart_index) index = used[index];
@@ -283,21 +289,23 @@ IndexBuffer strips_of_sparse(std::span<const Index> list, std::size_t vertex_cou
 
 template <class Index>
 restrip_status strips_of_list(const Index* indices, std::size_t index_count, std::size_t vertex_count,
-                              std::int32_t effort, const restrip_cost* cost, const restrip_format* format,
-                              restrip_buffer** out) {
+                              std::int32_t effort, const restrip_cost* cost, const restrip_cache* cache,
+                              const restrip_format* format, restrip_buffer** out) {
   if (out != nullptr) *out = nullptr;
   if (out == nullptr || (indices == nullptr && index_count != 0)) return RESTRIP_NULL_ARGUMENT;
   Effort how{};
   Cost what;
+  VertexCache target;
   StripFormat wanted;
-  if (index_count % 3 != 0 || !named(effort, Effort::best, how) || !format_of(format, wanted) || !cost_of(cost, what))
+  if (index_count % 3 != 0 || !named(effort, Effort::best, how) || !format_of(format, wanted) || !cost_of(cost, what) ||
+      !cache_of(cache, target))
     return RESTRIP_BAD_ARGUMENT;
   if (vertex_count > RESTRIP_NONE) return RESTRIP_TOO_LARGE;
   return guarded([&] {
     const std::span list(indices, index_count);
     const bool sparse = vertex_count > index_count && vertex_count - index_count > StripMesh::max_vertex_gap;
-    *out = new restrip_buffer(sparse ? strips_of_sparse(list, vertex_count, wanted, how, what)
-                                     : strips_of(list, vertex_count, wanted, how, what));
+    *out = new restrip_buffer(sparse ? strips_of_sparse(list, vertex_count, wanted, how, what, target)
+                                     : strips_of(list, vertex_count, wanted, how, what, target));
     return RESTRIP_OK;
   });
 }
@@ -779,27 +787,26 @@ restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, std::uin
 // ---- buffers in any form
 
 restrip_status restrip_strips_of_u32(const std::uint32_t* indices, std::size_t index_count, std::size_t vertex_count,
-                                     std::int32_t effort, const restrip_cost* cost, const restrip_format* format,
-                                     restrip_buffer** buffer) {
-  return strips_of_list(indices, index_count, vertex_count, effort, cost, format, buffer);
+                                     std::int32_t effort, const restrip_cost* cost, const restrip_cache* cache,
+                                     const restrip_format* format, restrip_buffer** buffer) {
+  return strips_of_list(indices, index_count, vertex_count, effort, cost, cache, format, buffer);
 }
 restrip_status restrip_strips_of_u16(const std::uint16_t* indices, std::size_t index_count, std::size_t vertex_count,
-                                     std::int32_t effort, const restrip_cost* cost, const restrip_format* format,
-                                     restrip_buffer** buffer) {
-  return strips_of_list(indices, index_count, vertex_count, effort, cost, format, buffer);
+                                     std::int32_t effort, const restrip_cost* cost, const restrip_cache* cache,
+                                     const restrip_format* format, restrip_buffer** buffer) {
+  return strips_of_list(indices, index_count, vertex_count, effort, cost, cache, format, buffer);
 }
-restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_format* format, std::uint32_t cache_size,
+restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_cache* cache, const restrip_format* format,
                                    restrip_buffer** buffer) {
   if (buffer != nullptr) *buffer = nullptr;
   if (any_null(mesh, buffer)) return RESTRIP_NULL_ARGUMENT;
+  VertexCache target;
   StripFormat wanted;
-  if (!format_of(format, wanted)) return RESTRIP_BAD_ARGUMENT;
+  if (!format_of(format, wanted) || !cache_of(cache, target)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    const StripMesh& own = mesh->mesh;
-    const auto ordered = [&] {
-      return strip_indices(own, order_for_vertex_cache(own, extract_strips(own), cache_size));
-    };
-    *buffer = new restrip_buffer(format_strips(cache_size == 0 ? strip_indices(own) : ordered(), wanted));
+    const auto ordered = [&target](StripMesh own) { return strip_indices(own, strips_for_vertex_cache(own, target)); };
+    *buffer =
+        new restrip_buffer(format_strips(target.size == 0 ? strip_indices(mesh->mesh) : ordered(mesh->mesh), wanted));
     return RESTRIP_OK;
   });
 }

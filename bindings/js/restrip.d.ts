@@ -171,8 +171,9 @@ export class StripMesh implements Disposable {
   /** That list, 3 indices a triangle. A view, not a copy. */
   readonly listIndices: Uint32Array;
   /** A copy of the index buffer of strips made from scratch, by the fastest way, for the present mesh. The maintained
-   *  strips do not change. Linear time. */
-  fromScratch(options?: { cost?: Cost }): Uint32Array;
+   *  strips do not change. With `cacheSize` they are cut, joined and ordered for a first-in-first-out vertex cache of that
+   *  many vertices (16 for most hardware), in which a miss is worth `cacheWeight` indices (0: default). Linear time. */
+  fromScratch(options?: { cost?: Cost; cacheSize?: number; cacheWeight?: number }): Uint32Array;
   /** The index buffer in the form that begin() was given. A 16-bit list of an odd number of triangles ends with one more
    * index, which is not drawn. A view, not a copy. */
   readonly indices: Uint32Array | Uint16Array;

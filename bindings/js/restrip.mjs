@@ -353,8 +353,11 @@ export class StripMesh {
   }
   get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
   fromScratch(options = {}) {
-    const { cost = 'indices' } = known('fromScratch', options, ['cost']);
-    return listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
+    const { cost = 'indices', cacheSize = 0, cacheWeight = 0 } = known('fromScratch', options, ['cost', 'cacheSize', 'cacheWeight']);
+    const size = whole('cacheSize', cacheSize, 1e6);
+    if (!(typeof cacheWeight === 'number' && cacheWeight >= 0 && cacheWeight <= 1000))
+      throw new RangeError(`cacheWeight must be a number from 0 to 1000, not ${quoted(cacheWeight)}`);
+    return listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost), size, cacheWeight), Uint32Array, 1).slice();
   }
   #ranges(address) {
     const flat = listAt(this.#wasm, address, Uint32Array, 2);

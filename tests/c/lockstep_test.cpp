@@ -3,6 +3,7 @@
 // refusals. The reported change is what counting finds. A copy of the live buffer that receives only the reported
 // ranges draws the triangles of the mesh.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -400,14 +401,15 @@ TEST(CInterface, BuffersInEveryForm) {
       const std::size_t vertices = restrip_mesh_vertex_bound(mesh.get());
       for (const std::size_t most : {0U, 40U}) {
         const restrip_format wanted{form, bits, most, most, 1};
-        for (int source = 0; source < 4; ++source) {
+        const restrip_cache cache{16, 0};
+        for (int source = 0; source < 5; ++source) {
           restrip_buffer* buffer = nullptr;
           const restrip_status status =
-              source < 2    ? restrip_mesh_buffer(mesh.get(), &wanted, source == 0 ? 0 : 16, &buffer)
-              : source == 2 ? restrip_strips_of_u32(list.data(), list.size(), vertices, RESTRIP_EFFORT_FAST, nullptr,
-                                                    &wanted, &buffer)
-                            : restrip_strips_of_u16(narrow.data(), list.size(), vertices, RESTRIP_EFFORT_FULL,
-                                                    &fewest_indices, &wanted, &buffer);
+              source < 2   ? restrip_mesh_buffer(mesh.get(), source == 0 ? nullptr : &cache, &wanted, &buffer)
+              : source < 4 ? restrip_strips_of_u32(list.data(), list.size(), vertices, RESTRIP_EFFORT_FAST, nullptr,
+                                                   source == 2 ? nullptr : &cache, &wanted, &buffer)
+                           : restrip_strips_of_u16(narrow.data(), list.size(), vertices, RESTRIP_EFFORT_FULL,
+                                                   &fewest_indices, nullptr, &wanted, &buffer);
           ASSERT_EQ(status, RESTRIP_OK);
           ASSERT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
           ASSERT_EQ(view.form, form);
@@ -424,7 +426,8 @@ TEST(CInterface, BuffersInEveryForm) {
   const std::vector<std::uint32_t> islands{0, 1, 2, 3, 4, 5};
   restrip_buffer* buffer = nullptr;
   restrip_buffer_view view{};
-  ASSERT_EQ(restrip_strips_of_u32(islands.data(), 6, 6, RESTRIP_EFFORT_FAST, nullptr, nullptr, &buffer), RESTRIP_OK);
+  ASSERT_EQ(restrip_strips_of_u32(islands.data(), 6, 6, RESTRIP_EFFORT_FAST, nullptr, nullptr, nullptr, &buffer),
+            RESTRIP_OK);
   ASSERT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
   EXPECT_EQ(view.form, RESTRIP_FORM_LIST);
   EXPECT_EQ(view.index_bits, 16);
@@ -443,14 +446,14 @@ TEST(CInterface, VertexNumbersTakeNoMemory) {
   restrip_buffer* buffer = nullptr;
   restrip_format format{RESTRIP_FORM_RESTART, 0, 0, 0, 1};
   EXPECT_EQ(restrip_strips_of_u32(list.data(), list.size(), std::size_t{RESTRIP_NONE} + 1, RESTRIP_EFFORT_FAST, nullptr,
-                                  &format, &buffer),
+                                  nullptr, &format, &buffer),
             RESTRIP_TOO_LARGE);
   for (const std::int32_t form : {RESTRIP_FORM_RESTART, RESTRIP_FORM_STITCHED, RESTRIP_FORM_LENGTHS, RESTRIP_FORM_LIST})
     for (const std::size_t vertices : {std::size_t{far} + 2, std::size_t{far} + 1}) {
       format.form = form;
-      ASSERT_EQ(
-          restrip_strips_of_u32(list.data(), list.size(), vertices, RESTRIP_EFFORT_FAST, nullptr, &format, &buffer),
-          RESTRIP_OK);
+      ASSERT_EQ(restrip_strips_of_u32(list.data(), list.size(), vertices, RESTRIP_EFFORT_FAST, nullptr, nullptr,
+                                      &format, &buffer),
+                RESTRIP_OK);
       restrip_buffer_view view{};
       ASSERT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
       EXPECT_EQ(view.index_bits, 32);
@@ -460,8 +463,9 @@ TEST(CInterface, VertexNumbersTakeNoMemory) {
       restrip_buffer_free(buffer);
     }
   const std::vector<std::uint16_t> narrow{0, 1, 2};  // far below the number of vertices
-  ASSERT_EQ(restrip_strips_of_u16(narrow.data(), 3, RESTRIP_NONE, RESTRIP_EFFORT_FAST, nullptr, nullptr, &buffer),
-            RESTRIP_OK);
+  ASSERT_EQ(
+      restrip_strips_of_u16(narrow.data(), 3, RESTRIP_NONE, RESTRIP_EFFORT_FAST, nullptr, nullptr, nullptr, &buffer),
+      RESTRIP_OK);
   restrip_buffer_free(buffer);
 }
 
@@ -470,7 +474,7 @@ TEST(CInterface, FormatsAreChecked) {
   restrip_buffer* buffer = nullptr;
   const std::vector<std::uint32_t> far{0, 1, 70'000};
   const auto status_of = [&](restrip_format format) {
-    return restrip_strips_of_u32(far.data(), 3, 70'001, RESTRIP_EFFORT_FAST, nullptr, &format, &buffer);
+    return restrip_strips_of_u32(far.data(), 3, 70'001, RESTRIP_EFFORT_FAST, nullptr, nullptr, &format, &buffer);
   };
   EXPECT_EQ(status_of({RESTRIP_FORM_LIST, 16, 0, 0, 0}), RESTRIP_TOO_LARGE);
   EXPECT_EQ(buffer, nullptr);
@@ -488,7 +492,13 @@ TEST(CInterface, FormatsAreChecked) {
   std::size_t count = 0;
   for (const std::size_t align : {0U, 3U, 6U})
     EXPECT_EQ(restrip_live_update_with(mesh.get(), 0, align, &ranges, &count, nullptr), RESTRIP_BAD_ARGUMENT);
-  EXPECT_EQ(restrip_mesh_buffer(nullptr, nullptr, 0, &buffer), RESTRIP_NULL_ARGUMENT);
+  for (const double weight : {-1.0, 1000.5, std::nan("")}) {
+    const restrip_cache cache{16, weight};
+    EXPECT_EQ(restrip_mesh_buffer(mesh.get(), &cache, nullptr, &buffer), RESTRIP_BAD_ARGUMENT);
+    EXPECT_EQ(restrip_strips_of_u32(far.data(), 3, 70'001, RESTRIP_EFFORT_FAST, nullptr, &cache, nullptr, &buffer),
+              RESTRIP_BAD_ARGUMENT);
+  }
+  EXPECT_EQ(restrip_mesh_buffer(nullptr, nullptr, nullptr, &buffer), RESTRIP_NULL_ARGUMENT);
   EXPECT_EQ(restrip_buffer_read(nullptr, nullptr), RESTRIP_NULL_ARGUMENT);
   restrip_buffer_free(nullptr);
 }

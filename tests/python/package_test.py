@@ -59,6 +59,14 @@ class StripsOf(unittest.TestCase):
 
     def test_width_of_indices(self):
         faces = grid(3)
+        for size in (3, 16, 32):  # cut and ordered for a cache: the same triangles, and heavier misses mean more indices
+            many = [restrip.strips_of(grid(30), cache_size=size, cache_weight=weight) for weight in (0.1, 0, 50)]
+            for indices in many:
+                self.assertEqual(rotated(restrip.faces_of(indices)), rotated(grid(30)))
+            self.assertLess(len(many[0]), len(many[2]))
+        for weight in (-1, 1001, float("nan")):
+            with self.assertRaisesRegex(ValueError, "cache_weight: expected 0 to 1000"):
+                restrip.strips_of(faces, cache_size=16, cache_weight=weight)
         self.assertEqual(restrip.strips_of(faces, index=32).dtype, np.uint32)
         self.assertEqual(restrip.strips_of(faces + 65535 - 9).dtype, np.uint16)
         self.assertEqual(restrip.strips_of(faces + 65536 - 9).dtype, np.uint32)

@@ -144,6 +144,10 @@ function sameAsBaked() {
   // Strips from scratch draw the same triangles, and leave those that are kept; so does the list, whole or by its slots.
   const again = mesh.fromScratch({ cost: 'indices' });
   assert.deepEqual(sorted(drawn(again)), sorted(mesh.triangles));
+  assert.deepEqual(sorted(drawn(mesh.fromScratch({ cacheSize: 16 }))), sorted(mesh.triangles));
+  assert.ok(mesh.fromScratch({ cacheSize: 16, cacheWeight: 50 }).length > mesh.fromScratch({ cacheSize: 16, cacheWeight: 0.1 }).length);
+  assert.throws(() => mesh.fromScratch({ cacheSize: 16, cacheWeight: -1 }), /cacheWeight must be a number from 0 to 1000/);
+  mesh.fromScratch({ cost: 'indices' });
   assert.equal(new Set(Array.from(mesh.scratchRibbon).filter((_, n) => n % 9 === 8)).size, again.filter((index) => index === restartIndex).length + 1);
   const written = () => mesh.updateList().reduce((sum, { count }) => sum + count, 0);
   mesh.updateList({ whole: true });

@@ -36,7 +36,7 @@ struct StripifyCommand {
   std::optional<Cost> cost;
   std::uint64_t limit = 0;  ///< of stripify(), per triangle; 0: its default
   std::uint64_t seed = 1;
-  bool order_for_cache = false;  ///< write strips in vertex-cache order instead of triangle order
+  VertexCache cache;  ///< that strips are cut and ordered for
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
@@ -69,16 +69,12 @@ int run(const StripifyCommand& command) {
                              stripify(mesh, command.effort, command.cost.value_or(default_cost),
                                       command.limit * mesh.triangle_count(), command.seed);
                          });
-  Strips strips = extract_strips(mesh);
+  Strips strips;
+  const double seconds_to_order = 1e-9 * nanoseconds_of([&] { strips = strips_for_vertex_cache(mesh, command.cache); });
   std::vector<std::uint32_t> indices;
-  const double seconds_to_write = 1e-9 * nanoseconds_of([&] {
-                                    if (command.order_for_cache) {
-                                      strips = order_for_vertex_cache(mesh, strips);
-                                      indices = strip_indices(mesh, strips);
-                                    } else {
-                                      indices = strip_indices(mesh);
-                                    }
-                                  });
+  const double seconds_to_write =
+      1e-9 *
+      nanoseconds_of([&] { indices = command.cache.size == 0 ? strip_indices(mesh) : strip_indices(mesh, strips); });
   WrittenStrips written;
   if (strip_file) {
     written = written_strips(*format, soup.points, indices, command.strips, soup.attributes, soup.is_64_bits);
@@ -89,17 +85,21 @@ int run(const StripifyCommand& command) {
   const std::size_t triangles = mesh.triangle_count();
   // Repeated indices, within a strip or at its beginning.
   const std::size_t swaps = triangles == 0 ? 0 : indices.size() + 1 - triangles - 3 * strips.size();
-  const double cache_misses = acmr(indices, 16, triangles);
+  const CacheReport misses = cache_report(indices, triangles);
   nlohmann::ordered_json json{{"triangles", triangles},
                               {"left_out", left_out},
                               {"strips", strips.size()},
                               {"components", connected_components(mesh)},
                               {"swaps", swaps},
                               {"indices", indices.size()},
-                              {"acmr", cache_misses},
-                              {"acmr_32", acmr(indices, 32, triangles)},
+                              {"acmr", misses.fifo_16},
+                              {"acmr_32", misses.fifo_32},
+                              {"acmr_amd", misses.amd},
+                              {"acmr_nvidia", misses.nvidia},
+                              {"acmr_intel", misses.intel},
                               {"seconds", seconds},
                               {"seconds_to_build", seconds_to_build},
+                              {"seconds_to_order", seconds_to_order},
                               {"seconds_to_write", seconds_to_write},
                               {"valid", faults.empty()}};
   if (command.as_in_file) json["cut_strips"] = in_file.cut;
@@ -118,13 +118,15 @@ int run(const StripifyCommand& command) {
   std::string text = as_text(mended);
   text += fmt::format(
       "{}: {} ({} left out) in {}, {}\n"
-      "{:.3f} indices per triangle with restart{}, {}, {:.3f} vertex cache misses per triangle "
-      "(FIFO 16)\n"
-      "{:.3f} seconds: {:.3f} for the mesh, {:.3f} for its strips, {:.3f} for the indices\n",
+      "{:.3f} indices per triangle with restart{}, {}\n"
+      "vertex cache misses per triangle: FIFO of 16 {:.3f}, of 32 {:.3f}; models of AMD {:.3f}, NVidia {:.3f}, Intel "
+      "{:.3f}\n"
+      "{:.3f} seconds: {:.3f} for the mesh, {:.3f} for its strips, {:.3f} for their order, {:.3f} for the indices\n",
       command.mesh.string(), counted(triangles, "triangle"), counted(left_out, "degenerate one"),
       counted(strips.size(), "strip"), counted(connected_components(mesh), "connected component"),
-      per_triangle(indices.size()), at_least, counted(swaps, "swap"), cache_misses,
-      seconds_to_build + seconds + seconds_to_write, seconds_to_build, seconds, seconds_to_write);
+      per_triangle(indices.size()), at_least, counted(swaps, "swap"), misses.fifo_16, misses.fifo_32, misses.amd,
+      misses.nvidia, misses.intel, seconds_to_build + seconds + seconds_to_order + seconds_to_write, seconds_to_build,
+      seconds, seconds_to_order, seconds_to_write);
   if (in_file.cut != 0)
     text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
                         counted(in_file.cut, "place"));
@@ -175,11 +177,15 @@ Subcommand add_stripify(CLI::App& app) {
           ->check(whole_number_from(1, 1'000'000));
   const auto* seed =
       sub->add_option("--seed", command.seed, "of annealing and windows")->check(whole_number())->capture_default_str();
-  sub->add_option_function<std::string>(
-         "--order", [&command](const std::string& word) { command.order_for_cache = word == "cache"; },
-         "`cache`: order strips for a 16-entry vertex cache; same index count")
-      ->check(CLI::IsMember({"triangles", "cache"}))
-      ->default_str("triangles");
+  const auto* cache = sub->add_option("--cache", command.cache.size,
+                                      "cut and order strips for a first-in-first-out vertex cache of this many "
+                                      "vertices; 16 suits most hardware")
+                          ->check(whole_number_from(1, 1'000'000));
+  const auto* weight =
+      sub->add_option("--cache-weight", command.cache.weight,
+                      "indices that a miss is worth: less for fewer indices, more for fewer misses (default: "
+                      "1; 1.5 for fewer than 24 vertices)")
+          ->check(CLI::Range(0.0, 1000.0));
   sub->add_flag(
       "--bound", command.bound,
       "also report a lower bound on the indices of every buffer that draws these triangles; may take longer than "
@@ -187,11 +193,12 @@ Subcommand add_stripify(CLI::App& app) {
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([sub, effort, limit, seed, &command] {
+  sub->callback([sub, effort, limit, seed, cache, weight, &command] {
     check_strip_options(*sub, command.out, command.strips);
     if (command.as_in_file && sub->count("--cost") != 0)
       throw CLI::ValidationError("--cost", "--effort file leaves the strips as they are");
     const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());
+    if (*weight && !*cache) throw CLI::ValidationError("--cache-weight", "needs --cache");
     if (*limit && command.effort == restrip::Effort::fast)
       throw CLI::ValidationError("--limit", fmt::format("only {} full and best have one", effort->get_name()));
     if (*seed && !anneals)

@@ -361,21 +361,26 @@ typedef struct restrip_buffer_view {
 
 /* An index buffer that does not change. */
 typedef struct restrip_buffer restrip_buffer;
+/* A first-in-first-out cache of transformed vertices, for which strips are cut, joined and ordered. */
+typedef struct restrip_cache {
+  uint32_t size; /* vertices; 16 suits most hardware; 0: no cache */
+  double weight; /* indices that a miss is worth, up to 1000: more means fewer misses and more indices; 0: default */
+} restrip_cache;
 /* The strips of a triangle list, without a mesh: as restrip_mesh_build_u32 and restrip_mesh_stripify. `cost` may be
- * null: RESTRIP_FEWEST_INDICES; `format` may be null: restarts, the narrowest indices. Triangles with a corner twice or
- * out of range are left out. RESTRIP_TOO_LARGE when 16 bits are requested and do not suffice, and for a vertex_count
+ * null: RESTRIP_FEWEST_INDICES; `cache` may be null: none; `format` may be null: restarts, the narrowest indices.
+ * Triangles with a corner twice or out of range are left out. RESTRIP_TOO_LARGE when 16 bits are requested and do not suffice, and for a vertex_count
  * above 4,294,967,295. Vertex numbers far above the number of indices take no memory. After an error *buffer is null.
  */
 RESTRIP_API restrip_status restrip_strips_of_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
-                                                 int32_t effort, const restrip_cost* cost, const restrip_format* format,
-                                                 restrip_buffer** buffer);
+                                                 int32_t effort, const restrip_cost* cost, const restrip_cache* cache,
+                                                 const restrip_format* format, restrip_buffer** buffer);
 RESTRIP_API restrip_status restrip_strips_of_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
-                                                 int32_t effort, const restrip_cost* cost, const restrip_format* format,
-                                                 restrip_buffer** buffer);
-/* The strips of a mesh. `cache_size` orders them for a vertex cache of that many vertices; 0: in the order of the
- * triangles. O(T). */
-RESTRIP_API restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_format* format,
-                                               uint32_t cache_size, restrip_buffer** buffer);
+                                                 int32_t effort, const restrip_cost* cost, const restrip_cache* cache,
+                                                 const restrip_format* format, restrip_buffer** buffer);
+/* The strips of a mesh, in the order of the triangles, or cut and ordered for `cache` if it is not null; the mesh keeps
+ * its strips. O(T). */
+RESTRIP_API restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_cache* cache,
+                                               const restrip_format* format, restrip_buffer** buffer);
 RESTRIP_API restrip_status restrip_buffer_read(const restrip_buffer* buffer, restrip_buffer_view* view);
 /* Null is allowed. */
 RESTRIP_API void restrip_buffer_free(restrip_buffer* buffer);

@@ -243,8 +243,9 @@ RESTRIP_EXPORT(const List*, restrip_update_list)(Page* page, std::uint32_t whole
 }
 RESTRIP_EXPORT(const List*, restrip_list)(const Page* page) { return give(page->session->list()); }
 RESTRIP_EXPORT(const List*, restrip_from_scratch)
-(Page* page, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
-  return give(page->session->from_scratch(cost_of(restart, swap, isolated)));
+(Page* page, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated, std::uint32_t cache_size,
+ double cache_weight) {
+  return give(page->session->from_scratch(cost_of(restart, swap, isolated), {cache_size, cache_weight}));
 }
 RESTRIP_EXPORT(const List*, restrip_triangles)(const Page* page) {
   static std::vector<Corners> corners;

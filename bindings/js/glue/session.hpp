@@ -286,10 +286,11 @@ class Session {
   }
   [[nodiscard]] std::span<const std::uint32_t> list() const noexcept { return list_.indices(); }
   /// The index buffer of strips made from scratch by the fastest way, for the present mesh, whose strips do not change.
-  std::span<const std::uint32_t> from_scratch(Cost cost) {
+  std::span<const std::uint32_t> from_scratch(Cost cost, const VertexCache& cache) {
     scratch_ = mesh_;
     stripify(scratch_, Effort::fast, cost);
-    scratch_indices_ = strip_indices(scratch_);
+    scratch_indices_ =
+        cache.size == 0 ? strip_indices(scratch_) : strip_indices(scratch_, strips_for_vertex_cache(scratch_, cache));
     return scratch_indices_;
   }
   [[nodiscard]] const StripMesh& scratch() const noexcept { return scratch_; }

@@ -1,20 +1,36 @@
-// Strips in the order for a vertex cache are the same strips: the buffer draws each triangle once with its winding and
-// has the same number of indices. A cache misses no more often than before, and on all meshes together less often.
+// Strips for a vertex cache draw the triangles of the mesh, each once with its winding; the colours of the mesh are
+// these strips, and valid. Misses are counted by a queue: with the default weight they are few, and more weight trades
+// indices for misses.
 #include "restrip/output/strip_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "restrip/output/check_buffer.hpp"
-#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "sheets.hpp"
 
 namespace restrip {
 namespace {
+
+std::size_t misses_of_a_queue(const std::vector<std::uint32_t>& indices, std::size_t cache_size) {
+  std::deque<std::uint32_t> cache;
+  std::size_t misses = 0;
+  for (const std::uint32_t v : indices) {
+    if (v == restart_index || std::find(cache.begin(), cache.end(), v) != cache.end()) continue;
+    ++misses;
+    cache.push_back(v);
+    if (cache.size() > cache_size) cache.pop_front();
+  }
+  return misses;
+}
 
 // Each strip as it is read from the end with the lower handle, all sorted.
 std::vector<std::vector<Triangle>> as_set(const Strips& strips) {
@@ -27,48 +43,77 @@ std::vector<std::vector<Triangle>> as_set(const Strips& strips) {
   return all;
 }
 
-std::vector<StripMesh> meshes_to_order() {
-  return {StripMesh(),       sample::octahedron(),      sample::double_cone(300),
-          sample::sphere(4), sample::rectangle(40, 30), sample::torus(40, 30, 2)};
+struct Counts {
+  std::size_t triangles = 0;
+  std::size_t indices = 0;
+  std::size_t misses = 0;
+};
+
+// Makes strips for the cache and checks them.
+Counts checked(StripMesh mesh, const VertexCache& cache) {
+  StripMesh again = mesh;
+  const Strips strips = strips_for_vertex_cache(mesh, cache);
+  EXPECT_TRUE(check_coloring(mesh).valid);
+  EXPECT_EQ(as_set(strips), as_set(extract_strips(mesh)));
+  const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
+  EXPECT_EQ(triangles_of_strips(std::span(indices)), triangles_of(mesh));
+  EXPECT_EQ(strips_for_vertex_cache(again, cache).order, strips.order) << "the same every time";
+  return {mesh.triangle_count(), indices.size(), misses_of_a_queue(indices, cache.size)};
 }
 
-TEST(StripOrder, TheSameStripsAreMissedLessOften) {
-  for (const std::size_t cache_size : {std::size_t{16}, std::size_t{32}}) {
-    std::size_t before = 0;
-    std::size_t after = 0;
-    for (StripMesh& mesh : meshes_to_order()) {
-      stripify(mesh, Effort::fast, Cost::indices());
-      const Strips strips = extract_strips(mesh);
-      const Strips ordered = order_for_vertex_cache(mesh, strips, cache_size);
-      EXPECT_EQ(as_set(ordered), as_set(strips));
-      const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
-      const std::vector<std::uint32_t> in_order = strip_indices(mesh, ordered);
-      EXPECT_EQ(in_order.size(), indices.size());
-      EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(in_order)),
-                triangles_of_strips(std::span<const std::uint32_t>(indices)));
-      EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(in_order)).size(), mesh.triangle_count());
-      EXPECT_LE(vertex_cache_misses(in_order, cache_size), vertex_cache_misses(indices, cache_size));
-      before += vertex_cache_misses(indices, cache_size);
-      after += vertex_cache_misses(in_order, cache_size);
-      EXPECT_EQ(order_for_vertex_cache(mesh, strips, cache_size).order, ordered.order) << "the same every time";
+std::vector<StripMesh> meshes_to_order() {
+  std::vector<StripMesh> all{StripMesh(),          sample::octahedron(),      sample::double_cone(300),
+                             sample::sphere(4),    sample::rectangle(40, 30), sample::torus(40, 30, 2),
+                             sample::tetrahedron()};
+  // Two triangles with three common edges, a triangle alone, and edges of more than two triangles.
+  all.push_back(StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {2, 1, 0}, {3, 4, 5}}, 6));
+  all.push_back(StripMesh::build(sample::with_backs(sample::book(5)), std::size_t{13} * 46));
+  return all;
+}
+
+TEST(StripOrder, AnyStripsAndAnyCache) {
+  for (StripMesh& mesh : meshes_to_order())
+    for (const int colors : {0, 1, 2}) {
+      if (colors != 0) stripify(mesh, Effort::fast, colors == 1 ? Cost::strips() : Cost::indices());
+      for (const std::size_t size : {1U, 2U, 3U, 4U, 16U, 32U, 1000U, 4'000'000'000U})
+        for (const double weight : {0.0, 1e-9, 3.0, 1000.0}) checked(mesh, {size, weight});
+      StripMesh same = mesh;
+      EXPECT_EQ(strips_for_vertex_cache(same, {}).order, extract_strips(mesh).order);
     }
-    EXPECT_LT(static_cast<double>(after), 0.99 * static_cast<double>(before));
+}
+
+// In rows as long as the cache allows, half a miss a triangle, and some at the ends of the rows.
+TEST(StripOrder, FewMissesAndFewIndices) {
+  for (const auto& [size, most_misses, most_indices] : {std::tuple{16U, 0.78, 1.42}, {32U, 0.70, 1.38}}) {
+    Counts all;
+    for (StripMesh mesh : {sample::sphere(5), sample::torus(70, 60, 2), sample::rectangle(90, 60)}) {
+      stripify(mesh, Effort::fast, Cost::indices());
+      const Counts here = checked(mesh, {.size = size});
+      EXPECT_LE(here.misses, most_misses * static_cast<double>(here.triangles));
+      EXPECT_LE(here.indices, most_indices * static_cast<double>(here.triangles));
+    }
   }
 }
 
-// Without any colours each triangle is a strip; the smallest caches, and none.
-TEST(StripOrder, AnyStripsAndAnyCache) {
-  for (StripMesh& mesh : meshes_to_order())
-    for (const bool colors : {false, true}) {
-      if (colors) stripify(mesh, Effort::fast, Cost::strips());
-      const Strips strips = extract_strips(mesh);
-      for (const std::size_t cache_size : {0U, 1U, 3U, 1000U}) {
-        const Strips ordered = order_for_vertex_cache(mesh, strips, cache_size);
-        EXPECT_EQ(as_set(ordered), as_set(strips));
-        EXPECT_EQ(strip_index_count(mesh, ordered), strip_index_count(mesh, strips));
-        EXPECT_TRUE(cache_size != 0 || ordered.order == strips.order);
-      }
+TEST(StripOrder, WeightTradesIndicesForMisses) {
+  StripMesh mesh = sample::torus(70, 60, 2);
+  stripify(mesh, Effort::fast, Cost::indices());
+  for (const std::size_t size : {16U, 32U}) {
+    Counts before{0, 0, mesh.triangle_count()};
+    for (const double weight : {0.01, 0.5, 1.0, 2.0, 5.0}) {
+      const Counts here = checked(mesh, {size, weight});
+      EXPECT_GT(here.indices, before.indices) << weight;
+      EXPECT_LT(here.misses, before.misses) << weight;
+      before = here;
     }
+    EXPECT_LE(100 * checked(mesh, {size, 0.01}).indices, 103 * strip_indices(mesh).size());
+  }
+}
+
+TEST(StripOrder, WeightIsChecked) {
+  StripMesh mesh = sample::octahedron();
+  for (const double weight : {-1.0, 1000.5, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(strips_for_vertex_cache(mesh, {16, weight}), std::invalid_argument);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(StripsOf, AreTheStripsOfTheMesh) {
         const Indices expected = by_way_of_a_mesh(list, vertices, effort, cost);
         EXPECT_EQ(std::get<Indices>(strips_of(list, vertices, plain, effort, cost).indices), expected);
         BuildReport report;
-        EXPECT_EQ(std::get<Indices>(strips_of(list, vertices, plain, effort, cost, &report).indices), expected);
+        EXPECT_EQ(std::get<Indices>(strips_of(list, vertices, plain, effort, cost, {}, &report).indices), expected);
       }
   }
 }

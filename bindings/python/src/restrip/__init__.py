@@ -103,6 +103,16 @@ def _one_of(what: str, value: str, known: Sequence[str]) -> int:
     return known.index(value)
 
 
+def _weight(value) -> float:
+    try:
+        weight = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"cache_weight must be a number, not {value!r}") from None
+    if not 0 <= weight <= 1000:
+        raise ValueError(f"cache_weight: expected 0 to 1000, found {value!r}")
+    return weight
+
+
 def _number(what: str, value, most: int = NONE) -> int:
     """An integer of Python or numpy from 0 to `most`."""
     try:
@@ -385,18 +395,19 @@ class LiveMesh:
                 break
         return saved
 
-    def indices(self, form: str = "restart", index: Index = "auto", *, cache_size: int = 0) -> np.ndarray:
+    def indices(self, form: str = "restart", index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> np.ndarray:
         """The index buffer of the strips, in one of the forms
           "restart"   one triangle strip with primitive restart: all bits set between two strips,
           "stitched"  one triangle strip without: repeated indices lead from strip to strip,
           "list"      a triangle list.
-        `index` is 16, 32 or "auto", 16 bits if all vertices are below 65,535. `cache_size` orders the strips
-        for a vertex cache of that many vertices."""
-        return self._made(_form(form), index, cache_size)[0]
+        `index` is 16, 32 or "auto", 16 bits if all vertices are below 65,535. With `cache_size` the strips are cut, joined
+        and ordered for a first-in-first-out vertex cache of that many vertices, 16 for most hardware; the mesh keeps its own. `cache_weight`, up
+        to 1000, is the number of indices that a miss is worth; 0 is the default."""
+        return self._made(_form(form), index, cache_size, cache_weight)[0]
 
-    def strip_indices(self, index: Index = "auto") -> List[np.ndarray]:
-        """The indices of each strip; an index is repeated if a strip turns twice the same way."""
-        indices, draws = self._made(_LENGTHS, index, 0)
+    def strip_indices(self, index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> List[np.ndarray]:
+        """The indices of each strip; an index is repeated if a strip turns twice the same way. For the cache see `indices`."""
+        indices, draws = self._made(_LENGTHS, index, cache_size, cache_weight)
         return [indices[first:first + count] for first, count in draws]
 
     def strips(self) -> List[np.ndarray]:
@@ -489,11 +500,11 @@ class LiveMesh:
         lib.call(name, self._mesh, done)
         return bool(done.value)
 
-    def _made(self, form: int, index: Index, cache_size: int) -> Tuple[np.ndarray, List[Tuple[int, int]]]:
+    def _made(self, form: int, index: Index, cache_size: int = 0, cache_weight: float = 0) -> Tuple[np.ndarray, List[Tuple[int, int]]]:
         """A buffer of the strips, and the ranges to draw separately."""
         buffer, view = ctypes.c_void_p(), lib.BufferView()
         wanted = lib.Format(form, _bits(index), 0, 0, 1)
-        _fitted(index, "mesh_buffer", self._mesh, wanted, _number("cache_size", cache_size), buffer)
+        _fitted(index, "mesh_buffer", self._mesh, lib.Cache(_number("cache_size", cache_size), _weight(cache_weight)), wanted, buffer)
         try:
             lib.call("buffer_read", buffer, view)
             return _array(view).copy(), [(view.draws[i].first, view.draws[i].count) for i in range(view.draw_count)]
@@ -526,7 +537,7 @@ class LiveMesh:
 
 
 def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort: str = "fast", vertex_count: Optional[int] = None,
-              index: Index = "auto", progress: Optional[Progress] = None):
+              index: Index = "auto", cache_size: int = 0, cache_weight: float = 0, progress: Optional[Progress] = None):
     """Triangle strips of a mesh.
 
     `format` is
@@ -534,7 +545,8 @@ def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort:
       "stitched"  one array, a triangle strip without restart: repeated indices lead from strip to strip,
       "strips"    a list of arrays, one for each strip,
       "vtk"       one array, in which each strip follows the number of its indices, as in vtkPolyData and pyvista.
-    Windings are kept; an index is repeated if a strip turns twice the same way. `index` is 16, 32 or "auto".
+    Windings are kept; an index is repeated if a strip turns twice the same way. `index` is 16, 32 or "auto". `cache_size` and
+    `cache_weight` are as for LiveMesh.indices.
     Memory is linear in the faces, whatever the vertex numbers. If a triangle list has fewer indices than the array that is returned, a warning says so. With `progress` the strips of the
     effort "fast" are improved step by step, and progress(done, budget, saved) is called in between; it may stop that by
     returning True.
@@ -552,11 +564,11 @@ def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort:
     if progress is not None:
         mesh.improve({"fast": 1, "full": 40, "best": 400}[effort] * max(1, mesh.triangle_count), progress)
     if format in _FORMS:
-        indices = _renamed(mesh.indices(format, index if used is None else 32), used, index)
+        indices = _renamed(mesh.indices(format, index if used is None else 32, cache_size=cache_size, cache_weight=cache_weight), used, index)
         if len(indices) > 3 * mesh.triangle_count:
             warnings.warn(f"restrip: these strips have {len(indices)} indices, a triangle list has {3 * mesh.triangle_count}", stacklevel=2)
         return indices
-    strips = mesh.strip_indices(index if used is None else 32)
+    strips = mesh.strip_indices(index if used is None else 32, cache_size=cache_size, cache_weight=cache_weight)
     if used is not None and strips:
         strips = np.split(_renamed(np.concatenate(strips), used, index), np.cumsum([len(strip) for strip in strips])[:-1])
     if format == "strips":

@@ -41,6 +41,10 @@ class Format(c.Structure):
     _fields_ = [("form", _int), ("index_bits", _int), ("most_vertices", _size), ("most_indices", _size), ("keep_strips", _int)]
 
 
+class Cache(c.Structure):
+    _fields_ = [("size", _u32), ("weight", c.c_double)]
+
+
 class BufferView(c.Structure):
     _fields_ = [("indices", c.c_void_p), ("index_count", _size), ("index_bits", _int), ("form", _int), ("draws", c.POINTER(Range)),
                 ("draw_count", _size), ("triangles", _size)]
@@ -73,7 +77,7 @@ _checked = {
     "mesh_collapse_batch": [_mesh, c.c_void_p, _size, _u32, _change, c.POINTER(_size)],
     "mesh_improve": [_mesh, _size, c.POINTER(_size)],
     **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts")},
-    "mesh_buffer": [_mesh, c.POINTER(Format), _u32, c.POINTER(c.c_void_p)],
+    "mesh_buffer": [_mesh, c.POINTER(Cache), c.POINTER(Format), c.POINTER(c.c_void_p)],
     "buffer_read": [c.c_void_p, c.POINTER(BufferView)],
     "live_begin_format": [_mesh, c.POINTER(Format)],
     "live_update_with": [_mesh, _size, _size, c.POINTER(c.POINTER(Range)), c.POINTER(_size), c.POINTER(_int)],

@@ -15,6 +15,7 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/triangle_list.hpp"
 #include "restrip/output/strip_format.hpp"
+#include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 
@@ -22,12 +23,15 @@ namespace restrip {
 
 /// Returns the strips of a triangle list (anything that a TriangleList can be made of), in a form of
 /// output/strip_format.hpp: the same strips as StripMesh::build(), stripify() and strip_indices(). If a list has fewer
-/// indices, it is returned instead, and IndexBuffer::form says so. `report` receives the counts of triangles left out;
-/// it takes the time of building a mesh. Throws as TriangleList, find_neighbors(), stripify() and format_strips() do.
+/// indices, it is returned instead, and IndexBuffer::form says so. With a size of `cache` the strips are those of
+/// strips_for_vertex_cache(). `report` receives the counts of triangles left out. Cache and report take the time of
+/// building a mesh. Throws as TriangleList, find_neighbors(), stripify(), strips_for_vertex_cache() and format_strips()
+/// do.
 template <class Triangles>
 [[nodiscard]] IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count,
                                     const StripFormat& format = {}, Effort effort = default_effort,
-                                    Cost cost = default_cost, BuildReport* report = nullptr);
+                                    Cost cost = default_cost, const VertexCache& cache = {},
+                                    BuildReport* report = nullptr);
 
 namespace detail {
 
@@ -53,13 +57,14 @@ std::vector<std::uint32_t> strips_of_list(const TriangleList<Element>& list, std
 
 template <class Triangles>
 IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count, const StripFormat& format, Effort effort,
-                      Cost cost, BuildReport* report) {
-  if (report == nullptr && cost.swap != 0) {
+                      Cost cost, const VertexCache& cache, BuildReport* report) {
+  if (report == nullptr && cost.swap != 0 && cache.size == 0) {
     return format_strips(detail::strips_of_list(TriangleList(triangles), vertex_count, effort, cost), format);
   }
   StripMesh mesh = StripMesh::build(triangles, vertex_count, report);
   stripify(mesh, effort, cost);
-  return format_strips(strip_indices(mesh), format);
+  return format_strips(
+      cache.size == 0 ? strip_indices(mesh) : strip_indices(mesh, strips_for_vertex_cache(mesh, cache)), format);
 }
 
 }  // namespace restrip
