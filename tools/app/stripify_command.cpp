@@ -184,7 +184,7 @@ Subcommand add_stripify(CLI::App& app) {
   const auto* weight =
       sub->add_option("--cache-weight", command.cache.weight,
                       "indices that a miss is worth: less for fewer indices, more for fewer misses (default: "
-                      "1; 1.5 for fewer than 24 vertices)")
+                      "by the strips; mostly 1 to 3)")
           ->check(CLI::Range(0.0, 1000.0));
   sub->add_flag(
       "--bound", command.bound,

@@ -368,8 +368,9 @@ typedef struct restrip_cache {
 } restrip_cache;
 /* The strips of a triangle list, without a mesh: as restrip_mesh_build_u32 and restrip_mesh_stripify. `cost` may be
  * null: RESTRIP_FEWEST_INDICES; `cache` may be null: none; `format` may be null: restarts, the narrowest indices.
- * Triangles with a corner twice or out of range are left out. RESTRIP_TOO_LARGE when 16 bits are requested and do not suffice, and for a vertex_count
- * above 4,294,967,295. Vertex numbers far above the number of indices take no memory. After an error *buffer is null.
+ * Triangles with a corner twice or out of range are left out. RESTRIP_TOO_LARGE when 16 bits are requested and do not
+ * suffice, and for a vertex_count above 4,294,967,295. Vertex numbers far above the number of indices take no memory.
+ * After an error *buffer is null.
  */
 RESTRIP_API restrip_status restrip_strips_of_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
                                                  int32_t effort, const restrip_cost* cost, const restrip_cache* cache,

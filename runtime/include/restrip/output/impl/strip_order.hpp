@@ -29,24 +29,11 @@
 #include <utility>
 #include <vector>
 
+#include "restrip/output/impl/strip_row.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip::detail {
-
-/// The strips of a mesh in a row.
-struct StripRow {
-  static constexpr std::uint32_t none = 0xFFFFFFFFU;
-  static constexpr std::int8_t no_side = -1;
-
-  std::vector<std::uint32_t> corners;  // three a place; corner s begins side s
-  std::vector<std::uint32_t> across;   // three a place: 3 * place + side on the other side, or none
-  // The sides to the previous and to the next triangle of a strip.
-  std::vector<std::int8_t> previous;
-  std::vector<std::int8_t> next;
-
-  [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(previous.size()); }
-};
 
 /// Chooses runs. `order` lists places in drawing order, `start` where strips begin in it; `cuts` are places that are
 /// cut off their predecessor in the row, `joins` are sides that become solid after that.
@@ -61,10 +48,10 @@ class CacheOrder {
       : row_(row),
         cache_(static_cast<std::uint32_t>((std::min<std::size_t>)(cache.size, largest_cache))),
         longest_((std::min)(cache_ + cache_ / 2, longest_run)),
-        miss_(static_cast<Cost>(std::llround(weight_of(cache) * unit))),
         drawn_(row.size(), false),
         tried_(row.size(), 0) {
-    weigh_cuts();
+    const double indices = weigh_cuts();
+    miss_ = static_cast<Cost>(std::llround(weight_of(cache, indices / row.size()) * unit));
     list_triangles();
     // An empty cache, and numbers of misses that are never 0.
     misses_ = cache_;
@@ -98,6 +85,7 @@ class CacheOrder {
   static constexpr std::uint32_t longest_run = 128;
   static constexpr unsigned most_tried = 48;            // runs
   static constexpr unsigned most_met = 4 * most_tried;  // beginnings, for vertices of many triangles
+  static constexpr double usual_indices = 1.19;         // a triangle, of scanned meshes
   static constexpr Cost window = 512;                   // triangles whose average cost is the worth of one
 
   // Percentages.
@@ -134,9 +122,13 @@ class CacheOrder {
     if (in == StripRow::no_side || out == StripRow::no_side) return no_turn;
     return (in + 1) % 3 == out ? right : left;
   }
-  static double weight_of(const VertexCache& cache) noexcept {
+  // Where strips repeat many indices anyway, a cut costs little, and what it saves in misses is worth more: the weight
+  // grows with the eighth power of the indices a triangle. Products alone are rounded the same way on every machine.
+  static double weight_of(const VertexCache& cache, double indices) noexcept {
     if (cache.weight != 0) return cache.weight;
-    return cache.size < 24 ? 1.5 : 1;
+    double factor = indices / usual_indices;
+    for (int square = 0; square < 3; ++square) factor *= factor;
+    return (cache.size < 24 ? 1.6 : 1) * std::clamp(factor, 0.5, 4.0);
   }
   static bool is_swap(Turn one, Turn other) noexcept { return one != no_turn && one == other; }
   [[nodiscard]] std::uint32_t corner(std::uint32_t place, int side) const noexcept {
@@ -166,17 +158,24 @@ class CacheOrder {
     return forward ? row_.previous[place] : row_.next[place];
   }
 
-  void weigh_cuts() {
+  // Returns the number of indices of the strips; a first one that turns the wrong way is not counted.
+  double weigh_cuts() {
+    double indices = row_.size();
     links_.assign(row_.size() + std::size_t{1}, 0);
     const auto turn_at = [this](std::uint32_t place) { return turn(row_.previous[place], row_.next[place]); };
     for (std::uint32_t p = 1; p < row_.size(); ++p) {
-      if (row_.previous[p] == StripRow::no_side) continue;
+      if (row_.previous[p] == StripRow::no_side) {
+        indices += 3;
+        continue;
+      }
       // The turns on both sides of the cut vanish, and their swaps.
       unsigned swaps = is_swap(turn_at(p - 1), turn_at(p)) ? 1 : 0;
+      indices += swaps;
       if (row_.previous[p - 1] != StripRow::no_side && is_swap(turn_at(p - 2), turn_at(p - 1))) ++swaps;
       if (row_.next[p] != StripRow::no_side && is_swap(turn_at(p), turn_at(p + 1))) ++swaps;
       links_[p] = static_cast<std::uint8_t>(4 - swaps);
     }
+    return indices;
   }
   void list_triangles() {
     std::uint32_t bound = 0;
@@ -379,7 +378,7 @@ class CacheOrder {
   const StripRow& row_;
   std::uint32_t cache_;
   std::uint32_t longest_;
-  Cost miss_;
+  Cost miss_ = 0;
   Cost spent_ = 0;  // for the last `window` triangles
   Cost worth_ = 1;
   std::vector<std::uint8_t> links_;
@@ -401,42 +400,6 @@ class CacheOrder {
   std::int8_t last_in_ = StripRow::no_side;
   Turn turn_before_last_ = no_turn;
 };
-
-template <NumberedMesh Mesh>
-typename Mesh::Halfedge side_of(const Mesh& mesh, Triangle t, unsigned side) {
-  auto h = mesh.halfedge(t);
-  for (; side != 0; --side) h = mesh.next(h);
-  return h;
-}
-
-template <NumberedMesh Mesh>
-StripRow row_of(const Mesh& mesh, const std::vector<Triangle>& order) {
-  StripRow row;
-  std::vector<std::uint32_t> place_of(mesh.triangle_bound(), StripRow::none);
-  for (std::uint32_t p = 0; p < order.size(); ++p) place_of[order[p]] = p;
-  row.corners.reserve(3 * order.size());
-  row.across.reserve(3 * order.size());
-  row.previous.assign(order.size(), StripRow::no_side);
-  row.next.assign(order.size(), StripRow::no_side);
-  for (std::uint32_t p = 0; p < order.size(); ++p) {
-    auto h = mesh.halfedge(order[p]);
-    for (std::int8_t side = 0; side < 3; ++side, h = mesh.next(h)) {
-      row.corners.push_back(from_of(mesh, h));
-      std::uint32_t across = StripRow::none;
-      if (const auto back = mesh.opposite(h); !mesh.on_boundary(back)) {
-        const Triangle t = triangle_of(mesh, back);
-        const std::uint32_t q = place_of[t];
-        if (q != p && q != StripRow::none) {
-          across = 3 * q;
-          for (auto g = mesh.halfedge(t); !(g == back); g = mesh.next(g)) ++across;
-          if (mesh.solid(h)) (q == p + 1 ? row.next : row.previous)[p] = side;
-        }
-      }
-      row.across.push_back(across);
-    }
-  }
-  return row;
-}
 
 }  // namespace restrip::detail
 
