@@ -1,36 +1,23 @@
 // Strips for a vertex cache draw the triangles of the mesh, each once with its winding; the colours of the mesh are
-// these strips, and valid. Misses are counted by a queue: with the default weight they are few, and more weight trades
-// indices for misses.
+// these strips, and valid. With the default weight misses are few, and more weight trades indices for misses.
 #include "restrip/output/strip_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <deque>
 #include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "restrip/output/check_buffer.hpp"
+#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "sheets.hpp"
 
 namespace restrip {
 namespace {
-
-std::size_t misses_of_a_queue(const std::vector<std::uint32_t>& indices, std::size_t cache_size) {
-  std::deque<std::uint32_t> cache;
-  std::size_t misses = 0;
-  for (const std::uint32_t v : indices) {
-    if (v == restart_index || std::find(cache.begin(), cache.end(), v) != cache.end()) continue;
-    ++misses;
-    cache.push_back(v);
-    if (cache.size() > cache_size) cache.pop_front();
-  }
-  return misses;
-}
 
 // Each strip as it is read from the end with the lower handle, all sorted.
 std::vector<std::vector<Triangle>> as_set(const Strips& strips) {
@@ -58,7 +45,7 @@ Counts checked(StripMesh mesh, const VertexCache& cache) {
   const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
   EXPECT_EQ(triangles_of_strips(std::span(indices)), triangles_of(mesh));
   EXPECT_EQ(strips_for_vertex_cache(again, cache).order, strips.order) << "the same every time";
-  return {mesh.triangle_count(), indices.size(), misses_of_a_queue(indices, cache.size)};
+  return {mesh.triangle_count(), indices.size(), vertex_cache_misses(indices, cache.size)};
 }
 
 std::vector<StripMesh> meshes_to_order() {
