@@ -176,7 +176,7 @@ class Commands(Folder):
             self.assertGreater(report["lower_bound_indices"], report["triangles"])
             self.assertGreaterEqual(report["acmr"], 0.5)  # a closed mesh has half as many vertices as triangles
             self.assertLessEqual(report["acmr"] * report["triangles"], report["indices"])
-            for key in ("seconds", "seconds_to_build", "seconds_to_write"):
+            for key in ("seconds", "seconds_to_build", "seconds_to_order", "seconds_to_write"):
                 self.assertGreaterEqual(report.pop(key), 0)
             return report
 
@@ -190,6 +190,19 @@ class Commands(Folder):
         self.assertLess(full["indices"], strips["indices"])
         self.assertLess(strips["strips"], full["strips"])
         self.assertLessEqual(best["indices"], full["indices"])
+
+    def test_stripify_for_a_vertex_cache(self):
+        self.done("make-mesh --triangles 2000 -o a.off")
+        plain = self.report("stripify a.off")
+        for size, key in (16, "acmr"), (32, "acmr_32"):
+            light, usual, heavy = (self.report(f"stripify a.off --cache {size}{weight}")
+                                   for weight in (" --cache-weight 0.1", "", " --cache-weight 20"))
+            for report in light, usual, heavy:
+                self.assertTrue(report["valid"])
+                self.expect_indices_add_up(report)
+            self.assertLess(usual[key], 0.9 * plain[key])
+            self.assertLess(light["indices"], usual["indices"])
+            self.assertLess(usual["indices"], heavy["indices"])
 
     def test_baked_strips_are_played(self):
         self.done("make-mesh --triangles 3000 -o a.ply")
