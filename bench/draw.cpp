@@ -44,8 +44,8 @@ void count(benchmark::State& state, double nanoseconds, std::size_t bytes, std::
 
 /// Moves up by 1 % with a buffer that is updated once, at the end.
 template <class Buffer>
-void keep(benchmark::State& state, const std::string& name, const Way& way, int percent) {
-  Player player(name, way, way.weighs() ? Cost::indices() : Cost::strips());
+void keep(benchmark::State& state, const std::string& name, const Method& method, int percent) {
+  Player player(name, method, method.weighs() ? Cost::indices() : Cost::strips());
   const std::size_t from = player.level_of(percent * 0.0099);
   const std::size_t to = player.level_of(percent * 0.01);
   player.up_to(from);
@@ -129,12 +129,12 @@ void register_benchmarks() {
     for (const int percent : drawn_percents) {
       const std::string stem = "draw/" + name + "/" + std::to_string(percent) + "/";
       const auto add = [&](const std::string& who, auto run) { add_timed(stem + who, run); };
-      for (const Way& way : tools::ways())
-        if (way.kind == Way::Kind::ours && has_plan(name, way))
-          add(way.name,
-              [name, &way, percent](benchmark::State& state) { keep<StripBuffer>(state, name, way, percent); });
+      for (const Method& method : tools::methods())
+        if (method.kind == Method::Kind::ours && is_measured(name, method))
+          add(method.name,
+              [name, &method, percent](benchmark::State& state) { keep<StripBuffer>(state, name, method, percent); });
       add("list", [name, percent](benchmark::State& state) {
-        keep<TriangleListBuffer>(state, name, way_named("bare"), percent);
+        keep<TriangleListBuffer>(state, name, method_named("bare"), percent);
       });
       const auto add_made = [&](const std::string& who, auto indices_of) {
         add(who, [=](benchmark::State& state) { make(state, name, percent, indices_of); });

@@ -22,34 +22,34 @@ namespace {
 
 constexpr std::array<int, 3> percents{10, 50, 100};
 
-/// The mesh just below a level, brought there from the base by one way.
+/// The mesh just below a level, brought there from the base by one method.
 struct Below {
   StripMesh mesh;
   std::size_t from = 0;
   std::size_t to = 0;
 };
 
-const Below& below(const std::string& name, const Way& way, int percent) {
+const Below& below(const std::string& name, const Method& method, int percent) {
   static std::map<std::tuple<std::string, std::string, int>, Below> made;
-  const std::tuple key{name, way.name, percent};
+  const std::tuple key{name, method.name, percent};
   if (!made.contains(key)) {
-    Player player(name, way);
+    Player player(name, method);
     for (const int next : percents) {
       const std::size_t from = player.level_of(next * 0.0099);
       player.up_to(from);
-      made[{name, way.name, next}] = {player.mesh(), from, player.level_of(next * 0.01)};
+      made[{name, method.name, next}] = {player.mesh(), from, player.level_of(next * 0.01)};
     }
   }
   return made[key];
 }
 
-void move(benchmark::State& state, const std::string& name, const Way& way, int percent) {
-  const Below& start = below(name, way, percent);
-  Player player(name, way);
+void move(benchmark::State& state, const std::string& name, const Method& method, int percent) {
+  const Below& start = below(name, method, percent);
+  Player player(name, method);
   tools::Medians up;
   tools::Medians down;
   tools::Medians with_buffer;
-  const bool keeps_strips = way.kind == Way::Kind::ours;
+  const bool keeps_strips = method.kind == Method::Kind::ours;
   std::vector<Triangle> changed;
   for ([[maybe_unused]] auto _ : state) {
     player.restart(start.mesh, start.from);
@@ -154,9 +154,9 @@ void register_benchmarks() {
     for (const int percent : percents) {
       const std::string stem = "level/" + name + "/" + std::to_string(percent) + "/";
       const auto add = [&](const std::string& who, auto run) { add_timed(stem + who, run); };
-      for (const Way& way : tools::ways())
-        if ((way.kind == Way::Kind::ours || way.kind == Way::Kind::mesh) && has_plan(name, way))
-          add(way.name, [name, &way, percent](benchmark::State& state) { move(state, name, way, percent); });
+      for (const Method& method : tools::methods())
+        if ((method.kind == Method::Kind::ours || method.kind == Method::Kind::mesh) && is_measured(name, method))
+          add(method.name, [name, &method, percent](benchmark::State& state) { move(state, name, method, percent); });
       for (const auto& [who, order] : {std::pair{"meshopt_as_it_is", Order::as_it_is},
                                        {"meshopt_ordered", Order::found},
                                        {"meshopt_order_given", Order::given}})

@@ -8,9 +8,9 @@
 namespace restrip::bench {
 namespace {
 
-void replay(benchmark::State& state, const std::string& name, const Way& way) {
-  Player with(name, way);
-  Player bare(name, way_named("bare"));
+void replay(benchmark::State& state, const std::string& name, const Method& method) {
+  Player with(name, method);
+  Player bare(name, method_named("bare"));
   const std::size_t top = subject(name).mesh.splits.size();
   tools::Medians up;
   tools::Medians down;
@@ -37,14 +37,15 @@ void replay(benchmark::State& state, const std::string& name, const Way& way) {
 
 void register_benchmarks() {
   for (const std::string& name : subject_names()) {
-    for (const Way& way : tools::ways()) {
-      if (way.kind == Way::Kind::mesh || way.kind == Way::Kind::paper || !has_plan(name, way)) continue;
+    for (const Method& method : tools::methods()) {
+      if (method.kind == Method::Kind::mesh || method.kind == Method::Kind::paper || !is_measured(name, method))
+        continue;
       auto* registered =
-          benchmark::RegisterBenchmark(("replay/" + name + "/" + way.name).c_str(),
-                                       [name, &way](benchmark::State& state) { replay(state, name, way); });
+          benchmark::RegisterBenchmark(("replay/" + name + "/" + method.name).c_str(),
+                                       [name, &method](benchmark::State& state) { replay(state, name, method); });
       registered->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
       // The searches take so long there that one run is enough.
-      if (name == "dragon" && way.searches()) registered->Repetitions(1);
+      if (name == "dragon" && method.searches()) registered->Repetitions(1);
     }
   }
 }

@@ -49,21 +49,21 @@ const LargeGround& ground(std::size_t triangles) {
   return g;
 }
 
-void scale(benchmark::State& state, std::size_t triangles, const Way& way, bool side_by_side) {
+void scale(benchmark::State& state, std::size_t triangles, const Method& method, bool side_by_side) {
   const LargeGround& g = ground(triangles);
   std::span<const tools::Record> sites = side_by_side ? g.neighboring.records : g.spread.records;
   // The searches take long and examine so much that fewer places are enough.
-  if (way.searches()) sites = sites.first(std::min<std::size_t>(sites.size(), 20'000));
+  if (method.searches()) sites = sites.first(std::min<std::size_t>(sites.size(), 20'000));
   const double before = allocated_bytes();
   StripMesh mesh = g.mesh;
   const double with_mesh = allocated_bytes();
-  const auto upkeep = way.begin(mesh, {way.search});
+  const auto maintainer = method.begin(mesh, {method.search});
   const double with_keeper = allocated_bytes();
   tools::Medians down;
   tools::Medians up;
   for ([[maybe_unused]] auto _ : state) {
-    down.time([&] { upkeep->play_down(sites, 0); });
-    up.time([&] { upkeep->play_up(sites, 0); });
+    down.time([&] { maintainer->play_down(sites, 0); });
+    up.time([&] { maintainer->play_up(sites, 0); });
     state.SetIterationTime(1e-9 * (down.nanoseconds() + up.nanoseconds()));
   }
   const auto each = static_cast<double>(sites.size());
@@ -108,9 +108,10 @@ void register_benchmarks() {
     for (const bool side_by_side : {false, true})
       for (const char* name : {"bare", "local"})
         add(std::string(side_by_side ? "side_by_side/" : "random/") + name,
-            [=](benchmark::State& state) { scale(state, size, way_named(name), side_by_side); });
+            [=](benchmark::State& state) { scale(state, size, method_named(name), side_by_side); });
     for (const char* name : {"quick", "full"})
-      add(std::string("random/") + name, [=](benchmark::State& state) { scale(state, size, way_named(name), false); });
+      add(std::string("random/") + name,
+          [=](benchmark::State& state) { scale(state, size, method_named(name), false); });
     add("buffer", [size](benchmark::State& state) { buffer_memory(state, size); });
   }
 }

@@ -71,22 +71,22 @@ const Subject& subject(const std::string& name) {
   return made;
 }
 
-bool has_plan(const std::string& name, const Way& way) { return name != "dragon" || !way.bakes; }
+bool is_measured(const std::string& name, const Method& method) { return name != "dragon" || !method.bakes; }
 
-const tools::Plan& plan(const std::string& name, const Way& way, const Cost& cost) {
-  static std::map<std::tuple<std::string, std::string, unsigned, unsigned, unsigned>, tools::Plan> made;
-  const std::tuple key{name, way.name, cost.restart, cost.swap, cost.isolated};
+const tools::PreparedMethod& prepared(const std::string& name, const Method& method, const Cost& cost) {
+  static std::map<std::tuple<std::string, std::string, unsigned, unsigned, unsigned>, tools::PreparedMethod> made;
+  const std::tuple key{name, method.name, cost.restart, cost.swap, cost.isolated};
   const auto found = made.find(key);
   if (found != made.end()) return found->second;
   const Subject& of = subject(name);
-  tools::Plan::Given given;
+  tools::PreparedMethod::Given given;
   given.cost = cost;
   if (cost == Cost::strips()) given.base = &of.base;
-  return made.emplace(key, tools::Plan(way, of.mesh, given)).first->second;
+  return made.emplace(key, tools::PreparedMethod(method, of.mesh, given)).first->second;
 }
 
-Player::Player(const std::string& name, const Way& way, const Cost& cost)
-    : subject_(&subject(name)), plan_(&plan(name, way, cost)) {
+Player::Player(const std::string& name, const Method& method, const Cost& cost)
+    : subject_(&subject(name)), prepared_(&prepared(name, method, cost)) {
   mesh_.reserve(subject_->triangles, subject_->mesh.points.size());
   restart();
 }
@@ -98,19 +98,19 @@ std::size_t Player::level_of(double share) const {
 void Player::restart(const StripMesh& mesh, std::size_t level) {
   mesh_ = mesh;
   level_ = level;
-  upkeep_ = plan_->begin(mesh_);
-  upkeep_->restart(level);
+  maintainer_ = prepared_->begin(mesh_);
+  maintainer_->restart(level);
 }
 
-void Player::restart() { restart(plan_->base(), 0); }
+void Player::restart() { restart(prepared_->base(), 0); }
 
 void Player::up_to(std::size_t level) {
-  upkeep_->play_up(std::span(subject_->mesh.splits).subspan(level_, level - level_), level_);
+  maintainer_->play_up(std::span(subject_->mesh.splits).subspan(level_, level - level_), level_);
   level_ = level;
 }
 
 void Player::down_to(std::size_t level) {
-  upkeep_->play_down(std::span(subject_->mesh.splits).subspan(level, level_ - level), level);
+  maintainer_->play_down(std::span(subject_->mesh.splits).subspan(level, level_ - level), level);
   level_ = level;
 }
 
@@ -118,7 +118,7 @@ const LevelList& level_list(const std::string& name, int percent) {
   static std::map<std::pair<std::string, int>, LevelList> made;
   const std::pair key{name, percent};
   if (made.contains(key)) return made[key];
-  Player player(name, way_named("bare"));
+  Player player(name, method_named("bare"));
   player.up_to(player.level_of(percent * 0.01));
   LevelList& list = made[key];
   list.mesh = player.mesh();

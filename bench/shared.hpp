@@ -1,5 +1,5 @@
 // Shared by all benchmark programs: main() and the size of a run; the progressive meshes that they replay; and players,
-// which play such a mesh up and down in one way of keeping strips (replay/ways.hpp). Some benchmarks measure time
+// which play such a mesh up and down by one method (replay/methods.hpp). Some benchmarks measure time
 // themselves: each of their few iterations times many runs and reports the median.
 #pragma once
 
@@ -13,14 +13,14 @@
 #include <vector>
 
 #include "lod/progressive_mesh.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::bench {
 
-using tools::Way;
-using tools::way_named;
+using tools::Method;
+using tools::method_named;
 
 struct Settings {
   bool quick = false;            ///< RESTRIP_BENCH_QUICK is set: only small made meshes; takes seconds
@@ -43,15 +43,15 @@ struct Subject {
 [[nodiscard]] const Subject& subject(const std::string& name);
 
 /// Baking the dragon takes minutes (docs/how-to/baked-strips.md has its figures), so it is left out here.
-[[nodiscard]] bool has_plan(const std::string& name, const Way& way);
-/// Made on first use, and kept. Costs other than strips only for ways that weigh.
-[[nodiscard]] const tools::Plan& plan(const std::string& name, const Way& way, const Cost& cost = Cost::strips());
+[[nodiscard]] bool is_measured(const std::string& name, const Method& method);
+/// Made on first use, and kept. Costs other than strips only for methods that weigh.
+[[nodiscard]] const tools::PreparedMethod& prepared(const std::string& name, const Method& method,
+                                                    const Cost& cost = Cost::strips());
 
-/// Plays a progressive mesh up and down in one way. A split starts from vertices: finding its spokes is part of it, in
-/// every way.
+/// Plays a progressive mesh up and down by one method. A split starts from vertices: finding its spokes is part of it.
 class Player {
  public:
-  Player(const std::string& name, const Way& way, const Cost& cost = Cost::strips());
+  Player(const std::string& name, const Method& method, const Cost& cost = Cost::strips());
 
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] StripMesh& mesh() noexcept { return mesh_; }
@@ -66,10 +66,10 @@ class Player {
 
  private:
   const Subject* subject_;
-  const tools::Plan* plan_;
+  const tools::PreparedMethod* prepared_;
   std::size_t level_ = 0;  // the number of records played so far
   StripMesh mesh_;
-  std::unique_ptr<tools::Upkeep> upkeep_;
+  std::unique_ptr<tools::Maintainer> maintainer_;
 };
 
 /// The triangles of one level as a list: the input for making strips, or an order, from scratch.

@@ -55,7 +55,8 @@ TEST(Bake, ReportsWhatEveryLevelHas) {
 }
 
 ReplayReport played(const BakedMesh& baked, const Soup& soup, std::size_t cycles = 0) {
-  return replay({way_named("baked"), baked.mesh, {.baked = &baked}}, soup.triangles, {.repeats = 0, .cycles = cycles});
+  return replay({method_named("baked"), baked.mesh, {.baked = &baked}}, soup.triangles,
+                {.repeats = 0, .cycles = cycles});
 }
 
 TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {

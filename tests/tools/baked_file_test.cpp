@@ -126,9 +126,9 @@ TEST(BakedFile, WhatIsWrittenIsRead) {
     // The same progressive mesh, with its vertices in order of appearance.
     EXPECT_EQ(pm_bytes(again.mesh), pm_bytes(baked.mesh));
     EXPECT_EQ(baked_bytes(again), bytes);
-    const Way& way = way_named("baked");
-    const ReplayReport first = replay({way, baked.mesh, {.baked = &baked}}, soup.triangles, {.repeats = 0});
-    const ReplayReport second = replay({way, again.mesh, {.baked = &again}}, {}, {.repeats = 0});
+    const Method& method = method_named("baked");
+    const ReplayReport first = replay({method, baked.mesh, {.baked = &baked}}, soup.triangles, {.repeats = 0});
+    const ReplayReport second = replay({method, again.mesh, {.baked = &again}}, {}, {.repeats = 0});
     EXPECT_TRUE(first.valid());
     EXPECT_TRUE(second.valid());
     ASSERT_EQ(first.levels.size(), second.levels.size());

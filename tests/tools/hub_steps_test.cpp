@@ -20,8 +20,8 @@
 #include "meshes/mend.hpp"
 #include "meshes/mesh_file.hpp"
 #include "pictures/scene.hpp"
+#include "replay/methods.hpp"
 #include "replay/replay.hpp"
-#include "replay/ways.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "runtime/hub_meshes.hpp"
@@ -164,8 +164,8 @@ TEST(ToolsHubSteps, SimplifyingAndReplayingFansOfEveryKindIsLinear) {
       Simplification result;
       simplifying[size] = work_of([&] { result = simplify(soup, {0.02, BoundaryPolicy::move}); });
       EXPECT_FALSE(result.stopped_short());
-      const Plan plan("local", result.mesh);
-      replaying[size] = work_of([&] { EXPECT_TRUE(replay(plan, soup.triangles, {2, 0, 1}).valid()); });
+      const PreparedMethod prepared("local", result.mesh);
+      replaying[size] = work_of([&] { EXPECT_TRUE(replay(prepared, soup.triangles, {2, 0, 1}).valid()); });
     }
     EXPECT_TRUE(grows_at_most(linear, simplifying[0], simplifying[1]));
     EXPECT_TRUE(grows_at_most(linear, replaying[0], replaying[1]));
@@ -180,9 +180,9 @@ TEST(ToolsHubSteps, StoppingShortIsLinear) {
 }
 
 TEST(ToolsHubSteps, ReplayingIsLinear) {
-  for (const char* way : {"local", "quick"})
-    expect_linear(3'000, [way](const Soup& soup, const ProgressiveMesh& mesh) {
-      EXPECT_TRUE(replay(Plan(way, mesh), soup.triangles, {.repeats = 0, .cycles = 1}).valid());
+  for (const char* method : {"local", "quick"})
+    expect_linear(3'000, [method](const Soup& soup, const ProgressiveMesh& mesh) {
+      EXPECT_TRUE(replay(PreparedMethod(method, mesh), soup.triangles, {.repeats = 0, .cycles = 1}).valid());
     });
 }
 

@@ -8,8 +8,8 @@
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
+#include "replay/methods.hpp"
 #include "replay/replay.hpp"
-#include "replay/ways.hpp"
 #include "shapes.hpp"
 #include "support/refusal_of.hpp"
 
@@ -30,7 +30,7 @@ TEST(PmFile, WhatIsWrittenIsRead) {
     EXPECT_EQ(again.fine_triangles(), soup.triangles.size());
     // A mesh numbered in order of appearance stays as it is.
     EXPECT_EQ(pm_bytes(again), bytes);
-    const ReplayReport report = replay(Plan("local", again), {}, {2, 0, 0});
+    const ReplayReport report = replay(PreparedMethod("local", again), {}, {2, 0, 0});
     EXPECT_TRUE(report.valid());
     EXPECT_EQ(report.operations_without_rule, 0U);
   }
@@ -66,7 +66,7 @@ TEST(PmFile, RealOne) {
   const ProgressiveMesh mesh = parse_pm(files::read_whole(file), file.string());
   EXPECT_EQ(mesh.base.size(), 694U);
   EXPECT_EQ(mesh.splits.size(), 34486U);
-  const ReplayReport report = replay(Plan("local", mesh), {}, {2, 0, 1});
+  const ReplayReport report = replay(PreparedMethod("local", mesh), {}, {2, 0, 1});
   EXPECT_TRUE(report.valid());
   EXPECT_EQ(report.triangles, 69666U);
   EXPECT_EQ(report.operations_without_rule, 0U);
@@ -91,7 +91,7 @@ TEST(PmFile, TheOtherOrientationDoesNotFit) {
   const auto file = REAL_MESH("om_bunny.pm");
   ProgressiveMesh mesh = parse_pm(files::read_whole(file), file.string());
   for (Record& record : mesh.splits) std::swap(record.v_l, record.v_r);
-  EXPECT_GT(replay(Plan("local", mesh), {}, {2, 0, 0}).operations_without_rule, 0U);
+  EXPECT_GT(replay(PreparedMethod("local", mesh), {}, {2, 0, 0}).operations_without_rule, 0U);
 }
 
 // The counts are in the file's own header.
@@ -101,7 +101,7 @@ TEST(PmFile, HoppesIsReadAndReplayed) {
   EXPECT_EQ(mesh.points.size(), 11'676U);
   EXPECT_EQ(mesh.splits.size(), 11'672U);
   EXPECT_EQ(mesh.fine_triangles(), 23'348U);
-  const ReplayReport report = replay(Plan("local", mesh), {}, {2, 0, 0});
+  const ReplayReport report = replay(PreparedMethod("local", mesh), {}, {2, 0, 0});
   EXPECT_EQ(report.operations_without_rule, 0U);
   EXPECT_TRUE(report.valid());
 }

@@ -19,9 +19,9 @@ namespace {
 const ReplayOptions quick{10, 0, 0};
 
 ReplayReport replay_of(const Soup& soup, BoundaryPolicy boundary, const ReplayOptions& options = quick,
-                       const std::string& way = "local") {
+                       const std::string& method = "local") {
   const ProgressiveMesh mesh = simplify(soup, {0.02, boundary}).mesh;
-  return replay(Plan(way, mesh), soup.triangles, options);
+  return replay(PreparedMethod(method, mesh), soup.triangles, options);
 }
 
 TEST(Replay, ClosedMesh) {
@@ -45,9 +45,9 @@ TEST(Replay, EveryPolicyBothWays) {
   std::size_t strips = 20'000;
   const Soup soup = make_mesh(test::large(20'000));
   const ProgressiveMesh mesh = simplify(soup, {0.02, BoundaryPolicy::move}).mesh;
-  for (const Way& way : ways()) {
-    if (way.kind != Way::Kind::ours) continue;
-    const ReplayReport report = replay(Plan(way.name, mesh), soup.triangles, {10, 0, 1});
+  for (const Method& method : methods()) {
+    if (method.kind != Method::Kind::ours) continue;
+    const ReplayReport report = replay(PreparedMethod(method.name, mesh), soup.triangles, {10, 0, 1});
     EXPECT_TRUE(report.valid());
     ASSERT_EQ(report.levels_down.size(), report.levels.size());
     for (std::size_t i = 0; i < report.levels.size(); ++i)
@@ -57,7 +57,7 @@ TEST(Replay, EveryPolicyBothWays) {
     strips = report.levels.back().strips;
     EXPECT_GT(report.bytes_written_per_operation, 0);
     EXPECT_LT(report.bytes_written_per_operation,
-              static_cast<double>(report.buffer_bytes) / (way.name == "best" ? 8 : 10));
+              static_cast<double>(report.buffer_bytes) / (method.name == "best" ? 8 : 10));
   }
 }
 
@@ -97,12 +97,12 @@ TEST(Replay, FindsMissingAndTurnedTrianglesAndASplitThatDoesNotFit) {
   ProgressiveMesh mesh = simplify(soup).mesh;
   std::vector<Corners> missing = soup.triangles;
   missing.pop_back();
-  EXPECT_FALSE(replay(Plan("local", mesh), missing, quick).valid());
+  EXPECT_FALSE(replay(PreparedMethod("local", mesh), missing, quick).valid());
   std::vector<Corners> turned = soup.triangles;
   std::swap(turned.front()[0], turned.front()[1]);
-  EXPECT_FALSE(replay(Plan("local", mesh), turned, quick).valid());
+  EXPECT_FALSE(replay(PreparedMethod("local", mesh), turned, quick).valid());
   mesh.splits[7].v_l = mesh.splits.back().v_t;  // does not exist yet
-  const ReplayReport report = replay(Plan("local", mesh), soup.triangles, quick);
+  const ReplayReport report = replay(PreparedMethod("local", mesh), soup.triangles, quick);
   EXPECT_GT(report.operations_without_rule, 0U);
   EXPECT_FALSE(report.valid());
 }
@@ -111,8 +111,8 @@ TEST(Replay, LargeFansUnderEveryPolicy) {
   const std::uint32_t spokes = test::large(1000);
   const Soup soup = double_cone(spokes);
   const Simplification simplification = simplify(soup);
-  for (const char* way : {"local", "quick", "full"}) {
-    const ReplayReport report = replay(Plan(way, simplification.mesh), soup.triangles, {10, 0, 1});
+  for (const char* method : {"local", "quick", "full"}) {
+    const ReplayReport report = replay(PreparedMethod(method, simplification.mesh), soup.triangles, {10, 0, 1});
     EXPECT_TRUE(report.valid());
     EXPECT_EQ(report.triangles, 2 * spokes);
   }

@@ -9,7 +9,7 @@
 #include "common/shrink.hpp"
 #include "lod/coloring_check.hpp"
 #include "meshes/made_mesh.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 #include "restrip/output/strips.hpp"
 #include "shapes.hpp"
 
@@ -19,22 +19,23 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
 
-/// Under one way of the list.
-BeginUpkeep by(const std::string& way) {
-  return [&way = way_named(way)](StripMesh& mesh) { return way.begin(mesh, {way.search}); };
+/// By one method of the list.
+BeginMaintainer by(const std::string& method) {
+  return [&method = method_named(method)](StripMesh& mesh) { return method.begin(mesh, {method.search}); };
 }
 
 /// The rules, for tests to spoil.
-struct Operations : PlainOperations {
-  StripMesh& mesh;
-  explicit Operations(StripMesh& on) : mesh(on) {}
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return split_and_join(mesh, where, v_t); }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return collapse_and_join(mesh, chord); }
-  Rewrite<Halfedge> flip(Halfedge h) { return flip_and_join(mesh, h); }
+struct Operations : Maintainer {
+  using Maintainer::Maintainer;
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) override {
+    return split_and_join(mesh_, where, v_t);
+  }
+  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) override { return collapse_and_join(mesh_, chord); }
+  Rewrite<Halfedge> flip(Halfedge h) override { return flip_and_join(mesh_, h); }
 };
 template <class Faulty>
-std::unique_ptr<Upkeep> begin(StripMesh& mesh) {
-  return std::make_unique<UpkeepBy<Faulty>>(mesh);
+std::unique_ptr<Maintainer> begin(StripMesh& mesh) {
+  return std::make_unique<Faulty>(mesh);
 }
 
 TEST(Walk, ClosedMesh) {
@@ -48,20 +49,20 @@ TEST(Walk, ClosedMesh) {
 }
 
 TEST(Walk, EveryWay) {
-  for (const Way& way : ways()) {
-    if (way.kind == Way::Kind::mesh) continue;
+  for (const Method& method : methods()) {
+    if (method.kind == Method::Kind::mesh) continue;
     for (const Cost& cost : {Cost::strips(), Cost::indices()}) {
-      if (!(cost == Cost::strips()) && !way.weighs()) continue;
+      if (!(cost == Cost::strips()) && !method.weighs()) continue;
       for (const Soup& soup : {make_mesh(1000), sheet(15), bow_tie()}) {
         StripMesh mesh = stripified(soup);
         const BakedMesh nothing;  // a walk leaves the baked levels at its first step
         const WalkReport report = walk(mesh, {2'000, 6, 50}, [&](StripMesh& on) {
-          return way.begin(on, {way.search_under(cost), cost, &nothing});
+          return method.begin(on, {method.search_under(cost), cost, &nothing});
         });
-        EXPECT_EQ(report.fault, "") << way.name;
+        EXPECT_EQ(report.fault, "") << method.name;
         EXPECT_GT(report.splits + report.collapses + report.flips + report.refused, 1'900U);
-        if (report.refused < 1'000 && way.kind == Way::Kind::ours && cost == Cost::strips()) {
-          EXPECT_EQ(report.isolating, 0U) << way.name;
+        if (report.refused < 1'000 && method.kind == Method::Kind::ours && cost == Cost::strips()) {
+          EXPECT_EQ(report.isolating, 0U) << method.name;
         }
       }
     }
@@ -72,7 +73,7 @@ TEST(Walk, FindsFaultsInWhatIsKeptWithTheMesh) {
   struct WithAStaleLocator : Operations {
     StripLocator locator;
     explicit WithAStaleLocator(StripMesh& on) : Operations(on), locator(on) {}
-    [[nodiscard]] std::string fault() const { return find_fault(mesh, locator); }
+    [[nodiscard]] std::string fault() const override { return find_fault(mesh_, locator); }
   };
   StripMesh mesh = stripified(make_mesh(500));
   EXPECT_NE(walk(mesh, {200, 2, 100}, begin<WithAStaleLocator>).fault.find("locator"), std::string::npos);
@@ -82,7 +83,7 @@ TEST(Walk, FindsCountersThatAreWrong) {
   struct Meddles : Operations {
     Keeper<StripMesh> keeper;
     explicit Meddles(StripMesh& on) : Operations(on), keeper(on, Policy::local, Cost::indices()) {}
-    [[nodiscard]] std::string fault() const { return find_fault(keeper); }
+    [[nodiscard]] std::string fault() const override { return find_fault(keeper); }
   };
   StripMesh mesh = stripified(make_mesh(500));
   EXPECT_NE(walk(mesh, {200, 2, 100}, begin<Meddles>).fault.find("but the keeper says"), std::string::npos);
@@ -113,10 +114,10 @@ TEST(Walk, SameSeedSameWalk) {
 /// Some splits colour the chord against the rule.
 struct WithAFaultySplit : Operations {
   using Operations::Operations;
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) {
-    auto done = restrip::split(mesh, where, v_t);
-    if (done.valence == 9 && !StripMesh::on_boundary(mesh.opposite(done.halfedge)))
-      mesh.set_solid(done.halfedge, !mesh.solid(done.halfedge));
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) override {
+    auto done = restrip::split(mesh_, where, v_t);
+    if (done.valence == 9 && !StripMesh::on_boundary(mesh_.opposite(done.halfedge)))
+      mesh_.set_solid(done.halfedge, !mesh_.solid(done.halfedge));
     return done;
   }
 };
@@ -133,8 +134,8 @@ TEST(Walk, FindsAFaultAndShrinksIt) {
 TEST(Walk, FindsAnOperationThatMiscountsItsStrips) {
   struct Miscounting : Operations {
     using Operations::Operations;
-    Rewrite<Halfedge> flip(Halfedge h) {
-      auto done = restrip::flip(mesh, h);
+    Rewrite<Halfedge> flip(Halfedge h) override {
+      auto done = restrip::flip(mesh_, h);
       if (done.strips > 0) --done.strips;
       return done;
     }
@@ -146,9 +147,9 @@ TEST(Walk, FindsAnOperationThatMiscountsItsStrips) {
 TEST(Walk, FindsAnOperationThatMiscountsItsIsolatedTriangles) {
   struct Miscounting : Operations {
     using Operations::Operations;
-    Rewrite<Halfedge> flip(Halfedge h) {
-      auto done = restrip::flip_and_join(mesh, h);
-      if (done.valence == 4 && mesh.solid(h)) --done.isolated;
+    Rewrite<Halfedge> flip(Halfedge h) override {
+      auto done = restrip::flip_and_join(mesh_, h);
+      if (done.valence == 4 && mesh_.solid(h)) --done.isolated;
       return done;
     }
   };
@@ -173,16 +174,16 @@ TEST(Walk, AWitnessAgreesWithTheRules) {
           disagreement = "the witness disagrees";
         return reported;
       }
-      Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) {
-        return settle(witness.split(mesh, where, {}, [&] { return noted(restrip::split(mesh, where, v_t)); }));
+      Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) override {
+        return settle(witness.split(mesh_, where, {}, [&] { return noted(restrip::split(mesh_, where, v_t)); }));
       }
-      Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) {
-        return settle(witness.collapse(mesh, chord, {}, [&] { return noted(restrip::collapse(mesh, chord)); }));
+      Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) override {
+        return settle(witness.collapse(mesh_, chord, {}, [&] { return noted(restrip::collapse(mesh_, chord)); }));
       }
-      Rewrite<Halfedge> flip(Halfedge h) {
-        return settle(witness.flip(mesh, h, [&] { return noted(restrip::flip(mesh, h)); }));
+      Rewrite<Halfedge> flip(Halfedge h) override {
+        return settle(witness.flip(mesh_, h, [&] { return noted(restrip::flip(mesh_, h)); }));
       }
-      [[nodiscard]] std::string fault() const { return disagreement; }
+      [[nodiscard]] std::string fault() const override { return disagreement; }
     };
     StripMesh mesh = stripified(soup);
     const WalkReport report = walk(mesh, {5'000, 3, 500}, begin<Watched>);

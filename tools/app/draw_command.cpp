@@ -29,7 +29,7 @@
 #include "meshes/strip_file.hpp"
 #include "meshes/text_cursor.hpp"
 #include "pictures/scene.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/rules/rules.hpp"
 
@@ -44,7 +44,7 @@ struct DrawCommand {
   NamedFile out;
   SimplifyOptions simplify;
   bool simplify_given = false;
-  std::string way;            ///< its name; empty: the default (ways.hpp)
+  std::string policy;         ///< its name; empty: the default (methods.hpp)
   std::optional<Cost> cost;   ///< the cost to minimise; by default what the policy supports
   std::size_t triangles = 0;  ///< minimum size of the level; 0: the finest level
   Camera camera;
@@ -99,7 +99,7 @@ int run(const DrawCommand& command) {
     throw BadInput(fmt::format("{}: its format is not known; name it by --to, or a file that ends in {}",
                                command.out.string(), fmt::join(drawn_extensions, ", ")));
   // The named mesh, or the built-in one, with the strips of the file unless the command asks for others.
-  const bool others = command.triangles != 0 || command.simplify_given || !command.way.empty() || command.cost;
+  const bool others = command.triangles != 0 || command.simplify_given || !command.policy.empty() || command.cost;
   ReadMesh read;
   if (!command.mesh.empty()) read = read_mesh_file(command.mesh);
   auto* const soup = std::get_if<Soup>(&read);
@@ -121,13 +121,14 @@ int run(const DrawCommand& command) {
     } else {
       source = source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given);
     }
-    Plan::Given given;
+    PreparedMethod::Given given;
     given.cost = command.cost;
     if (source.baked) given.baked = &*source.baked;
-    const Plan plan(command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way), source.mesh,
-                    given);
-    mesh = level_mesh(plan, command.triangles == 0 ? source.mesh.fine_triangles() : command.triangles);
-    policy = plan.way().name;
+    const PreparedMethod prepared(
+        command.policy.empty() ? default_method(source.baked.has_value()) : method_named(command.policy), source.mesh,
+        given);
+    mesh = level_mesh(prepared, command.triangles == 0 ? source.mesh.fine_triangles() : command.triangles);
+    policy = prepared.method().name;
   }
   const std::vector<Point>& points = source.mesh.points;
   const Mended& mended = source.subject.mended;
@@ -192,7 +193,7 @@ Subcommand add_draw(CLI::App& app) {
                   "the least number of triangles of the level (default: the finest level)")
       ->check(whole_number_from(1, max_triangles));
   add_simplify_options(*sub, command.simplify);
-  add_policy_option(*sub, command.way);
+  add_policy_option(*sub, command.policy);
   add_cost_option(*sub, command.cost);
   const std::vector<const CLI::Option*> only_pictures{
       sub->add_option_function<std::string>(
@@ -229,7 +230,7 @@ Subcommand add_draw(CLI::App& app) {
   add_json_option(*sub, command.json);
   sub->callback([sub, only_pictures, &command] {
     command.simplify_given = simplify_options_given(*sub);
-    refuse_cost_elsewhere(command.cost, command.way);
+    refuse_cost_elsewhere(command.cost, command.policy);
     for (const CLI::Option* option : only_pictures)
       if (!option->empty() && command.out.extension() == ".json")
         throw CLI::ValidationError(option->get_name(), "only pictures have one: .svg and .png");

@@ -171,30 +171,31 @@ void add_cost_option(CLI::App& app, std::optional<Cost>& cost, const Cost& other
       ->default_str(otherwise == Cost::strips() ? "strips" : "indices");
 }
 
-std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept) {
+std::vector<std::string> names_of_methods(bool (Method::*holds)() const noexcept) {
   std::vector<std::string> names;
-  for (const Way& way : ways())
-    if (way.kind != Way::Kind::mesh && (way.*holds)()) names.push_back(way.name);
+  for (const Method& method : methods())
+    if (method.kind != Method::Kind::mesh && (method.*holds)()) names.push_back(method.name);
   return names;
 }
 
-void add_policy_option(CLI::App& app, std::string& way) {
+void add_policy_option(CLI::App& app, std::string& method) {
   std::vector<std::string> names;
   std::string about;
-  for (const Way& each : ways()) {
-    if (each.kind == Way::Kind::mesh) continue;
+  for (const Method& each : methods()) {
+    if (each.kind == Method::Kind::mesh) continue;
     names.push_back(each.name);
-    about += fmt::format("{}: {}; ", each.name, each.says);
+    about += fmt::format("{}: {}; ", each.name, each.description);
   }
-  app.add_option("--policy", way,
-                 about + fmt::format("(default: {}, for a baked mesh {})", usual_way(false).name, usual_way(true).name))
+  app.add_option("--policy", method,
+                 about + fmt::format("(default: {}, for a baked mesh {})", default_method(false).name,
+                                     default_method(true).name))
       ->check(CLI::IsMember(names));
 }
 
-void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& way) {
-  if (cost && !(*cost == Cost::strips()) && !way.empty() && !way_named(way).weighs())
+void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& method) {
+  if (cost && !(*cost == Cost::strips()) && !method.empty() && !method_named(method).weighs())
     throw CLI::ValidationError("--cost", fmt::format("policy {} supports only --cost strips; {} support --cost indices",
-                                                     way, fmt::join(names_of_ways(&Way::weighs), ", ")));
+                                                     method, fmt::join(names_of_methods(&Method::weighs), ", ")));
 }
 
 void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output, bool* progressive) {

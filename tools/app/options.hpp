@@ -13,7 +13,7 @@
 #include "meshes/mend.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/strip_file.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 
 namespace restrip::tools {
 
@@ -60,12 +60,12 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options);
 void add_json_option(CLI::App& app, std::string& json);
 /// Adds --cost. `otherwise` is the default, which help shows.
 void add_cost_option(CLI::App& app, std::optional<Cost>& cost, const Cost& otherwise = default_cost);
-/// Adds --policy, whose values are the names in ways.hpp.
-void add_policy_option(CLI::App& app, std::string& way);
-/// The names of the ways for which `holds` is true.
-[[nodiscard]] std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept);
-/// Throws CLI::ValidationError if the way is named and does not support the cost.
-void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& way);
+/// Adds --policy, whose values are the names in methods.hpp.
+void add_policy_option(CLI::App& app, std::string& method);
+/// The names of the methods for which `holds` is true.
+[[nodiscard]] std::vector<std::string> names_of_methods(bool (Method::*holds)() const noexcept);
+/// Throws CLI::ValidationError if the method is named and does not support the cost.
+void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& method);
 /// Adds --gltf for .glb, --form for .bin, for both --index, --batch-vertices and --batch-indices, and --keep-strips,
 /// which also works for .ply. They require the option `output`, if any. If `progressive` is not null, --gltf
 /// progressive sets it: all levels, as MANYFOLD_mesh_progressive.

@@ -17,9 +17,9 @@
 #include "meshes/made_mesh.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/strip_file.hpp"
+#include "replay/methods.hpp"
 #include "replay/replay_text.hpp"
 #include "replay/walk.hpp"
-#include "replay/ways.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
@@ -32,8 +32,8 @@ struct ReplayCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< set by the caller; refused if nothing is simplified
   ReplayOptions replay;
-  std::string way;           ///< its name; empty: the default (ways.hpp)
-  std::uint32_t states = 0;  ///< budget of each search; 0: the default of the way
+  std::string policy;        ///< its name; empty: the default (methods.hpp)
+  std::uint32_t states = 0;  ///< budget of each search; 0: the default of the method
   std::optional<Cost> cost;  ///< the cost to minimise; by default what the policy supports
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
@@ -45,8 +45,8 @@ struct ReplayCommand {
   std::string json;
 };
 
-/// Walks as the plan says. Baked strips continue by the rules once the mesh leaves its records. `trace` may be null.
-WalkReport take_walk(const Source& source, const ReplayCommand& command, const Plan& plan,
+/// Walks by the method. Baked strips continue by the rules once the mesh leaves its records. `trace` may be null.
+WalkReport take_walk(const Source& source, const ReplayCommand& command, const PreparedMethod& prepared,
                      std::optional<Trace>* trace) {
   StripMesh mesh;
   if (source.original.empty()) {
@@ -55,10 +55,11 @@ WalkReport take_walk(const Source& source, const ReplayCommand& command, const P
   } else {
     mesh = StripMesh::build(source.original, source.mesh.points.size());
   }
-  stripify(mesh, default_effort, plan.cost());
+  stripify(mesh, default_effort, prepared.cost());
   // A walk that fails is repeated on copies without its trace.
   return walk(mesh, {command.walk_steps, command.seed}, [&](StripMesh& on) {
-    return trace != nullptr && &on == &mesh ? traced(on, plan.begin(on), claim_of(plan), *trace) : plan.begin(on);
+    return trace != nullptr && &on == &mesh ? traced(on, prepared.begin(on), claim_of(prepared), *trace)
+                                            : prepared.begin(on);
   });
 }
 
@@ -74,29 +75,30 @@ int run(const ReplayCommand& command) {
                       : source_of(read_mesh_file(command.mesh), command.mesh, command.mending, command.simplify,
                                   command.simplify_given);
   if (format != nullptr && format->rounds) source.subject.mended.rounding = rounding_of(source.mesh.points);
-  const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
-  Plan::Given given;
+  const Method& method =
+      command.policy.empty() ? default_method(source.baked.has_value()) : method_named(command.policy);
+  PreparedMethod::Given given;
   given.cost = command.cost;
   if (command.states != 0) given.search = {command.states, 0};
   if (source.baked) given.baked = &*source.baked;
-  const Plan plan(way, source.mesh, given);
-  source.subject.policy = way.name;
-  source.subject.search = plan.search();
-  source.subject.cost = plan.cost();
-  if (plan.baked() != nullptr) source.subject.baked = costs_of(*plan.baked(), plan.seconds_to_bake());
+  const PreparedMethod prepared(method, source.mesh, given);
+  source.subject.policy = method.name;
+  source.subject.search = prepared.search();
+  source.subject.cost = prepared.cost();
+  if (prepared.baked() != nullptr) source.subject.baked = costs_of(*prepared.baked(), prepared.seconds_to_bake());
   std::string text_of_trace;
   ReplayOptions options = command.replay;
   if (trace && command.walk_steps == 0) options.trace = &text_of_trace;
-  const ReplayReport report = replay(plan, source.original, options);
+  const ReplayReport report = replay(prepared, source.original, options);
   std::optional<WalkReport> walk;
   std::optional<Trace> trace_of_walk;
   if (command.walk_steps != 0 && report.operations_without_rule == 0)
-    walk = take_walk(source, command, plan, trace ? &trace_of_walk : nullptr);
+    walk = take_walk(source, command, prepared, trace ? &trace_of_walk : nullptr);
 
   std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
   if (level && report.valid()) {
     const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
-    const LevelFile file = level_file(level_mesh(plan, triangles), source.mesh.points, *format, command.strips);
+    const LevelFile file = level_file(level_mesh(prepared, triangles), source.mesh.points, *format, command.strips);
     level->write(file.written.bytes);
     text += fmt::format("\n  {}: {} in {}\n", command.out.string(), counted(file.triangles, "triangle"),
                         counted(file.strips, "strip")) +
@@ -160,7 +162,7 @@ Subcommand add_replay(CLI::App& app) {
   sub->add_option("--cycles", command.replay.cycles, "times down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();
-  add_policy_option(*sub, command.way);
+  add_policy_option(*sub, command.policy);
   sub->add_option(
          "--states", command.states,
          "fixed number of states per search for quick, full and best; more leave fewer strips and take longer "
@@ -191,10 +193,11 @@ Subcommand add_replay(CLI::App& app) {
             "--triangles", fmt::format("of a built-in mesh are {} to {}", least_made_triangles, most_made_triangles));
       command.built_in_triangles = command.out_triangles;
     }
-    if (sub->count("--states") != 0 && (command.way.empty() || !way_named(command.way).searches()))
-      throw CLI::ValidationError("--states", fmt::format("only --policy {} search",
-                                                         fmt::join(names_of_ways(&Way::searches), " and --policy ")));
-    refuse_cost_elsewhere(command.cost, command.way);
+    if (sub->count("--states") != 0 && (command.policy.empty() || !method_named(command.policy).searches()))
+      throw CLI::ValidationError(
+          "--states",
+          fmt::format("only --policy {} search", fmt::join(names_of_methods(&Method::searches), " and --policy ")));
+    refuse_cost_elsewhere(command.cost, command.policy);
   });
   sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
   return {sub, [kept] { return run(*kept); }};

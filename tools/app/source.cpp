@@ -83,14 +83,14 @@ LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const
   return {written_strips(format, used_points, indices, options, used_attributes), strips.order.size(), strips.size()};
 }
 
-StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
-  StripMesh mesh = plan.base();
-  mesh.reserve(plan.mesh().fine_triangles(), plan.mesh().points.size());
-  const auto upkeep = plan.begin(mesh);
-  const auto splits = std::span(plan.mesh().splits).first(plan.mesh().splits_to(triangles));
+StripMesh level_mesh(const PreparedMethod& prepared, std::size_t triangles) {
+  StripMesh mesh = prepared.base();
+  mesh.reserve(prepared.mesh().fine_triangles(), prepared.mesh().points.size());
+  const auto maintainer = prepared.begin(mesh);
+  const auto splits = std::span(prepared.mesh().splits).first(prepared.mesh().splits_to(triangles));
   for (std::size_t i = 0; i < splits.size(); ++i) {
-    (void)possible_split(mesh, plan.mesh(), i);
-    upkeep->play_up(splits.subspan(i, 1), i);
+    (void)possible_split(mesh, prepared.mesh(), i);
+    maintainer->play_up(splits.subspan(i, 1), i);
   }
   return mesh;
 }

@@ -15,8 +15,8 @@
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/soup.hpp"
+#include "replay/methods.hpp"
 #include "replay/replay_text.hpp"
-#include "replay/ways.hpp"
 
 namespace restrip::tools {
 
@@ -48,7 +48,7 @@ struct LevelFile {
 [[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
                                    const StripOptions& options, std::span<const Attribute> attributes = {});
 /// The coarsest level with at least `triangles` triangles, or the finest level if all are smaller. Its strips are kept
-/// from the base up as the plan says. Throws BadInput at a split that is not possible.
-[[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);
+/// from the base up by the method. Throws BadInput at a split that is not possible.
+[[nodiscard]] StripMesh level_mesh(const PreparedMethod& prepared, std::size_t triangles);
 
 }  // namespace restrip::tools

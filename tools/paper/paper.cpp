@@ -9,7 +9,7 @@
 #include "common/progress.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -106,17 +106,17 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
   for (const Record& record : source.splits) insert(finest, record);
   const std::vector<Corners> fine_triangles = sorted_triangles(triangles_of(finest));
 
-  // Under each way of keeping strips.
-  for (const Way::Kind kind : {Way::Kind::paper, Way::Kind::ours})
-    for (const Way& way : ways()) {
-      if (way.kind != kind) continue;
-      Plan::Given given;
+  // By each method of keeping strips.
+  for (const Method::Kind kind : {Method::Kind::paper, Method::Kind::ours})
+    for (const Method& method : methods()) {
+      if (method.kind != kind) continue;
+      PreparedMethod::Given given;
       given.cost = Cost::strips();
       given.base = &base;
-      const Plan plan(way, source, given);
-      StripMesh mesh = plan.base();
-      const auto upkeep = plan.begin(mesh);
-      PolicyRun run{way.name, way.says, way.kind == Way::Kind::paper, 0, 0, {}};
+      const PreparedMethod prepared(method, source, given);
+      StripMesh mesh = prepared.base();
+      const auto maintainer = prepared.begin(mesh);
+      PolicyRun run{method.name, method.description, method.kind == Method::Kind::paper, 0, 0, {}};
       std::vector<Triangle> patch;
       std::vector<std::size_t> by_valence;
       const auto step = [&](const Record& record) {
@@ -125,15 +125,15 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
         if (patch.size() >= by_valence.size()) by_valence.resize(patch.size() + 1);
         ++by_valence[patch.size()];
         const std::size_t before = isolated_in(mesh, patch);
-        const StripMesh::Halfedge chord = upkeep->split(where, record.v_t, run.splits).halfedge;
+        const StripMesh::Halfedge chord = maintainer->split(where, record.v_t, run.splits).halfedge;
         edge_triangles(mesh, chord, patch);
         run.isolating += static_cast<std::size_t>(isolated_in(mesh, patch) > before);
         ++run.splits;
-        upkeep->between();
+        maintainer->between();
       };
-      climb(way.name, mesh, step, [&] { run.levels.push_back(count(mesh, way.name)); });
+      climb(method.name, mesh, step, [&] { run.levels.push_back(count(mesh, method.name)); });
       if (sorted_triangles(triangles_of(mesh)) != fine_triangles)
-        result.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", way.name));
+        result.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", method.name));
       result.splits_by_valence = std::move(by_valence);
       result.runs.push_back(std::move(run));
     }

@@ -35,7 +35,7 @@ struct PaperRow {
 /// The paper's row for a mesh of this size, if it has one.
 [[nodiscard]] std::optional<PaperRow> paper_row(std::size_t triangles);
 
-/// One pass from base to finest level under one way of keeping strips (ways.hpp).
+/// One pass from base to finest level under one way of keeping strips (methods.hpp).
 struct PolicyRun {
   std::string name;
   std::string says;

@@ -13,7 +13,7 @@
 #include "common/stopwatch.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strip_buffer.hpp"
@@ -26,26 +26,26 @@ namespace {
 
 class Replay {
  public:
-  Replay(const Plan& plan, const ReplayOptions& options)
-      : plan_(plan), splits_(plan.mesh().splits), options_(options), mesh_(plan.base()) {
+  Replay(const PreparedMethod& prepared, const ReplayOptions& options)
+      : prepared_(prepared), splits_(prepared.mesh().splits), options_(options), mesh_(prepared.base()) {
     // One mesh serves every run, so that its memory is allocated before timing starts.
-    mesh_.reserve(plan.mesh().fine_triangles(), plan.mesh().points.size());
-    upkeep_ = plan.begin(mesh_);
-    bare_ = way_named("bare").begin(mesh_, {});
+    mesh_.reserve(prepared.mesh().fine_triangles(), prepared.mesh().points.size());
+    maintainer_ = prepared.begin(mesh_);
+    bare_ = method_named("bare").begin(mesh_, {});
     report_.base_triangles = mesh_.triangle_count();
     report_.operations = splits_.size();
   }
 
   ReplayReport run(const std::vector<Corners>& original) {
-    if (options_.trace != nullptr) upkeep_ = traced(mesh_, std::move(upkeep_), claim_of(plan_), trace_);
+    if (options_.trace != nullptr) maintainer_ = traced(mesh_, std::move(maintainer_), claim_of(prepared_), trace_);
     watch_the_way_up();
     if (report_.operations_without_rule == 0) {
       watch_the_way_down();
-      report_.rules = upkeep_->rule_counts();
+      report_.rules = maintainer_->rule_counts();
       if (trace_) {
         trace_->end();
         *options_.trace = std::move(trace_->text());
-        upkeep_ = plan_.begin(mesh_);
+        maintainer_ = prepared_.begin(mesh_);
       }
       if (!splits_.empty() && report_.faults.empty()) {
         if (options_.buffer == ReplayOptions::Buffer::list)
@@ -55,7 +55,7 @@ class Replay {
       }
       measure();
       check_top(original.empty() ? bare_triangles() : original);
-      const std::size_t cycles = std::max<std::size_t>(options_.cycles, plan_.way().bakes ? 1 : 0);
+      const std::size_t cycles = std::max<std::size_t>(options_.cycles, prepared_.method().bakes ? 1 : 0);
       for (std::size_t i = 1, step = 1; i <= cycles && report_.valid(); ++i) {
         if (!report_.cycles.empty() && (report_.cycles.back().number - 1) % step != 0) report_.cycles.pop_back();
         if (report_.cycles.size() == most_reported_cycles) {
@@ -73,12 +73,12 @@ class Replay {
 
   // ---- ways up and down
   void start_from_base() {
-    mesh_ = plan_.base();
-    upkeep_->restart(0);
+    mesh_ = prepared_.base();
+    maintainer_->restart(0);
   }
   Rewrite<Halfedge> split_one(std::size_t i) {
-    const auto done = upkeep_->split(spokes_of(mesh_, splits_[i]), splits_[i].v_t, i);
-    return detail::with(done, upkeep_->between());
+    const auto done = maintainer_->split(spokes_of(mesh_, splits_[i]), splits_[i].v_t, i);
+    return detail::with(done, maintainer_->between());
   }
 
   /// Plays all splits. Calls at_level(n) where the mesh is the reported level n, and after(i, done) after split i.
@@ -100,8 +100,8 @@ class Replay {
       for (; next > 0 && mesh_.triangle_count() == report_.levels[next - 1].triangles; --next) at_level(next - 1);
       if (i == 0) return;
       const Record& record = splits_[i - 1];
-      const auto done = upkeep_->collapse(mesh_.spoke(record.v_s, record.v_t), i - 1);
-      after(i - 1, detail::with(done, upkeep_->between()));
+      const auto done = maintainer_->collapse(mesh_.spoke(record.v_s, record.v_t), i - 1);
+      after(i - 1, detail::with(done, maintainer_->between()));
     }
   }
 
@@ -109,7 +109,7 @@ class Replay {
   void watch_the_way_up() {
     start_from_base();
     const std::vector<std::size_t> sizes =
-        level_sizes(report_.base_triangles, plan_.mesh().fine_triangles(), options_.levels);
+        level_sizes(report_.base_triangles, prepared_.mesh().fine_triangles(), options_.levels);
     std::size_t next = 0;
     Progress progress("replaying", splits_.size());
     std::size_t strips = report_.most_strips = count_strips(mesh_);
@@ -192,11 +192,11 @@ class Replay {
     std::vector<Triangle> changed;
     const auto through = [&](auto&& update) {
       for (std::size_t i = 0; i < splits_.size(); ++i) {
-        upkeep_->play_up(std::span(splits_).subspan(i, 1), i);
+        maintainer_->play_up(std::span(splits_).subspan(i, 1), i);
         update();
       }
       for (std::size_t i = splits_.size(); i-- > 0;) {
-        upkeep_->play_down(std::span(splits_).subspan(i, 1), i);
+        maintainer_->play_down(std::span(splits_).subspan(i, 1), i);
         update();
       }
     };
@@ -205,7 +205,7 @@ class Replay {
       without.time([&] { through([] {}); });
       start_from_base();
       Buffer buffer(mesh_);
-      buffer.reserve(plan_.mesh().fine_triangles());
+      buffer.reserve(prepared_.mesh().fine_triangles());
       mesh_.watch(&changed);
       with.time([&] {
         through([&] {
@@ -220,13 +220,13 @@ class Replay {
   }
 
   Level level() {
-    if (const std::string fault = upkeep_->fault(); !fault.empty())
+    if (const std::string fault = maintainer_->fault(); !fault.empty())
       report_.faults.push_back(fmt::format("at {} triangles: {}", mesh_.triangle_count(), fault));
     return level_of(mesh_, report_.faults);
   }
   void record_level() {
     report_.levels.push_back(level());
-    if (!plan_.way().bakes) return;
+    if (!prepared_.method().bakes) return;
     hashes_.push_back(hash_of_strips());
     for (const std::string& fault : find_faults(mesh_))
       report_.faults.push_back(fmt::format("at {} triangles: {}", mesh_.triangle_count(), fault));
@@ -244,9 +244,9 @@ class Replay {
     Progress progress("measuring", repeats);
     for (std::size_t i = 0; i < repeats; ++i) {
       start_from_base();
-      up.time([&] { upkeep_->play_up(splits_, 0); });
-      down.time([&] { upkeep_->play_down(splits_, 0); });
-      mesh_ = plan_.base();
+      up.time([&] { maintainer_->play_up(splits_, 0); });
+      down.time([&] { maintainer_->play_down(splits_, 0); });
+      mesh_ = prepared_.base();
       up_bare.time([&] { bare_->play_up(splits_, 0); });
       down_bare.time([&] { bare_->play_down(splits_, 0); });
       progress.at(i);
@@ -260,14 +260,14 @@ class Replay {
 
   // ---- the checks
   std::vector<Corners> bare_triangles() {
-    mesh_ = plan_.base();
+    mesh_ = prepared_.base();
     bare_->play_up(splits_, 0);
     return triangles_of(mesh_);
   }
 
   void check_top(const std::vector<Corners>& original) {
     start_from_base();
-    upkeep_->play_up(splits_, 0);
+    maintainer_->play_up(splits_, 0);
     for (std::string& fault : find_faults(mesh_)) report_.faults.push_back(std::move(fault));
     const std::vector<Corners> expected = sorted_triangles(original);
     if (sorted_triangles(triangles_of(mesh_)) != expected)
@@ -281,7 +281,7 @@ class Replay {
     Cycle cycle;
     cycle.number = cycle_ = number;
     const auto compare = [this](std::size_t at) {  // with the strips that a baked mesh had there before
-      if (!plan_.way().bakes) return;
+      if (!prepared_.method().bakes) return;
       ++report_.levels_compared;
       if (hash_of_strips() != hashes_[at])
         report_.faults.push_back(
@@ -308,13 +308,13 @@ class Replay {
     return fnv1a({reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(std::uint32_t)});
   }
 
-  const Plan& plan_;
+  const PreparedMethod& prepared_;
   const std::vector<Record>& splits_;
   ReplayOptions options_;
   StripMesh mesh_;
-  std::optional<Trace> trace_;  // written by the upkeep
-  std::unique_ptr<Upkeep> upkeep_;
-  std::unique_ptr<Upkeep> bare_;       // on the same mesh
+  std::optional<Trace> trace_;  // written by the maintainer
+  std::unique_ptr<Maintainer> maintainer_;
+  std::unique_ptr<Maintainer> bare_;   // on the same mesh
   std::size_t cycle_ = 0;              // the number of the current one
   std::vector<std::uint64_t> hashes_;  // of the strips at each reported level, if baked
   ReplayReport report_;
@@ -343,8 +343,9 @@ std::vector<std::size_t> level_sizes(std::size_t base_triangles, std::size_t fin
   return sizes;
 }
 
-ReplayReport replay(const Plan& plan, const std::vector<Corners>& original, const ReplayOptions& options) {
-  return Replay(plan, options).run(original);
+ReplayReport replay(const PreparedMethod& prepared, const std::vector<Corners>& original,
+                    const ReplayOptions& options) {
+  return Replay(prepared, options).run(original);
 }
 
 }  // namespace restrip::tools

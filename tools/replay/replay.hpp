@@ -1,5 +1,5 @@
-// Replays a progressive mesh from its base to its finest level and back, keeping the strips in one way (ways.hpp), and
-// measures and checks it.
+// Replays a progressive mesh from its base to its finest level and back, keeping the strips by one method
+// (methods.hpp), and measures and checks it.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "meshes/soup.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 
 namespace restrip::tools {
 
@@ -84,11 +84,11 @@ struct ReplayReport {
   [[nodiscard]] bool valid() const noexcept { return faults.empty(); }
 };
 
-/// Starts at the base of the plan and replays every split. At the finest level, it checks the colouring from scratch,
+/// Starts at the base and replays every split. At the finest level, it checks the colouring from scratch,
 /// decodes the index buffer, and compares the triangles with `original` (as a set of oriented triangles; if empty, with
 /// a replay without rules). Baked strips go down and up again at least once, and every reported level must then have,
 /// byte for byte, the same strips as before.
-[[nodiscard]] ReplayReport replay(const Plan& plan, const std::vector<Corners>& original,
+[[nodiscard]] ReplayReport replay(const PreparedMethod& prepared, const std::vector<Corners>& original,
                                   const ReplayOptions& options = {});
 
 }  // namespace restrip::tools

@@ -36,8 +36,8 @@ Account count(const StripMesh& mesh) {
 /// steps can be left out and the others stay meaningful.
 class Walker {
  public:
-  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginUpkeep& begin)
-      : mesh_(mesh), seed_(seed), home_size_(home_size), upkeep_(begin(mesh)) {}
+  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginMaintainer& begin)
+      : mesh_(mesh), seed_(seed), home_size_(home_size), maintainer_(begin(mesh)) {}
 
   /// Takes one step. Returns the fault that it caused, if any.
   std::string step(std::uint64_t number) {
@@ -53,8 +53,8 @@ class Walker {
     return try_flip(h);
   }
 
-  /// Checks the whole mesh, the reported changes of strips and isolated triangles, and the upkeep's data. `start`: the
-  /// counts before the first step.
+  /// Checks the whole mesh, the reported changes of strips and isolated triangles, and the maintainer's data. `start`:
+  /// the counts before the first step.
   [[nodiscard]] std::string whole_fault(const Account& start) const {
     const std::vector<std::string> faults = find_faults(mesh_);
     if (!faults.empty()) return faults.front();
@@ -65,7 +65,7 @@ class Walker {
     if (there.isolated != expected.isolated)
       return fmt::format("{} isolated triangles, but the operations' own account says {}", there.isolated,
                          expected.isolated);
-    return upkeep_->fault();
+    return maintainer_->fault();
   }
 
   WalkReport report;
@@ -100,7 +100,7 @@ class Walker {
     };
     last_ = fmt::format("split {}, left {}, right {}", v, end(where.spokes != Split::Spokes::right_only, where.left),
                         end(where.spokes != Split::Spokes::left_only, where.right));
-    const auto done = upkeep_->split(where, none, no_record);
+    const auto done = maintainer_->split(where, none, no_record);
     ++report.splits;
     report.isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), none, none});
@@ -109,7 +109,7 @@ class Walker {
   std::string try_collapse(Halfedge chord) {
     if (check_collapse(mesh_, chord) != Refusal::granted) return refuse();
     last_ = fmt::format("collapse {} -> {}", mesh_.from(chord), mesh_.to(chord));
-    const auto done = upkeep_->collapse(chord, no_record);
+    const auto done = maintainer_->collapse(chord, no_record);
     ++report.collapses;
     report.isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), none, none, none});
@@ -119,7 +119,7 @@ class Walker {
     if (check_flip(mesh_, h) != Refusal::granted) return refuse();
     last_ = fmt::format("flip {} -> {}", mesh_.from(h), mesh_.to(h));
     const std::array<Vertex, 2> ends{mesh_.from(h), mesh_.to(h)};
-    const auto done = upkeep_->flip(h);
+    const auto done = maintainer_->flip(h);
     ++report.flips;
     report.flips_isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), ends[0], ends[1]});
@@ -131,7 +131,7 @@ class Walker {
   }
 
   std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
-    const Repair between = upkeep_->between();
+    const Repair between = maintainer_->between();
     reported = reported + Account{done.strips + between.strips, done.isolated + between.isolated};
     for (const Vertex v : around) {
       if (v == none) continue;
@@ -143,7 +143,7 @@ class Walker {
   StripMesh& mesh_;
   std::uint64_t seed_;
   std::size_t home_size_;
-  std::unique_ptr<Upkeep> upkeep_;
+  std::unique_ptr<Maintainer> maintainer_;
   std::string last_;
   std::vector<Halfedge> spokes_;
 };
@@ -156,7 +156,7 @@ struct Camp {
 };
 
 std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_step, std::size_t home_size,
-                                        const WalkOptions& options, const BeginUpkeep& begin) {
+                                        const WalkOptions& options, const BeginMaintainer& begin) {
   std::vector<std::uint64_t> steps;
   for (std::uint64_t step = camp.step; step <= last_step; ++step) steps.push_back(step);
   std::vector<std::string> trace;
@@ -184,7 +184,7 @@ std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_ste
 
 }  // namespace
 
-WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& begin) {
+WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintainer& begin) {
   if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
     WalkReport report;
     report.options = options;

@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "replay/upkeep.hpp"
+#include "replay/maintainer.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::tools {
 
-/// Starts the upkeep under test on a mesh; the search for a short trace starts it on copies. Tests supply faulty ones.
-using BeginUpkeep = std::function<std::unique_ptr<Upkeep>(StripMesh&)>;
+/// Starts the maintainer under test on a mesh; the search for a short trace starts it on copies. Tests supply faulty
+/// ones.
+using BeginMaintainer = std::function<std::unique_ptr<Maintainer>(StripMesh&)>;
 
 struct WalkOptions {
   std::uint64_t steps = 10'000;
@@ -41,6 +42,6 @@ struct WalkReport {
 
 /// Walks on `mesh`, whose colouring must be valid, and leaves it in its final state. The mesh keeps about its size.
 /// Step i depends only on the seed, i and the mesh.
-[[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& begin);
+[[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintainer& begin);
 
 }  // namespace restrip::tools

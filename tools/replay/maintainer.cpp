@@ -1,8 +1,22 @@
-#include "replay/upkeep.hpp"
+#include "replay/maintainer.hpp"
 
 #include <algorithm>
 
 namespace restrip::tools {
+
+void Maintainer::play_up(std::span<const Record> records, std::size_t first) {
+  for (const Record& record : records) {
+    split_silently(spokes_of(mesh_, record), record.v_t, first++);
+    between();
+  }
+}
+
+void Maintainer::play_down(std::span<const Record> records, std::size_t first) {
+  for (std::size_t i = records.size(); i-- > 0;) {
+    collapse_silently(mesh_.spoke(records[i].v_s, records[i].v_t), first + i);
+    between();
+  }
+}
 
 Witness::Count Witness::count(const StripMesh& mesh, Edges elsewhere) {
   const auto once = [](std::vector<Triangle>& triangles) {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "lod/coloring_check.hpp"
-#include "replay/ways.hpp"
+#include "replay/methods.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/strip_locator.hpp"
@@ -57,46 +57,16 @@ Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, boo
 
 /// With `tunnel`, tunnels from isolated triangles while they exceed a tenth of the strips, the threshold in Porcu,
 /// Sanna, Scateni, "Efficiently keeping an optimal stripification over a CLOD mesh", 2005.
-class Paper : public PlainOperations {
+class Paper final : public WitnessedMaintainer {
  public:
-  Paper(StripMesh& mesh, bool join, bool tunnel) : mesh_(mesh), join_(join) {
+  Paper(StripMesh& mesh, bool join, bool tunnel) : WitnessedMaintainer(mesh), join_(join) {
     if (tunnel) {
       locator_.emplace();
-      restart(0);
+      Paper::restart(0);
     }
   }
 
-  Halfedge split(const Where& where, Vertex v_t, std::size_t) {
-    fan_triangles(mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
-    before();
-    const Halfedge chord = split_as_the_paper(mesh_, where, v_t, join_);
-    edge_triangles(mesh_, chord, patch_);
-    after();
-    return chord;
-  }
-  Halfedge collapse(Halfedge chord, std::size_t) {
-    edge_triangles(mesh_, chord, patch_);
-    before();
-    const Halfedge spoke = restrip::collapse(mesh_, chord).halfedge;
-    fan_triangles(mesh_, spoke, patch_);
-    after();
-    return spoke;
-  }
-  Halfedge flip(Halfedge h) {
-    patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_.opposite(h))});
-    before();
-    const Halfedge turned = restrip::flip(mesh_, h).halfedge;
-    after();
-    // It may give ports up and so isolate a triangle next to the patch.
-    for (const Triangle t : patch_)
-      for (unsigned side = 0; side < 3; ++side)
-        if (const Halfedge across = mesh_.opposite(StripMesh::halfedge(t, side));
-            locator_ && !StripMesh::on_boundary(across))
-          note(StripMesh::triangle(across));
-    return turned;
-  }
-
-  Repair between() {
+  Repair between() override {
     if (!locator_) return {};
     // Some are in a strip by now, some were noted twice, some no longer exist.
     const auto too_many = [&](std::size_t isolated) { return 10 * isolated > locator_->strips(); };
@@ -115,16 +85,46 @@ class Paper : public PlainOperations {
     return {-static_cast<int>(strips - locator_->strips()), static_cast<int>(tunnel_.counts().isolated - isolated)};
   }
 
-  void restart(std::size_t) {
+  void restart(std::size_t) override {
     if (!locator_) return;
     locator_->rebuild(mesh_);
     alone_.clear();
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) note(t);
   }
-  [[nodiscard]] std::string fault() const { return locator_ ? find_fault(mesh_, *locator_) : std::string(); }
+  [[nodiscard]] std::string fault() const override { return locator_ ? find_fault(mesh_, *locator_) : std::string(); }
 
  private:
   static constexpr std::uint32_t short_tunnel = 50;  // states: chains of about four moves
+
+  Halfedge do_split(const Where& where, Vertex v_t) override {
+    fan_triangles(mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
+    before();
+    const Halfedge chord = split_as_the_paper(mesh_, where, v_t, join_);
+    edge_triangles(mesh_, chord, patch_);
+    after();
+    return chord;
+  }
+  Halfedge do_collapse(Halfedge chord) override {
+    edge_triangles(mesh_, chord, patch_);
+    before();
+    const Halfedge spoke = restrip::collapse(mesh_, chord).halfedge;
+    fan_triangles(mesh_, spoke, patch_);
+    after();
+    return spoke;
+  }
+  Halfedge do_flip(Halfedge h) override {
+    patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_.opposite(h))});
+    before();
+    const Halfedge turned = restrip::flip(mesh_, h).halfedge;
+    after();
+    // It may give ports up and so isolate a triangle next to the patch.
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge across = mesh_.opposite(StripMesh::halfedge(t, side));
+            locator_ && !StripMesh::on_boundary(across))
+          note(StripMesh::triangle(across));
+    return turned;
+  }
 
   [[nodiscard]] bool alone(Triangle t) const { return mesh_.alive(t) && mesh_.solid_degree(t) == 0; }
   void note(Triangle t) {
@@ -139,7 +139,6 @@ class Paper : public PlainOperations {
     for (const Triangle t : patch_) note(t);
   }
 
-  StripMesh& mesh_;
   bool join_;
   std::optional<StripLocator> locator_;  // of the variants that tunnel
   Tunnel tunnel_;
@@ -147,20 +146,21 @@ class Paper : public PlainOperations {
   std::vector<Triangle> alone_;  ///< every isolated triangle, and some that are not isolated any more
 };
 
-Way way(const char* name, const char* says, bool join, bool tunnel) {
-  return {name, says, Way::Kind::paper, [join, tunnel](StripMesh& mesh, const Beginning&) {
-            return std::make_unique<UpkeepBy<Paper>>(mesh, join, tunnel);
+Method method(const char* name, const char* description, bool join, bool tunnel) {
+  return {name, description, Method::Kind::paper,
+          [join, tunnel](StripMesh& mesh, const MaintainerInputs&) -> std::unique_ptr<Maintainer> {
+            return std::make_unique<Paper>(mesh, join, tunnel);
           }};
 }
 
 }  // namespace
 
-std::vector<Way> paper_ways() {
-  return {way("paper", "4-vertex rules; elsewhere colours are inherited, two isolated triangles join", true, false),
-          way("paper-alone", "the same, but the two new triangles never join", false, false),
-          way("paper-tunnel", "as paper, with short tunnels while over a tenth of the strips are isolated triangles",
-              true, true),
-          way("paper-alone-tunnel", "as paper-alone, with the same tunnels", false, true)};
+std::vector<Method> paper_methods() {
+  return {method("paper", "4-vertex rules; elsewhere colours are inherited, two isolated triangles join", true, false),
+          method("paper-alone", "the same, but the two new triangles never join", false, false),
+          method("paper-tunnel", "as paper, with short tunnels while over a tenth of the strips are isolated triangles",
+                 true, true),
+          method("paper-alone-tunnel", "as paper-alone, with the same tunnels", false, true)};
 }
 
 }  // namespace restrip::tools
