@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
+#include "restrip/search/policy.hpp"
 
 namespace restrip {
 
@@ -33,6 +35,14 @@ inline VertexSplit<StripMesh::Halfedge> random_split(const StripMesh& mesh, Stri
     (where.spokes == Spokes::left_only ? where.right : where.left) = {};
   }
   return where;
+}
+
+/// The policies that search after a rule, which are those that weigh more than strips.
+inline std::vector<Policy> searching_policies() {
+  std::vector<Policy> found;
+  for (const PolicyRow& row : policies)
+    if (row.plan.limits.looks > 0) found.push_back(row.policy);
+  return found;
 }
 
 /// Strips and isolated triangles of the whole mesh: what operations report must add up to them.

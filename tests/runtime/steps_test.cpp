@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "random_operation.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -50,10 +52,10 @@ Where middle_of_the_fan(const StripMesh& mesh, Vertex k) {
 }
 
 TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
-  constexpr Policy policies[] = {Policy::local, Policy::quick, Policy::full, Policy::best};
+  const std::vector<Policy> policies = searching_policies();
   for (const bool zigzags : {true, false}) {
-    Work split[std::size(policies)][2];
-    Work collapse[std::size(policies)][2];
+    std::vector<std::array<Work, 2>> split(policies.size());
+    std::vector<std::array<Work, 2>> collapse(policies.size());
     for (const unsigned size : {0U, 1U}) {
       const Vertex k = 16'000U << size;
       StripMesh start = zigzags ? zigzag(k) : sample::double_cone(k);
@@ -62,7 +64,7 @@ TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
       if (zigzags) {
         ASSERT_EQ(check_coloring(start).strips, 1U);
       }
-      for (std::size_t p = 0; p < std::size(policies); ++p) {
+      for (std::size_t p = 0; p < policies.size(); ++p) {
         StripMesh mesh = start;
         Keeper keeper(mesh, policies[p], Cost::strips());
         Halfedge chord;
@@ -72,7 +74,7 @@ TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
         ASSERT_EQ(keeper.strips(), check_coloring(mesh).strips);
       }
     }
-    for (std::size_t p = 0; p < std::size(policies); ++p) {
+    for (std::size_t p = 0; p < policies.size(); ++p) {
       SCOPED_TRACE("policy " + std::to_string(p) + (zigzags ? ", zigzag" : ", stripified"));
       EXPECT_TRUE(grows_at_most(linear, split[p][0], split[p][1]));
       EXPECT_TRUE(grows_at_most(linear, collapse[p][0], collapse[p][1]));
@@ -271,7 +273,7 @@ TEST(Complexity, WindowsDoNotDependOnTheSizeOfTheMesh) {
 }
 
 TEST(Complexity, OperationsAllocateNothing) {
-  for (const Policy policy : {Policy::local, Policy::quick, Policy::full, Policy::best}) {
+  for (const Policy policy : searching_policies()) {
     StripMesh mesh = sample::double_cone(40);
     stripify(mesh, Effort::fast, Cost::strips());
     mesh.reserve(200, 200);

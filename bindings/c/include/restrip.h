@@ -212,13 +212,13 @@ RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t eff
 /* Policies: the steps after the rule of an operation, for RESTRIP_FEWEST_INDICES, and the time of all, relative to the
  * mesh update alone. README.md explains the words. */
 enum {
-  RESTRIP_POLICY_BARE = 0,  /* no rule, dual edges of changed triangles become dashed; 1 */
-  RESTRIP_POLICY_RULES = 1, /* nothing; 2 */
-  RESTRIP_POLICY_LOCAL = 2, /* 4 looks at the strip ends of the patch; 2 to 5 */
-  RESTRIP_POLICY_QUICK = 3, /* 12 looks, chains of 8 moves; 9 to 30 */
-  RESTRIP_POLICY_FULL = 4,  /* 70 looks, around the patch as well; 40 to 200 */
-  RESTRIP_POLICY_BEST = 5,  /* the same, then an exact window of 40 triangles; 500 to 1,000 */
-  RESTRIP_POLICY_BAKED = 6  /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
+  RESTRIP_POLICY_BARE = 0,   /* no rule, dual edges of changed triangles become dashed; 1 */
+  RESTRIP_POLICY_RULES = 1,  /* nothing; 2 */
+  RESTRIP_POLICY_LOCAL = 2,  /* 4 looks at the strip ends of the patch; 2 to 5 */
+  RESTRIP_POLICY_QUICK = 3,  /* 12 looks, chains of 8 moves; 9 to 30 */
+  RESTRIP_POLICY_FULL = 4,   /* 70 looks, around the patch as well; 40 to 200 */
+  RESTRIP_POLICY_BEST = 5,   /* the same, then an exact window of 40 triangles; 500 to 1,000 */
+  RESTRIP_POLICY_BAKED = 255 /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
 /* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A
  * baked mesh leaves its levels. O(T). After an error the policy is unchanged. */

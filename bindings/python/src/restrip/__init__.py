@@ -16,7 +16,7 @@ import numbers
 import operator
 import sys
 import warnings
-from typing import Callable, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Callable, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -32,7 +32,7 @@ Progress = Callable[[int, int, int], Optional[bool]]
 
 _COSTS = {"strips": (1, 0, 0), "indices": (3, 1, 0)}
 _EFFORTS = ("fast", "full", "best")
-_POLICIES = ("bare", "rules", "local", "quick", "full", "best")
+_POLICIES = {"bare": 0, "rules": 1, "local": 2, "quick": 3, "full": 4, "best": 5}
 _FORMATS = ("restart", "stitched", "strips", "vtk")
 _FORMS = {"restart": 0, "stitched": 1, "list": 3}
 _LENGTHS = 2
@@ -97,10 +97,10 @@ class Simplified(NamedTuple):
     report: Report
 
 
-def _one_of(what: str, value: str, known: Sequence[str]) -> int:
+def _one_of(what: str, value: str, known: Union[Sequence[str], Dict[str, int]]) -> int:
     if value not in known:
         raise ValueError(f"{what} {value!r}: expected one of {', '.join(known)}")
-    return known.index(value)
+    return known[value] if isinstance(known, dict) else known.index(value)
 
 
 def _weight(value) -> float:
@@ -125,8 +125,7 @@ def _number(what: str, value, most: int = NONE) -> int:
 
 
 def _form(form: str) -> int:
-    _one_of("form", form, tuple(_FORMS))
-    return _FORMS[form]
+    return _one_of("form", form, _FORMS)
 
 
 def _cost(cost: Cost) -> lib.Cost:

@@ -8,7 +8,7 @@
 
 namespace restrip {
 
-/// Each searches further than the one before it.
+/// The numbers are the codes of the C interface, so a new policy comes last. The order is that of policy.hpp.
 enum class Policy : std::uint8_t { bare, rules, local, quick, full, best };
 
 /// The default policy, chosen for default_cost (mesh/cost.hpp).

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Writes the copies of the table of policies (runtime/include/restrip/search/policy.hpp), or compares them with it (--check).
+
+The copies: README's table, the codes in restrip.h, the types of JavaScript, the names in Python.
+"""
+import argparse
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SEARCH = ROOT / "runtime/include/restrip/search"
+
+
+class Row:
+    def __init__(self, code, name, says, says_indices, state, price):
+        self.code, self.name, self.says, self.says_indices, self.state, self.price = code, name, says, says_indices, state, price
+
+
+def rows():
+    """In the order of the table; the code is the number in the enumeration."""
+    names = re.search(r"enum class Policy[^{]*\{([^}]*)\}", (SEARCH / "effort.hpp").read_text())[1].replace(" ", "").split(",")
+    text = (SEARCH / "policy.hpp").read_text()
+    found = re.findall(r"PolicyRow\{\s*Policy::(\w+),((?:\s*\"[^\"]*\",){5})", text)
+    listed = [Row(names.index(policy), *re.findall(r'"([^"]*)"', texts)) for policy, texts in found]
+    if sorted(row.code for row in listed) != list(range(len(names))):
+        sys.exit("policies.py: the table does not have one row for each policy of the enumeration")
+    return listed
+
+
+def most(what):
+    return re.search(rf"most_{what}_added = (\d+)", (SEARCH / "policy.hpp").read_text())[1]
+
+
+def readme(listed):
+    def bounds(row):
+        if row.name == "bare":
+            return ["–", "–"]
+        return [most("strips"), "grows with the valence" if row.name == "rules" else most("indices")]
+    return "".join("| " + " | ".join([f"`{row.name}`", row.says, row.says_indices, row.state, row.price, *bounds(row)]) + " |\n"
+                   for row in listed)
+
+
+def c(listed):
+    def says(row):
+        return "no rule, dual edges of changed triangles become dashed" if row.name == "bare" else row.says_indices
+    heads = [f"  RESTRIP_POLICY_{row.name.upper()} = {row.code}," for row in listed]
+    heads.append("  RESTRIP_POLICY_BAKED = 255")
+    comments = [f"/* {says(row)}; {row.price} */\n" for row in listed]
+    comments.append("/* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */\n")
+    width = max(map(len, heads))
+    return "".join(f"{head:{width}} {comment}" for head, comment in zip(heads, comments))
+
+
+def quoted(listed, quote, between):
+    return between.join(quote + row.name + quote for row in listed)
+
+
+COPIES = [  # a file, what is before the copy, what is after it, and the copy
+    ("README.md", r"<!-- tested: cross\.policies -->\n\|[^\n]*\n\|[^\n]*\n", r"<!-- /tested -->", readme),
+    ("bindings/c/include/restrip.h", r"enum \{\n(?=  RESTRIP_POLICY_)", r"\};\n", c),
+    ("bindings/js/restrip.d.ts", r"export type Policy = ", r" \| 'baked';", lambda listed: quoted(listed, "'", " | ")),
+    ("bindings/python/src/restrip/__init__.py", r"\n_POLICIES = \{", r"\}\n", lambda listed: ", ".join(f'"{row.name}": {row.code}' for row in listed)),
+    ("bindings/python/src/restrip/__init__.py", r"    `policy` \(", r": docs/reference/policies\.md", lambda listed: quoted(listed, '"', ", ")),
+]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     epilog="Example: scripts/policies.py --check")
+    parser.add_argument("--check", action="store_true", help="write nothing; exit status 1 if a copy differs")
+    arguments = parser.parse_args()
+    listed = rows()
+    stale = []
+    for file, before, after, copy in COPIES:
+        path = ROOT / file
+        text = path.read_text(encoding="utf-8")
+        place = re.search(f"({before})(.*?)({after})", text, re.S)
+        if not place:
+            sys.exit(f"policies.py: {file} has no place for the policies: {before}")
+        if place[2] != copy(listed):
+            stale.append(file)
+            if not arguments.check:
+                path.write_text(text[:place.start(2)] + copy(listed) + text[place.end(2):], encoding="utf-8", newline="\n")
+    if arguments.check and stale:
+        sys.exit(f"policies.py: not as in policy.hpp: {', '.join(stale)}; run scripts/policies.py")
+
+
+if __name__ == "__main__":
+    main()
