@@ -1,8 +1,9 @@
-// Claim: the page's modules are the programs. For every operation file of the project, for families, and for 50 random
-// operations, the modules write the same certificate, header and tables in other languages, and the verifier's claims
+// Claim: the page's module is the programs. For every operation file of the project, for families, and for 50 random
+// operations, the module writes the same certificate, header and tables in other languages, and the verifier's claims
 // and its last line are the same, byte by byte. Files with mistakes are refused in the same words. Of 200 certificates
 // with one rule changed, and sealed again, the module and the program say the same: first line, claims, counterexamples.
-//   node maker_test.mjs WEB_FOLDER RESTRIP_GENERATE RESTRIP_VERIFY NAUTY SCRATCH; NAUTY: yes if the module has it
+// The module without nauty makes the same files and, but for the orbits counted again, the same claims.
+//   node maker_test.mjs WEB_FOLDER RESTRIP_GENERATE RESTRIP_VERIFY MODULE MODULE_WITHOUT_NAUTY SCRATCH
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -12,20 +13,25 @@ import { sealed } from '../../web/maker/certificate.mjs';
 import { judged, made, program } from '../../web/maker/programs.mjs';
 import { randomOperation } from './random_operations.mjs';
 
-const [folder, generateProgram, verifyProgram, hasNauty, scratch] = process.argv.slice(2);
+const [, generateProgram, verifyProgram, module, plainModule, scratch] = process.argv.slice(2);
 const root = fileURLToPath(new URL('../../', import.meta.url));
 rmSync(scratch, { recursive: true, force: true });
 mkdirSync(scratch, { recursive: true });
-const compiled = (name) => WebAssembly.compile(readFileSync(join(folder, 'maker', name)));
+const hasNauty = module !== plainModule;
 let heard = [];
-const modules = { generate: await program(await compiled('generate.wasm')), judge: await program(await compiled('judge.wasm'), (one) => heard.push(one)) };
+const started = async (file, listen) => {
+  const compiled = await WebAssembly.compile(readFileSync(file));
+  return { generate: await program(compiled, 'generate'), judge: await program(compiled, 'judge', listen) };
+};
+const modules = await started(module, (one) => heard.push(one));
+const plain = await started(plainModule);
 const languages = ['c++', 'c', 'glsl', 'json', 'rust', 'wgsl'];
 
 const run = (program, ...words) => spawnSync(program, words, { cwd: scratch, encoding: 'utf8', maxBuffer: 1 << 28 });
 /// Claims without their times. Without nauty the module counts orbits once, so the claim that they were counted again
 /// is missing.
-const untimed = (claims) => claims.filter(({ claim }) => hasNauty === 'yes' || claim !== 'the orbits, counted again').map(({ seconds, ...rest }) => rest);
-const lastLine = (line) => (hasNauty === 'yes' ? line : line.replace(/\d+ claims/, 'claims'));
+const untimed = (claims) => claims.filter(({ claim }) => hasNauty || claim !== 'the orbits, counted again').map(({ seconds, ...rest }) => rest);
+const lastLine = (line) => (hasNauty ? line : line.replace(/\d+ claims/, 'claims'));
 
 /// The verdict of the program on files of the scratch folder.
 function nativeVerdict(name, certificate, header, words = []) {
@@ -87,6 +93,16 @@ for (let n = 0; n < 50; ++n) {
   else operations.set(`random-${n}.json`, [text, mine]);
 }
 assert.ok(refused < 25 && shapes.size > 20, `${refused} refused, ${shapes.size} shapes`);
+
+// ---- without nauty
+for (const [name, [text, mine]] of operations) {
+  const other = await made(plain, name, text, { languages });
+  for (const one of ['error', 'files', 'bytes', 'report']) assert.deepEqual(other[one], mine[one], `${name}: ${one} without nauty`);
+  const again = 'the orbits, counted again';
+  const claims = (verdict) => verdict.claims.filter(({ claim }) => claim !== again).map(({ seconds, ...rest }) => rest);
+  assert.deepEqual(claims(other.verdict), claims(mine.verdict), name);
+  assert.ok(!other.verdict.claims.some(({ claim }) => claim === again), name);
+}
 
 // ---- files with mistakes: the same sentence, with line, column and member
 const good = [...operations.values()][0][0];

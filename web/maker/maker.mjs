@@ -23,8 +23,8 @@ const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '
 class Programs {
   #id = 0;
   #waiting = new Map();
-  constructor(modules) {
-    this.modules = modules;
+  constructor(compiled) {
+    this.compiled = compiled;
     this.address = URL.createObjectURL(new Blob([field('worker').textContent], { type: 'text/javascript' }));
     this.#start();
   }
@@ -36,7 +36,7 @@ class Programs {
       this.#waiting.delete(id);
       one?.resolve(answer);
     };
-    this.worker.postMessage(this.modules);
+    this.worker.postMessage({ compiled: this.compiled });
   }
   ask(question, heard = () => {}) {
     return new Promise((resolve) => {
@@ -367,9 +367,8 @@ class Page {
   }
 }
 
-const [generate, judge, linked] = await Promise.all([...['generate-wasm', 'judge-wasm'].map(async (id) => WebAssembly.compile(await embedded(id))),
-  Page.linked().catch(() => null)]);
-const page = new Page(new Programs({ generate, judge }));
+const [compiled, linked] = await Promise.all([embedded('wasm').then(WebAssembly.compile), Page.linked().catch(() => null)]);
+const page = new Page(new Programs(compiled));
 window.restripMaker = page;
 const first = linked && (() => { try { return Drawing.of(linked.text, linked.places); } catch { return null; } })();
 if (!first) field('example').value = 'Face split';

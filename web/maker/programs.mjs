@@ -1,4 +1,4 @@
-// Generator and verifier: the two modules of module/, each a program that answers one request at a time.
+// Generator and verifier: the module of module/, started once for each, answering one request at a time.
 
 /// What WASI offers to a program without files, arguments and environment: time, and a place for complaints.
 function system(module, memory, complain) {
@@ -26,9 +26,9 @@ function system(module, memory, complain) {
   return Object.fromEntries(wanted.map(({ name }) => [name, calls[name] ?? (() => notSupported)]));
 }
 
-/// A function from requests to answers. `compiled`: generate.wasm or judge.wasm; `heard`: progress ({ label, done, total })
-/// and claims ({ claim, … }) while it works. An answer with `error` has the sentence that the program would print.
-export async function program(compiled, heard = () => {}) {
+/// A function from requests to answers. `command`: "generate" or "judge"; `heard`: progress ({ label, done, total }) and
+/// claims ({ claim, … }) while it works. An answer with `error` has the sentence that the program would print.
+export async function program(compiled, command, heard = () => {}) {
   let complaints = '';
   let exports = null;
   const text = (at, size) => new TextDecoder().decode(new Uint8Array(exports.memory.buffer, at, size));
@@ -50,7 +50,7 @@ export async function program(compiled, heard = () => {}) {
       const bytes = new TextEncoder().encode(JSON.stringify(request));
       const at = exports.maker_take(bytes.length);
       new Uint8Array(exports.memory.buffer, at, bytes.length).set(bytes);
-      exports.maker_answer(at, bytes.length);
+      exports[`maker_${command}`](at, bytes.length);
       return JSON.parse(text(exports.maker_text(), exports.maker_size()));
     } catch (error) {
       const why = complaints.trim() || error.message;

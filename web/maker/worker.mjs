@@ -4,9 +4,9 @@ import { judged, made, program } from './programs.mjs';
 let programs = null;
 let asking = 0;
 onmessage = async ({ data }) => {
-  if (data.generate) {
+  if (data.compiled) {
     const heard = (one) => postMessage({ id: asking, heard: one });
-    programs = Promise.all([program(data.generate, heard), program(data.judge, heard)]).then(([generate, judge]) => ({ generate, judge }));
+    programs = Promise.all(['generate', 'judge'].map((command) => program(data.compiled, command, heard))).then(([generate, judge]) => ({ generate, judge }));
     return;
   }
   const { id, what, name, text, options, request } = data;

@@ -10,16 +10,13 @@
 #define MAKER_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 namespace {
-std::string answer;
-}  // namespace
 
-MAKER_EXPORT(maker_take)
-void* maker_take(std::uint32_t bytes) { return std::malloc(bytes); }
+std::string answer;
 
 /// The member `files` of a request has the files that the command reads, by name. If the command throws, the answer has
 /// its sentence as `error`.
-MAKER_EXPORT(maker_answer)
-void maker_answer(char* request, std::uint32_t bytes) {
+template <class Command>
+void run(char* request, std::uint32_t bytes, const Command& command) {
   nlohmann::ordered_json out;
   try {
     const nlohmann::json asked = nlohmann::json::parse(std::string_view(request, bytes));
@@ -27,12 +24,22 @@ void maker_answer(char* request, std::uint32_t bytes) {
     auto& files = restrip::maker::memory_files();
     files.clear();
     for (const auto& [name, text] : asked.at("files").items()) files[name] = text.get<std::string>();
-    out = restrip::maker::answer_of(asked);
+    out = command(asked);
   } catch (const std::exception& error) {
     out = {{"error", error.what()}};
   }
   answer = out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
+
+}  // namespace
+
+MAKER_EXPORT(maker_take)
+void* maker_take(std::uint32_t bytes) { return std::malloc(bytes); }
+
+MAKER_EXPORT(maker_generate)
+void maker_generate(char* request, std::uint32_t bytes) { run(request, bytes, restrip::maker::generated); }
+MAKER_EXPORT(maker_judge)
+void maker_judge(char* request, std::uint32_t bytes) { run(request, bytes, restrip::maker::judged); }
 
 MAKER_EXPORT(maker_text)
 const char* maker_text() { return answer.data(); }

@@ -1,7 +1,9 @@
-// The module of the verifier: `restrip-verify --operation`, and `restrip-verify explain` for operations with one
+// The verifier: `restrip-verify --operation`, and `restrip-verify explain` for operations with one
 // position.
 //   {files, operation, certificate, header}  ->  {claims: […], failed: 0, last: "verified: …"}
 //   {files, operation, before, ports, after, ports_after}  ->  what `explain --json` prints; masks are hexadecimal
+#include "verify.hpp"
+
 #include <charconv>
 #include <optional>
 
@@ -9,7 +11,6 @@
 #include "files.hpp"
 #include "model/input.hpp"
 #include "module.hpp"
-#include "verify.hpp"
 
 extern "C" __attribute__((import_module("maker"), import_name("claim"))) void maker_claim(const char* text,
                                                                                           std::uint32_t bytes);
@@ -56,7 +57,7 @@ nlohmann::ordered_json explained(const nlohmann::json& request) {
 
 }  // namespace
 
-nlohmann::ordered_json answer_of(const nlohmann::json& request) {
+nlohmann::ordered_json judged(const nlohmann::json& request) {
   if (request.contains("before")) return explained(request);
   verify::Options options;
   options.threads = 1;

@@ -1,4 +1,4 @@
-// The module of the generator: `restrip-generate rules` of one operation file.
+// The generator: `restrip-generate rules` of one operation file.
 //   {files: {NAME: TEXT}, languages: ["c++", …], max_k: 5 or nothing}  ->
 //   {files: {PATH: TEXT}, bytes: {PATH: [BYTE, …]}, report: […], text: "…"}
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace restrip::maker {
 
-nlohmann::ordered_json answer_of(const nlohmann::json& request) {
+nlohmann::ordered_json generated(const nlohmann::json& request) {
   generator::RulesOptions options;
   for (const auto& [name, text] : request.at("files").items()) options.files.push_back(name);
   if (request.contains("max_k")) options.max_k = request.at("max_k").get<unsigned>();
