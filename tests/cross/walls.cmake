@@ -18,11 +18,11 @@ set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
 # Only the verifying programs write files.
 set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
-# The readers of the program, for JavaScript.
-# The programs of the page "Make a rule": one is the generator's, the other the verifier's; what is below them has neither.
+# The page "Make a rule": one file is the generator's, one the verifier's; what is below them has neither.
 set(door_maker "\"common/[^\"]*\"|<nlohmann/json.hpp>|<stdio.h>")
-set(door_maker_generate "\"operations/write.hpp\"")
-set(door_maker_judge "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"|\"judge/orbits.hpp\"")
+set(door_maker_generator "\"[a-z]+/(made_before|write).hpp\"")
+set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"|\"judge/orbits.hpp\"")
+# The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
@@ -101,8 +101,8 @@ function(judge room source line out)
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
      OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
-     OR source MATCHES "/web/maker/module/generate.cpp$" AND what MATCHES "^(${door_maker_generate})$"
-     OR source MATCHES "/web/maker/module/(judge|no_nauty/orbits).cpp$" AND what MATCHES "^(${door_maker_judge})$"
+     OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"
+     OR source MATCHES "/web/maker/module/(verify|no_nauty/orbits).cpp$" AND what MATCHES "^(${door_maker_verify})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/languages/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"

@@ -8,7 +8,6 @@
 #include "common/output.hpp"
 #include "common/reading.hpp"
 #include "common/report_output.hpp"
-#include "tables/made_before.hpp"
 
 namespace restrip::maker {
 
@@ -52,16 +51,6 @@ void ReportOutput::print(std::string_view text, std::string_view json) const {
 }
 
 }  // namespace restrip::files
-
-namespace restrip::generator {
-
-// Nothing was made before, and no record is kept.
-MadeBefore::MadeBefore(std::filesystem::path /*folder*/, const std::vector<std::string>& /*inputs*/) {}
-bool MadeBefore::has(const std::vector<std::filesystem::path>& /*files*/) const { return false; }
-files::NamedBytes MadeBefore::with(const std::vector<files::NamedBytes>& /*made*/) const { return {file_name, {}}; }
-std::string MadeBefore::sentence() const { return {}; }
-
-}  // namespace restrip::generator
 
 // No process can be started.
 extern "C" FILE* popen(const char* /*command*/, const char* /*mode*/) { return nullptr; }

@@ -6,6 +6,17 @@
 #include "files.hpp"
 #include "module.hpp"
 #include "operations/write.hpp"
+#include "tables/made_before.hpp"
+
+namespace restrip::generator {
+
+// Nothing was made before, and no record is kept.
+MadeBefore::MadeBefore(std::filesystem::path /*folder*/, const std::vector<std::string>& /*inputs*/) {}
+bool MadeBefore::has(const std::vector<std::filesystem::path>& /*files*/) const { return false; }
+files::NamedBytes MadeBefore::with(const std::vector<files::NamedBytes>& /*made*/) const { return {file_name, {}}; }
+std::string MadeBefore::sentence() const { return {}; }
+
+}  // namespace restrip::generator
 
 namespace restrip::maker {
 
