@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True  # nothing but the page is written, least of all 
 
 from results import Results, duration, plain, table, times
 
-PROGRAMS = ["level", "draw", "replay", "batch", "scale"]
+PROGRAMS = ["level", "draw", "replay", "scale"]
 WAYS = ["local", "quick", "full", "baked"]
 RIVALS = {
     "meshopt_ordered": "`meshopt_optimizeVertexCacheStrip`, then `meshopt_stripify`",
@@ -153,16 +153,6 @@ class Page:
     def drawn_without(self):
         return "" if self.r.parts(r"draw/.*/(rm_tristripper)") else " rm_tristripper was not measured: `--tristripper` was not given."
 
-    def batch_speed(self):
-        """Of two threads, of one's speed."""
-        return " and ".join(f"{times(self.r.median('batch/checked_before/1', f'{what}_ns') / self.r.median('batch/checked_before/2', f'{what}_ns'))} ({what}s)"
-                            for what in ("collapse", "split"))
-
-    def batch_csv(self):
-        rows = [(name, *(significant(self.r.median(f"batch/{name}", f"{what}_ns")) for what in ("collapse", "split")))
-                for name in ("loop", "checked_before/1", "checked_before/2", "checking/1", "checking/2")]
-        return [("how/threads", "collapse_ns", "split_ns"), *rows]
-
     # ---- scale
     def sizes(self):
         return [size for size in self.r.parts(r"scale/(\d+)/random/bare")]
@@ -258,7 +248,6 @@ def main():
     text = fill((Path(__file__).parent / "performance.md.in").read_text(), page)
     given.out.mkdir(parents=True, exist_ok=True)
     write_whole(given.out / "results.md", wrapped(text))
-    write_whole(given.out / "results-batches.csv", csv_text(page.batch_csv()))
     write_whole(given.out / "results-scale.csv", csv_text(page.scale_csv()))
 
 

@@ -1,5 +1,7 @@
 #include "shared.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <span>
@@ -11,7 +13,7 @@
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/batch.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/rules/rules.hpp"
 #include "restrip/search/stripify.hpp"
 
@@ -22,13 +24,37 @@ std::filesystem::path file_of(const std::string& name) {
   return settings().meshes / (name == "dragon" ? "dragon_vrip.ply" : name + ".obj");
 }
 
+/// The parts of a mesh that collapses change: the triangles around both ends, and the spokes of the apexes.
+class Claims {
+ public:
+  explicit Claims(const StripMesh& mesh)
+      : mesh_(mesh), triangles_(mesh.triangle_bound(), false), apexes_(mesh.vertex_bound(), false) {}
+
+  /// False, and nothing is claimed, if an earlier collapse changes a part of the same.
+  bool claim(StripMesh::Halfedge chord) {
+    const StripMesh::Halfedge back = mesh_.opposite(chord);
+    edge_triangles(mesh_, chord, patch_);
+    const std::array apexes{mesh_.to(StripMesh::next(chord)), mesh_.to(StripMesh::next(back))};
+    const auto taken = [this](Triangle t) { return triangles_[t]; };
+    if (std::any_of(patch_.begin(), patch_.end(), taken) || apexes_[apexes[0]] || apexes_[apexes[1]]) return false;
+    for (const Triangle t : patch_) triangles_[t] = true;
+    for (const Vertex v : apexes) apexes_[v] = true;
+    return true;
+  }
+
+ private:
+  const StripMesh& mesh_;
+  std::vector<bool> triangles_;
+  std::vector<bool> apexes_;
+  std::vector<Triangle> patch_;
+};
+
 /// Adds a collapse if it is legal, interior and apart from those before, and leaves a fan that the tables know: on real
 /// meshes most splits are of such fans, while the edges of a made mesh, picked at random, would have many larger ones.
-void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Halfedge chord, Sites& sites) {
+void add_site(const StripMesh& mesh, Claims& claims, StripMesh::Halfedge chord, Sites& sites) {
   if (check_collapse(mesh, chord) != Refusal::granted || mesh.leaves_boundary(chord) ||
       mesh.leaves_boundary(mesh.opposite(chord)) ||
-      spoke_count(mesh, mesh.from(chord)) + spoke_count(mesh, mesh.to(chord)) > table_max_k + 4 ||
-      claims.claim(chord, sites.size()))
+      spoke_count(mesh, mesh.from(chord)) + spoke_count(mesh, mesh.to(chord)) > table_max_k + 4 || !claims.claim(chord))
     return;
   const StripMesh::Halfedge back = mesh.opposite(chord);
   sites.chords.push_back(chord);
@@ -135,7 +161,7 @@ const LevelList& level_list(const std::string& name, int percent) {
 
 Sites spread_out_sites(const StripMesh& mesh, std::size_t count) {
   tools::Random random(1);
-  PatchClaims claims(mesh);
+  Claims claims(mesh);
   Sites sites;
   const auto triangles = static_cast<std::uint32_t>(mesh.triangle_bound());
   for (std::size_t tries = 0; sites.size() < count && tries < 16 * count; ++tries) {
@@ -145,7 +171,7 @@ Sites spread_out_sites(const StripMesh& mesh, std::size_t count) {
 }
 
 Sites neighboring_sites(const StripMesh& mesh, std::size_t count) {
-  PatchClaims claims(mesh);
+  Claims claims(mesh);
   Sites sites;
   for (Triangle t = 0; t < mesh.triangle_bound() && sites.size() < count; ++t)
     add_site(mesh, claims, StripMesh::halfedge(t, 0), sites);

@@ -2,7 +2,7 @@
 """Joins the library's headers and tables into one file: everything that restrip/restrip.hpp includes.
 
 With --stand-ins, FILE lies in a folder restrip/, and next to it is written a file for every other header of the library:
-one that includes FILE, for a header that is part of it, and a copy of the others (batches, adapters). So sources that
+one that includes FILE, for a header that is part of it, and a copy of the others (adapters). So sources that
 include single headers, as our tests do, can be compiled against FILE.
 """
 import argparse

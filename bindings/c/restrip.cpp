@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/operations/batch.hpp"
 #include "restrip/restrip.hpp"
 
 namespace restrip::c {
@@ -426,44 +425,6 @@ restrip_status done(restrip_mesh* mesh, restrip_status allowed, restrip_change* 
   });
 }
 
-restrip_status status_of(const BatchReport& report) noexcept {
-  switch (report.fault) {
-    case BatchFault::done:
-      return RESTRIP_OK;
-    case BatchFault::refused:
-      return status_of(report.refusal);
-    case BatchFault::overlap:
-      return RESTRIP_OVERLAP;
-    case BatchFault::vertex_in_use:
-      return RESTRIP_VERTEX_IN_USE;
-    case BatchFault::mixed_names:
-      return RESTRIP_MIXED_NAMES;
-  }
-  return RESTRIP_UNEXPECTED;
-}
-
-/// Does a batch on a copy, because one that runs out of memory leaves its mesh unusable.
-template <class Work>
-restrip_status batch(restrip_mesh* mesh, restrip_change* changes, std::size_t* fault, Work&& work) noexcept {
-  return guarded([&] {
-    StripMesh trial = mesh->mesh;  // not watched
-    const BatchReport report = work(trial);
-    if (!report.done()) {
-      if (fault != nullptr) {
-        fault[0] = report.request;
-        fault[1] = report.other;
-      }
-      return status_of(report);
-    }
-    mesh->recolor([&](StripMesh& own) { own = std::move(trial); });
-    if (changes != nullptr)
-      std::transform(report.rewrites.begin(), report.rewrites.end(), changes, [](const auto& rewrite) {
-        return restrip_change{rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
-      });
-    return restrip_status{RESTRIP_OK};
-  });
-}
-
 // ---- functions that count and fill
 
 template <class Element, class From>
@@ -530,8 +491,6 @@ const char* restrip_describe(restrip_status status) {
       {RESTRIP_BAD_FILE, "the bytes are not a baked mesh, or are damaged"},
       {RESTRIP_NOT_BAKED, "the mesh was not read from a baked mesh"},
       {RESTRIP_OUT_OF_STEP, "the mesh has left its baked levels: restart it"},
-      {RESTRIP_OVERLAP, "two operations of the batch overlap"},
-      {RESTRIP_MIXED_NAMES, "either all splits of a batch name their new vertex, or none does"},
       {RESTRIP_NOT_LIVE, "the mesh has no live buffer: call restrip_live_begin first"},
       {RESTRIP_OUT_OF_MEMORY, "there is not enough memory"},
       {RESTRIP_UNEXPECTED, "an error in restrip"},
@@ -726,27 +685,6 @@ restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfe
 restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&] { return status_of(check_merge(mesh->mesh, {h})); });  // as check_collapse
-}
-
-restrip_status restrip_mesh_split_batch(restrip_mesh* mesh, const restrip_split_request* requests, std::size_t count,
-                                        std::uint32_t threads, restrip_change* changes, std::size_t fault[2]) {
-  if (any_null(mesh) || (requests == nullptr && count != 0)) return RESTRIP_NULL_ARGUMENT;
-  return batch(mesh, changes, fault, [&](StripMesh& own) {
-    std::vector<SplitRequest> all;
-    all.reserve(count);
-    for (const auto& [left, right, v_t] : std::span(requests, count)) all.push_back({where_of(left, right), v_t});
-    return split_batch(own, all, {threads, false});
-  });
-}
-restrip_status restrip_mesh_collapse_batch(restrip_mesh* mesh, const restrip_halfedge* chords, std::size_t count,
-                                           std::uint32_t threads, restrip_change* changes, std::size_t fault[2]) {
-  if (any_null(mesh) || (chords == nullptr && count != 0)) return RESTRIP_NULL_ARGUMENT;
-  return batch(mesh, changes, fault, [&](StripMesh& own) {
-    std::vector<StripMesh::Halfedge> all;
-    all.reserve(count);
-    for (const restrip_halfedge h : std::span(chords, count)) all.push_back({h});
-    return collapse_batch(own, all, {threads, false});
-  });
 }
 
 restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {

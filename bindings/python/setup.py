@@ -36,7 +36,7 @@ class WithLibrary(build_py):
             shutil.copyfile(made, target)
             return
         subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-fPIC", "-shared", "-fvisibility=hidden",
-                        "-fvisibility-inlines-hidden", *shlex.split(os.environ.get("CXXFLAGS", "")), f'-DRESTRIP_VERSION="{VERSION}"', "-pthread",
+                        "-fvisibility-inlines-hidden", *shlex.split(os.environ.get("CXXFLAGS", "")), f'-DRESTRIP_VERSION="{VERSION}"',
                         *(f"-I{folder}" for folder in (C / "include", C, ROOT / "runtime/include", ROOT / "tables/include")),
                         C / "restrip.cpp", "-o", target], check=True)
 

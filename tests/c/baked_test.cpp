@@ -115,13 +115,6 @@ TEST(CBaked, ACustomOperationLeavesTheLevels) {
         EXPECT_EQ(restrip_mesh_bisect(mesh, restrip_mesh_spoke(mesh, 3), &change), RESTRIP_OK);
         return restrip_mesh_merge(mesh, change.halfedge, nullptr);
       },
-      [](restrip_mesh* mesh) {
-        const restrip_split_request request{
-            restrip_mesh_spoke(mesh, 3),
-            restrip_mesh_opposite(mesh, restrip_mesh_next(mesh, restrip_mesh_next(mesh, restrip_mesh_spoke(mesh, 3)))),
-            RESTRIP_NONE};
-        return restrip_mesh_split_batch(mesh, &request, 1, 1, nullptr, nullptr);
-      },
       [](restrip_mesh* mesh) { return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FAST, &fewest_strips, 0, nullptr); },
       [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, &fewest_strips); },
       [](restrip_mesh* mesh) {

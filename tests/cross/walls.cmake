@@ -13,9 +13,8 @@ set(allowed_in_bindings/js "${allowed_in_web}")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(common|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
-# Deliberate exceptions: adapters to other libraries, the other backend of batches.
+# Deliberate exceptions: adapters to other libraries.
 set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
-set(door_parallel_ranges "<tbb/.*>")
 # Only the verifying programs write files.
 set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The page "Make a rule": one file is the generator's, one the verifier's; what is below them has neither.
@@ -98,7 +97,6 @@ function(judge room source line out)
     endif()
   endif()
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
-     OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
      OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
      OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"

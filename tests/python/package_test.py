@@ -283,16 +283,6 @@ class Live(unittest.TestCase):
         with self.assertRaisesRegex(restrip.RestripError, "split: "):
             mesh.split(mesh.find(14, left), mesh.find(14, left))
 
-    def test_batches(self):
-        mesh, one_by_one = restrip.LiveMesh(grid(12), policy="rules"), restrip.LiveMesh(grid(12), policy="rules")
-        chords = [mesh.find(26, 27), mesh.find(31, 32), mesh.find(98, 99)]
-        changes = mesh.collapse_batch(np.array(chords), threads=2)
-        self.assertEqual(changes, [one_by_one.collapse(h) for h in chords])
-        self.assertEqual(mesh.colors.tolist(), one_by_one.colors.tolist())
-        with self.assertRaisesRegex(restrip.RestripError, r"request 1, with 0"):
-            mesh.collapse_batch([mesh.find(40, 41), mesh.find(41, 42)])
-        self.assertEqual(mesh.collapse_batch([]), [])
-
     def test_colors_go_out_and_in(self):
         mesh = restrip.LiveMesh(grid(7), effort="best")
         colors, strips = mesh.colors, mesh.strips()
@@ -356,8 +346,8 @@ class Live(unittest.TestCase):
         for wrong in (5.5, -1, 2 ** 32, "6", None):
             for call in (lambda: mesh.bisect(wrong), lambda: mesh.find(6, wrong), lambda: mesh.spoke(wrong), lambda: mesh.next(wrong), lambda: mesh.opposite(wrong),
                          lambda: mesh.ends(wrong), lambda: mesh.triangle(wrong), lambda: mesh.solid(wrong), lambda: mesh.corners(wrong), lambda: mesh.split(h, wrong),
-                         lambda: mesh.why_not("flip", wrong), lambda: mesh.collapse_batch([wrong]), lambda: mesh.split_batch([(h, wrong, 3)]),
-                         lambda: mesh.collapse_batch([], wrong), lambda: mesh.indices(cache_size=wrong)):
+                         lambda: mesh.why_not("flip", wrong),
+                         lambda: mesh.indices(cache_size=wrong)):
                 with self.assertRaisesRegex(ValueError, f"{wrong!r}: expected an integer from 0 to 4294967295"):
                     call()
         for call in (lambda: mesh.improve(-5), lambda: mesh.improve(2.5), lambda: mesh.begin_buffer(history=-1), lambda: mesh.update(merge_gap=-1)):

@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include "restrip/operations/batch.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/restrip.hpp"
 #include "restrip/tables/operations/bisect.hpp"
@@ -118,7 +117,6 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   EXPECT_REFUSED(split_and_join(mesh, same), "split_and_join", same_spoke);
   EXPECT_REFUSED(split_baked(mesh, same, {}), "split_baked", same_spoke);
   EXPECT_REFUSED(mesh.insert_vertex(same), "StripMesh::insert_vertex", same_spoke);
-  EXPECT_REFUSED((void)detail::TwoSteps::take(mesh, Where::Spokes::both, 3), "StripMesh::take_room", vertex_in_use);
   EXPECT_REFUSED(collapse_and_join(mesh, {}), "collapse_and_join", no_such_edge);
   EXPECT_REFUSED(collapse_baked(mesh, {}, {}), "collapse_baked", no_such_edge);
   EXPECT_REFUSED(mesh.remove_vertex({}), "StripMesh::remove_vertex", no_such_edge);
@@ -138,9 +136,6 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   const std::array<Halfedge, 1> dead{Halfedge{}};
   EXPECT_REFUSED(split_baked(mesh, {mesh.spoke(4, 0), mesh.spoke(4, 1)}, dead), "flips of a baked record",
                  no_such_edge);
-  const std::array<SplitRequest, 1> requests{SplitRequest{same}};
-  EXPECT_FAILED(split_batch(mesh, requests, {1, true}), "split_batch: an operation of the batch is not possible");
-  EXPECT_FAILED(collapse_batch(mesh, dead, {1, true}), "collapse_batch: an operation of the batch is not possible");
 }
 
 TEST(PreconditionDeathTest, CustomOperations) {

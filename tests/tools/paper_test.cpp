@@ -9,6 +9,7 @@
 #include <map>
 #include <numeric>
 
+#include "../support/canonical_joined.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
 #include "restrip/rules/key.hpp"

@@ -88,9 +88,7 @@ enum {
   RESTRIP_OUT_OF_STEP = 107,   /* the mesh has left its baked levels; see restrip_baked_restart */
   RESTRIP_NOT_LIVE = 108,      /* the mesh has no live buffer; see restrip_live_begin */
   RESTRIP_OUT_OF_MEMORY = 109,
-  RESTRIP_UNEXPECTED = 110, /* an error in the library */
-  RESTRIP_OVERLAP = 111,    /* two operations of a batch overlap */
-  RESTRIP_MIXED_NAMES = 112 /* some splits of a batch name their new vertex and some do not */
+  RESTRIP_UNEXPECTED = 110 /* an error in the library */
 };
 
 /* One human-readable sentence, in English. Never null, for any number. The text is constant. */
@@ -280,25 +278,6 @@ RESTRIP_API restrip_status restrip_mesh_check_join_faces(const restrip_mesh* mes
 RESTRIP_API restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfedge h);
 RESTRIP_API restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h);
 
-/* A split of a batch: the arguments of restrip_mesh_split. */
-typedef struct restrip_split_request {
-  restrip_halfedge left;
-  restrip_halfedge right;
-  uint32_t v_t; /* all of a batch name it, or none does (else RESTRIP_MIXED_NAMES) */
-} restrip_split_request;
-/* Many splits, or many collapses (each given by v_s -> v_t), in parallel: all are done or none is. The result is the
- * same as doing them one by one in order under RESTRIP_POLICY_RULES, which is used instead of the mesh's policy. It
- * does not depend on `threads` (1: only the calling thread; 0: one for each processor). No two may overlap (else
- * RESTRIP_OVERLAP): a split claims the triangles of its vertex, a collapse the triangles of both ends and its apexes.
- * `changes` may be null, or has room for `count` results. `fault` may be null, or receives after a refusal the place of
- * the request at fault and of the earlier one that it conflicts with (else the same). The mesh is copied: O(T) in
- * addition to the operations. The next update of a live buffer rewrites it. After any error nothing has changed. */
-RESTRIP_API restrip_status restrip_mesh_split_batch(restrip_mesh* mesh, const restrip_split_request* requests,
-                                                    size_t count, uint32_t threads, restrip_change* changes,
-                                                    size_t fault[2]);
-RESTRIP_API restrip_status restrip_mesh_collapse_batch(restrip_mesh* mesh, const restrip_halfedge* chords, size_t count,
-                                                       uint32_t threads, restrip_change* changes, size_t fault[2]);
-
 /* Background work between operations: examines about `budget` states of searches, a few hundred nanoseconds each.
  * `saved` may be null, or receives the decrease of the cost. RESTRIP_BAD_ARGUMENT while a baked level is played, which
  * it would leave. */
@@ -426,7 +405,7 @@ RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const 
 /* Undo and redo. From the next update on, each update ends a frame of a history. Undo restores triangles, their
  * numbers, halfedges and colours exactly. `budget`: a frame counts the triangles that changed in it, some 100 bytes
  * each; when all frames together count more, the oldest are dropped, except the last one. 0 ends the history. It starts
- * again after restrip_mesh_stripify, restrip_mesh_set_colors, a batch, restrip_baked_restart and an error. O(1); the
+ * again after restrip_mesh_stripify, restrip_mesh_set_colors, restrip_baked_restart and an error. O(1); the
  * next update is O(T). */
 RESTRIP_API restrip_status restrip_live_history(restrip_mesh* mesh, size_t budget);
 /* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when

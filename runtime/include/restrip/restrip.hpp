@@ -11,8 +11,8 @@
 //   search/, formats/        searches beyond a patch: strips from scratch, keepers with a policy; reading files
 //   live_mesh.hpp            all of it in one object; live_apply.hpp for its custom operations
 //
-// Not included here: operations/batch.hpp (needs threads), mesh/adapters/ and operations/adapters/ (need OpenMesh or
-// CGAL), operations/test_adapter.hpp (for tests).
+// Not included here: mesh/adapters/ and operations/adapters/ (need OpenMesh or CGAL), operations/test_adapter.hpp (for
+// tests).
 //
 // scripts/amalgamate.py makes a single header of all this.
 #pragma once

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "../../support/canonical_joined.hpp"
 #include "fan_operation.hpp"
 #include "naive_patch.hpp"
 

@@ -354,20 +354,6 @@ class LiveMesh:
         code = lib.plain("mesh_check_" + operation, self._mesh, *(_number(operation, each) for each in arguments))
         return None if code == 0 else self._refusal(code)
 
-    def split_batch(self, requests: Iterable[Tuple[int, int, int]], threads: int = 1) -> List[Change]:
-        """Many splits (left, right, vertex) at once, all or none; no two may overlap. `threads` 0: one for each
-        processor."""
-        asked = [lib.SplitRequest(*(_number("request", each) for each in request)) for request in requests]
-        return self._batch("mesh_split_batch", (lib.SplitRequest * len(asked))(*asked), len(asked), threads)
-
-    def collapse_batch(self, halfedges, threads: int = 1) -> List[Change]:
-        """Many collapses at once, all or none; no two may overlap."""
-        asked = np.asarray(halfedges).ravel()
-        if asked.dtype.kind not in "iu" or (asked.size and not 0 <= asked.min() <= asked.max() <= NONE):
-            asked = np.array([_number("halfedge", each) for each in asked.tolist()])
-        asked = np.ascontiguousarray(asked, dtype=np.uint32)
-        return self._batch("mesh_collapse_batch", _address(asked), asked.size, threads)
-
     # ---- strips
 
     def stripify(self, effort: str = "fast", cost: Cost = "indices") -> int:
@@ -517,14 +503,6 @@ class LiveMesh:
 
     def _refusal(self, code: int) -> str:
         return _NEEDS_32 if code == _TOO_LARGE and self._index == 16 else lib.describe(code)
-
-    def _batch(self, name: str, asked, count: int, threads: int) -> List[Change]:
-        changes, fault = (lib.Change * max(1, count))(), (ctypes.c_size_t * 2)()
-        try:
-            lib.call(name, self._mesh, asked, count, _number("threads", threads), changes, fault)
-        except RestripError as error:
-            raise RestripError(error.code, f"{error} (request {fault[0]}, with {fault[1]})") from None
-        return [Change(one.halfedge, one.valence, one.strips, one.isolated) for one in changes[:count]]
 
     def _filled(self, name: str, dtype) -> np.ndarray:
         count = ctypes.c_size_t()

@@ -29,10 +29,6 @@ class Change(c.Structure):
     _fields_ = [("halfedge", _u32), ("valence", _u32), ("strips", _int), ("isolated", _int)]
 
 
-class SplitRequest(c.Structure):
-    _fields_ = [("left", _u32), ("right", _u32), ("v_t", _u32)]
-
-
 class Range(c.Structure):
     _fields_ = [("first", _size), ("count", _size)]
 
@@ -73,8 +69,6 @@ _checked = {
     "mesh_keep": [_mesh, _int, c.POINTER(Cost)],
     "mesh_split": [_mesh, _u32, _u32, _u32, _change],
     **{f"mesh_{name}": [_mesh, _u32, _change] for name in ("collapse", "flip", "split_face", "join_faces", "bisect", "merge")},
-    "mesh_split_batch": [_mesh, c.POINTER(SplitRequest), _size, _u32, _change, c.POINTER(_size)],
-    "mesh_collapse_batch": [_mesh, c.c_void_p, _size, _u32, _change, c.POINTER(_size)],
     "mesh_improve": [_mesh, _size, c.POINTER(_size)],
     **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts")},
     "mesh_buffer": [_mesh, c.POINTER(Cache), c.POINTER(Format), c.POINTER(c.c_void_p)],

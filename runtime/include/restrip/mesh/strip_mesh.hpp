@@ -22,7 +22,6 @@
 namespace restrip {
 
 namespace detail {
-class TwoSteps;
 class TrialColors;
 
 /// Room for `more` elements, so that appending them throws nothing.
@@ -202,7 +201,7 @@ class StripMesh {
 
   // ---- list of changes
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
-  /// appended to *changed, some of them more than once. Null ends this. Batches are not reported. Room in *changed is
+  /// appended to *changed, some of them more than once. Null ends this. Room in *changed is
   /// made before anything changes; after std::bad_alloc nothing has changed.
   ///
   /// A copy of the mesh is not watched. Moving the mesh moves its watch: the new mesh is watched, the old one no
@@ -241,12 +240,8 @@ class StripMesh {
   void reserve(std::size_t triangles, std::size_t vertices);
 
  private:
-  friend class detail::TwoSteps;
   friend class detail::TrialColors;
   friend class History;
-
-  // Insertions and removals have two steps: handles are taken and given back in a fixed order by one thread, the rest
-  // may be done on disjoint patches at the same time (TwoSteps of batch.hpp).
 
   // The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
   // does not have.

@@ -10,7 +10,7 @@
 // splits make of fans. The key consists of the masks `ports` and `joined`.
 //
 // With exactly two solid ports in a closed fan or a ring, each precedes the other, and the pair has two bits. EITHER
-// BIT STANDS FOR THE PAIR: the functions here may set one of them or both. Call canonical_joined before comparing keys.
+// BIT STANDS FOR THE PAIR: the functions here may set one of them or both.
 //
 // Each function has two versions. The one on masks needs k <= max_word_valence, takes constant time and is constexpr.
 // The one on bit strings accepts any k and takes time linear in k. Neither allocates.
@@ -20,7 +20,6 @@
 // return, and read and write nothing outside their arguments.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 
 #include "restrip/precondition.hpp"
@@ -194,12 +193,6 @@ constexpr Word joined_path(std::size_t k, std::size_t i, Word inner, Word ports)
 constexpr bool valid_path(std::size_t k, std::size_t i, Word inner, Word ports) noexcept {
   RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "valid_path", detail::no_such_gap);
   return detail::valid(detail::path(k, i), inner, ports);
-}
-
-/// The canonical form of `joined`, for closed fans and rings: with exactly two solid ports either both bits are set or
-/// none. Do not call this for open fans and paths, where every `joined` is canonical.
-constexpr Word canonical_joined(Word ports, Word joined) noexcept {
-  return joined != 0 && std::popcount(ports) == 2 ? ports : joined;
 }
 
 // ---- Bit strings: any k, linear time ----
