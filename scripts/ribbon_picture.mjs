@@ -14,7 +14,7 @@ const [paneWidth, height, wide] = [400, 630, 440];  // of each, and of the windo
 /// The pixels, four bytes each, and the number of strips of each mesh in it.
 export async function ribbonPicture(browser, address) {
   const page = await browser.page(wide + 372, height, { sharp: 2 });  // next to the panel
-  await page.open(address);
+  await page.open(`${address}#policy=baked`);
   await page.until(() => window.restripViewer?.settled);
   const sheet = await page.run((width, high) => {
     const canvas = new OffscreenCanvas(width, high);

@@ -2,12 +2,13 @@
 // from a plain list of the mesh's triangles, but for one pixel in ten thousand (two triangles that meet at the outline have
 // the same depth there, and the first one drawn wins): at several levels, under policies and costs, in the
 // view-dependent modes, after 60 cuts and after a random walk of the slider. The copy of the index buffer on the graphics card is the
-// live one. The figures on the page are the same as from `restrip replay` for the same way. A frame does the most
-// operations that fit into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A
-// dropped mesh is prepared in a worker and shown, a file that is not a mesh is refused with a sentence. Without WebGL
-// or JavaScript, and when the context is lost, the page says so. The race holds what race_check.mjs says, the picture
-// of README.md what picture_check.mjs says. The page is not higher or wider than its content: on a desktop the panel
-// scrolls, on a telephone the page does. Nothing is said on the console.
+// live one. The live buffer does not depend on the processor's speed. The figures on the page are the same as from
+// `restrip replay` for the same way. A frame does the most operations that fit into its budget of time, by a clock that
+// the test turns. Strips in colours take one draw call. A dropped mesh is prepared in a worker and shown, a file that is
+// not a mesh is refused with a sentence. Without WebGL or JavaScript, and when the context is lost, the page says so.
+// The race holds what race_check.mjs says, the picture of README.md what picture_check.mjs says. The page is not higher
+// or wider than its content: on a desktop the panel scrolls, on a telephone the page does. Nothing is said on the
+// console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -69,9 +70,40 @@ try {
   writeFileSync(join(scratch, 'viewer.png'), await page.screenshot());
   const levels = await page.run('restripViewer.mesh.levels');
 
+  // The page begins with the cost of indices. Its strips and its buffer have the package's numbers of indices, with an
+  // update after every 64 operations, whatever number of operations fits into a frame.
+  const { load } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')).href);
+  const restrip = await load(readFileSync(join(folder, 'package/restrip.wasm')));
+  const stepped = restrip.baked(readFileSync(join(folder, 'hare.baked'))).begin({ policy: 'quick', cost: 'indices' });
+  stepped.update();
+  for (let done = 64; done === 64;) {
+    done = stepped.moveTo(768, 64);
+    stepped.update();
+  }
+  const read = () => page.run(() => ({ rows: [...document.querySelectorAll('#reads tr')].map(({ cells }) => +cells[2].textContent), buffer: restripViewer.mesh.indices.length }));
+  const per = (indices) => +(indices / stepped.figures.triangles).toFixed(2);
+  const expected = { rows: [3, ...[stepped.fromScratch({ cost: 'indices' }).length, stepped.plainIndices, stepped.indices.length].map(per)], buffer: stepped.indices.length };
+  assert.ok(expected.rows[2] < expected.rows[3] && expected.rows[3] < 1.6, `${expected.rows}`);
+  assert.deepEqual(await read(), expected);
+  for (const most of [1, 50, 64, 5000]) {
+    await page.run((most) => {
+      restripViewer.begin();
+      restripViewer.pace = { most, begin() {}, learn() {} };
+    }, most);
+    await settled(page);
+    assert.deepEqual(await read(), expected, `${most} operations a frame`);
+  }
+  const single = async () => {
+    await page.run(() => document.getElementById('single').click());
+    await settled(page);
+    return page.run(() => [restripViewer.figures.strips, document.getElementById('single').getAttribute('aria-pressed')]);
+  };
+  assert.deepEqual([await single(), await single()], [[1, 'true'], [stepped.figures.strips, 'false']]);
+  writeFileSync(join(scratch, 'viewer-indices.png'), await page.screenshot());
+
   // Levels, policies, costs; the figures compared with the native program, which goes the same way from the base.
   let compared = 0;
-  for (const [policy, cost] of [['local', 'strips'], ['baked', 'strips'], ['quick', 'strips']]) {
+  for (const [policy, cost] of [['local', 'strips'], ['baked', 'strips'], ['quick', 'strips'], ['quick', 'indices']]) {
     const reported = join(scratch, 'replay.json');
     execFileSync(program, ['replay', join(folder, policy === 'baked' ? 'hare.baked' : 'hare.pm'), '--policy', policy, '--cost', cost, '--repeats', '0', '--levels', '3', '--json', reported]);
     const native = JSON.parse(readFileSync(reported, 'utf8'));
@@ -88,7 +120,7 @@ try {
       ++compared;
     }
   }
-  assert.equal(compared, 9);
+  assert.equal(compared, 12);
 
   // The comparison can fail: with half of the strips missing from the card it sees that in both.
   const spoiled = await page.run(() => {
@@ -123,12 +155,17 @@ try {
     restripViewer.pace.most = 256;
     let clock = 0;
     window.parts = [];
+    const { frame } = restripViewer;
+    restripViewer.frame = (now) => {
+      window.parts.push(0);
+      frame.call(restripViewer, now);
+    };
     window.now = performance.now;
     performance.now = () => clock;
     mesh.moveTo = (level, most) => {
       const done = Object.getPrototypeOf(mesh).moveTo.call(mesh, level, most);
       clock += done / 4;
-      window.parts.push(done);
+      window.parts[window.parts.length - 1] += done;
       return done;
     };
   });
@@ -137,7 +174,8 @@ try {
   const parts = await page.run(() => {
     performance.now = window.now;
     delete restripViewer.mesh.moveTo;
-    return window.parts;
+    delete restripViewer.frame;
+    return window.parts.filter((done) => done > 0);
   });
   assert.equal(parts.reduce((sum, n) => sum + n), 1000);
   assert.deepEqual(new Set(parts.slice(1, -1)), new Set([48]), `${parts}`);

@@ -24,6 +24,10 @@ export function listen(viewer, by) {
   by('level').addEventListener('input', () => viewer.moveTo(+by('level').value));
   by('down').addEventListener('click', () => viewer.step(-1));
   by('up').addEventListener('click', () => viewer.step(1));
+  by('single').addEventListener('click', () => {
+    by('policy').value = by('policy').value === 'baked' ? 'quick' : 'baked';
+    viewer.begin();
+  });
   for (const id of ['policy', 'cost']) by(id).addEventListener('change', () => viewer.begin());
   by('mode').addEventListener('change', () => {
     // Out of order baked strips are lost; the base has them again.

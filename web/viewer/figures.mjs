@@ -31,12 +31,14 @@ export function showFigures(by, { figures: { triangles, strips }, source }) {
   by('f-length').textContent = asNumber(triangles / strips, 1);
 }
 
-/// The indices that a drawn frame reads: as a list, as strips from scratch, as the strips of the mesh.
-export function showReads(by, { mesh, figures: { triangles, bufferIndices }, source }) {
+/// The indices that a drawn frame reads: as a list, as strips from scratch, as the strips of the mesh, one after the
+/// other and in the buffer that is updated in place.
+export function showReads(by, { mesh, figures: { triangles }, source }) {
   const list = 3 * triangles;
-  const rows = [['Triangle list', list], ['Strips from scratch', mesh.fromScratch({ cost: 'indices' }).length], ['These strips, maintained', bufferIndices]];
+  const rows = [['Triangle list', list], ['Strips from scratch', mesh.fromScratch({ cost: 'indices' }).length],
+    ['These strips, maintained', mesh.plainIndices], ['The live buffer with them', mesh.indices.length]];
   by('reads').innerHTML = rows.map(([name, count]) =>
-    barRow(name, [asBytes(count * indexWidth(source)), `${asNumber(100 * count / list)} %`], 0, count / list, false)).join('');
+    barRow(name, [asBytes(count * indexWidth(source)), asNumber(count / triangles, 2)], 0, count / list, false)).join('');
 }
 
 /// The number at the finest level. `source`: of prepared().

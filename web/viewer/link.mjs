@@ -5,7 +5,7 @@ const usual = 'Drag to turn. Drop a mesh file on the page.';
 const parts = { ribbon: usual, cut: 'Click to cut. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
 
 /// Choices that an address names, unless they have these values.
-const usualChoices = { policy: null, cost: 'strips', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
+const usualChoices = { policy: 'quick', cost: 'indices', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
 
 /// The state that an address names; numbers and lists are checked where they are used.
 export const readLink = (hash) => Object.fromEntries(new URLSearchParams(hash.replace(/^#/, '')));

@@ -3,7 +3,8 @@
 import { none } from '../../bindings/js/restrip.mjs';
 
 const perTriangle = 9;  // numbers of a triangle in StripMesh.ribbon
-const hueOf = (name) => name * 0.618033988749895 % 1;
+/// All hues but the ones near the colour of new triangles; the first is blue.
+const hueOf = (name) => (0.17 + 0.9 * ((0.456 + name * 0.618033988749895) % 1)) % 1;
 const apart = (g, h) => Math.min(Math.abs(g - h), 1 - Math.abs(g - h));
 
 /// A colour by hue, saturation and lightness, as the bytes of an integer.
@@ -99,14 +100,14 @@ export class Ribbon {
     return this.strips[low];
   }
 
-  /// A triangle's colour, by the strip and the share of it that lies before. One strip over the whole mesh goes through
-  /// the hues; short ones have one hue each, and grow lighter.
+  /// A triangle's colour: the hue of its strip, which grows lighter along it. A strip over much of the mesh takes more of
+  /// the range from dark to light, so that its passes differ where they lie side by side.
   color(strip, i) {
     if (strip.name < 0) return fresh;
     const along = strip.count > 1 ? (i - strip.first) / (strip.count - 1) : 0.5;
     const share = strip.count / this.count;
-    const hue = (hueOf(strip.name) + 0.75 * share * along) % 1;
-    return colorOf(hue, 0.62, share > 0.3 ? 0.6 : 0.45 + 0.3 * along);
+    const dark = 0.45 - 0.17 * share;
+    return colorOf(hueOf(strip.name), 0.62 + 0.13 * share, dark + (0.3 + 0.2 * share) * along);
   }
   /// The same of the triangle at i, as a drawing has it.
   fill(i) {

@@ -19,6 +19,8 @@ import { wantedRecords } from './detail.mjs';
 const by = (id) => document.getElementById(id);
 /// The rest in another task.
 const later = () => new Promise((then) => setTimeout(then));
+/// Operations between two updates of the live buffer. They are counted, not timed: the buffer does not depend on the processor.
+const updateEvery = 64;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
 class Viewer {
@@ -28,6 +30,7 @@ class Viewer {
   clicks = [];  // records that are split beyond the level, in order
   part = 'ribbon';
   lastDone = 0;  // operations of the last frame that had any
+  #since = 0;  // operations since the last update of the live buffer
   #asked = false;
   #shownOperations = -1;  // the number of operations last shown
   #moved = true;
@@ -75,7 +78,7 @@ class Viewer {
     this.mesh = mesh;
     this.source = source;
     const baked = by('policy').querySelector('[value=baked]');
-    baked.disabled = baked.hidden = !mesh.hasBakedStrips;
+    baked.disabled = baked.hidden = by('single').hidden = !mesh.hasBakedStrips;
     if (baked.disabled && by('policy').value === 'baked') by('policy').value = 'quick';
     this.found();
     this.splits = source.splits;
@@ -96,10 +99,14 @@ class Viewer {
     this.clicks = [];
     this.cut.end();
     this.painter.ribbon = null;
-    by('cost').disabled = by('policy').value === 'baked';
+    const baked = by('policy').value === 'baked';
+    by('single').setAttribute('aria-pressed', String(baked));
+    by('cost').closest('label').hidden = baked;  // the file was baked with one
     this.#shownOperations = -1;
     this.pace = new Pace();
     this.#upload();
+    this.painter.stale();
+    this.#read = false;
     this.changed();
   }
 
@@ -163,8 +170,7 @@ class Viewer {
   #upload() {
     const ranges = this.mesh.update();  // may move the indices
     this.scene.upload(this.mesh.indices, ranges);
-    this.painter.stale();
-    this.#read = false;
+    this.#since = 0;
   }
   /// Moves towards the wanted records, with at most `most` operations.
   #advance(most) {
@@ -173,13 +179,23 @@ class Viewer {
     const { level, clicks, splits, normals, camera } = this;
     const wanted = wantedRecords({ mode: by('mode').value, mesh, level, clicks, splits, normals, camera, look });
     const before = performance.now();
-    const done = wanted ? mesh.approach(wanted, most) : mesh.moveTo(this.level, most);
-    const took = performance.now() - before;
-    this.pace.learn(done, most, took);
+    let done = 0;
+    let arrived = false;
+    while (!arrived && done < most) {
+      const part = Math.min(most - done, updateEvery - this.#since);
+      const count = wanted ? mesh.approach(wanted, part) : mesh.moveTo(this.level, part);
+      done += count;
+      this.#since += count;
+      arrived = count < part;
+      if (this.#since === updateEvery) this.#upload();
+    }
+    this.#done = arrived || clicks.length > 0;
+    if (this.#done && this.#since > 0) this.#upload();
+    this.pace.learn(done, most, performance.now() - before);
     this.#moved = false;
-    this.#done = done < most || this.clicks.length > 0;
     if (done > 0) {
-      this.#upload();
+      this.painter.stale();
+      this.#read = false;
       this.lastDone = done;
     }
     this.figures = mesh.figures;

@@ -177,14 +177,19 @@ class Session {
     return done;
   }
 
-  /// Moves towards the set of records that `wanted` names, one byte each, and the records that they need. At most
-  /// `most` operations; returns the number done.
+  /// Moves towards the set of records that `wanted` names, one byte each, and the records that they need: undoes all
+  /// others, then plays the missing ones. At most `most` operations; returns the number done. Calls with a small `most`
+  /// arrive as well, because no record of the set is undone. Records need earlier records only.
   std::size_t approach(std::span<const std::uint8_t> wanted, std::size_t most) {
+    wanted_.assign(wanted.begin(), wanted.end());
+    for (std::size_t i = played_.size(); i-- > 0;)
+      if (wanted_[i] != 0)
+        for (const std::uint32_t need : needs(i)) wanted_[need] = 1;
     std::size_t done = 0;
     for (std::size_t i = played_.size(); i-- > 0 && done < most;)
-      if (played_[i] != 0 && wanted[i] == 0 && dependents_[i] == 0 && take_back(i)) ++done;
+      if (played_[i] != 0 && wanted_[i] == 0 && dependents_[i] == 0 && take_back(i)) ++done;
     for (std::size_t i = 0; i < played_.size() && done < most; ++i)
-      if (played_[i] == 0 && wanted[i] != 0) done += play_with_needs(i, most - done);
+      if (played_[i] == 0 && wanted_[i] != 0 && play(i)) ++done;
     return done;
   }
 
@@ -384,21 +389,6 @@ class Session {
     for (const std::uint32_t need : needs(i)) --dependents_[need];
     return true;
   }
-  std::size_t play_with_needs(std::size_t record, std::size_t most) {
-    std::size_t done = 0;
-    stack_.assign(1, static_cast<std::uint32_t>(record));
-    while (!stack_.empty() && done < most) {
-      const std::uint32_t i = stack_.back();
-      const std::size_t before = stack_.size();
-      for (const std::uint32_t need : needs(i))
-        if (played_[need] == 0) stack_.push_back(need);
-      if (stack_.size() > before) continue;
-      stack_.pop_back();
-      if (played_[i] == 0 && !play(i)) return done;
-      if (played_[i] != 0) ++done;
-    }
-    return done;
-  }
 
   /// For a baked mesh: the record that adds this vertex; none for vertices of the base.
   [[nodiscard]] std::size_t record_of(Vertex v_t) const noexcept {
@@ -459,8 +449,8 @@ class Session {
   std::size_t refused_record_ = none;
   std::vector<std::uint8_t> played_;       // by record
   std::vector<std::uint32_t> dependents_;  // by record: the number of played records that need it
-  std::vector<std::uint32_t> stack_;
   std::vector<std::uint32_t> ready_;
+  std::vector<std::uint8_t> wanted_;  // by record: approach() plays it
 
   StripMesh mesh_;
   std::optional<Keeper<StripMesh>> keeper_;
