@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "restrip/output/strips.hpp"
-#include "restrip/search/descent.hpp"
+#include "restrip/search/impl/descent.hpp"
 
 namespace restrip {
 

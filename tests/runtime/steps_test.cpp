@@ -17,9 +17,9 @@
 #include "random_operation.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/impl/window.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
-#include "restrip/search/window.hpp"
 #include "sample_meshes.hpp"
 #include "step_counter.hpp"
 

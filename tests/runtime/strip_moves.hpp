@@ -14,7 +14,7 @@
 
 #include "coloring_cost.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/descent.hpp"
+#include "restrip/search/impl/descent.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip::moves {

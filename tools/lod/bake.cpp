@@ -14,12 +14,12 @@
 #include "lod/trail_search.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/end_search.hpp"
-#include "restrip/search/rounds.hpp"
-#include "restrip/search/strip_locator.hpp"
+#include "restrip/search/impl/end_search.hpp"
+#include "restrip/search/impl/rounds.hpp"
+#include "restrip/search/impl/strip_locator.hpp"
+#include "restrip/search/impl/tunnel.hpp"
+#include "restrip/search/impl/window.hpp"
 #include "restrip/search/stripify.hpp"
-#include "restrip/search/tunnel.hpp"
-#include "restrip/search/window.hpp"
 
 namespace restrip::tools {
 namespace {

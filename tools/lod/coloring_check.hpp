@@ -8,8 +8,8 @@
 
 #include "meshes/soup.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/impl/strip_locator.hpp"
 #include "restrip/search/keeper.hpp"
-#include "restrip/search/strip_locator.hpp"
 
 namespace restrip::tools {
 

@@ -1,7 +1,7 @@
 // Every move of a descent has the stated price, its list of moves is complete, a move is refused exactly when it would
 // close a cycle, and a descent ends in a colouring that no move improves. All by the definitions: moves are enumerated,
 // made on a copy of the mesh, and the copy is counted as a whole.
-#include "restrip/search/descent.hpp"
+#include "restrip/search/impl/descent.hpp"
 
 #include <gtest/gtest.h>
 

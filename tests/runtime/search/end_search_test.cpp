@@ -2,7 +2,7 @@
 // reports its changes, keeps to its limits, ends when no move at an end lowers the cost, and does not report moves that
 // it undoes. All by the definitions: moves are enumerated, made on a copy of the mesh, and the copy is counted as a
 // whole.
-#include "restrip/search/end_search.hpp"
+#include "restrip/search/impl/end_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Strips from scratch in one pass are valid, the same every time, and few.
-#include "restrip/search/greedy.hpp"
+#include "restrip/search/impl/greedy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Rounds of tunnelling leave few strips, continue where they stopped, keep to their budget, end when strips are few
 // enough, and are deterministic.
-#include "restrip/search/rounds.hpp"
+#include "restrip/search/impl/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "locator_agrees.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/greedy.hpp"
+#include "restrip/search/impl/greedy.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

@@ -1,6 +1,6 @@
 // The locator agrees with a walk along the strip for every triangle, after any mixture of cuts, links and local
 // rewrites.
-#include "restrip/search/strip_locator.hpp"
+#include "restrip/search/impl/strip_locator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/impl/tunnel.hpp"
 #include "restrip/search/stripify.hpp"
-#include "restrip/search/tunnel.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

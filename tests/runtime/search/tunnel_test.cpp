@@ -1,5 +1,5 @@
 // Tunnelling joins strips and never harms a colouring.
-#include "restrip/search/tunnel.hpp"
+#include "restrip/search/impl/tunnel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Rounds of windows lower the cost and report the change, continue where they stopped, keep to their budget, are
 // deterministic, and end on a mesh without triangles. The reports are compared with the strips as they are written.
-#include "restrip/search/window_rounds.hpp"
+#include "restrip/search/impl/window_rounds.hpp"
 
 #include <gtest/gtest.h>
 

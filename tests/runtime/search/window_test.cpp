@@ -3,7 +3,7 @@
 // colouring of that price is nearer to the previous one; with limits it says when it may have missed something. It
 // touches no other edge, never raises the price, and depends only on its seed. Prices are counted here along the strips
 // and in the index buffer, not by the sums of the search.
-#include "restrip/search/window.hpp"
+#include "restrip/search/impl/window.hpp"
 
 #include <gtest/gtest.h>
 

@@ -49,13 +49,13 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/impl/keeper_steps.hpp"
 #include "restrip/search/impl/members.hpp"
+#include "restrip/search/impl/rounds.hpp"
 #include "restrip/search/impl/rule_choice.hpp"
+#include "restrip/search/impl/strip_locator.hpp"
+#include "restrip/search/impl/tunnel.hpp"
+#include "restrip/search/impl/window_rounds.hpp"
 #include "restrip/search/policy.hpp"
-#include "restrip/search/rounds.hpp"
 #include "restrip/search/sided_mesh.hpp"
-#include "restrip/search/strip_locator.hpp"
-#include "restrip/search/tunnel.hpp"
-#include "restrip/search/window_rounds.hpp"
 
 namespace restrip {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "restrip/search/effort.hpp"
-#include "restrip/search/end_search.hpp"
+#include "restrip/search/impl/end_search.hpp"
 
 namespace restrip {
 

@@ -16,12 +16,12 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/search/effort.hpp"
-#include "restrip/search/greedy.hpp"
 #include "restrip/search/impl/annealing.hpp"
-#include "restrip/search/rounds.hpp"
-#include "restrip/search/strip_locator.hpp"
-#include "restrip/search/tunnel.hpp"
-#include "restrip/search/window_rounds.hpp"
+#include "restrip/search/impl/greedy.hpp"
+#include "restrip/search/impl/rounds.hpp"
+#include "restrip/search/impl/strip_locator.hpp"
+#include "restrip/search/impl/tunnel.hpp"
+#include "restrip/search/impl/window_rounds.hpp"
 
 namespace restrip {
 

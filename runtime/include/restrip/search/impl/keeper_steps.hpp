@@ -22,7 +22,7 @@
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/join.hpp"
 #include "restrip/operations/refine.hpp"
-#include "restrip/search/descent.hpp"
+#include "restrip/search/impl/descent.hpp"
 #include "restrip/search/impl/rule_choice.hpp"
 
 namespace restrip::detail {

@@ -15,7 +15,7 @@
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/operations/apply.hpp"
-#include "restrip/search/descent.hpp"
+#include "restrip/search/impl/descent.hpp"
 
 namespace restrip::detail {
 

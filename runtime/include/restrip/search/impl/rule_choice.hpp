@@ -14,7 +14,7 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/result.hpp"
-#include "restrip/search/descent.hpp"
+#include "restrip/search/impl/descent.hpp"
 #include "restrip/search/impl/patch_choice.hpp"
 
 namespace restrip {

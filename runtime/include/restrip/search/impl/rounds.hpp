@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "restrip/search/impl/strip_locator.hpp"
+#include "restrip/search/impl/tunnel.hpp"
 #include "restrip/search/sided_mesh.hpp"
-#include "restrip/search/strip_locator.hpp"
-#include "restrip/search/tunnel.hpp"
 
 namespace restrip {
 

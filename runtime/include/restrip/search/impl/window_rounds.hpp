@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "restrip/mesh/cost.hpp"
+#include "restrip/search/impl/window.hpp"
 #include "restrip/search/sided_mesh.hpp"
-#include "restrip/search/window.hpp"
 
 namespace restrip {
 
