@@ -15,8 +15,8 @@ from pathlib import Path
 
 from markdown_it import MarkdownIt
 
-BUTTONS = ('<p class="buttons"><a class="button" href="viewer.html">See what strips save</a> <a class="button" href="atlas/index.html">Atlas of rules</a> '
-           '<a class="button" href="atlas/paint.html">Paint a configuration</a></p>')
+BUTTONS = ('<p class="buttons"><a class="button" href="maker.html">Make a rule</a> <a class="button" href="viewer.html">See what strips save</a> '
+           '<a class="button" href="atlas/index.html">Atlas of rules</a> <a class="button" href="atlas/paint.html">Paint a configuration</a></p>')
 
 
 class Documents:
@@ -99,7 +99,7 @@ def whole(title, body, style, up):
     return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<meta name="color-scheme" content="light dark">\n<title>{escape(title)}</title>\n'
             f'<meta property="og:title" content="{escape(title)}">\n<meta property="og:image" content="{up}docs/ribbon.png">\n'
-            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}viewer.html">Viewer</a> '
+            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}maker.html">Make a rule</a> <a href="{up}viewer.html">Viewer</a> '
             f'<a href="{up}atlas/index.html">Atlas of rules</a></nav>\n<main class="prose">{body}</main>\n</body>\n</html>\n')
 
 
@@ -111,8 +111,6 @@ def main():
     given = parser.parse_args()
     documents = Documents(given.root.resolve())
     style = "".join(Path(s).read_text(encoding="utf-8") for s in given.style)
-    maker = '<a class="button" href="maker.html">Make a rule</a> ' if (given.out / "maker.html").exists() else ""
-    buttons = BUTTONS.replace('<p class="buttons">', f'<p class="buttons">{maker}')
     bodies = {file: documents.body(file) for file in documents.tokens}
     if documents.faults:
         sys.exit("".join(f"documents.py: {fault}\n" for fault in documents.faults))
@@ -121,7 +119,7 @@ def main():
         title = re.sub(r"<[^>]*>", "", re.search(r"<h1[^>]*>(.*?)</h1>", body)[1])
         (given.out / page).parent.mkdir(parents=True, exist_ok=True)
         if page.name == "index.html":
-            title, body = "restrip: triangle strips maintained while the mesh changes", body.replace("</h1>", f"</h1>\n{buttons}", 1)
+            title, body = "restrip: triangle strips maintained while the mesh changes", body.replace("</h1>", f"</h1>\n{BUTTONS}", 1)
         (given.out / page).write_text(whole(title, body, style, "../" * (len(page.parts) - 1)), encoding="utf-8")
     for name in documents.copied:
         shutil.copyfile(documents.root / name, given.out / name)

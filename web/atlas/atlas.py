@@ -291,7 +291,7 @@ def write(given, met):
                            "<figcaption>before the split</figcaption></figure><figure>" + side_picture(sides[1], colors, kept, "after") +
                            "<figcaption>after it, by its rule</figcaption></figure></div>" + legend(page))
     texts["index"] = "Atlas of rules", index_body(groups, picture, met)
-    nav = '<a href="../index.html">restrip</a> <a href="../viewer.html">Viewer</a> ' if met else ""
+    nav = '<a href="../index.html">restrip</a> <a href="../maker.html">Make a rule</a> <a href="../viewer.html">Viewer</a> ' if met else ""
     given.out.mkdir(parents=True, exist_ok=True)
     (given.out / "atlas.css").write_text("".join(style.read_text(encoding="utf-8") for style in STYLES), encoding="utf-8")
     (given.out / "atlas.js").write_text("(() => {\n" + inlined(SCRIPTS) + "\n})();\n", encoding="utf-8")

@@ -1,7 +1,7 @@
 // The page "Make a rule".
 import { embedded } from '../viewer/embedded.mjs';
 import { changed, rowsOf } from './certificate.mjs';
-import { Drawing, edgesOf, picture, sides } from './surface.mjs';
+import { Drawing, edgesOf, operationAt, picture, sides, size } from './surface.mjs';
 
 const field = (id) => document.getElementById(id);
 const base = { restrip_operation: 1, constraint: 'strips' };
@@ -14,8 +14,20 @@ const examples = {
   'Edge flip': { ...base, name: 'my-edge-flip', before: quad, after: [['c', 'd', 'b'], ['d', 'c', 'a']], give_up: 'all' },
   'Vertex removal': { ...base, name: 'my-vertex-removal', before: [['a', 'b', 'm'], ['b', 'c', 'm'], ['c', 'd', 'm'], ['d', 'a', 'm']], after: [['a', 'b', 'c'], ['c', 'd', 'a']], give_up: 'all' },
 };
+const family = `{
+  "restrip_operation": 1,
+  "name": "my-vertex-removal",
+  "about": "A vertex of k triangles goes, and its hole becomes a fan around one of its neighbours.",
+  "numbers": ["k"],
+  "where": "k >= 3",
+  "before": [["v", "u[i]", "u[i+1]", "i[0,k-1)"], ["v", "u[k-1]", "u[0]"]],
+  "after": [["u[0]", "u[i]", "u[i+1]", "i[1,k-1)"]],
+  "give_up": "all"
+}
+`;
 const costs = { cuts: [[{ count: 'given_up' }], [{ count: 'strips' }], [{ count: 'isolated' }]] };
 const languages = ['c++', 'c', 'glsl', 'json', 'wgsl'];
+const kinds = { cert: 'certificate', hpp: 'C++', h: 'C', glsl: 'GLSL', wgsl: 'WGSL', json: 'table as JSON', bin: 'table, binary' };
 const hex = (mask) => mask.toString(16);
 const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
@@ -60,8 +72,15 @@ class Page {
 
   constructor(programs) {
     this.programs = programs;
-    field('example').innerHTML = `<option value="">–</option>${Object.keys(examples).map((name) => `<option>${name}</option>`).join('')}`;
-    field('example').onchange = () => examples[field('example').value] && this.show(new Drawing(structuredClone(examples[field('example').value])));
+    field('example').innerHTML = `<option value="">–</option>${Object.keys(examples).map((name) => `<option>${name}</option>`).join('')}<option value="family">A family: vertex removal for every valence</option>`;
+    field('example').onchange = () => {
+      const { value } = field('example');
+      if (examples[value]) return this.show(new Drawing(structuredClone(examples[value])));
+      if (value !== 'family') return undefined;
+      field('text').value = family;
+      return this.typed();
+    };
+    field('claims-of').open = innerWidth > 1000;
     field('corners').onchange = () => field('corners').value && this.show(Drawing.outline(+field('corners').value));
     field('undo').onclick = () => this.show(this.past.pop(), false);
     for (const id of ['name', 'constraint', 'give_up', 'cost']) field(id).onchange = () => this.choose(id, field(id).value);
@@ -71,6 +90,7 @@ class Page {
     field('previous').onclick = () => this.step(-1);
     field('next').onclick = () => this.step(1);
     field('costing').onchange = () => this.step(0);
+    field('position').onchange = () => this.place(+field('position').value);
     const paint = (event) => {
       const { inner, port } = event.target.dataset ?? {};
       if ((inner ?? port) === undefined || (event.key && event.key !== 'Enter' && event.key !== ' ')) return;
@@ -105,7 +125,7 @@ class Page {
     };
     const point = (event) => {
       const box = element.querySelector('svg').getBoundingClientRect();
-      return [(event.clientX - box.left) * 400 / box.width, (event.clientY - box.top) * 400 / box.height];
+      return [(event.clientX - box.left) * size[0] / box.width, (event.clientY - box.top) * size[1] / box.height];
     };
     const press = (target, at) => {
       const { triangle, flip } = target.dataset;
@@ -178,6 +198,7 @@ class Page {
     const text = field('text').value;
     let drawing = null;
     try { drawing = Drawing.of(text, this.drawing.places); } catch { /* the generator says what is wrong, and where */ }
+    field('drawn').textContent = drawing ? '' : 'This file cannot be drawn here; these pictures show the operation before it.';
     if (!drawing) return this.make(text);
     this.past.push(this.drawing);
     this.drawing = drawing;
@@ -195,7 +216,7 @@ class Page {
     this.mine = null;
     const name = `${/"name":\s*"([\w-]+)"/.exec(text)?.[1] ?? 'operation'}.json`;
     field('fault').hidden = true;
-    field('look').hidden = true;
+    for (const id of ['look', 'take']) field(id).hidden = true;
     field('state').className = '';
     field('state').textContent = 'Generating …';
     field('claims').tBodies[0].innerHTML = '';
@@ -210,7 +231,7 @@ class Page {
         return void (field('state').textContent = `Generating: ${label} …`);
       }
       field('state').textContent = 'Proving …';
-      field('claims').tBodies[0].insertAdjacentHTML('beforeend', `<tr><td>${claim.holds ? '✓' : '✗'} ${escaped(claim.claim)}</td><td>${escaped(claim.method)}</td><td>${claim.cases.toLocaleString('en')}</td></tr>`);
+      field('claims').tBodies[0].insertAdjacentHTML('beforeend', `<tr><td>${claim.holds ? '✓' : '✗'} ${escaped(claim.claim)} <small>${escaped(claim.method)}</small></td><td>${claim.cases.toLocaleString('en')}</td></tr>`);
     });
     if (run !== this.run) return;
     this.working = false;
@@ -223,7 +244,7 @@ class Page {
       field('fault').hidden = false;
       const [, line, column] = /:(\d+):(\d+): /.exec(error) ?? [];
       field('fault').innerHTML = `${escaped(error)}${line ? ' <button type="button">Show the place</button>' : ''}`;
-      if (line) field('fault').querySelector('button').onclick = () => this.place(+line, +column);
+      if (line) field('fault').querySelector('button').onclick = () => this.showPlace(+line, +column);
       return;
     }
     const { report: [figures], verdict } = answer;
@@ -235,21 +256,48 @@ class Page {
     const twice = verdict.claims.some(({ claim }) => claim === 'the orbits, counted again');
     field('state').className = 'verified';
     field('state').innerHTML = `${ok ? '✓ verified' : '✗ NOT verified'} in ${((performance.now() - begun) / 1000).toFixed(2)} s: ${most(figures.valid, 'case')}, ${most(figures.keys, 'rule')}, `
-      + `at worst ${most(figures.worst_strips, 'strip')} more. ${twice ? '' : 'Orbits were not counted twice: this page was built without the source of nauty.'}`;
+      + `${figures.worst_strips > 0 ? `at worst ${most(figures.worst_strips, 'strip')} more than before` : 'never more strips than before'}. ${twice ? '' : 'Orbits were not counted twice: this page was built without the source of nauty.'}`;
     field('claims-head').textContent = `${most(verdict.claims.length, 'claim')} of the verifier: ${ok ? 'all hold' : `${verdict.failed} fail`}`;
     if (!ok) {
       field('fault').hidden = false;
       field('fault').textContent = verdict.claims.find(({ holds }) => !holds).counterexample;
     }
     this.take();
-    const table = JSON.parse(Object.entries(answer.files).find(([file]) => file.endsWith('.json'))[1]);
-    this.table = table.positions.length === 1 ? { ...table, ...table.positions[0] } : null;
-    field('look').hidden = false;
-    if (!this.table || !Drawing.of(text, this.drawing.places)) return;
-    this.case = { inner: 0, ports: 1 };
-    this.look();
+    field('take').hidden = false;
+    this.tables = JSON.parse(Object.entries(answer.files).find(([file]) => file.endsWith('.json'))[1]);
+    const { positions, numbers } = this.tables;
+    field('positions').hidden = positions.length === 1;
+    field('position').innerHTML = positions.map((one, n) => `<option value="${n}">${numbers.map((number, i) => `${number} = ${one.numbers[i]}`).join(', ')}</option>`).join('');
+    return this.place(0);
   }
-  place(line, column) {
+  /// Shows the cases of a position.
+  place(n) {
+    const position = this.tables.positions[n];
+    const values = Object.fromEntries(this.tables.numbers.map((number, i) => [number, position.numbers[i]]));
+    const at = operationAt(JSON.parse(this.text), values);
+    this.shown = at && Drawing.of(JSON.stringify(at), this.tables.numbers.length === 0 ? this.drawing.places : {});
+    field('look').hidden = !this.shown;
+    const id = this.name.replace('.json', '').replaceAll('-', '_');
+    const table = this.tables.numbers.length === 0 ? `restrip::tables::${id}` : `position_of(restrip::tables::${id}, {${position.numbers.join(', ')}})`;
+    const [a, b] = this.shown?.operation.before[0] ?? ['from', 'to'];
+    field('use').textContent = `#include <cstdio>\n#include <restrip/restrip.hpp>\n#include "${id}.hpp"\n\nrestrip::LiveMesh live(triangles, vertices);\n`
+      + `// The side from ${a} to ${b} of the first triangle before the operation.\nconst auto result = live.apply(${table}, live.edge(${a}, ${b}));\n`
+      + 'if (!result) std::puts(restrip::describe(result.refusal));\nfor (const auto& range : live.update()) upload(range);\n';
+    if (!this.shown) return undefined;
+    this.table = { ...this.tables, ...position };
+    const { edges } = position.before;
+    const { inner } = edgesOf(this.shown.operation.before, this.shown.operation.boundary);
+    // The entries of a matching serve all inner edges.
+    const isMatching = (one) => Array.from({ length: position.before.triangles }, (_, t) => inner.filter((ends, e) => (one >> e & 1) && ends.slice(0, 2).includes(t)).length).every((solid) => solid < 2);
+    this.cases = [];
+    for (let one = 0; one < 1 << edges; ++one)
+      if (!this.table.matching || isMatching(one))
+        for (let ports = 0; ports < 1 << position.ports; ++ports) if (this.rule({ inner: one, ports })) this.cases.push({ inner: one, ports });
+    this.case = this.cases[Math.min(1, this.cases.length - 1)];
+    this.mine = null;
+    return this.look();
+  }
+  showPlace(line, column) {
     field('file').open = true;
     const lines = field('text').value.split('\n');
     const at = lines.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0) + column - 1;
@@ -260,8 +308,8 @@ class Page {
   // ---- configurations
   /// The rule of a configuration, or null if it is not valid.
   rule({ inner, ports } = this.case) {
-    const { entries, none, matching, ports: count } = this.table;
-    const entry = entries[matching ? ports : inner << count | ports];
+    const { entries, none, first, matching, ports: count } = this.table;
+    const entry = entries[first + (matching ? ports : inner << count | ports)];
     return entry === none ? null : { inner: entry >> count, ports: entry & (1 << count) - 1 };
   }
   added({ inner, ports }, rule) {
@@ -269,14 +317,11 @@ class Page {
     return this.table.after.triangles - this.table.before.triangles - bits(rule.inner) - bits(rule.ports) + bits(inner) + bits(ports);
   }
   step(by) {
-    const { before, ports: count } = this.table;
-    const all = 1 << before.edges + count;
-    let at = this.case.inner << count | this.case.ports;
-    for (let n = 0; n < all; ++n) {
-      at = (at + (by || (n > 0 ? 1 : 0)) + all) % all;
-      const one = { inner: at >> count, ports: at & (1 << count) - 1 };
-      const rule = this.rule(one);
-      if (!rule || (field('costing').checked && this.added(one, rule) <= 0)) continue;
+    const { cases } = this;
+    const from = this.number();
+    for (let n = by ? 1 : 0; n <= cases.length; ++n) {
+      const one = cases[(from + n * (by || 1) + n * cases.length) % cases.length];
+      if (field('costing').checked && this.added(one, this.rule(one)) <= 0) continue;
       this.case = one;
       this.mine = null;
       return this.look();
@@ -284,16 +329,19 @@ class Page {
     field('which').textContent = 'no case costs a strip';
     return undefined;
   }
+  number() { return Math.max(0, this.cases.findIndex(({ inner, ports }) => inner === this.case.inner && ports === this.case.ports)); }
   async look() {
-    const { case: one, drawing } = this;
+    const { case: one, shown: drawing } = this;
     const rule = this.rule();
-    const shown = this.mine ?? rule;
+    const colors = this.mine ?? rule;
     field('case-before').innerHTML = picture(drawing, 'before', 'the case before', { colors: one, paint: 'inner ports' });
-    field('case-after').innerHTML = picture(drawing, 'after', 'after', { colors: shown ?? { inner: 0, ports: one.ports }, paint: shown ? 'inner' : '' });
-    field('which').textContent = `inner edges ${hex(one.inner)}, ports ${hex(one.ports)}`;
-    field('judge').disabled = field('repair').disabled = !this.mine;
+    field('case-after').innerHTML = picture(drawing, 'after', 'after', { colors: colors ?? { inner: 0, ports: one.ports }, paint: colors ? 'inner' : '' });
+    field('which').textContent = rule ? `case ${(this.number() + 1).toLocaleString('en')} of ${this.cases.length.toLocaleString('en')}` : 'not a case';
+    field('repair').disabled = !this.mine;
+    field('judge').disabled = !this.mine || this.tables.positions.length > 1;
+    field('judge').title = this.tables.positions.length > 1 ? 'Tables of families are not judged again here.' : '';
     field('broken').textContent = '';
-    const request = { before: hex(one.inner), ports: hex(one.ports), ...(shown ? { after: hex(shown.inner), ports_after: hex(shown.ports) } : {}) };
+    const request = { before: hex(one.inner), ports: hex(one.ports), numbers: this.table.numbers, ...(colors ? { after: hex(colors.inner), ports_after: hex(colors.ports) } : {}) };
     const run = this.run;
     const told = await this.programs.ask({ what: 'explain', name: this.name, text: this.text, request });
     if (run !== this.run || one !== this.case || told.stopped) return;
@@ -301,7 +349,7 @@ class Page {
     field('why').innerHTML = '';
     if (told.error) return say(told.error);
     if (told.invalid) return say(`Strips cannot look like this: ${told.invalid}.`);
-    const added = this.added(one, shown);
+    const added = this.added(one, colors);
     const strips = added === 0 ? 'as many strips as before' : `${Math.abs(added)} strip${Math.abs(added) === 1 ? '' : 's'} ${added > 0 ? 'more' : 'fewer'}`;
     if (this.mine && told.verdict !== 'best') {
       say(`Your rule is ${told.verdict}: ${told.because}.`);
@@ -316,7 +364,7 @@ class Page {
     const mask = (text) => parseInt(text, 16);
     field('why').innerHTML = `<p>${words}</p><div class="pictures">${sets.slice(0, 8).map((set) => {
       const edges = { inner: mask(set.inner), ports: mask(set.ports) };
-      return `<figure>${picture(this.drawing, 'after', escaped(set.why), { colors: edges, marked: edges, world: set.world })}<figcaption>${escaped(set.why)}</figcaption></figure>`;
+      return `<figure>${picture(this.shown, 'after', escaped(set.why), { colors: edges, marked: edges, world: set.world })}<figcaption>${escaped(set.why)}</figcaption></figure>`;
     }).join('')}</div>${sets.length > 8 ? `<p>And ${sets.length - 8} more.</p>` : ''}`;
   }
   /// The row of the certificate whose key the case has: of the rows with its ports, the one with most of its joined pairs.
@@ -347,12 +395,10 @@ class Page {
     const { files, bytes } = this.made;
     const all = [[this.name, this.text], ...Object.entries(files), ...Object.entries(bytes).map(([name, list]) => [name, new Uint8Array(list)])];
     for (const link of field('downloads').querySelectorAll('a')) URL.revokeObjectURL(link.href);
-    field('downloads').innerHTML = all.map(([name, content]) => `<a class="button" download="${escaped(name.split('/').at(-1))}" href="${URL.createObjectURL(new Blob([content]))}">${escaped(name.split('/').at(-1))}</a>`).join(' ');
-    const id = this.name.replace('.json', '').replaceAll('-', '_');
-    const [[a, b]] = this.drawing.operation.before;
-    field('use').textContent = `#include <restrip/restrip.hpp>\n#include "restrip/tables/operations/${id}.hpp"\n\nrestrip::LiveMesh live(triangles, vertices);\n`
-      + `// The halfedge is the side ${a} ${b} of the first triangle before the operation.\nconst auto result = live.apply(restrip::tables::${id}, live.edge(vertex_${a}, vertex_${b}));\n`
-      + 'if (!result) std::puts(restrip::describe(result.refusal));\nfor (const auto& range : live.update()) upload(range);\n';
+    field('downloads').innerHTML = all.map(([path, content], n) => {
+      const file = escaped(path.split('/').at(-1));
+      return `<a class="button" download="${file}" href="${URL.createObjectURL(new Blob([content]))}">${n === 0 ? 'operation file' : kinds[file.split('.').at(-1)]} <small>${file}</small></a>`;
+    }).join(' ');
   }
   async link() {
     const state = JSON.stringify({ text: this.text ?? field('text').value, places: this.drawing.places }, (_, value) => (typeof value === 'number' ? Math.round(value) : value));
@@ -371,6 +417,6 @@ const [compiled, linked] = await Promise.all([embedded('wasm').then(WebAssembly.
 const page = new Page(new Programs(compiled));
 window.restripMaker = page;
 const first = linked && (() => { try { return Drawing.of(linked.text, linked.places); } catch { return null; } })();
-if (!first) field('example').value = 'Face split';
+if (!linked) field('example').value = 'Face split';
 page.show(first ?? new Drawing(structuredClone(examples['Face split'])));
-if (linked && !first) field('fault').hidden = false, field('fault').textContent = 'The link has no operation that can be drawn; this is an example.';
+if (linked && !first) field('text').value = linked.text, page.typed();

@@ -2,6 +2,8 @@
 // changed. Numbers of inner edges and ports are as that page says.
 
 export const sides = ['before', 'after'];
+/// Of a picture.
+export const size = [400, 370];
 const key = (a, b) => (a < b ? `${a} ${b}` : `${b} ${a}`);
 const around = ([a, b, c]) => [[a, b], [b, c], [c, a]];
 const center = (...points) => [0, 1].map((n) => points.reduce((sum, p) => sum + p[n], 0) / points.length);
@@ -56,13 +58,13 @@ export class Drawing {
   /// Places for vertices that have none: the outline on a circle, the others between their neighbours.
   #placeAll() {
     const rim = edgesOf(this.operation.before).outline.map(([, a]) => a);
-    rim.forEach((name, i) => {
-      const turn = Math.PI / 2 + Math.PI / rim.length - 2 * Math.PI * i / rim.length;
-      this.places[name] ??= [200 + 150 * Math.cos(turn), 200 + 150 * Math.sin(turn)];
-    });
+    const circle = rim.map((_, i) => Math.PI * (0.5 + (1 - 2 * i) / rim.length)).map((turn) => [Math.cos(turn), Math.sin(turn)]);
+    const [least, most] = [Math.min, Math.max].map((end) => [0, 1].map((n) => end(...circle.map((p) => p[n]))));
+    const scale = Math.min(...[0, 1].map((n) => (size[n] - 100) / (most[n] - least[n])));
+    rim.forEach((name, i) => { this.places[name] ??= circle[i].map((c, n) => size[n] / 2 + (c - (least[n] + most[n]) / 2) * scale); });
     for (const side of sides) {
       const free = this.vertices(side).filter((name) => !this.places[name]);
-      for (const name of free) this.places[name] = [200, 200];
+      for (const name of free) this.places[name] = size.map((c) => c / 2);
       for (let step = 0; step < 60; ++step)
         for (const name of free) {
           const near = [...new Set(this.operation[side].filter((t) => t.includes(name)).flat())].filter((other) => other !== name);
@@ -126,7 +128,7 @@ export class Drawing {
   }
   move(vertex, place) {
     const old = this.places[vertex];
-    this.places[vertex] = place.map((c) => Math.max(12, Math.min(388, c)));
+    this.places[vertex] = place.map((c, n) => Math.max(15, Math.min(size[n] - 15, c)));
     const wrong = sides.some((side) => this.vertices(side).includes(vertex) && !this.isFlat(side));
     if (wrong) this.places[vertex] = old;
     return wrong ? 'a triangle would be upside down' : '';
@@ -149,6 +151,22 @@ export class Drawing {
   }
 }
 
+/// A family at a position, `values` by name, as a single operation; null if its file gives no triangles.
+/// Words as in docs/reference/operation-file.md: "u[i+1]", "i[0,k-1)", "2 a + 1".
+export function operationAt({ numbers, where, ...family }, values) {
+  if (!sides.every((side) => Array.isArray(family[side]))) return null;
+  const sum = (text, known) => text.match(/[+-]?[^+-]+/g).reduce((all, term) => all +
+    term.match(/\w+/g).reduce((product, word) => product * (known[word] ?? Number(word)), term.startsWith('-') ? -1 : 1), 0);
+  const vertex = (word, known = values) => word.replace(/\[(.*)\]$/, (_, index) => sum(index, known));
+  const list = (triangles) => triangles.flatMap(([a, b, c, index = 'i[0,1)']) => {
+    const [, name, from, to] = /^(\w+)\[(.*),(.*)\)$/.exec(index);
+    const first = sum(from, values);
+    return Array.from({ length: sum(to, values) - first }, (_, i) => [a, b, c].map((word) => vertex(word, { ...values, [name]: first + i })));
+  });
+  return { ...family, before: list(family.before), after: list(family.after),
+    ...(family.boundary ? { boundary: family.boundary.map((stretch) => stretch.map((word) => vertex(word))) } : {}) };
+}
+
 /// A side as SVG. `colors`: { inner, ports } as masks to draw the dual graph, or null. `marked`: the same, in another
 /// colour. `world`: lists of ports that are connected outside. `press`: a function of (kind, number) for what can be
 /// pressed, as attributes; `old`: the triangles of the other side, which have another colour here when they are new.
@@ -161,6 +179,7 @@ export function picture(drawing, side, label, { colors = null, marked = { inner:
   const path = (...points) => `M${points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}`;
   const other = new Set(operation[side === 'before' ? 'after' : 'before'].map((t) => [...t].sort().join(' ')));
   const hub = triangles.map((t) => center(...t.map(at)));
+  const middle = size.map((c) => c / 2);
   const button = (kind, n, name, rest) => `<path class="press" tabindex="0" role="button" data-${kind}="${n}" aria-label="${name}" ${rest}/>`;
   let svg = '';
   triangles.forEach((t, n) => {
@@ -179,14 +198,17 @@ export function picture(drawing, side, label, { colors = null, marked = { inner:
     for (const block of world)
       block.slice(1).forEach((port, n) => {
         const [from, to] = [ends[block[n]][1], ends[port][1]];
-        const out = (p) => p.map((c) => 200 + (c - 200) * 195 / Math.max(60, Math.hypot(p[0] - 200, p[1] - 200)));
-        svg += `<path class="outside" d="${path(from)}C${[...out(from).map((c) => 200 + (c - 200) * 1.15), ...out(to).map((c) => 200 + (c - 200) * 1.15), ...to].map((c) => c.toFixed(1)).join(' ')}"/>`;
+        const out = (p) => middle.map((m, i) => m + (p[i] - m) * 225 / Math.max(60, Math.hypot(...p.map((c, n) => c - middle[n]))));
+        svg += `<path class="outside" d="${path(from)}C${[out(from), out(to), to].flat().map((c) => c.toFixed(1)).join(' ')}"/>`;
       });
     inner.forEach(([s, t, a, b], n) => {
       svg += `<path class="${style(bit(colors.inner, n), bit(marked.inner, n))}" d="${path(hub[s], center(at(a), at(b)), hub[t])}"/>`;
     });
     ends.forEach((end, n) => { if (end) svg += `<path class="${style(bit(colors.ports, n), bit(marked.ports, n))}" d="${path(hub[ports[n][0]], ...end)}"/>`; });
     svg += `<path class="node" d="${hub.map((p) => `${path(p)}h0`).join('')}"/>`;
+    const number = (n, [x, y]) => { svg += `<text class="number" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${n}</text>`; };
+    hub.forEach(([x, y], n) => number(n, [x + 17, y + 17]));
+    ends.forEach((end, n) => { if (end) number(n, end[1].map((c, i) => c + 14 * (c - end[0][i]) / Math.hypot(end[1][0] - end[0][0], end[1][1] - end[0][1]))); });
     if (paint.includes('inner'))
       inner.forEach(([s, t, a, b], n) => { svg += button('inner', n, `edge between triangles ${s} and ${t}`, `aria-pressed="${bit(colors.inner, n)}" d="${path(hub[s], center(at(a), at(b)), hub[t])}"`).replace('press', 'press line'); });
     if (paint.includes('ports'))
@@ -199,5 +221,5 @@ export function picture(drawing, side, label, { colors = null, marked = { inner:
       svg += `<g class="vertex" tabindex="0" role="button" data-vertex="${name}" aria-label="vertex ${name}${free ? ', press Delete to remove it' : ''}; arrow keys move it"><circle cx="${at(name)[0].toFixed(1)}" cy="${at(name)[1].toFixed(1)}" r="13"/><text x="${at(name)[0].toFixed(1)}" y="${at(name)[1].toFixed(1)}">${name}</text></g>`;
     }
   }
-  return `<svg class="patch" viewBox="0 0 400 400" role="${edit || paint ? 'group' : 'img'}" aria-label="${label}">${svg}</svg>`;
+  return `<svg class="patch" viewBox="0 0 ${size.join(' ')}" role="${edit || paint ? 'group' : 'img'}" aria-label="${label}">${svg}</svg>`;
 }

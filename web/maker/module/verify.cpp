@@ -1,7 +1,8 @@
 // The verifier: `restrip-verify --operation`, and `restrip-verify explain` for operations with one
 // position.
 //   {files, operation, certificate, header}  ->  {claims: […], failed: 0, last: "verified: …"}
-//   {files, operation, before, ports, after, ports_after}  ->  what `explain --json` prints; masks are hexadecimal
+//   {files, operation, numbers, before, ports, after, ports_after}  ->  what `explain --json` prints; masks are
+//   hexadecimal, and numbers the position of a family
 #include "verify.hpp"
 
 #include <charconv>
@@ -20,11 +21,13 @@ namespace {
 
 /// The definition of the operation that was asked about last: the page asks about one many times.
 struct Asked {
-  explicit Asked(const std::string& file_text)
+  Asked(const std::string& file_text, const verify::Numbers& position)
       : text(file_text),
-        operation(verify::operation_at(verify::parse_descriptions("operation", file_text).at(0), {})),
+        numbers(position),
+        operation(verify::operation_at(verify::parse_descriptions("operation", file_text).at(0), position)),
         definition(operation) {}
   std::string text;
+  verify::Numbers numbers;
   verify::Operation operation;
   verify::Definition definition;
 };
@@ -39,9 +42,10 @@ verify::Mask mask_of(const nlohmann::json& request, const char* member) {
 
 nlohmann::ordered_json explained(const nlohmann::json& request) {
   const std::string text = verify::read_file(request.at("operation").get<std::string>());
-  if (!asked || asked->text != text) {
+  const auto numbers = request.at("numbers").get<verify::Numbers>();
+  if (!asked || asked->text != text || asked->numbers != numbers) {
     asked.reset();
-    asked.emplace(text);
+    asked.emplace(text, numbers);
   }
   const verify::Colors configuration{mask_of(request, "before"), mask_of(request, "ports")};
   const verify::Operation& operation = asked->operation;
