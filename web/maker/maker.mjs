@@ -83,6 +83,7 @@ class Page {
     field('claims-of').open = innerWidth > 1000;
     field('corners').onchange = () => field('corners').value && this.show(Drawing.outline(+field('corners').value));
     field('undo').onclick = () => this.show(this.past.pop(), false);
+    for (const form of document.forms) form.onsubmit = (event) => event.preventDefault();
     for (const id of ['name', 'constraint', 'give_up', 'cost']) field(id).onchange = () => this.choose(id, field(id).value);
     field('text').oninput = () => this.typed();
     field('stop').onclick = () => this.programs.stop();
@@ -174,7 +175,7 @@ class Page {
     if (remember && this.drawing) this.past.push(this.drawing);
     this.drawing = drawing;
     field('undo').disabled = this.past.length === 0;
-    field('drawn').textContent = '';
+    this.#drawable(true);
     this.draw();
     field('text').value = drawing.text();
     this.settle();
@@ -198,12 +199,19 @@ class Page {
     const text = field('text').value;
     let drawing = null;
     try { drawing = Drawing.of(text, this.drawing.places); } catch { /* the generator says what is wrong, and where */ }
-    field('drawn').textContent = drawing ? '' : 'This file cannot be drawn here; these pictures show the operation before it.';
+    const isWhole = (() => { try { return !!JSON.parse(text); } catch { return false; } })();
+    if (!field('drawing').hidden) this.past.push(this.drawing);
+    field('undo').disabled = this.past.length === 0;
+    this.#drawable(!isWhole || drawing !== null);
     if (!drawing) return this.make(text);
-    this.past.push(this.drawing);
     this.drawing = drawing;
     this.draw();
-    this.settle();
+    return this.settle();
+  }
+  #drawable(is) {
+    field('drawing').hidden = !is;
+    field('drawn').textContent = is ? '' : 'Families and graphs are not drawn here; change the file below. Undo goes back to the drawing.';
+    if (!is) field('file').open = true;
   }
 
   // ---- the programs
@@ -267,6 +275,7 @@ class Page {
     this.tables = JSON.parse(Object.entries(answer.files).find(([file]) => file.endsWith('.json'))[1]);
     const { positions, numbers } = this.tables;
     field('positions').hidden = positions.length === 1;
+    field('judge').hidden = positions.length > 1;
     field('position').innerHTML = positions.map((one, n) => `<option value="${n}">${numbers.map((number, i) => `${number} = ${one.numbers[i]}`).join(', ')}</option>`).join('');
     return this.place(0);
   }
@@ -338,8 +347,7 @@ class Page {
     field('case-after').innerHTML = picture(drawing, 'after', 'after', { colors: colors ?? { inner: 0, ports: one.ports }, paint: colors ? 'inner' : '' });
     field('which').textContent = rule ? `case ${(this.number() + 1).toLocaleString('en')} of ${this.cases.length.toLocaleString('en')}` : 'not a case';
     field('repair').disabled = !this.mine;
-    field('judge').disabled = !this.mine || this.tables.positions.length > 1;
-    field('judge').title = this.tables.positions.length > 1 ? 'Tables of families are not judged again here.' : '';
+    field('judge').disabled = !this.mine;
     field('broken').textContent = '';
     const request = { before: hex(one.inner), ports: hex(one.ports), numbers: this.table.numbers, ...(colors ? { after: hex(colors.inner), ports_after: hex(colors.ports) } : {}) };
     const run = this.run;

@@ -190,7 +190,8 @@ export function picture(drawing, side, label, { colors = null, marked = { inner:
   const ends = ports.map((port) => {
     if (!port) return null;
     const door = center(at(port[1]), at(port[2]));
-    return [door, door.map((c, n) => c + (c - hub[port[0]][n]) * 0.6)];
+    const out = door.map((c, n) => c - hub[port[0]][n]);
+    return [door, door.map((c, n) => c + out[n] * Math.min(0.6, 34 / Math.hypot(...out)))];
   });
   if (colors) {
     const style = (solid, mark) => (mark ? 'solid marked' : solid ? 'solid' : 'dashed');
