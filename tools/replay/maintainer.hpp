@@ -37,7 +37,7 @@ class Maintainer {
   virtual Rewrite<Halfedge> flip(Halfedge h) = 0;
   /// What the method does to all strips between two operations. Call it after each of the operations above; play_up()
   /// and play_down() do so themselves.
-  virtual Repair between() { return {}; }
+  virtual ColoringChange between() { return {}; }
 
   /// Plays split records in order, finding the spokes by their vertices. `first` is the number of the first record. For
   /// timing: nothing is reported.

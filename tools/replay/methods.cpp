@@ -109,8 +109,8 @@ class Traces final : public Maintainer {
     const Vertex to = mesh_.to(h);
     return added(Traced::Kind::flip, from, to, traced_->flip(h));
   }
-  Repair between() override {
-    const Repair done = traced_->between();
+  ColoringChange between() override {
+    const ColoringChange done = traced_->between();
     if (!changed_.empty()) add({Traced::Kind::other, 0, 0, done.strips, done.isolated});
     return done;
   }

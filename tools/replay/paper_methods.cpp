@@ -66,7 +66,7 @@ class Paper final : public WitnessedMaintainer {
     }
   }
 
-  Repair between() override {
+  ColoringChange between() override {
     if (!locator_) return {};
     // Some are in a strip by now, some were noted twice, some no longer exist.
     const auto too_many = [&](std::size_t isolated) { return 10 * isolated > locator_->strips(); };
@@ -82,7 +82,7 @@ class Paper final : public WitnessedMaintainer {
       if (alone(t) && !tunnel_.join(mesh_, *locator_, t, short_tunnel)) left.push_back(t);
     }
     alone_.insert(alone_.end(), left.begin(), left.end());
-    return {-static_cast<int>(strips - locator_->strips()), static_cast<int>(tunnel_.counts().isolated - isolated)};
+    return {-static_cast<int>(strips - locator_->strips()), 0, static_cast<int>(tunnel_.counts().isolated - isolated)};
   }
 
   void restart(std::size_t) override {

@@ -23,7 +23,7 @@ TEST(Absorb, ThatFailsChangesNothing) {
   for (unsigned alone = 0; alone < 3; ++alone) {
     for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), side != alone);
     for (const int depth : {0, 1, 2, 3, 4}) {
-      const Repair done = absorb(mesh, mesh.opposite(StripMesh::halfedge(0, alone)), depth);
+      const ColoringChange done = absorb(mesh, mesh.opposite(StripMesh::halfedge(0, alone)), depth);
       EXPECT_EQ(done.strips, 0);
       EXPECT_EQ(done.isolated, 0);
       for (unsigned side = 0; side < 3; ++side) EXPECT_EQ(mesh.solid(StripMesh::halfedge(0, side)), side != alone);
@@ -45,7 +45,9 @@ TEST(Absorb, LeavesFewAlone) {
     for (const Halfedge side : {h, StripMesh::next(h), StripMesh::next(StripMesh::next(h))})
       if (mesh.solid(side)) mesh.set_solid(side, false);
     Census expected = census_of(mesh);
-    const Repair done = n % 3 == 0 ? absorb(mesh, h) : n % 3 == 1 ? join_around(mesh, h) : join_at_edge(mesh, h);
+    const ColoringChange done = n % 3 == 0   ? absorb(mesh, h)
+                                : n % 3 == 1 ? join_around(mesh, h)
+                                             : join_at_edge(mesh, h);
     ASSERT_EQ(census_of(mesh), expected += done);
     absorbed += done.isolated < 0 ? 1U : 0U;
   }

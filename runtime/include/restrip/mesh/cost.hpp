@@ -32,18 +32,56 @@ struct Cost {
 /// The cost that is minimised by default.
 inline constexpr Cost default_cost = Cost::indices();
 
+/// The change of a colouring, in counts. Operations and repairs that do not say that they count swaps leave them 0.
+struct ColoringChange {
+  int strips = 0;    ///< change in the number of strips
+  int swaps = 0;     ///< change in the number of swaps
+  int isolated = 0;  ///< change in the number of isolated triangles of the whole mesh
+
+  constexpr ColoringChange& operator+=(const ColoringChange& more) noexcept {
+    strips += more.strips;
+    swaps += more.swaps;
+    isolated += more.isolated;
+    return *this;
+  }
+  [[nodiscard]] constexpr ColoringChange operator-() const noexcept { return {-strips, -swaps, -isolated}; }
+  [[nodiscard]] constexpr std::int32_t price(const Cost& cost) const noexcept {
+    return std::int32_t{cost.restart} * strips + std::int32_t{cost.swap} * swaps +
+           std::int32_t{cost.isolated} * isolated;
+  }
+  friend constexpr bool operator==(const ColoringChange&, const ColoringChange&) = default;
+};
+
+namespace detail {
+
+/// Solid dual edges of the triangle to the left of h.
+template <ColoredMesh Mesh>
+constexpr unsigned solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.solid_degree(mesh.triangle(h)); }) return mesh.solid_degree(mesh.triangle(h));
+  const auto second = mesh.next(h);
+  return unsigned{mesh.solid(h)} + unsigned{mesh.solid(second)} + unsigned{mesh.solid(mesh.next(second))};
+}
+
+/// The solid sides of the triangle of h other than h: bit 0 the next one, bit 1 the one before. If h is solid too, they
+/// say how the strip turns there: 1 or 2, or 0 if it ends.
+template <ColoredMesh Mesh>
+constexpr unsigned other_solid_sides(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.other_solid_sides(h); }) return mesh.other_solid_sides(h);
+  const auto right = mesh.next(h);
+  return unsigned{mesh.solid(right)} | unsigned{mesh.solid(mesh.next(right))} << 1;
+}
+
+/// Whether a solid edge is a swap, from the turns on its two sides. Seen from the shared edge the triangles are
+/// mirrored, so equal turns appear on opposite sides.
+constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
+
+}  // namespace detail
+
 /// True when the dual edge of h, which must be solid, is a swap: both of its triangles have two solid edges, and the
 /// strip turns the same way in both. Constant time, four colours.
 template <ColoredMesh Mesh>
 [[nodiscard]] constexpr bool is_swap(const Mesh& mesh, typename Mesh::Halfedge h) {
-  const auto back = mesh.opposite(h);
-  const auto right = mesh.next(h);
-  const auto right_back = mesh.next(back);
-  const bool turns_right = mesh.solid(right);
-  const bool turns_right_back = mesh.solid(right_back);
-  // Seen from the shared edge the triangles are mirrored, so equal turns appear on opposite sides.
-  return turns_right != turns_right_back && (turns_right || mesh.solid(mesh.next(right))) &&
-         (turns_right_back || mesh.solid(mesh.next(right_back)));
+  return detail::is_swap(detail::other_solid_sides(mesh, h), detail::other_solid_sides(mesh, mesh.opposite(h))) != 0;
 }
 
 }  // namespace restrip

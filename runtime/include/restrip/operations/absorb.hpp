@@ -15,34 +15,12 @@
 
 namespace restrip {
 
-/// The changes of a repair after an operation.
-struct Repair {
-  int strips = 0;    ///< change in the number of strips: 0 or less
-  int isolated = 0;  ///< change in the number of isolated triangles: 0 or less
-
-  constexpr Repair& operator+=(Repair more) noexcept {
-    strips += more.strips;
-    isolated += more.isolated;
-    return *this;
-  }
-};
-
 namespace detail {
-
-/// Solid dual edges of the triangle to the left of h.
-template <class Mesh>
-int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
-  if constexpr (requires { mesh.solid_degree(mesh.triangle(h)); })
-    return static_cast<int>(mesh.solid_degree(mesh.triangle(h)));
-  const auto second = mesh.next(h);
-  return int{mesh.solid(h)} + int{mesh.solid(second)} + int{mesh.solid(mesh.next(second))};
-}
 
 /// The result of an operation and of the repair after it.
 template <class Halfedge>
-Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Repair repair) {
-  rewrite.strips += repair.strips;
-  rewrite.isolated += repair.isolated;
+Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, const ColoringChange& repair) {
+  rewrite += repair;
   return rewrite;
 }
 
@@ -51,14 +29,14 @@ inline constexpr int default_absorptions = 4;
 /// absorb() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
 /// triangle that has become a strip end, with one of its halfedges.
 template <class Mesh, class Paint, class End>
-Repair absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint, End&& end) {
+ColoringChange absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint, End&& end) {
   if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
   for (const bool pass_on : {false, true}) {
     if (pass_on && depth == 0) break;
     for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
       const auto across = mesh.opposite(h);
       if (mesh.on_boundary(across)) continue;
-      const int degree = solid_degree(mesh, across);
+      const unsigned degree = solid_degree(mesh, across);
       if (degree < 2) {  // the end of a strip, or isolated as well
         paint(h, true);
         end(h);
@@ -71,7 +49,7 @@ Repair absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
         if (!spares_one && !pass_on) continue;
         paint(other, false);
         paint(h, true);
-        Repair done{0, -1};
+        ColoringChange done{0, 0, -1};
         if (spares_one)
           end(beyond);
         else
@@ -94,7 +72,7 @@ Repair absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
 /// to isolate another triangle, one of them does, and that triangle is absorbed in turn, `depth` times at most. If that
 /// fails as well, nothing has changed.
 template <ColoredMesh Mesh>
-Repair absorb(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_absorptions) {
+ColoringChange absorb(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_absorptions) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "absorb", describe(Refusal::no_such_edge));
   return detail::absorb_with(
       mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); }, [](auto) {});

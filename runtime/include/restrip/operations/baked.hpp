@@ -118,7 +118,7 @@ Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typen
   if (left) color_both_halves(chord);
   if (right) color_both_halves(mesh.opposite(chord));
   const int triangles = where.spokes == Spokes::both ? 2 : 1;
-  return {chord, 0, triangles - int{left} - int{right} - detail::flip_colors(mesh, flips), 0};
+  return {{triangles - int{left} - int{right} - detail::flip_colors(mesh, flips), 0, 0}, chord, 0};
 }
 
 /// The inverse: flips `flips`, collapses the edge of `chord` = v_s -> v_t into v_s, and gives each merged edge the
@@ -134,7 +134,7 @@ Rewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfe
   left.color(mesh);
   right.color(mesh);
   const int triangles = int{left.triangle} + int{right.triangle};
-  return {spoke, 0, int{left.solid} + int{right.solid} - triangles - more, 0};
+  return {{int{left.solid} + int{right.solid} - triangles - more, 0, 0}, spoke, 0};
 }
 
 /// Plays the records of one baked mesh, and knows whether their flips still fit.

@@ -66,19 +66,15 @@ Rewrite<typename Mesh::Halfedge> after_flip(Mesh& mesh, PendingFlip<typename Mes
                                             typename Mesh::Halfedge h);
 
 /// Changes by the operations of another library so far.
-struct HookTally {
+struct HookTally : ColoringChange {
   std::size_t operations = 0;
-  long strips = 0;    ///< change in the number of strips
-  long isolated = 0;  ///< change in the number of isolated triangles
   /// Operations that the library made without a prior callback. The colouring is valid, but count its strips again:
   /// `strips` and `isolated` do not include these operations.
   std::size_t unannounced = 0;
 
-  template <class Halfedge>
-  void add(const Rewrite<Halfedge>& done) noexcept {
+  void add(const ColoringChange& done) noexcept {
     ++operations;
-    strips += done.strips;
-    isolated += done.isolated;
+    *this += done;
   }
 };
 

@@ -36,19 +36,19 @@ template <ColoredMesh Mesh>
 /// If a strip ends in the triangle to the left of h, joins it with adjacent ends of other strips: at most two. Time
 /// linear in the shorter strip of each pair that meets.
 template <ColoredMesh Mesh>
-Repair join_end(Mesh& mesh, typename Mesh::Halfedge h);
+ColoringChange join_end(Mesh& mesh, typename Mesh::Halfedge h);
 
 /// Joins all ends that meet in the whole mesh. Time: the number of triangles times the mean length of strips that end
 /// next to each other.
 template <NumberedMesh Mesh>
-Repair join_all(Mesh& mesh);
+ColoringChange join_all(Mesh& mesh);
 
 /// Steps 1 to 3 above, for custom operations and the operations of refine.hpp, after the operation: around the vertex
 /// that h leaves; or in the two triangles at the edge of h and their neighbours, where ports may have been cleared.
 template <ColoredMesh Mesh>
-Repair join_around(Mesh& mesh, typename Mesh::Halfedge h);
+ColoringChange join_around(Mesh& mesh, typename Mesh::Halfedge h);
 template <ColoredMesh Mesh>
-Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h);
+ColoringChange join_at_edge(Mesh& mesh, typename Mesh::Halfedge h);
 
 /// split(), then steps 1 to 3. The Rewrite includes all changes. `name`: the new vertex, for meshes that let the caller
 /// name it.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/refusal.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
@@ -10,12 +11,10 @@ namespace restrip {
 
 /// The result of an operation. (Baked operations count only strips, see baked.hpp.)
 template <class Halfedge>
-struct Rewrite {
+struct Rewrite : ColoringChange {  // swaps are counted by a Keeper whose cost weighs them
   Halfedge halfedge{};  ///< split: the chord v_s -> v_t; collapse: a spoke of v_s (see CollapsibleMesh); flip: the
                         ///< turned edge
   std::uint32_t valence = 0;  ///< k of the fan that was split or that the collapse left; 4 for a flip
-  int strips = 0;             ///< change in the number of strips
-  int isolated = 0;           ///< change in the number of isolated triangles of the whole mesh
 };
 
 /// What a checked operation on a custom mesh did, or why it was refused. The halfedge of the rewrite leads to a new

@@ -190,7 +190,7 @@ class PendingApply {
     detail::for_each_edge(detail::read_sides(mesh, table_->triangles_after, first), solid_, [&](Halfedge h) {
       if (!mesh.solid(h)) mesh.set_solid(h, true);
     });
-    return {first, table_->ports, strips_, isolated_};
+    return {{strips_, 0, isolated_}, first, table_->ports};
   }
   [[nodiscard]] const Table& table() const noexcept { return *table_; }
 

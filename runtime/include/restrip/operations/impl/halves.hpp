@@ -18,17 +18,10 @@ namespace restrip::detail {
 // ---- rules. Fans of at most max_word_valence triangles are answered on words, longer ones on bit strings.
 
 /// The colours of a rule and the changes that it makes.
-template <class Bits>
 struct Answer {
-  Bits colors;
-  int strips = 0;
-  int isolated = 0;
+  FanBits colors;
+  ColoringChange change;
 };
-
-inline Answer<WordBits> answer(const Layout& before, Word old_colors, const Layout& after, const Rule& rule,
-                               Word ports) noexcept {
-  return {{rule.colors}, rule.strips, isolated(after, rule.colors, ports) - isolated(before, old_colors, ports)};
-}
 
 /// The rule of rules.hpp for these layouts.
 inline Rule rule_between(const Layout& before, Word colors, const Layout& after, Word ports) noexcept {
@@ -42,33 +35,28 @@ inline Rule rule_between(const Layout& before, Word colors, const Layout& after,
                                    : boundary_collapse_rule({k, before.inserted}, colors, ports);
 }
 
-inline Answer<WordBits> answer_by_rule(const SeenPatch<WordBits>& patch) noexcept {
-  const auto& [before, after, gap, inner, ports] = patch;
-  return answer(before, inner.word, after, rule_between(before, inner.word, after, ports.word), ports.word);
-}
-
-inline int count(const LongBits& bits) noexcept {
-  int n = 0;
-  for (const Word word : bits.words) n += count_bits(word);
-  return n;
-}
-
-/// The same on bit strings. For colours that no valid stripification has, all edges are dashed, as in Rule.
-inline Answer<LongBits> answer_by_rule(SeenPatch<LongBits>& patch) {
+/// For colours that no valid stripification has, all edges are dashed, as in Rule.
+inline Answer answer_by_rule(SeenPatch& patch) {
   const Layout before = patch.before;
   const Layout after = patch.after;
+  if (before.k <= max_word_valence) {
+    const Word ports = patch.ports.word();
+    const Rule rule = rule_between(before, patch.inner.word(), after, ports);
+    const int isolated_now = isolated(after, rule.colors, ports);
+    return {FanBits(rule.colors), {rule.strips, 0, isolated_now - isolated(before, patch.inner.word(), ports)}};
+  }
   const BitSpan inner = patch.inner.span(before.colors());
   const BitSpan ports = patch.ports.span(before.k);
-  Answer<LongBits> result;
-  const Walker walker{before, inner, ports};
-  if (walker.valid()) {
-    LongBits joined;
+  Answer result;
+  const BitSpan colors = result.colors.span(after.colors());
+  if (const Walker walker{before, inner, ports}; walker.valid()) {
+    FanBits joined;
     walker.joined(joined.span(before.k));
     best_recoloring(after, ports, joined.span(before.k), result.colors.span(after.colors()));
   }
   const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());
-  result.strips = nodes - (count(result.colors) - count(patch.inner));
-  result.isolated = isolated(after, result.colors.span(after.colors()), ports) - isolated(before, inner, ports);
+  result.change.strips = nodes - (result.colors.count() - patch.inner.count());
+  result.change.isolated = isolated(after, colors, ports) - isolated(before, inner, ports);
   return result;
 }
 
@@ -83,82 +71,90 @@ struct LocalRules {
   Rule collapse(const Mesh& /*mesh*/, Halfedge /*chord*/, const InteriorFan<Halfedge>& fan, Word ring) const noexcept {
     return collapse_rule({fan.k, fan.a}, ring, fan.ports);
   }
-  template <class Mesh, class Bits, class WalkPorts>
-  Answer<Bits> answer(const Mesh& /*mesh*/, SeenPatch<Bits>& patch, WalkPorts&& /*walk_ports*/) const {
+  template <class Mesh, class WalkPorts>
+  Answer answer(const Mesh& /*mesh*/, SeenPatch& patch, WalkPorts&& /*walk_ports*/) const {
     return answer_by_rule(patch);
   }
 };
 
 // ---- what is known between the halves
 
-/// At an interior vertex of ordinary valence.
+/// A split or a collapse that has begun.
 template <class Halfedge>
-struct InteriorChange {
+struct FanChange {
+  /// At an interior vertex of ordinary valence. Elsewhere only k of `fan` is known.
+  bool interior = false;
   InteriorFan<Halfedge> fan;
-  Word before = 0;  ///< colours of the loop before a split, of the inner edges before a collapse
-  Word colors = 0;  ///< of the inner edges after a split, of the loop after a collapse
-  int strips = 0;
-  int isolated = 0;
+  Word before = 0;      ///< interior: colours of the loop before a split, of the inner edges before a collapse
+  FanBits colors;       ///< of the inner edges after a split, of the loop after a collapse
+  Layout layout;        ///< elsewhere: of the fan
+  std::size_t gap = 0;  ///< elsewhere: see SeenPatch
+  ColoringChange counts;
 
-  /// The spokes that go from one vertex to the other.
+  /// Interior: the spokes that go from one vertex to the other.
   [[nodiscard]] std::span<const Halfedge> moved() const { return {fan.spokes + fan.a - 1, fan.k - fan.a}; }
-};
-
-/// Anywhere else.
-template <class Bits>
-struct PatchChange {
-  Answer<Bits> rule;
-  Layout fan;
-  std::size_t gap = 0;  ///< see SeenPatch
+  [[nodiscard]] Rewrite<Halfedge> done(Halfedge at) const { return {counts, at, static_cast<std::uint32_t>(fan.k)}; }
 };
 
 /// Of a flip.
 struct FlipChange {
   bool inner = false;
-  int strips = 0;
-  int isolated = 0;
+  ColoringChange counts;
 };
 
 // ---- split
 
-/// The first half of a split, for any size and kind of fan; then do_rest(change).
-template <class Rules, class Mesh, class Rest>
-auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, Rest&& do_rest) {
+/// The first half of a split, for any size and kind of fan.
+template <class Rules, class Mesh>
+FanChange<typename Mesh::Halfedge> begin_split(Rules&& rules, Mesh& mesh,
+                                               const VertexSplit<typename Mesh::Halfedge>& where) {
   using Halfedge = typename Mesh::Halfedge;
-  InteriorChange<Halfedge> change;
+  using Spokes = typename VertexSplit<Halfedge>::Spokes;
+  FanChange<Halfedge> change;
   InteriorFan<Halfedge>& interior = change.fan;
-  if (where.spokes == VertexSplit<Halfedge>::Spokes::both &&
-      read_interior_fan(mesh, where.left, where.right, interior)) {
+  change.interior = where.spokes == Spokes::both && read_interior_fan(mesh, where.left, where.right, interior);
+  if (change.interior) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = rules.split(mesh, where.left, interior);
     change.before = interior.loop;
-    change.colors = rule.colors;
-    change.strips = rule.strips;
-    change.isolated = count_difference(isolated_ring(k, a, rule.colors, interior.ports),
-                                       isolated_closed(k, interior.loop, interior.ports));
+    change.colors = FanBits(rule.colors);
+    change.counts = {rule.strips, 0,
+                     count_difference(isolated_ring(k, a, rule.colors, interior.ports),
+                                      isolated_closed(k, interior.loop, interior.ports))};
     interior.write(mesh, interior.loop & ~kept_loop(k, a, rule.colors), false);
-    return do_rest(change);
+    return change;
   }
-  const auto in_patch = [&]<class Bits>(SeenPatch<Bits> fan) {
-    const auto visit_ports = [&](auto&& port) { walk_ports(std::as_const(mesh), where, fan, port); };
-    PatchChange<Bits> patch{rules.answer(std::as_const(mesh), fan, visit_ports), fan.before, fan.gap};
-    const Halfedge spoke = where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left;
-    walk_fan(mesh, spoke, fan.before, fan.gap, [&](std::size_t i, Halfedge h) {
-      const std::size_t edge = fan.after.element(i);
-      const bool is_cut = i + 1 == fan.before.k || fan.after.element(i + 1) != edge + 1;
-      if (!is_cut && fan.inner.get(i) && !patch.rule.colors.get(edge)) mesh.set_solid(h, false);
-    });
-    return do_rest(patch);
-  };
-  auto fan = read_fan<WordBits>(mesh, where);
-  return fan.before.k <= max_word_valence ? in_patch(fan) : in_patch(read_fan<LongBits>(mesh, where));
+  SeenPatch fan = read_fan(mesh, where);
+  Answer rule =
+      rules.answer(std::as_const(mesh), fan, [&](auto&& port) { walk_ports(std::as_const(mesh), where, fan, port); });
+  walk_fan(mesh, where.spokes == Spokes::right_only ? where.right : where.left, fan.before, fan.gap,
+           [&](std::size_t i, Halfedge h) {
+             const std::size_t edge = fan.after.element(i);
+             const bool is_cut = i + 1 == fan.before.k || fan.after.element(i + 1) != edge + 1;
+             if (!is_cut && fan.inner.get(i) && !rule.colors.get(edge)) mesh.set_solid(h, false);
+           });
+  interior.k = fan.before.k;
+  change.colors = std::move(rule.colors);
+  change.layout = fan.before;
+  change.gap = fan.gap;
+  change.counts = rule.change;
+  return change;
 }
 
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> finish_split(Mesh& mesh, const InteriorChange<typename Mesh::Halfedge>& change,
+Rewrite<typename Mesh::Halfedge> finish_split(Mesh& mesh, const FanChange<typename Mesh::Halfedge>& change,
                                               typename Mesh::Halfedge chord) {
+  if (!change.interior) {
+    walk_patch(
+        mesh, chord,
+        [&](std::size_t j, auto h) {
+          if (change.colors.get(j) != mesh.solid(h)) mesh.set_solid(h, change.colors.get(j));
+        },
+        [](std::size_t, auto) {});
+    return change.done(chord);
+  }
   const auto& fan = change.fan;
-  const Word inner = change.colors;
+  const Word inner = change.colors.word();
   fan.write(mesh, kept_loop(fan.k, fan.a, inner) & ~fan.loop, true);
   const auto back = mesh.opposite(chord);
   const auto above_left = mesh.next(chord);
@@ -168,27 +164,14 @@ Rewrite<typename Mesh::Halfedge> finish_split(Mesh& mesh, const InteriorChange<t
   mesh.set_solid(below_right, has(inner, fan.a));
   mesh.set_solid(mesh.next(below_right), has(inner, fan.a + 1));
   mesh.set_solid(chord, has(inner, fan.k + 2));
-  return {chord, static_cast<std::uint32_t>(fan.k), change.strips, change.isolated};
-}
-
-template <class Mesh, class Bits>
-Rewrite<typename Mesh::Halfedge> finish_split(Mesh& mesh, const PatchChange<Bits>& change,
-                                              typename Mesh::Halfedge chord) {
-  const Answer<Bits>& rule = change.rule;
-  walk_patch(
-      mesh, chord,
-      [&](std::size_t j, auto h) {
-        if (rule.colors.get(j) != mesh.solid(h)) mesh.set_solid(h, rule.colors.get(j));
-      },
-      [](std::size_t, auto) {});
-  return {chord, static_cast<std::uint32_t>(change.fan.k), rule.strips, rule.isolated};
+  return change.done(chord);
 }
 
 // ---- collapse
 
-template <class Bits, class Mesh>
-SeenPatch<Bits> read_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
-  SeenPatch<Bits> patch;
+template <class Mesh>
+SeenPatch read_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
+  SeenPatch patch;
   std::tie(patch.before, patch.gap) = walk_patch(
       mesh, chord, [&](std::size_t j, auto h) { patch.inner.put(j, mesh.solid(h)); },
       [&](std::size_t i, auto h) { patch.ports.put(i, mesh.solid(h)); });
@@ -196,61 +179,61 @@ SeenPatch<Bits> read_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
   return patch;
 }
 
-/// The first half of a collapse, for any size and kind of patch; then do_rest(change).
-template <class Rules, class Mesh, class Rest>
-auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, Rest&& do_rest) {
+/// The first half of a collapse, for any size and kind of patch.
+template <class Rules, class Mesh>
+FanChange<typename Mesh::Halfedge> begin_collapse(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
   using Halfedge = typename Mesh::Halfedge;
-  InteriorChange<Halfedge> change;
+  FanChange<Halfedge> change;
   InteriorFan<Halfedge>& interior = change.fan;
-  if (Word ring = 0; read_ring(mesh, chord, interior, ring)) {
+  Word ring = 0;
+  change.interior = read_ring(mesh, chord, interior, ring);
+  if (change.interior) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = rules.collapse(mesh, chord, interior, ring);
     change.before = ring;
-    change.colors = rule.colors;
-    change.strips = rule.strips;
-    change.isolated =
-        count_difference(isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports));
+    change.colors = FanBits(rule.colors);
+    change.counts = {
+        rule.strips, 0,
+        count_difference(isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports))};
     interior.write(mesh, interior.loop & ~rule.colors, false);
-    return do_rest(change);
+    return change;
   }
-  const auto in_patch = [&]<class Bits>(SeenPatch<Bits> colors) {
-    const auto visit_ports = [&](auto&& port) {
-      walk_patch(
-          std::as_const(mesh), chord, [](std::size_t, Halfedge) {}, port);
-    };
-    PatchChange<Bits> patch{rules.answer(std::as_const(mesh), colors, visit_ports), colors.after, colors.gap};
-    const Layout& before = colors.before;
+  SeenPatch patch = read_patch(mesh, chord);
+  const Layout& before = patch.before;
+  Answer rule = rules.answer(std::as_const(mesh), patch, [&](auto&& port) {
     walk_patch(
-        mesh, chord,
-        [&](std::size_t j, Halfedge h) {
-          const bool stays = j + 1 < before.size() && before.is_fan(j) && before.is_fan(j + 1);
-          if (stays && colors.inner.get(j) && !patch.rule.colors.get(before.port(j))) mesh.set_solid(h, false);
-        },
-        [](std::size_t, Halfedge) {});
-    return do_rest(patch);
-  };
-  auto patch = read_patch<WordBits>(mesh, chord);
-  return patch.before.k <= max_word_valence ? in_patch(patch) : in_patch(read_patch<LongBits>(mesh, chord));
+        std::as_const(mesh), chord, [](std::size_t, Halfedge) {}, port);
+  });
+  walk_patch(
+      mesh, chord,
+      [&](std::size_t j, Halfedge h) {
+        const bool stays = j + 1 < before.size() && before.is_fan(j) && before.is_fan(j + 1);
+        if (stays && patch.inner.get(j) && !rule.colors.get(before.port(j))) mesh.set_solid(h, false);
+      },
+      [](std::size_t, Halfedge) {});
+  interior.k = patch.after.k;
+  change.colors = std::move(rule.colors);
+  change.layout = patch.after;
+  change.gap = patch.gap;
+  change.counts = rule.change;
+  return change;
 }
 
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const InteriorChange<typename Mesh::Halfedge>& change,
+Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const FanChange<typename Mesh::Halfedge>& change,
                                                  typename Mesh::Halfedge left) {
+  if (!change.interior) {
+    walk_fan(mesh, left, change.layout, change.gap, [&](std::size_t i, auto h) {
+      if (change.colors.get(i) != mesh.solid(h)) mesh.set_solid(h, change.colors.get(i));
+    });
+    return change.done(left);
+  }
   const auto& fan = change.fan;
-  fan.write(mesh, change.colors & ~fan.loop, true);
-  mesh.set_solid(left, has(change.colors, fan.k - 1));
-  mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(change.colors, fan.a - 1));
-  return {left, static_cast<std::uint32_t>(fan.k), change.strips, change.isolated};
-}
-
-template <class Mesh, class Bits>
-Rewrite<typename Mesh::Halfedge> finish_collapse(Mesh& mesh, const PatchChange<Bits>& change,
-                                                 typename Mesh::Halfedge spoke) {
-  const Answer<Bits>& rule = change.rule;
-  walk_fan(mesh, spoke, change.fan, change.gap, [&](std::size_t i, auto h) {
-    if (rule.colors.get(i) != mesh.solid(h)) mesh.set_solid(h, rule.colors.get(i));
-  });
-  return {spoke, static_cast<std::uint32_t>(change.fan.k), rule.strips, rule.isolated};
+  const Word colors = change.colors.word();
+  fan.write(mesh, colors & ~fan.loop, true);
+  mesh.set_solid(left, has(colors, fan.k - 1));
+  mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(colors, fan.a - 1));
+  return change.done(left);
 }
 
 // ---- flip
@@ -303,13 +286,13 @@ FlipChange begin_flip(Mesh& mesh, typename Mesh::Halfedge h) {
     for (std::size_t i = 0; i < n; ++i) mesh.set_solid(outer[i], false);
   }
   if (inner && !rule.inner) mesh.set_solid(h, false);
-  return {rule.inner, rule.strips, isolated};
+  return {rule.inner, {rule.strips, 0, isolated}};
 }
 
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_flip(Mesh& mesh, const FlipChange& change, typename Mesh::Halfedge h) {
   if (change.inner) mesh.set_solid(h, true);
-  return {h, 4, change.strips, change.isolated};
+  return {change.counts, h, 4};
 }
 
 }  // namespace restrip::detail

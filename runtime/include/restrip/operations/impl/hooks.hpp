@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
-#include <variant>
 
 #include "restrip/operations/hooks.hpp"
 #include "restrip/operations/impl/halves.hpp"
@@ -17,42 +17,26 @@ inline constexpr const char* nothing_pending = "this pending operation is alread
 inline constexpr const char* other_patch =
     "the mesh around the given halfedge is not the result of this operation on the patch read before";
 
-/// A change that has begun, of one of these kinds; none once it has been moved from.
-template <class... Changes>
+/// A change that has begun; none once it has been moved from.
+template <class Change>
 class Pending {
  public:
-  template <class Change>
   explicit Pending(Change change) : change_(std::move(change)) {}
-  Pending(Pending&& other) noexcept : change_(std::exchange(other.change_, std::monostate{})) {}
+  Pending(Pending&& other) noexcept : change_(std::exchange(other.change_, std::nullopt)) {}
   Pending& operator=(Pending&& other) noexcept {
-    change_ = std::exchange(other.change_, std::monostate{});
+    change_ = std::exchange(other.change_, std::nullopt);
     return *this;
   }
   Pending(const Pending&) = delete;
   Pending& operator=(const Pending&) = delete;
   ~Pending() = default;
 
-  [[nodiscard]] bool waits() const noexcept { return change_.index() != 0; }
-  /// k of the fan before a split or after a collapse.
-  [[nodiscard]] std::size_t valence() const {
-    return visit<std::size_t>([](const auto& change) { return change.fan.k; });
-  }
-  /// The result of visit(change), or Result{} if no change is pending.
-  template <class Result, class Visit>
-  Result visit(Visit&& visit) const {
-    Result result{};
-    const auto visit_if = [&](const auto* change) {
-      if (change != nullptr) result = visit(*change);
-    };
-    (visit_if(std::get_if<Changes>(&change_)), ...);
-    return result;
-  }
+  [[nodiscard]] bool waits() const noexcept { return change_.has_value(); }
+  [[nodiscard]] const Change& change() const noexcept { return *change_; }
 
  private:
-  std::variant<std::monostate, Changes...> change_;
+  std::optional<Change> change_;
 };
-template <class Halfedge>
-using PendingFan = Pending<InteriorChange<Halfedge>, PatchChange<WordBits>, PatchChange<LongBits>>;
 
 template <class Mesh>
 void clear_if_solid(Mesh& mesh, typename Mesh::Halfedge h) {
@@ -71,14 +55,12 @@ bool is_split_of(const Mesh& mesh, std::size_t k, typename Mesh::Halfedge chord)
 }  // namespace detail
 
 template <class Halfedge>
-class PendingSplit : public detail::PendingFan<Halfedge> {
-  using Fan = detail::PendingFan<Halfedge>;
-  using Fan::Fan;
+class PendingSplit : public detail::Pending<detail::FanChange<Halfedge>> {
+  using detail::Pending<detail::FanChange<Halfedge>>::Pending;
 };
 template <class Halfedge>
-class PendingCollapse : public detail::PendingFan<Halfedge> {
-  using Fan = detail::PendingFan<Halfedge>;
-  using Fan::Fan;
+class PendingCollapse : public detail::Pending<detail::FanChange<Halfedge>> {
+  using detail::Pending<detail::FanChange<Halfedge>>::Pending;
 };
 template <class Halfedge>
 class PendingFlip : public detail::Pending<detail::FlipChange> {
@@ -90,8 +72,7 @@ PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit
   using Halfedge = typename Mesh::Halfedge;
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where), "before_split");
-  auto pending = detail::with_split_begun(detail::LocalRules{}, mesh, where,
-                                          [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
+  PendingSplit<Halfedge> pending(detail::begin_split(detail::LocalRules{}, mesh, where));
   // The edges of the spokes become two each.
   if (where.spokes != Spokes::right_only) detail::clear_if_solid(mesh, where.left);
   if (where.spokes != Spokes::left_only) detail::clear_if_solid(mesh, where.right);
@@ -103,17 +84,16 @@ Rewrite<typename Mesh::Halfedge> after_split(Mesh& mesh, PendingSplit<typename M
                                              typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT(pending.waits(), "after_split", detail::nothing_pending);
   RESTRIP_ASSERT(detail::knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(detail::is_split_of(mesh, pending.valence(), chord), "after_split", detail::other_patch);
-  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(
-      [&](const auto& change) { return detail::finish_split(mesh, change, chord); });
+  RESTRIP_ASSERT(detail::is_split_of(mesh, pending.change().fan.k, chord), "after_split", detail::other_patch);
+  if (!pending.waits()) return {};
+  return detail::finish_split(mesh, pending.change(), chord);
 }
 
 template <ColoredMesh Mesh>
 PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
   using Halfedge = typename Mesh::Halfedge;
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "before_collapse");
-  auto pending = detail::with_collapse_begun(detail::LocalRules{}, mesh, chord,
-                                             [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
+  PendingCollapse<Halfedge> pending(detail::begin_collapse(detail::LocalRules{}, mesh, chord));
   // Two edges merge, and the library chooses which one it removes.
   for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(inward)) continue;
@@ -128,10 +108,10 @@ Rewrite<typename Mesh::Halfedge> after_collapse(Mesh& mesh, PendingCollapse<type
                                                 typename Mesh::Halfedge spoke) {
   RESTRIP_ASSERT(pending.waits(), "after_collapse", detail::nothing_pending);
   RESTRIP_ASSERT(detail::knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(detail::fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse",
+  RESTRIP_ASSERT(detail::fan_size(mesh, spoke, spoke).triangles == pending.change().fan.k, "after_collapse",
                  detail::other_patch);
-  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(
-      [&](const auto& change) { return detail::finish_collapse(mesh, change, spoke); });
+  if (!pending.waits()) return {};
+  return detail::finish_collapse(mesh, pending.change(), spoke);
 }
 
 template <ColoredMesh Mesh>
@@ -148,8 +128,8 @@ Rewrite<typename Mesh::Halfedge> after_flip(Mesh& mesh, PendingFlip<typename Mes
   RESTRIP_ASSERT(pending.waits(), "after_flip", detail::nothing_pending);
   RESTRIP_ASSERT(detail::knows(mesh, h), "after_flip", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(!mesh.on_boundary(h) && !mesh.on_boundary(mesh.opposite(h)), "after_flip", detail::other_patch);
-  return pending.template visit<Rewrite<typename Mesh::Halfedge>>(
-      [&](const detail::FlipChange& change) { return detail::finish_flip(mesh, change, h); });
+  if (!pending.waits()) return {};
+  return detail::finish_flip(mesh, pending.change(), h);
 }
 
 }  // namespace restrip

@@ -46,7 +46,7 @@ struct StripWalker {
 /// Steps 1 and 2 of join.hpp: each_cut(follow) calls follow(walker) for each strip that has been cut, each_near(visit)
 /// visits the triangles, and perhaps boundary halfedges, where strips may end.
 template <class Mesh, class EachCut, class EachNear>
-void join_ends(Mesh& mesh, Repair& sum, EachCut&& each_cut, EachNear&& each_near) {
+void join_ends(Mesh& mesh, ColoringChange& sum, EachCut&& each_cut, EachNear&& each_near) {
   using Halfedge = typename Mesh::Halfedge;
   constexpr std::size_t most = 16;
   // It is enough to find one of two ends that a cut has separated, so all strips are followed in parallel until at most
@@ -82,7 +82,7 @@ void join_ends(Mesh& mesh, Repair& sum, EachCut&& each_cut, EachNear&& each_near
 
 /// The same without a list of cut strips: for the strips that end in the triangles that each(visit) names.
 template <class Mesh, class Each>
-void join_at_ends(Mesh& mesh, Repair& sum, Each&& each) {
+void join_at_ends(Mesh& mesh, ColoringChange& sum, Each&& each) {
   using Halfedge = typename Mesh::Halfedge;
   const auto each_cut = [&](auto&& follow) {
     each([&](Halfedge h) {
@@ -109,12 +109,12 @@ void visit_around(const Mesh& mesh, typename Mesh::Halfedge h, Visit&& visit) {
 
 /// Step 3 of join.hpp, for the triangles that each(visit) names.
 template <class Mesh, class Each>
-void absorb_and_join(Mesh& mesh, Repair& sum, Each&& each) {
+void absorb_and_join(Mesh& mesh, ColoringChange& sum, Each&& each) {
   using Halfedge = typename Mesh::Halfedge;
   each([&](Halfedge h) {
     std::array<Halfedge, default_absorptions + 2> ends;
     std::size_t count = 0;
-    const Repair absorbed = absorb_with(
+    const ColoringChange absorbed = absorb_with(
         mesh, h, default_absorptions, [&](Halfedge g, bool solid) { mesh.set_solid(g, solid); },
         [&](Halfedge end) { ends[count++] = end; });
     if (absorbed.isolated == 0) return;
@@ -127,8 +127,8 @@ void absorb_and_join(Mesh& mesh, Repair& sum, Each&& each) {
 
 /// Steps 1 to 3 for those triangles.
 template <class Mesh, class Each>
-Repair join_and_absorb(Mesh& mesh, Each&& each) {
-  Repair sum;
+ColoringChange join_and_absorb(Mesh& mesh, Each&& each) {
+  ColoringChange sum;
   join_at_ends(mesh, sum, each);
   absorb_and_join(mesh, sum, each);
   return sum;
@@ -136,7 +136,7 @@ Repair join_and_absorb(Mesh& mesh, Each&& each) {
 
 /// The same for the triangles to the left of some halfedges, each once; boundary halfedges are skipped.
 template <class Mesh, class Halfedge>
-Repair join_in(Mesh& mesh, std::span<Halfedge> nearby) {
+ColoringChange join_in(Mesh& mesh, std::span<Halfedge> nearby) {
   std::size_t count = 0;
   for (const Halfedge h : nearby) {
     const auto met = nearby.first(count);
@@ -153,7 +153,7 @@ Repair join_in(Mesh& mesh, std::span<Halfedge> nearby) {
 /// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in their
 /// neighbours, which may have lost a port.
 template <class Mesh, class Table>
-Repair join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first) {
+ColoringChange join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first) {
   const auto patch = read_sides(mesh, table.triangles_after, first);
   std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> nearby;
   std::size_t count = 0;
@@ -217,7 +217,7 @@ constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before,
 template <class Mesh, class Halfedge, class Visit>
 Rewrite<Halfedge> join_in_fan(Mesh& mesh, const Rewrite<Halfedge>& done, Word ends, Word parted, Word all,
                               Visit&& visit) {
-  Repair sum;
+  ColoringChange sum;
   const auto each_cut = [&](auto&& follow) {
     visit(parted, [&](Halfedge h) { follow(StripWalker<Mesh>{mesh.opposite(mesh.next(h)), false}); });
   };
@@ -226,62 +226,40 @@ Rewrite<Halfedge> join_in_fan(Mesh& mesh, const Rewrite<Halfedge>& done, Word en
   return with(done, sum);
 }
 
+// Elsewhere a turn around the vertices finds them.
+
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh,
-                                                       const InteriorChange<typename Mesh::Halfedge>& change,
+Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const FanChange<typename Mesh::Halfedge>& change,
                                                        typename Mesh::Halfedge chord) {
+  const auto done = finish_split(mesh, change, chord);
+  if (!change.interior)
+    return with(done, join_and_absorb(mesh, [&](auto&& visit) {
+                  visit_around(mesh, chord, visit);
+                  // A and D have been visited.
+                  visit_around(mesh, mesh.opposite(chord), [&](auto h) {
+                    if (!(h == mesh.opposite(chord)) && (mesh.on_boundary(chord) || !(h == mesh.next(chord)))) visit(h);
+                  });
+                }));
   const auto& fan = change.fan;
+  const Word colors = change.colors.word();
   const Word parted = parted_ports(fan.k, fan.ports, {joined_closed(fan.k, change.before, fan.ports), 0},
-                                   ring_pairs(fan.k, fan.a, change.colors, fan.ports));
-  return join_in_fan(mesh, finish_split(mesh, change, chord), ends_ring(fan.k, fan.a, change.colors, fan.ports),
-                     ring_ports(fan.a, parted), low_bits(fan.k + 2),
+                                   ring_pairs(fan.k, fan.a, colors, fan.ports));
+  return join_in_fan(mesh, done, ends_ring(fan.k, fan.a, colors, fan.ports), ring_ports(fan.a, parted),
+                     low_bits(fan.k + 2),
                      [&](Word elements, auto&& each) { visit_ring(mesh, fan, chord, elements, each); });
 }
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
-                                                          const InteriorChange<typename Mesh::Halfedge>& change,
+Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const FanChange<typename Mesh::Halfedge>& change,
                                                           typename Mesh::Halfedge left) {
+  const auto done = finish_collapse(mesh, change, left);
+  if (!change.interior)
+    return with(done, join_and_absorb(mesh, [&](auto&& visit) { visit_around(mesh, left, visit); }));
   const auto& fan = change.fan;
+  const Word colors = change.colors.word();
   const Word parted = parted_ports(fan.k, fan.ports, ring_pairs(fan.k, fan.a, change.before, fan.ports),
-                                   {joined_closed(fan.k, change.colors, fan.ports), 0});
-  return join_in_fan(mesh, finish_collapse(mesh, change, left), ends_closed(fan.k, change.colors, fan.ports), parted,
-                     low_bits(fan.k),
+                                   {joined_closed(fan.k, colors, fan.ports), 0});
+  return join_in_fan(mesh, done, ends_closed(fan.k, colors, fan.ports), parted, low_bits(fan.k),
                      [&](Word triangles, auto&& each) { visit_fan(mesh, fan, left, triangles, each); });
-}
-
-// ---- Elsewhere a turn around the vertices finds them.
-
-template <class Mesh, class Change>
-Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change,
-                                                       typename Mesh::Halfedge chord) {
-  const auto done = finish_split(mesh, change, chord);
-  return with(done, join_and_absorb(mesh, [&](auto&& visit) {
-                visit_around(mesh, chord, visit);
-                // A and D have been visited.
-                visit_around(mesh, mesh.opposite(chord), [&](auto h) {
-                  if (!(h == mesh.opposite(chord)) && (mesh.on_boundary(chord) || !(h == mesh.next(chord)))) visit(h);
-                });
-              }));
-}
-template <class Mesh, class Change>
-Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const Change& change,
-                                                          typename Mesh::Halfedge spoke) {
-  const auto done = finish_collapse(mesh, change, spoke);
-  return with(done, join_and_absorb(mesh, [&](auto&& visit) { visit_around(mesh, spoke, visit); }));
-}
-
-template <class Rules, class Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_and_join_with(Rules&& rules, Mesh& mesh,
-                                                     const VertexSplit<typename Mesh::Halfedge>& where, Name... name) {
-  return with_split_begun(rules, mesh, where, [&](const auto& change) {
-    return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, name...));
-  });
-}
-template <class Rules, class Mesh>
-Rewrite<typename Mesh::Halfedge> collapse_and_join_with(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
-  return with_collapse_begun(rules, mesh, chord, [&](const auto& change) {
-    return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
-  });
 }
 
 }  // namespace detail
@@ -300,31 +278,31 @@ bool same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
 }
 
 template <ColoredMesh Mesh>
-Repair join_end(Mesh& mesh, typename Mesh::Halfedge h) {
+ColoringChange join_end(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_end", describe(Refusal::no_such_edge));
-  int degree = detail::solid_degree(mesh, h);
-  Repair done;
+  unsigned degree = detail::solid_degree(mesh, h);
+  ColoringChange done;
   for (int side = 0; side < 3 && degree < 2; ++side, h = mesh.next(h)) {
     if (mesh.solid(h)) continue;
     const auto across = mesh.opposite(h);
     if (mesh.on_boundary(across)) continue;
-    const int there = detail::solid_degree(mesh, across);
+    const unsigned there = detail::solid_degree(mesh, across);
     if (there > 1 || same_strip(mesh, h, across)) continue;
     mesh.set_solid(h, true);
-    done += {-1, -int{degree == 0} - int{there == 0}};
+    done += {-1, 0, -int{degree == 0} - int{there == 0}};
     ++degree;
   }
   return done;
 }
 
 template <ColoredMesh Mesh>
-Repair join_around(Mesh& mesh, typename Mesh::Halfedge h) {
+ColoringChange join_around(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_around", describe(Refusal::no_such_edge));
   return detail::join_and_absorb(mesh, [&](auto&& visit) { detail::visit_around(mesh, h, visit); });
 }
 
 template <ColoredMesh Mesh>
-Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h) {
+ColoringChange join_at_edge(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_at_edge", describe(Refusal::no_such_edge));
   std::array<typename Mesh::Halfedge, 6> nearby;
   std::size_t count = 0;
@@ -337,8 +315,8 @@ Repair join_at_edge(Mesh& mesh, typename Mesh::Halfedge h) {
 }
 
 template <NumberedMesh Mesh>
-Repair join_all(Mesh& mesh) {
-  Repair sum;
+ColoringChange join_all(Mesh& mesh) {
+  ColoringChange sum;
   const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
   for (std::uint32_t t = 0; t < bound; ++t)
     if (mesh.has_triangle(t)) sum += join_end(mesh, mesh.halfedge(t));
@@ -349,13 +327,15 @@ template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_join(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                 Name... name) {
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where, name...), "split_and_join");
-  return detail::split_and_join_with(detail::LocalRules{}, mesh, where, name...);
+  const auto change = detail::begin_split(detail::LocalRules{}, mesh, where);
+  return detail::finish_split_and_join(mesh, change, detail::change_by_split(mesh, where, change, name...));
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_join(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "collapse_and_join");
-  return detail::collapse_and_join_with(detail::LocalRules{}, mesh, chord);
+  const auto change = detail::begin_collapse(detail::LocalRules{}, mesh, chord);
+  return detail::finish_collapse_and_join(mesh, change, detail::change_by_collapse(mesh, chord, change));
 }
 
 template <FlippableMesh Mesh>

@@ -10,37 +10,28 @@ namespace restrip {
 namespace detail {
 
 // Passes the walk already done to meshes that can use it, so that they need not turn around the vertex again.
-template <class Mesh, class Change, class... Name>
+template <class Mesh, class... Name>
 typename Mesh::Halfedge change_by_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                        const Change& change, Name... name) {
+                                        const FanChange<typename Mesh::Halfedge>& change, Name... name) {
   if constexpr (requires { mesh.insert_vertex(where.left, where.right, change.moved(), name...); })
-    return mesh.insert_vertex(where.left, where.right, change.moved(), name...);
-  else
-    return mesh.insert_vertex(where, name...);
+    if (change.interior) return mesh.insert_vertex(where.left, where.right, change.moved(), name...);
+  return mesh.insert_vertex(where, name...);
 }
 
-template <class Mesh, class Change>
-typename Mesh::Halfedge change_by_collapse(Mesh& mesh, typename Mesh::Halfedge chord, const Change& change) {
+template <class Mesh>
+typename Mesh::Halfedge change_by_collapse(Mesh& mesh, typename Mesh::Halfedge chord,
+                                           const FanChange<typename Mesh::Halfedge>& change) {
   if constexpr (requires { mesh.remove_vertex(chord, change.moved()); })
-    return mesh.remove_vertex(chord, change.moved());
-  else
-    return mesh.remove_vertex(chord);
+    if (change.interior) return mesh.remove_vertex(chord, change.moved());
+  return mesh.remove_vertex(chord);
 }
 
 /// `name`: the new vertex, for meshes that let the caller name it; else nothing.
-template <class Rules, class Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_with(Rules&& rules, Mesh& mesh,
-                                            const VertexSplit<typename Mesh::Halfedge>& where, Name... name) {
-  return with_split_begun(rules, mesh, where, [&](const auto& change) {
-    return finish_split(mesh, change, change_by_split(mesh, where, change, name...));
-  });
-}
-
-template <class Rules, class Mesh>
-Rewrite<typename Mesh::Halfedge> collapse_with(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
-  return with_collapse_begun(rules, mesh, chord, [&](const auto& change) {
-    return finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
-  });
+template <class Mesh, class... Name>
+Rewrite<typename Mesh::Halfedge> split_by_rule(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                               Name... name) {
+  const auto change = begin_split(LocalRules{}, mesh, where);
+  return finish_split(mesh, change, change_by_split(mesh, where, change, name...));
 }
 
 }  // namespace detail
@@ -48,7 +39,7 @@ Rewrite<typename Mesh::Halfedge> collapse_with(Rules&& rules, Mesh& mesh, typena
 template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where), "split");
-  return detail::split_with(detail::LocalRules{}, mesh, where);
+  return detail::split_by_rule(mesh, where);
 }
 
 template <SplittableMesh Mesh, class Vertex>
@@ -56,13 +47,14 @@ requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                        Vertex new_vertex) {
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(mesh, where, new_vertex), "split");
-  return detail::split_with(detail::LocalRules{}, mesh, where, new_vertex);
+  return detail::split_by_rule(mesh, where, new_vertex);
 }
 
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(mesh, chord), "collapse");
-  return detail::collapse_with(detail::LocalRules{}, mesh, chord);
+  const auto change = detail::begin_collapse(detail::LocalRules{}, mesh, chord);
+  return detail::finish_collapse(mesh, change, detail::change_by_collapse(mesh, chord, change));
 }
 
 template <FlippableMesh Mesh>

@@ -100,64 +100,68 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
 
 // ---- All other cases.
 
-/// Bits of fans that fit one word. The caller counts further bits and starts again with LongBits.
-struct WordBits {
-  Word word = 0;
-  void put(std::size_t i, bool value) noexcept { word |= value ? bit(i) : 0; }
-  [[nodiscard]] bool get(std::size_t i) const noexcept { return has(word, i); }
-  /// Bits below n in reversed order at the low end, `upper` above them.
-  static WordBits with_reversed_below(const WordBits& lower, std::size_t n, const WordBits& upper) noexcept {
-    WordBits all{n < word_bits ? upper.word << n : 0};
-    for (std::size_t i = 0; i < n; ++i) all.put(n - 1 - i, lower.get(i));
-    return all;
-  }
-};
-
-/// Bits of fans of any size.
-struct LongBits {
-  std::vector<Word> words;
-  void put(std::size_t i, bool value) {
-    if (i / word_bits >= words.size()) words.resize(i / word_bits + 1, 0);
-    if (value) words[i / word_bits] |= bit(i % word_bits);
-  }
+/// Bits of a fan: one word, or allocated words once a bit beyond the first 64 is set.
+class FanBits {
+ public:
+  FanBits() = default;
+  explicit FanBits(Word word) noexcept : first_(word) {}
+  /// The first 64 bits, unless span() has been called.
+  [[nodiscard]] Word word() const noexcept { return first_; }
   [[nodiscard]] bool get(std::size_t i) const noexcept {
-    return i / word_bits < words.size() && has(words[i / word_bits], i % word_bits);
+    if (words_.empty()) return has(first_, i);
+    return i / word_bits < words_.size() && has(words_[i / word_bits], i % word_bits);
   }
-  static LongBits with_reversed_below(const LongBits& lower, std::size_t n, const LongBits& upper) {
-    LongBits all;
+  void put(std::size_t i, bool value) {
+    if (!value) return;
+    if (words_.empty() && i < word_bits)
+      first_ |= bit(i);
+    else
+      span((std::max)(i + 1, words_.size() * word_bits)).set(i);
+  }
+  /// A view of n bits, or more if they are allocated.
+  MutableBitSpan span(std::size_t n) {
+    if (words_.empty()) words_.push_back(first_);
+    words_.resize((std::max)(words_for(n), words_.size()), 0);
+    return {words_.data()};
+  }
+  [[nodiscard]] int count() const noexcept {
+    int n = words_.empty() ? count_bits(first_) : 0;
+    for (const Word word : words_) n += count_bits(word);
+    return n;
+  }
+  /// The first n bits of `lower` in reversed order, then m bits of `upper`.
+  static FanBits reversed(const FanBits& lower, std::size_t n, const FanBits& upper, std::size_t m) {
+    FanBits all;
     for (std::size_t i = 0; i < n; ++i) all.put(n - 1 - i, lower.get(i));
-    for (std::size_t i = 0; i < upper.words.size() * word_bits; ++i)
-      if (upper.get(i)) all.put(n + i, true);
+    for (std::size_t i = 0; i < m; ++i) all.put(n + i, upper.get(i));
     return all;
   }
-  /// A view of n bits.
-  MutableBitSpan span(std::size_t n) {
-    words.resize(words_for(n == 0 ? 1 : n), 0);
-    return {words.data()};
-  }
+
+ private:
+  Word first_ = 0;
+  std::vector<Word> words_;  // all bits, if it is not empty
 };
 
 /// The colours that an operation finds in its patch, and the layouts before and after it.
-template <class Bits>
 struct SeenPatch {
   Layout before;
   Layout after;
   /// In an open fan: before a split the gap of the left spoke, or of the right one if it is alone; before a collapse
   /// the gap of the spoke to v_l, or if v_l does not exist to v_r.
   std::size_t gap = 0;
-  Bits inner;
-  Bits ports;
+  FanBits inner;
+  FanBits ports;
 };
 
 /// Reads the fan around the vertex that `where` splits. A closed fan is numbered from the left spoke, an open one from
 /// the boundary.
-template <class Bits, ColoredMesh Mesh>
-SeenPatch<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+template <ColoredMesh Mesh>
+SeenPatch read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   using Halfedge = typename Mesh::Halfedge;
   const Halfedge start = where.spokes == Spokes::right_only ? where.right : where.left;
   const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
-  SeenPatch<Bits> fan;
+  SeenPatch fan;
   std::size_t k = 0;
   std::size_t ahead = 0;  // the other spoke, counted in triangles from the first one, in either direction
   std::size_t clockwise = 0;
@@ -176,7 +180,7 @@ SeenPatch<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Half
       return fan;
     }
   }
-  SeenPatch<Bits> lower;  // the rest, read backwards
+  SeenPatch lower;  // the rest, read backwards
   for (h = start; !mesh.on_boundary(mesh.opposite(h));) {
     lower.inner.put(fan.gap, mesh.solid(h));
     h = turn_cw(mesh, h);
@@ -185,8 +189,8 @@ SeenPatch<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Half
     if (h == other) clockwise = fan.gap;
   }
   // Loop edge i lies between triangles i and i + 1: those read backwards end with the one across the first spoke.
-  fan.inner = Bits::with_reversed_below(lower.inner, fan.gap, fan.inner);
-  fan.ports = Bits::with_reversed_below(lower.ports, fan.gap, fan.ports);
+  fan.inner = FanBits::reversed(lower.inner, fan.gap, fan.inner, k);
+  fan.ports = FanBits::reversed(lower.ports, fan.gap, fan.ports, k);
   k += fan.gap;
   const std::size_t other_gap = clockwise != 0 ? fan.gap - clockwise : fan.gap + ahead;
   const auto [low, high] = std::minmax(fan.gap, other_gap);
@@ -196,8 +200,8 @@ SeenPatch<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Half
 }
 
 /// Visits the ports of a fan that has been read: port(i, h), port p_i crosses the mesh edge of h.
-template <class Bits, ColoredMesh Mesh, class Port>
-void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const SeenPatch<Bits>& fan,
+template <ColoredMesh Mesh, class Port>
+void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const SeenPatch& fan,
                 Port&& port) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const auto start = where.spokes == Spokes::right_only ? where.right : where.left;

@@ -51,7 +51,7 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
   run_of_.assign(mesh.triangle_bound(), nothing);
   const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
   for (std::uint32_t t = 0; t < bound; ++t) {
-    if (!mesh.has_triangle(t) || run_of_[t] != nothing || detail::solid_degree(mesh, t) > 1) continue;
+    if (!mesh.has_triangle(t) || run_of_[t] != nothing || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
     begin_reading();
     read(mesh, t);
     store();

@@ -36,14 +36,6 @@ std::uint32_t from_of(const Mesh& mesh, typename Mesh::Halfedge h) {
   return static_cast<std::uint32_t>(mesh.from(h));
 }
 
-// Solid dual edges of t.
-template <NumberedMesh Mesh>
-unsigned solid_degree(const Mesh& mesh, Triangle t) {
-  const auto h = mesh.halfedge(t);
-  const auto next = mesh.next(h);
-  return (mesh.solid(h) ? 1U : 0U) + (mesh.solid(next) ? 1U : 0U) + (mesh.solid(mesh.next(next)) ? 1U : 0U);
-}
-
 // A halfedge of t to start strip_step() from, if t ends a strip.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge into_end(const Mesh& mesh, Triangle t) {
@@ -213,13 +205,13 @@ std::size_t count_strips(const Mesh& mesh) {
   std::size_t left = 0;  // triangles of no strip so far
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.has_triangle(t)) continue;
-    if (detail::solid_degree(mesh, t) > 2) detail::throw_three_solid_edges();
+    if (detail::solid_degree(mesh, mesh.halfedge(t)) > 2) detail::throw_three_solid_edges();
     ++left;
   }
   std::vector<bool> met(mesh.triangle_bound(), false);
   std::size_t strips = 0;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.has_triangle(t) || met[t] || detail::solid_degree(mesh, t) > 1) continue;
+    if (!mesh.has_triangle(t) || met[t] || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
     ++strips;
     for (StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)}; at.goes_on;
          at = strip_step(mesh, at.in)) {
@@ -249,7 +241,7 @@ Strips extract_strips(const Mesh& mesh) {
   strips.order.reserve(mesh.triangle_bound());
   std::vector<bool> listed(mesh.triangle_bound(), false);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.has_triangle(t) || listed[t] || detail::solid_degree(mesh, t) > 1) continue;
+    if (!mesh.has_triangle(t) || listed[t] || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
     // In an invalid colouring a strip may return to itself.
     StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)};
     for (; at.goes_on && !listed[detail::triangle_of(mesh, at.in)]; at = strip_step(mesh, at.in)) {

@@ -32,25 +32,6 @@
 
 namespace restrip {
 
-/// The change of a colouring, in counts.
-struct ColoringChange {
-  int strips = 0;
-  int swaps = 0;
-  int isolated = 0;
-
-  constexpr ColoringChange& operator+=(const ColoringChange& more) noexcept {
-    strips += more.strips;
-    swaps += more.swaps;
-    isolated += more.isolated;
-    return *this;
-  }
-  [[nodiscard]] constexpr std::int32_t price(const Cost& cost) const noexcept {
-    return std::int32_t{cost.restart} * strips + std::int32_t{cost.swap} * swaps +
-           std::int32_t{cost.isolated} * isolated;
-  }
-  friend constexpr bool operator==(const ColoringChange&, const ColoringChange&) = default;
-};
-
 /// One move, as described above.
 struct StripMove {
   StripMesh::Halfedge edge{};                     ///< cleared if it is solid, set if it is dashed

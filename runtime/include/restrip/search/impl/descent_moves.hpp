@@ -14,17 +14,6 @@ namespace detail {
 constexpr unsigned other_sides(unsigned solid, unsigned side) noexcept {
   return (solid | solid << 3) >> (side + 1) & 3U;
 }
-/// Whether a solid edge is a swap, from the turns on its two sides.
-constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
-
-/// The solid sides of the triangle of h other than h: see StripMesh::other_solid_sides.
-template <ColoredMesh Mesh>
-unsigned other_solid_sides(const Mesh& mesh, typename Mesh::Halfedge h) {
-  if constexpr (requires { mesh.other_solid_sides(h); }) return mesh.other_solid_sides(h);
-  const auto right = mesh.next(h);
-  return unsigned{mesh.solid(right)} | unsigned{mesh.solid(mesh.next(right))} << 1;
-}
-
 /// The neighbour that is `turn` sides after h in its triangle, seen from there.
 template <ColoredMesh Mesh>
 typename Mesh::Halfedge neighbor_at(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {

@@ -113,7 +113,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
     patch_.clear();
     step.find_new(*mesh_, h, patch_);
     around_.add(patch_);
-    return counted({h, 0, 0, 0}, around_.change(*mesh_), false);
+    return counted({{}, h, 0}, around_.change(*mesh_), false);
   }
   choice_.begin(weighs() && plan_.limits.looks != 0, plan_.from == IndexPlan::From::ends);
   if (weighs()) return search_from_ends(step);
@@ -137,8 +137,7 @@ template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, const ColoringChange& change,
                                                        bool improved) {
   swaps_ += static_cast<std::size_t>(change.swaps);
-  done.strips = change.strips;
-  done.isolated = change.isolated;
+  static_cast<ColoringChange&>(done) = change;
   return counted(done, improved);
 }
 
@@ -209,7 +208,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   const auto absorb_at = [&](StripMesh::Halfedge h) {
     return detail::absorb_with(sides, h, detail::default_absorptions, paint, [](StripMesh::Halfedge) {});
   };
-  Repair repair;
+  ColoringChange repair;
   if (done.isolated > 0 || Step::may_isolate == detail::MayIsolate::everywhere)
     for (const Triangle t : patch_) repair += absorb_at(StripMesh::halfedge(t, 0));
   // An operation that clears ports may isolate a triangle next to the patch.

@@ -56,7 +56,7 @@ class Surroundings {
   [[nodiscard]] ColoringChange change(const Mesh& mesh) {
     std::erase_if(triangles_, [&](Triangle t) { return !mesh.has_triangle(t); });
     ColoringChange change = counted(mesh);
-    change += {-before_.strips, -before_.swaps, -before_.isolated};
+    change += -before_;
     return change;
   }
 
@@ -110,17 +110,15 @@ struct SplitStep {
     fan_triangles(mesh, where.spokes == Spokes::right_only ? where.right : where.left, patch);
   }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return with_split_begun(choice, mesh, where, [&](const auto& change) {
-      const auto done = finish_split(mesh, change, changed(mesh, change));
-      choice.begin_after_split(mesh, change, done.halfedge);
-      return done;
-    });
+    const auto change = begin_split(choice, mesh, where);
+    const auto done = finish_split(mesh, change, changed(mesh, change));
+    choice.begin_after_split(mesh, change, done.halfedge);
+    return done;
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return with_split_begun(choice, mesh, where, [&](const auto& change) {
-      choice.note(change);
-      return finish_split_and_join(mesh, change, changed(mesh, change));
-    });
+    const auto change = begin_split(choice, mesh, where);
+    choice.note(change);
+    return finish_split_and_join(mesh, change, changed(mesh, change));
   }
   Halfedge bare(Mesh& mesh) const {
     return std::apply([&](auto... name) { return mesh.insert_vertex(where, name...); }, names);
@@ -134,8 +132,7 @@ struct SplitStep {
   }
 
  private:
-  template <class Change>
-  auto changed(Mesh& mesh, const Change& change) const {
+  auto changed(Mesh& mesh, const FanChange<Halfedge>& change) const {
     return std::apply([&](auto... name) { return change_by_split(mesh, where, change, name...); }, names);
   }
 };
@@ -150,17 +147,15 @@ struct CollapseStep {
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const { edge_triangles(mesh, chord, patch); }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return with_collapse_begun(choice, mesh, chord, [&](const auto& change) {
-      const auto done = finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
-      choice.begin_after_collapse(mesh, change, done.halfedge);
-      return done;
-    });
+    const auto change = begin_collapse(choice, mesh, chord);
+    const auto done = finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
+    choice.begin_after_collapse(mesh, change, done.halfedge);
+    return done;
   }
   Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return with_collapse_begun(choice, mesh, chord, [&](const auto& change) {
-      choice.note(change);
-      return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
-    });
+    const auto change = begin_collapse(choice, mesh, chord);
+    choice.note(change);
+    return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
   }
   Halfedge bare(Mesh& mesh) const { return mesh.remove_vertex(chord); }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {

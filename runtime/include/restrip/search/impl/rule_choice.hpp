@@ -60,11 +60,10 @@ constexpr Word passed_to_fan(std::size_t k, std::size_t a, Word ring) noexcept {
 }
 
 /// The same between a layout without inserted elements and one with them, in either direction.
-template <class Bits>
-Bits passed_on(const Layout& before, const Bits& colors, const Layout& after) {
+inline FanBits passed_on(const Layout& before, const FanBits& colors, const Layout& after) {
   const bool inserts = before.size() < after.size();
   const Layout& with = inserts ? after : before;
-  Bits passed;
+  FanBits passed;
   for (std::size_t i = 0; i < (with.ring ? with.k : with.k - 1); ++i) {
     const std::size_t first = with.element(i);
     const std::size_t second =
@@ -81,8 +80,8 @@ Bits passed_on(const Layout& before, const Bits& colors, const Layout& after) {
 
 /// Triangles minus solid inner edges, swaps and isolated triangles of a patch, including swaps at its ports.
 /// `outside(i)` is how the strip turns outside solid port i. Linear time.
-template <class Bits, class Outside>
-ColoringChange tally(const Layout& at, const Bits& colors, const Bits& ports, Outside&& outside) {
+template <class Outside>
+ColoringChange tally(const Layout& at, const FanBits& colors, const FanBits& ports, Outside&& outside) {
   const std::size_t n = at.size();
   const bool chord = at.has_chord() && colors.get(at.chord());
   // Sides counter-clockwise: of a fan triangle the edge before it, its port, the edge after it; of an inserted one the
@@ -115,7 +114,7 @@ ColoringChange tally(const Layout& at, const Bits& colors, const Bits& ports, Ou
   return sum;
 }
 
-/// The source of rules for split_with() and collapse_with() (LocalRules has the members).
+/// The source of rules for begin_split() and begin_collapse() (LocalRules has the members).
 template <class Mesh>
 class RuleChoice {
  public:
@@ -143,21 +142,17 @@ class RuleChoice {
     const Rule rule = collapse_rule({fan.k, fan.a}, ring, fan.ports);
     return chosen(
         rule, [&] { return passed_to_fan(fan.k, fan.a, ring); },
-        [&](Word loop) {
-          const ColoringChange back = ring_for_fan(mesh, fan_step(mesh, chord).spoke, fan, ring, loop);
-          return ColoringChange{-back.strips, -back.swaps, -back.isolated};
-        });
+        [&](Word loop) { return -ring_for_fan(mesh, fan_step(mesh, chord).spoke, fan, ring, loop); });
   }
-  template <class Bits, class WalkPorts>
-  Answer<Bits> answer(const Mesh& mesh, SeenPatch<Bits>& patch, WalkPorts&& walk_ports) {
+  template <class WalkPorts>
+  Answer answer(const Mesh& mesh, SeenPatch& patch, WalkPorts&& walk_ports) {
     ++counts_.asked;
-    const Answer<Bits> rule = answer_by_rule(patch);
-    return chosen(mesh, rule, patch, walk_ports);
+    return chosen(mesh, answer_by_rule(patch), patch, walk_ports);
   }
   /// Counts a flip, which always takes its rule and has been done.
   Rewrite<Halfedge> taken(const Rewrite<Halfedge>& done) noexcept {
     ++counts_.asked;
-    took({done.strips, 0, done.isolated});
+    took(done);
     return done;
   }
 
@@ -173,44 +168,38 @@ class RuleChoice {
       other = cheapest.colors != rule.colors || cheapest.ports != rule.ports;
       return cheapest;
     });
-    change_ = {done.strips, 0, done.isolated};
+    change_ = done;
     ++(other ? counts_.kept : counts_.taken);
     return done;
   }
 
   /// After a split or a collapse: notes where a search begins. New triangles come first.
-  void begin_after_split(const Mesh& mesh, const InteriorChange<Halfedge>& change, Halfedge chord) {
+  void begin_after_split(const Mesh& mesh, const FanChange<Halfedge>& change, Halfedge chord) {
     if (!searches_) return;
+    if (!change.interior) {
+      edge_triangles(mesh, chord, start_);
+      return keep_ends(mesh);
+    }
     const auto& fan = change.fan;
     const Word inserted = bit(0) | bit(fan.a + 1);
-    const Word all = from_ends_ ? ends_ring(fan.k, fan.a, change.colors, fan.ports) : low_bits(fan.k + 2);
+    const Word all = from_ends_ ? ends_ring(fan.k, fan.a, change.colors.word(), fan.ports) : low_bits(fan.k + 2);
     for (const Word elements : {all & inserted, all & ~inserted})
       visit_ring(mesh, fan, chord, elements, [&](Halfedge h) { start_at(mesh, h); });
   }
-  void begin_after_collapse(const Mesh& mesh, const InteriorChange<Halfedge>& change, Halfedge spoke) {
+  void begin_after_collapse(const Mesh& mesh, const FanChange<Halfedge>& change, Halfedge spoke) {
     if (!searches_) return;
+    if (!change.interior) {
+      fan_triangles(mesh, spoke, start_);
+      return keep_ends(mesh);
+    }
     const auto& fan = change.fan;
-    const Word all = from_ends_ ? ends_closed(fan.k, change.colors, fan.ports) : low_bits(fan.k);
+    const Word all = from_ends_ ? ends_closed(fan.k, change.colors.word(), fan.ports) : low_bits(fan.k);
     visit_fan(mesh, fan, spoke, all, [&](Halfedge h) { start_at(mesh, h); });
-  }
-  template <class Change>
-  void begin_after_split(const Mesh& mesh, const Change& /*change*/, Halfedge chord) {
-    if (searches_) edge_triangles(mesh, chord, start_);
-    keep_ends(mesh);
-  }
-  template <class Change>
-  void begin_after_collapse(const Mesh& mesh, const Change& /*change*/, Halfedge spoke) {
-    if (searches_) fan_triangles(mesh, spoke, start_);
-    keep_ends(mesh);
   }
   [[nodiscard]] std::vector<Triangle>& start() noexcept { return start_; }
 
   /// Takes the counts of begin_split() and begin_collapse(), if swaps are not weighed.
-  void note(const InteriorChange<Halfedge>& change) noexcept { change_.isolated = change.isolated; }
-  template <class Bits>
-  void note(const PatchChange<Bits>& change) noexcept {
-    change_.isolated = change.rule.isolated;
-  }
+  void note(const FanChange<Halfedge>& change) noexcept { change_.isolated = change.counts.isolated; }
 
   /// The change by the colours chosen last. Swaps are right if they are weighed and the operation is a split or a
   /// collapse.
@@ -257,14 +246,14 @@ class RuleChoice {
     const ColoringChange kept = change(colors);
     return keeps(kept, by_rule) ? Rule{colors, kept.strips, true} : rule;
   }
-  template <class Bits, class WalkPorts>
-  Answer<Bits> chosen(const Mesh& mesh, Answer<Bits> rule, const SeenPatch<Bits>& patch, WalkPorts&& walk_ports) {
+  template <class WalkPorts>
+  Answer chosen(const Mesh& mesh, Answer rule, const SeenPatch& patch, WalkPorts&& walk_ports) {
     if (!weighs_) {
-      took({rule.strips, 0, 0});
+      took({rule.change.strips, 0, 0});
       return rule;
     }
-    Bits next;  // how strips turn outside the ports
-    Bits last;
+    FanBits next;  // how strips turn outside the ports
+    FanBits last;
     walk_ports([&](std::size_t i, Halfedge port) {
       const unsigned turn = patch.ports.get(i) ? other_solid_sides(mesh, mesh.opposite(port)) : 0;
       next.put(i, (turn & 1U) != 0);
@@ -272,16 +261,16 @@ class RuleChoice {
     });
     const auto outside = [&](std::size_t i) { return unsigned{next.get(i)} | unsigned{last.get(i)} << 1; };
     const ColoringChange old = tally(patch.before, patch.inner, patch.ports, outside);
-    const auto change = [&](const Bits& now) {
+    const auto change = [&](const FanBits& now) {
       ColoringChange sum = tally(patch.after, now, patch.ports, outside);
-      sum += {-old.strips, -old.swaps, -old.isolated};
+      sum += -old;
       return sum;
     };
     const ColoringChange by_rule = change(rule.colors);
     if (searches_) {
-      Bits passed = passed_on(patch.before, patch.inner, patch.after);
+      FanBits passed = passed_on(patch.before, patch.inner, patch.after);
       const ColoringChange kept = change(passed);
-      if (keeps(kept, by_rule)) return {std::move(passed), kept.strips, kept.isolated};
+      if (keeps(kept, by_rule)) return {std::move(passed), {kept.strips, 0, kept.isolated}};
     } else {
       took(by_rule);
     }
