@@ -40,7 +40,7 @@ ColoringChange absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int dept
       if (degree < 2) {  // the end of a strip, or isolated as well
         paint(h, true);
         end(h);
-        return {-1, degree == 0 ? -2 : -1};
+        return {-1, 0, degree == 0 ? -2 : -1};
       }
       for (auto other = mesh.next(across); !(other == across); other = mesh.next(other)) {
         if (!mesh.solid(other)) continue;
