@@ -131,7 +131,7 @@ class Walker {
   }
 
   std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
-    const Repair between = maintainer_->between();
+    const ColoringChange between = maintainer_->between();
     reported = reported + Account{done.strips + between.strips, done.isolated + between.isolated};
     for (const Vertex v : around) {
       if (v == none) continue;
