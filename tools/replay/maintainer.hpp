@@ -103,7 +103,8 @@ class Witness {
   };
   Count count(const StripMesh& mesh, Edges elsewhere);
   static Rewrite<Halfedge> reported(Halfedge h, std::size_t valence, const Count& before, const Count& after) {
-    return {h, static_cast<std::uint32_t>(valence), after.strips - before.strips, after.isolated - before.isolated};
+    return {
+        {after.strips - before.strips, 0, after.isolated - before.isolated}, h, static_cast<std::uint32_t>(valence)};
   }
 
   std::vector<Triangle> patch_;
