@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "restrip/impl/live_state.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/history.hpp"
 #include "restrip/operations/checked.hpp"
@@ -38,6 +39,17 @@ struct LiveMesh::Parts {
         most_history(options.history) {
     mesh.watch(&changed);
     buffer.rebuild(mesh);
+    if (most_history != 0) history.emplace(mesh, buffer, most_history);
+  }
+  Parts(StripMesh own, const LiveOptions& options, detail::LiveState::Reader& in)
+      : mesh(std::move(own)),
+        keeper(mesh, options.policy, options.cost),
+        buffer(options.format),
+        most_history(options.history) {
+    mesh.watch(&changed);
+    detail::LiveState::read_buffer(in, mesh, buffer);
+    keeper.visit_state(in);
+    in.expect_end();
     if (most_history != 0) history.emplace(mesh, buffer, most_history);
   }
 
@@ -85,6 +97,7 @@ RESTRIP_INLINE LiveMesh::LiveMesh(StripMesh mesh, const LiveOptions& options, Co
   if (colors == Colors::from_scratch) stripify(mesh, options.effort, options.cost);
   parts_ = std::make_unique<Parts>(std::move(mesh), options);
 }
+RESTRIP_INLINE LiveMesh::LiveMesh(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
 RESTRIP_INLINE LiveMesh::LiveMesh(LiveMesh&& other) noexcept = default;
 RESTRIP_INLINE LiveMesh& LiveMesh::operator=(LiveMesh&& other) noexcept = default;
 RESTRIP_INLINE LiveMesh::~LiveMesh() = default;
@@ -111,6 +124,26 @@ RESTRIP_INLINE Upload LiveMesh::update(const RangeOptions& ranges) {
 }
 RESTRIP_INLINE bool LiveMesh::undo() { return parts_->step(false); }
 RESTRIP_INLINE bool LiveMesh::redo() { return parts_->step(true); }
+RESTRIP_INLINE std::vector<std::byte> LiveMesh::save() {
+  using State = detail::LiveState;
+  parts_->end_frame({});
+  State::Writer out;
+  out.bytes.reserve(64 + 44 * mesh().triangle_bound());
+  State::write_header(out, parts_->keeper, parts_->buffer);
+  State::write_mesh(out, mesh());
+  State::write_buffer(out, mesh(), parts_->buffer);
+  parts_->keeper.visit_state(out);
+  out.put(baked_format::fnv1a(std::span<const std::byte>(out.bytes)));
+  return std::move(out.bytes);
+}
+RESTRIP_INLINE LiveMesh LiveMesh::load(std::span<const std::byte> bytes, std::size_t history) {
+  using State = detail::LiveState;
+  State::Reader in(bytes);
+  LiveOptions options = State::read_header(in);
+  options.history = history;
+  StripMesh mesh = State::read_mesh(in);
+  return LiveMesh(std::make_unique<Parts>(std::move(mesh), options, in));
+}
 RESTRIP_INLINE std::size_t LiveMesh::undoable() const noexcept {
   return parts_->can_step() ? parts_->history->mesh.undoable() : 0;
 }

@@ -23,6 +23,7 @@ namespace restrip {
 
 namespace detail {
 class TrialColors;
+class LiveState;
 
 /// Room for `more` elements, so that appending them throws nothing.
 template <class Vector>
@@ -241,6 +242,7 @@ class StripMesh {
 
  private:
   friend class detail::TrialColors;
+  friend class detail::LiveState;
   friend class History;
 
   // The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation

@@ -108,6 +108,7 @@ class LiveBuffer {
   }
 
  private:
+  friend class detail::LiveState;
   /// Of the buffer on the device.
   struct Extent {
     std::size_t index_bytes = 0;

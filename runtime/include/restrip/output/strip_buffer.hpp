@@ -57,6 +57,7 @@
 namespace restrip {
 
 namespace detail {
+class LiveState;
 
 /// Sorts ranges, widens them to multiples of `unit` indices, cuts them off at `end`, and joins ranges that are at most
 /// `gap` indices apart.
@@ -121,6 +122,7 @@ class BasicStripBuffer {
  private:
   template <class>
   friend class BasicBufferHistory;
+  friend class detail::LiveState;
 
   using State = detail::RunPlaces::State;
   static constexpr std::uint32_t nothing = 0xFFFFFFFFU;  // no run

@@ -146,6 +146,7 @@ class BasicTriangleListBuffer {
   }
 
  private:
+  friend class detail::LiveState;
   static constexpr std::uint32_t no_slot = 0xFFFFFFFFU;
 
   template <class Mesh>

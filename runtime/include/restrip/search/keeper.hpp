@@ -159,6 +159,10 @@ class Keeper {
   /// then not be used until rebuild() succeeds.
   void rebuild();
   void reserve(std::size_t triangles) { locator_.reserve(triangles); }
+  /// Visits the numbers on which later results depend besides the mesh, its colours, policy and cost, and the counts of
+  /// rules, as std::uint64_t: for keepers that are saved and resumed. Rebuilds a keeper that is not up to date.
+  template <class Visit>
+  void visit_state(Visit&& visit);
 
   [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
   /// Not maintained while baked strips are played, because their records do not contain it.

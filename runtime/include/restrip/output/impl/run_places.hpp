@@ -17,6 +17,8 @@ class BasicBufferHistory;
 
 namespace restrip::detail {
 
+class LiveState;
+
 /// Consecutive indices that draw a part of a strip, the last of them a restart index.
 struct Run {
   std::uint32_t first = 0;
@@ -122,6 +124,7 @@ class RunPlaces {
  private:
   template <class>
   friend class restrip::BasicBufferHistory;
+  friend class LiveState;
 
   struct Place {
     Run run;

@@ -278,4 +278,21 @@ void Keeper<Mesh>::rebuild() {
   up_to_date_ = true;
 }
 
+template <class Mesh>
+template <class Visit>
+void Keeper<Mesh>::visit_state(Visit&& visit) {
+  if (!up_to_date_) rebuild();
+  std::uint64_t next = next_;
+  std::uint64_t unsettled = (std::min)(unsettled_, mesh_->triangle_bound());
+  visit(next);
+  visit(unsettled);
+  next_ = static_cast<Triangle>(next);
+  unsettled_ = static_cast<std::size_t>((std::min)(unsettled, std::uint64_t{mesh_->triangle_bound()}));
+  rounds_.visit_state(visit);
+  windows_.visit_state(visit);
+  window_.visit_state(visit);
+  RuleCounts& counts = choice_.counts();
+  for (std::uint64_t* const count : {&counts.asked, &counts.taken, &counts.kept, &counts.improved}) visit(*count);
+}
+
 }  // namespace restrip

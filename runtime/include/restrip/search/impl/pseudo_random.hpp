@@ -23,6 +23,13 @@ class PseudoRandom {
     return static_cast<std::uint32_t>(std::uint64_t{bits()} * bound >> 32);
   }
 
+  /// The state, for searches that are saved and resumed.
+  template <class Visit>
+  void visit_state(Visit&& visit) {
+    visit(state_);
+    if (state_ == 0) state_ = 1;
+  }
+
  private:
   std::uint64_t state_;
 };

@@ -61,6 +61,20 @@ class TunnelRounds {
     strips_at_start_ = 0;
   }
 
+  /// Visits the numbers on which later results depend, as std::uint64_t: for rounds that are saved and resumed.
+  template <class Visit>
+  void visit_state(Visit&& visit) {
+    std::uint64_t states = states_;
+    std::uint64_t next = next_;
+    std::uint64_t strips = strips_at_start_;
+    visit(states);
+    visit(next);
+    visit(strips);
+    states_ = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(states, first_, last_));
+    next_ = static_cast<Triangle>(next);
+    strips_at_start_ = static_cast<std::uint32_t>(strips);
+  }
+
  private:
   std::uint32_t first_;
   std::uint32_t last_;

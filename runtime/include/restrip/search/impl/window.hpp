@@ -97,6 +97,13 @@ class Window {
   [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
   [[nodiscard]] WindowCounts counts() const noexcept { return {windows_, refused_, search_.tried(), plan_.walked()}; }
 
+  /// Visits the numbers on which later results depend, as std::uint64_t: for searches that are saved and resumed.
+  template <class Visit>
+  void visit_state(Visit&& visit) {
+    random_.visit_state(visit);
+    plan_.visit_state(visit);
+  }
+
  private:
   WindowChange solve(SidedMesh auto& mesh, const WindowLimits& limits);
 

@@ -137,6 +137,13 @@ class WindowPlan {
   [[nodiscard]] std::span<const Step> steps() const noexcept { return steps_; }
   /// Triangles walked past in all plans.
   [[nodiscard]] std::uint64_t walked() const noexcept { return walked_; }
+  /// What matters later: WindowRounds counts every eighth.
+  template <class Visit>
+  void visit_state(Visit&& visit) {
+    walked_ %= 8;
+    visit(walked_);
+    walked_ %= 8;
+  }
 
  private:
   using Halfedge = StripMesh::Halfedge;

@@ -54,6 +54,17 @@ class WindowRounds {
     return window_.counts().tried + window_.counts().walked / 8 + passed_ / 64;
   }
   [[nodiscard]] WindowCounts counts() const noexcept { return window_.counts(); }
+  /// As Window::visit_state.
+  template <class Visit>
+  void visit_state(Visit&& visit) {
+    window_.visit_state(visit);
+    std::uint64_t next = next_;
+    std::uint64_t passed = passed_ % 64;
+    visit(next);
+    visit(passed);
+    next_ = static_cast<Triangle>(next);
+    passed_ = passed % 64;
+  }
 
  private:
   [[nodiscard]] bool flawed(const SidedMesh auto& mesh, Triangle t) const {
