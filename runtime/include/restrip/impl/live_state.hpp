@@ -336,9 +336,11 @@ class LiveState {
   template <class Index>
   static void read(Reader& in, const StripMesh& mesh, BasicStripBuffer<Index>& buffer) {
     constexpr std::size_t run_bytes = 20;
+    const auto fits = [&](std::uint32_t place) { return !buffer.stitched_ || place % 2 == 0; };  // windings
     RunPlaces& places = buffer.places_;
     const auto length = in.get<std::uint32_t>();
-    Reader::expect(length <= in.size() && BasicStripBuffer<Index>::even(length) == length, Reader::altered);
+    Reader::expect(length <= in.size() && fits(length) && BasicStripBuffer<Index>::even(length) == length,
+                   Reader::altered);
     const std::uint32_t count = in.count(4);
     const std::uint32_t runs = in.count(run_bytes);
     Reader::expect(runs <= count, Reader::altered);
@@ -362,9 +364,9 @@ class LiveState {
       const auto cuts = in.get<std::uint32_t>();
       const Halfedge out{in.get<std::uint32_t>()};
       drawn += triangles;
-      Reader::expect(first >= places.run(before).end() && triangles != 0 && drawn <= mesh.triangle_count() &&
-                         cuts <= 2 && !StripMesh::on_boundary(out) && mesh.alive(StripMesh::triangle(out)) &&
-                         read_run(mesh, buffer, out, triangles, cuts),
+      Reader::expect(first >= places.run(before).end() && fits(first) && triangles != 0 &&
+                         drawn <= mesh.triangle_count() && cuts <= 2 && !StripMesh::on_boundary(out) &&
+                         mesh.alive(StripMesh::triangle(out)) && read_run(mesh, buffer, out, triangles, cuts),
                      Reader::altered);
       const std::uint32_t size = buffer.texts_.back().length;
       Reader::expect(size <= length && first <= length - size, Reader::altered);
