@@ -44,6 +44,8 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
       upload_ranges(live.indices(), ranges, gpu);
       ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(gpu)), triangles_of(live.mesh()));
       ASSERT_EQ(live.keeper().strips(), count_strips(live.mesh()));
+      ASSERT_EQ(live.keeper().isolated(), check_coloring(live.mesh()).isolated);
+      ASSERT_EQ(live.keeper().swaps(), count_swaps(live.mesh()));
       ASSERT_EQ(fault_of(live.mesh()), "");
     };
     // The indices at the end of each frame; undo and redo restore them exactly.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "random_operation.hpp"
+#include "restrip/live_mesh.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/impl/window.hpp"
@@ -225,6 +226,30 @@ TEST(Complexity, NoUpdateOfABufferTakesLong) {
 }
 
 // Searches of twice the states take little more than twice the steps: chains get longer by a move or two.
+// Under the default policy and cost. The same operations next to one torus and next to three.
+TEST(Complexity, UndoTakesTheTimeOfTheFrameNotOfTheMesh) {
+  std::array<Work, 2> undo;
+  std::array<Work, 2> redo;
+  constexpr Vertex vertices = 50 * 50;
+  for (const Vertex others : {1U, 3U}) {
+    std::vector<std::array<Vertex, 3>> triangles;
+    for (Vertex copy = 0; copy <= others; ++copy)
+      for (const auto& [a, b, c] : sample::grid(50, 50, true, true, 1))
+        triangles.push_back({a + copy * vertices, b + copy * vertices, c + copy * vertices});
+    LiveMesh live(StripMesh::build(triangles, (others + 1) * vertices), {.history = 10'000});
+    for (Vertex v = 100; v < 120; v += 2) live.collapse(live.edge(v, v + 1));
+    live.update();
+    ASSERT_EQ(live.undoable(), 1U);
+    const std::size_t strips = live.strips();
+    undo[others / 2] = work_of([&] { live.undo(); });
+    EXPECT_EQ(live.strips(), count_strips(live.mesh()));
+    redo[others / 2] = work_of([&] { live.redo(); });
+    EXPECT_EQ(live.strips(), strips);
+  }
+  EXPECT_TRUE(grows_at_most(constant, undo[0], undo[1]));
+  EXPECT_TRUE(grows_at_most(constant, redo[0], redo[1]));
+}
+
 TEST(Complexity, SearchesAreLinearInTheirStates) {
   Work searching[2];
   for (const unsigned size : {0U, 1U}) {

@@ -84,8 +84,8 @@ class LiveMesh {
   /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
   /// restored exactly, and so are the indices of strips and their width. False when there is nothing to undo or redo.
   /// Call update() next, which returns the ranges to upload. Your data of vertices is not restored, and the numbers of
-  /// removed vertices are used again: save the data of a vertex before an operation that changes it. Linear time in the
-  /// mesh.
+  /// removed vertices are used again: save the data of a vertex before an operation that changes it. Time linear in
+  /// what the frame changed; under the cost of strips and a policy that tunnels, linear in the mesh.
   bool undo();
   bool redo();
 

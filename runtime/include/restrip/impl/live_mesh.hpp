@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -25,11 +26,20 @@
 namespace restrip {
 
 struct LiveMesh::Parts {
-  /// Of the mesh and its buffer, which have the same frames.
+  using Totals = Keeper<StripMesh>::Totals;
+  /// Of the mesh, its buffer and its keeper, which have the same frames.
   struct Histories {
-    Histories(const StripMesh& now, LiveBuffer& buffer_now, std::size_t most) : mesh(now, most), buffer(buffer_now) {}
+    Histories(const StripMesh& now, LiveBuffer& buffer_now, const Totals& totals_now, std::size_t most)
+        : mesh(now, most), buffer(buffer_now), totals{totals_now} {}
+    /// After the frame of the mesh, which could undo `undoable` frames before it.
+    void frame(const Totals& totals_now, std::size_t undoable) {
+      totals.resize(undoable + 1);
+      totals.push_back(totals_now);
+      while (totals.size() > mesh.undoable() + 1) totals.pop_front();
+    }
     History mesh;
     LiveHistory buffer;
+    std::deque<Totals> totals;  // at the beginning of the first frame and at the end of each
   };
 
   Parts(StripMesh own, const LiveOptions& options)
@@ -39,7 +49,7 @@ struct LiveMesh::Parts {
         most_history(options.history) {
     mesh.watch(&changed);
     buffer.rebuild(mesh);
-    if (most_history != 0) history.emplace(mesh, buffer, most_history);
+    if (most_history != 0) history.emplace(mesh, buffer, keeper.totals(), most_history);
   }
   Parts(StripMesh own, const LiveOptions& options, detail::LiveState::Reader& in)
       : mesh(std::move(own)),
@@ -50,7 +60,7 @@ struct LiveMesh::Parts {
     detail::LiveState::read_buffer(in, mesh, buffer);
     keeper.visit_state(in);
     in.expect_end();
-    if (most_history != 0) history.emplace(mesh, buffer, most_history);
+    if (most_history != 0) history.emplace(mesh, buffer, keeper.totals(), most_history);
   }
 
   [[nodiscard]] bool can_step() const noexcept { return history && !interrupted; }
@@ -60,10 +70,12 @@ struct LiveMesh::Parts {
     const Upload upload = buffer.update(mesh, changed, ranges);
     if (most_history != 0) {
       if (std::exchange(interrupted, true)) {
-        history.emplace(mesh, buffer, most_history);
+        history.emplace(mesh, buffer, keeper.totals(), most_history);
       } else {
+        const std::size_t undoable = history->mesh.undoable();
         const bool is_frame = history->mesh.frame(mesh, changed);
         history->buffer.frame(buffer, changed, is_frame, history->mesh.undoable());
+        if (is_frame) history->frame(keeper.totals(), undoable);
       }
       interrupted = false;
     }
@@ -79,7 +91,7 @@ struct LiveMesh::Parts {
     forward ? history->mesh.redo(mesh) : history->mesh.undo(mesh);
     if (exact) changed.clear();  // the buffer is up to date already
     interrupted = false;
-    keeper.rebuild();
+    keeper.return_to(history->totals[history->mesh.undoable()]);
     return true;
   }
 

@@ -158,6 +158,17 @@ class Keeper {
   /// Reads the mesh again. Linear time. Throws std::invalid_argument if its colouring is not valid; the keeper must
   /// then not be used until rebuild() succeeds.
   void rebuild();
+  /// What a keeper without a locator knows of its mesh.
+  struct Totals {
+    bool known = false;
+    std::size_t strips = 0;
+    std::size_t swaps = 0;
+    std::size_t isolated = 0;
+  };
+  [[nodiscard]] Totals totals() const noexcept { return {up_to_date_, strips_, swaps_, isolated_}; }
+  /// The same as rebuild() for a mesh that is again as it was when totals() returned these. Constant time for a keeper
+  /// without a locator, if they are known.
+  void return_to(const Totals& totals);
   void reserve(std::size_t triangles) { locator_.reserve(triangles); }
   /// Visits the numbers on which later results depend besides the mesh, its colours, policy and cost, and the counts of
   /// rules, as std::uint64_t: for keepers that are saved and resumed. Rebuilds a keeper that is not up to date.

@@ -279,6 +279,17 @@ void Keeper<Mesh>::rebuild() {
 }
 
 template <class Mesh>
+void Keeper<Mesh>::return_to(const Totals& totals) {
+  if (tunnels() || !totals.known) return rebuild();
+  rounds_.restart();
+  unsettled_ = (std::numeric_limits<std::size_t>::max)();
+  strips_ = totals.strips;
+  swaps_ = totals.swaps;
+  isolated_ = totals.isolated;
+  up_to_date_ = true;
+}
+
+template <class Mesh>
 template <class Visit>
 void Keeper<Mesh>::visit_state(Visit&& visit) {
   if (!up_to_date_) rebuild();
