@@ -199,8 +199,8 @@ std::pair<Side, std::vector<SurfaceTriangle>> numbered(const Disc& disc, const s
     of[at.triangle][at.side] = static_cast<std::uint8_t>(SurfaceTriangle::port_side + p);
   }
   if (side.owner.empty() || side.owner.size() > most_ports)
-    disc.fail(-1,
-              fmt::format("expected 1 to {} ports, the edges of the outline that are not on the boundary", most_ports));
+    disc.fail(-1, fmt::format("expected 1 to {} ports, the edges of the outline that are not on the boundary, found {}",
+                              most_ports, side.owner.size()));
   if (side.edges.size() + side.owner.size() > most_edges_and_ports)
     disc.fail(-1, fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
   std::vector<SurfaceTriangle> met;

@@ -22,6 +22,11 @@ TEST(LiveApply, DoesAndUndoesCustomOperations) {
   live.update();
   EXPECT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh()));
   EXPECT_FALSE(live.apply(tables::merge, StripMesh::halfedge(20)));
+  EXPECT_TRUE(live.apply_anywhere(tables::merge, StripMesh::triangle(refined.rewrite.halfedge)) ||
+              places(live.mesh(), tables::merge, StripMesh::triangle(refined.rewrite.halfedge)).empty());
+  EXPECT_TRUE(live.apply_anywhere(tables::refine_face, 40));
+  live.update();
+  ASSERT_TRUE(live.undo());
   ASSERT_TRUE(live.undo());
   EXPECT_EQ(sample::triangles_of(live.mesh()), before);
 }

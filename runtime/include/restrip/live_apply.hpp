@@ -11,5 +11,9 @@ template <class Table>
 Checked LiveMesh::apply(const Table& table, Halfedge where) {
   return checked_apply(keeper(), table, where);
 }
+template <class Table>
+Checked LiveMesh::apply_anywhere(const Table& table, Triangle triangle) {
+  return restrip::apply_anywhere(keeper(), table, triangle);
+}
 
 }  // namespace restrip

@@ -75,6 +75,9 @@ class LiveMesh {
   /// A custom operation (apply.hpp). Its body is in live_apply.hpp; include that.
   template <class Table>
   Checked apply(const Table& table, Halfedge where);
+  /// The same in the first orientation that fits, with this triangle as the first of the operation (places()).
+  template <class Table>
+  Checked apply_anywhere(const Table& table, Triangle triangle);
   /// For idle time: see Keeper::improve. Returns the cost saved.
   std::size_t improve(std::size_t budget);
 

@@ -174,6 +174,48 @@ TEST(Apply, TakesBackTheHandlesThatItGave) {
   EXPECT_EQ(mesh.triangle_bound(), bound);
 }
 
+// An operation with a border side fits in at most one orientation of a triangle. A brute-force count of the sheet knows
+// where: at corners with two triangles, seen from the side that leads from the corner into the mesh.
+TEST(Apply, AnywhereFindsTheOrientationThatFits) {
+  std::mt19937 random(3);
+  std::size_t one_way = 0;
+  std::size_t any_way = 0;
+  for (int round = 0; round < 100; ++round) {
+    StripMesh mesh = sample::rectangle(6, 5, static_cast<unsigned>(round));
+    stripify(mesh);
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      std::vector<Halfedge> fitting;
+      for (unsigned s = 0; s < 3; ++s) {
+        // `m b c`, with m b on the boundary, m of two triangles, and `a m c` next to it across m c.
+        const Halfedge h = StripMesh::halfedge(t, s);
+        const Halfedge beyond = mesh.opposite(StripMesh::next(StripMesh::next(h)));
+        const bool is_rim = StripMesh::on_boundary(mesh.opposite(h)) && !StripMesh::on_boundary(beyond);
+        if (is_rim && StripMesh::on_boundary(mesh.opposite(StripMesh::next(StripMesh::next(beyond)))) &&
+            check_apply(mesh, tables::merge_boundary, h) == Refusal::granted)
+          fitting.push_back(h);
+      }
+      const Places found = places(mesh, tables::merge_boundary, t);
+      ASSERT_TRUE(std::equal(found.begin(), found.end(), fitting.begin(), fitting.end()));
+    }
+    const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
+    one_way += check_apply(mesh, tables::merge_boundary, StripMesh::halfedge(t)) == Refusal::granted ? 1U : 0U;
+    const bool fits = !places(mesh, tables::merge_boundary, t).empty();
+    const std::size_t before = mesh.triangle_count();
+    const Checked done = apply_anywhere(mesh, tables::merge_boundary, t);
+    ASSERT_EQ(done.granted(), fits);
+    ASSERT_EQ(mesh.triangle_count(), before - (fits ? 1 : 0));
+    ASSERT_TRUE(check_coloring(mesh).valid);
+    any_way += fits ? 1U : 0U;
+  }
+  EXPECT_GT(any_way, 2 * one_way);
+  StripMesh torus = sample::torus(5, 5);
+  EXPECT_EQ(places(torus, tables::split_face, 7).size(), 3U);
+  EXPECT_TRUE(places(torus, tables::merge_boundary, 7).empty());
+  EXPECT_EQ(apply_anywhere(torus, tables::merge_boundary, 7).refusal, Refusal::other_patch);
+  EXPECT_TRUE(places(torus, tables::split_face, 50).empty());
+  EXPECT_EQ(apply_anywhere(torus, tables::split_face, 50).refusal, Refusal::no_such_edge);
+}
+
 TEST(Apply, RefusesWithAReason) {
   const StripMesh rectangle = sample::rectangle(4, 3);
   EXPECT_EQ(check_apply(rectangle, tables::split_face, {none}), Refusal::no_such_edge);

@@ -100,6 +100,24 @@ template <SurfaceTable Table>
 template <CheckedTarget Target, SurfaceTable Table>
 Checked checked_apply(Target& target, const Table& table, StripMesh::Halfedge where);
 
+/// Sides of one triangle, in the order 0, 1, 2.
+struct Places {
+  std::array<StripMesh::Halfedge, 3> side{};
+  std::size_t count = 0;
+
+  [[nodiscard]] std::size_t size() const noexcept { return count; }
+  [[nodiscard]] bool empty() const noexcept { return count == 0; }
+  [[nodiscard]] const StripMesh::Halfedge* begin() const noexcept { return side.data(); }
+  [[nodiscard]] const StripMesh::Halfedge* end() const noexcept { return side.data() + count; }
+};
+/// The sides of a triangle from which check_apply() grants the operation: the orientations in which it fits with this
+/// triangle as the first under `before`. None for a number that is not a triangle.
+template <SurfaceTable Table>
+[[nodiscard]] Places places(const StripMesh& mesh, const Table& table, Triangle triangle);
+/// Does the operation at the first of these places; if there are none, it is refused with the reason for side 0.
+template <CheckedTarget Target, SurfaceTable Table>
+Checked apply_anywhere(Target& target, const Table& table, Triangle triangle);
+
 /// An operation whose mesh has not changed yet. Made by before_apply(), consumed by after_apply(). Refers to the table.
 template <class Halfedge, SurfaceTable Table>
 class PendingApply;

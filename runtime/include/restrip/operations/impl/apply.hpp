@@ -220,6 +220,25 @@ Checked checked_apply(Target& target, const Table& table, StripMesh::Halfedge wh
 }
 
 template <SurfaceTable Table>
+Places places(const StripMesh& mesh, const Table& table, Triangle triangle) {
+  Places found;
+  if (!mesh.alive(triangle)) return found;
+  for (unsigned side = 0; side < 3; ++side) {
+    const auto h = StripMesh::halfedge(triangle, side);
+    if (check_apply(mesh, table, h) == Refusal::granted) found.side[found.count++] = h;
+  }
+  return found;
+}
+
+template <CheckedTarget Target, SurfaceTable Table>
+Checked apply_anywhere(Target& target, const Table& table, Triangle triangle) {
+  const StripMesh& mesh = detail::mesh_of(target);
+  const Places found = places(mesh, table, triangle);
+  const StripMesh::Halfedge none_fits = mesh.alive(triangle) ? StripMesh::halfedge(triangle) : StripMesh::Halfedge{};
+  return checked_apply(target, table, found.empty() ? none_fits : found.side[0]);
+}
+
+template <SurfaceTable Table>
 Rewrite<StripMesh::Halfedge> apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
   RESTRIP_ASSERT_GRANTED(check_apply(mesh, table, where), "apply");
   return detail::apply_unchecked(mesh, table, where, detail::replacing(mesh, table));
