@@ -110,6 +110,22 @@ template <ColoredMesh Mesh>
   return mesh.next(mesh.opposite(h));
 }
 
+/// Calls visit(spoke) for each triangle around the vertex that h leaves, with its halfedge that leaves the vertex:
+/// counter-clockwise from h, then, if the fan is open, clockwise from h.
+template <ColoredMesh Mesh, class Visit>
+constexpr void for_each_around(const Mesh& mesh, typename Mesh::Halfedge h, Visit&& visit) {
+  auto g = h;
+  while (!mesh.on_boundary(g)) {
+    visit(g);
+    g = turn_ccw(mesh, g);
+    if (g == h) return;
+  }
+  for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
+    g = turn_cw(mesh, g);
+    visit(g);
+  }
+}
+
 /// One triangle of a fan, seen from the vertex that h leaves: the colours of its port and of its dual edge to the next
 /// triangle counter-clockwise, and the spoke between the two.
 template <class Halfedge>

@@ -68,20 +68,10 @@ namespace detail {
 template <NumberedMesh Mesh>
 void add_fan(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangle>& patch, Triangle skip = none,
              Triangle skip_too = none) {
-  const auto add = [&](typename Mesh::Halfedge g) {
+  for_each_around(mesh, h, [&](typename Mesh::Halfedge g) {
     const auto t = static_cast<Triangle>(mesh.triangle(g));
     if (t != skip && t != skip_too) patch.push_back(t);
-  };
-  auto g = h;
-  while (!mesh.on_boundary(g)) {
-    add(g);
-    g = fan_step(mesh, g).spoke;
-    if (g == h) return;
-  }
-  for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
-    g = turn_cw(mesh, g);
-    add(g);
-  }
+  });
 }
 
 }  // namespace detail

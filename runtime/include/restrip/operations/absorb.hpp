@@ -11,6 +11,7 @@
 #pragma once
 
 #include "restrip/mesh/mesh.hpp"
+#include "restrip/operations/impl/function_ref.hpp"
 #include "restrip/operations/operations.hpp"
 
 namespace restrip {
@@ -28,8 +29,10 @@ inline constexpr int default_absorptions = 4;
 
 /// absorb() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
 /// triangle that has become a strip end, with one of its halfedges.
-template <class Mesh, class Paint, class End>
-ColoringChange absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint, End&& end) {
+template <class Mesh>
+ColoringChange absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth,
+                           FunctionRef<void(typename Mesh::Halfedge, bool)> paint,
+                           FunctionRef<void(typename Mesh::Halfedge)> end) {
   if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
   for (const bool pass_on : {false, true}) {
     if (pass_on && depth == 0) break;
@@ -53,7 +56,7 @@ ColoringChange absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int dept
         if (spares_one)
           end(beyond);
         else
-          done = absorb_with(mesh, beyond, depth - 1, paint, end);
+          done = absorb_with<Mesh>(mesh, beyond, depth - 1, paint, end);
         if (done.isolated < 0) {
           end(h);
           return done;
@@ -74,7 +77,7 @@ ColoringChange absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int dept
 template <ColoredMesh Mesh>
 ColoringChange absorb(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_absorptions) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "absorb", describe(Refusal::no_such_edge));
-  return detail::absorb_with(
+  return detail::absorb_with<Mesh>(
       mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); }, [](auto) {});
 }
 

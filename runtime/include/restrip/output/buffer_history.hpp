@@ -60,7 +60,9 @@ class BasicBufferHistory {
     limit(most);
   }
   /// Drops the frames that can be redone.
-  void drop_undone() noexcept { frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(done_), frames_.end()); }
+  void drop_undone() noexcept {
+    while (frames_.size() > done_) frames_.pop_back();
+  }
   /// Drops the oldest frames that can be undone, beyond `most`.
   void limit(std::size_t most) noexcept {
     for (; done_ > most; --done_) frames_.pop_front();

@@ -212,8 +212,10 @@ class Keeper {
   Rewrite<Halfedge> counted(Rewrite<Halfedge> done, const ColoringChange& change, bool improved);
   template <class Step>
   Rewrite<Halfedge> search_from_ends(const Step& step);
+  Rewrite<Halfedge> searched(const Rewrite<Halfedge>& by_rule, bool counts_swaps, unsigned rings);
   template <class Step>
   Rewrite<Halfedge> tunnel_from_patch(const Step& step);
+  Rewrite<Halfedge> tunnelled(const Rewrite<Halfedge>& by_rule, detail::MayIsolate may_isolate);
 
   Mesh* mesh_;
   Search search_;   // under the cost of strips

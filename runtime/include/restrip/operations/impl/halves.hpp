@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "restrip/operations/impl/function_ref.hpp"
 #include "restrip/operations/impl/patch_walk.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/rules/exact.hpp"
@@ -60,6 +61,11 @@ inline Answer answer_by_rule(SeenPatch& patch) {
   return result;
 }
 
+template <class Halfedge>
+using VisitPort = FunctionRef<void(std::size_t, Halfedge)>;
+template <class Halfedge>
+using WalkPorts = FunctionRef<void(VisitPort<Halfedge>)>;
+
 /// The source of rules for the operations; a Keeper has another one. split() and collapse() are for interior fans of
 /// ordinary valence, answer() for others: walk_ports(port) calls port(i, h) for every port.
 struct LocalRules {
@@ -71,8 +77,8 @@ struct LocalRules {
   Rule collapse(const Mesh& /*mesh*/, Halfedge /*chord*/, const InteriorFan<Halfedge>& fan, Word ring) const noexcept {
     return collapse_rule({fan.k, fan.a}, ring, fan.ports);
   }
-  template <class Mesh, class WalkPorts>
-  Answer answer(const Mesh& /*mesh*/, SeenPatch& patch, WalkPorts&& /*walk_ports*/) const {
+  template <class Mesh>
+  Answer answer(const Mesh& /*mesh*/, SeenPatch& patch, WalkPorts<typename Mesh::Halfedge> /*walk_ports*/) const {
     return answer_by_rule(patch);
   }
 };
@@ -125,8 +131,8 @@ FanChange<typename Mesh::Halfedge> begin_split(Rules&& rules, Mesh& mesh,
     return change;
   }
   SeenPatch fan = read_fan(mesh, where);
-  Answer rule =
-      rules.answer(std::as_const(mesh), fan, [&](auto&& port) { walk_ports(std::as_const(mesh), where, fan, port); });
+  Answer rule = rules.answer(std::as_const(mesh), fan,
+                             [&](VisitPort<Halfedge> port) { walk_ports(std::as_const(mesh), where, fan, port); });
   walk_fan(mesh, where.spokes == Spokes::right_only ? where.right : where.left, fan.before, fan.gap,
            [&](std::size_t i, Halfedge h) {
              const std::size_t edge = fan.after.element(i);
@@ -200,7 +206,7 @@ FanChange<typename Mesh::Halfedge> begin_collapse(Rules&& rules, Mesh& mesh, typ
   }
   SeenPatch patch = read_patch(mesh, chord);
   const Layout& before = patch.before;
-  Answer rule = rules.answer(std::as_const(mesh), patch, [&](auto&& port) {
+  Answer rule = rules.answer(std::as_const(mesh), patch, [&](VisitPort<Halfedge> port) {
     walk_patch(
         std::as_const(mesh), chord, [](std::size_t, Halfedge) {}, port);
   });

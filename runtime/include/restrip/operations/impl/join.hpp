@@ -43,10 +43,18 @@ struct StripWalker {
   }
 };
 
+/// Calls a function for some triangles, each named by a halfedge.
+template <class Mesh>
+using Visit = FunctionRef<void(typename Mesh::Halfedge)>;
+template <class Mesh>
+using Each = FunctionRef<void(Visit<Mesh>)>;
+template <class Mesh>
+using EachCut = FunctionRef<void(FunctionRef<void(StripWalker<Mesh>)>)>;
+
 /// Steps 1 and 2 of join.hpp: each_cut(follow) calls follow(walker) for each strip that has been cut, each_near(visit)
 /// visits the triangles, and perhaps boundary halfedges, where strips may end.
-template <class Mesh, class EachCut, class EachNear>
-void join_ends(Mesh& mesh, ColoringChange& sum, EachCut&& each_cut, EachNear&& each_near) {
+template <class Mesh>
+void join_ends(Mesh& mesh, ColoringChange& sum, EachCut<Mesh> each_cut, Each<Mesh> each_near) {
   using Halfedge = typename Mesh::Halfedge;
   constexpr std::size_t most = 16;
   // It is enough to find one of two ends that a cut has separated, so all strips are followed in parallel until at most
@@ -81,56 +89,41 @@ void join_ends(Mesh& mesh, ColoringChange& sum, EachCut&& each_cut, EachNear&& e
 }
 
 /// The same without a list of cut strips: for the strips that end in the triangles that each(visit) names.
-template <class Mesh, class Each>
-void join_at_ends(Mesh& mesh, ColoringChange& sum, Each&& each) {
+template <class Mesh>
+void join_at_ends(Mesh& mesh, ColoringChange& sum, Each<Mesh> each) {
   using Halfedge = typename Mesh::Halfedge;
-  const auto each_cut = [&](auto&& follow) {
+  const auto each_cut = [&](FunctionRef<void(StripWalker<Mesh>)> follow) {
     each([&](Halfedge h) {
       if (!mesh.on_boundary(h) && solid_degree(mesh, h) == 1) follow(StripWalker<Mesh>::from_end(mesh, h));
     });
   };
-  join_ends(mesh, sum, each_cut, each);
-}
-
-/// Calls visit with a halfedge of each triangle around the vertex that h leaves.
-template <class Mesh, class Visit>
-void visit_around(const Mesh& mesh, typename Mesh::Halfedge h, Visit&& visit) {
-  auto g = h;
-  while (!mesh.on_boundary(g)) {
-    visit(g);
-    g = turn_ccw(mesh, g);
-    if (g == h) return;
-  }
-  for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
-    g = turn_cw(mesh, g);
-    visit(g);
-  }
+  join_ends<Mesh>(mesh, sum, each_cut, each);
 }
 
 /// Step 3 of join.hpp, for the triangles that each(visit) names.
-template <class Mesh, class Each>
-void absorb_and_join(Mesh& mesh, ColoringChange& sum, Each&& each) {
+template <class Mesh>
+void absorb_and_join(Mesh& mesh, ColoringChange& sum, Each<Mesh> each) {
   using Halfedge = typename Mesh::Halfedge;
   each([&](Halfedge h) {
     std::array<Halfedge, default_absorptions + 2> ends;
     std::size_t count = 0;
-    const ColoringChange absorbed = absorb_with(
+    const ColoringChange absorbed = absorb_with<Mesh>(
         mesh, h, default_absorptions, [&](Halfedge g, bool solid) { mesh.set_solid(g, solid); },
         [&](Halfedge end) { ends[count++] = end; });
     if (absorbed.isolated == 0) return;
     sum += absorbed;
-    join_at_ends(mesh, sum, [&](auto&& visit) {
+    join_at_ends<Mesh>(mesh, sum, [&](Visit<Mesh> visit) {
       for (std::size_t i = 0; i < count; ++i) visit(ends[i]);
     });
   });
 }
 
 /// Steps 1 to 3 for those triangles.
-template <class Mesh, class Each>
-ColoringChange join_and_absorb(Mesh& mesh, Each&& each) {
+template <class Mesh>
+ColoringChange join_and_absorb(Mesh& mesh, Each<Mesh> each) {
   ColoringChange sum;
-  join_at_ends(mesh, sum, each);
-  absorb_and_join(mesh, sum, each);
+  join_at_ends<Mesh>(mesh, sum, each);
+  absorb_and_join<Mesh>(mesh, sum, each);
   return sum;
 }
 
@@ -145,7 +138,7 @@ ColoringChange join_in(Mesh& mesh, std::span<Halfedge> nearby) {
       continue;
     nearby[count++] = h;
   }
-  return join_and_absorb(mesh, [&](auto&& visit) {
+  return join_and_absorb<Mesh>(mesh, [&](Visit<Mesh> visit) {
     for (const Halfedge h : nearby.first(count)) visit(h);
   });
 }
@@ -169,9 +162,9 @@ ColoringChange join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedg
 
 /// The triangles of a ring with chord that `elements` names, each by its halfedge that leaves the vertex of the fan,
 /// for A and D by the chord.
-template <class Mesh, class Visit>
+template <class Mesh>
 void visit_ring(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
-                Word elements, Visit&& visit) {
+                Word elements, Visit<Mesh> visit) {
   for (; elements != 0; elements &= elements - 1) {
     const auto element = static_cast<std::size_t>(std::countr_zero(elements));
     const bool second = element > fan.a;  // D, and the triangles of the second arc
@@ -186,9 +179,9 @@ void visit_ring(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fa
   }
 }
 /// The triangles of the fan that a collapse leaves; `left` is its spoke to v_l.
-template <class Mesh, class Visit>
+template <class Mesh>
 void visit_fan(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left,
-               Word triangles, Visit&& visit) {
+               Word triangles, Visit<Mesh> visit) {
   for (; triangles != 0; triangles &= triangles - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(triangles));
     if (i == 0)
@@ -214,15 +207,15 @@ constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before,
 }
 
 /// Steps 1 to 3 after an operation: visit(bits, each) calls each(h) for the triangles that these bits name.
-template <class Mesh, class Halfedge, class Visit>
+template <class Mesh, class Halfedge>
 Rewrite<Halfedge> join_in_fan(Mesh& mesh, const Rewrite<Halfedge>& done, Word ends, Word parted, Word all,
-                              Visit&& visit) {
+                              FunctionRef<void(Word, Visit<Mesh>)> visit) {
   ColoringChange sum;
-  const auto each_cut = [&](auto&& follow) {
+  const auto each_cut = [&](FunctionRef<void(StripWalker<Mesh>)> follow) {
     visit(parted, [&](Halfedge h) { follow(StripWalker<Mesh>{mesh.opposite(mesh.next(h)), false}); });
   };
-  join_ends(mesh, sum, each_cut, [&](auto&& each) { visit(ends, each); });
-  if (done.isolated > 0) absorb_and_join(mesh, sum, [&](auto&& each) { visit(all, each); });
+  if ((ends | parted) != 0) join_ends<Mesh>(mesh, sum, each_cut, [&](Visit<Mesh> each) { visit(ends, each); });
+  if (done.isolated > 0) absorb_and_join<Mesh>(mesh, sum, [&](Visit<Mesh> each) { visit(all, each); });
   return with(done, sum);
 }
 
@@ -233,10 +226,10 @@ Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const FanChan
                                                        typename Mesh::Halfedge chord) {
   const auto done = finish_split(mesh, change, chord);
   if (!change.interior)
-    return with(done, join_and_absorb(mesh, [&](auto&& visit) {
-                  visit_around(mesh, chord, visit);
+    return with(done, join_and_absorb<Mesh>(mesh, [&](Visit<Mesh> visit) {
+                  for_each_around(mesh, chord, visit);
                   // A and D have been visited.
-                  visit_around(mesh, mesh.opposite(chord), [&](auto h) {
+                  for_each_around(mesh, mesh.opposite(chord), [&](auto h) {
                     if (!(h == mesh.opposite(chord)) && (mesh.on_boundary(chord) || !(h == mesh.next(chord)))) visit(h);
                   });
                 }));
@@ -244,22 +237,22 @@ Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const FanChan
   const Word colors = change.colors.word();
   const Word parted = parted_ports(fan.k, fan.ports, {joined_closed(fan.k, change.before, fan.ports), 0},
                                    ring_pairs(fan.k, fan.a, colors, fan.ports));
-  return join_in_fan(mesh, done, ends_ring(fan.k, fan.a, colors, fan.ports), ring_ports(fan.a, parted),
-                     low_bits(fan.k + 2),
-                     [&](Word elements, auto&& each) { visit_ring(mesh, fan, chord, elements, each); });
+  return join_in_fan<Mesh>(mesh, done, ends_ring(fan.k, fan.a, colors, fan.ports), ring_ports(fan.a, parted),
+                           low_bits(fan.k + 2),
+                           [&](Word elements, Visit<Mesh> each) { visit_ring(mesh, fan, chord, elements, each); });
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const FanChange<typename Mesh::Halfedge>& change,
                                                           typename Mesh::Halfedge left) {
   const auto done = finish_collapse(mesh, change, left);
   if (!change.interior)
-    return with(done, join_and_absorb(mesh, [&](auto&& visit) { visit_around(mesh, left, visit); }));
+    return with(done, join_and_absorb<Mesh>(mesh, [&](Visit<Mesh> visit) { for_each_around(mesh, left, visit); }));
   const auto& fan = change.fan;
   const Word colors = change.colors.word();
   const Word parted = parted_ports(fan.k, fan.ports, ring_pairs(fan.k, fan.a, change.before, fan.ports),
                                    {joined_closed(fan.k, colors, fan.ports), 0});
-  return join_in_fan(mesh, done, ends_closed(fan.k, colors, fan.ports), parted, low_bits(fan.k),
-                     [&](Word triangles, auto&& each) { visit_fan(mesh, fan, left, triangles, each); });
+  return join_in_fan<Mesh>(mesh, done, ends_closed(fan.k, colors, fan.ports), parted, low_bits(fan.k),
+                           [&](Word triangles, Visit<Mesh> each) { visit_fan(mesh, fan, left, triangles, each); });
 }
 
 }  // namespace detail
@@ -298,7 +291,7 @@ ColoringChange join_end(Mesh& mesh, typename Mesh::Halfedge h) {
 template <ColoredMesh Mesh>
 ColoringChange join_around(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_around", describe(Refusal::no_such_edge));
-  return detail::join_and_absorb(mesh, [&](auto&& visit) { detail::visit_around(mesh, h, visit); });
+  return detail::join_and_absorb<Mesh>(mesh, [&](detail::Visit<Mesh> visit) { for_each_around(mesh, h, visit); });
 }
 
 template <ColoredMesh Mesh>

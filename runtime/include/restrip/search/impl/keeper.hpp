@@ -144,7 +144,6 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, c
 template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step) {
-  auto&& sides = by_sides(*mesh_);
   std::vector<Triangle>& start = choice_.start();
   if (!Step::counts_swaps) {
     step.find_patch(*mesh_, start);
@@ -153,33 +152,45 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step
     around_.add_neighbors(*mesh_);
     around_.count_before(*mesh_);
   }
-  const auto done = step.by_rules(*mesh_, choice_);
+  const auto by_rule = step.by_rules(*mesh_, choice_);
+  if (!Step::counts_swaps) step.find_new(*mesh_, by_rule.halfedge, start);
+  return searched(by_rule, Step::counts_swaps, Step::rings);
+}
+template <class Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::searched(const Rewrite<Halfedge>& by_rule, bool counts_swaps,
+                                                        unsigned rings) {
+  auto&& sides = by_sides(*mesh_);
+  std::vector<Triangle>& start = choice_.start();
   ColoringChange change = choice_.change();
-  if (!Step::counts_swaps) {
-    step.find_new(*mesh_, done.halfedge, start);
+  if (!counts_swaps) {
     std::erase_if(start, [this](Triangle t) { return !mesh_->has_triangle(t); });
     around_.add(start);
     change = around_.change(*mesh_);
   }
-  if (plan_.limits.looks == 0) return counted(done, change, false);
-  add_rings(*mesh_, start, Step::rings + (plan_.from == IndexPlan::From::ring ? 1U : 0U));
+  if (plan_.limits.looks == 0) return counted(by_rule, change, false);
+  add_rings(*mesh_, start, rings + (plan_.from == IndexPlan::From::ring ? 1U : 0U));
   const Triangle middle = start.empty() ? none : start.front();
   ColoringChange found = ends_.run(sides, start, plan_.limits);
   if (plan_.window != 0 && middle != none) found += window_.around(sides, middle, {.triangles = plan_.window}).change;
   change += found;
-  return counted(done, change, found.price(weights()) < 0);
+  return counted(by_rule, change, found.price(weights()) < 0);
 }
 
 template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& step) {
-  auto&& sides = by_sides(*mesh_);
   step.find_patch(*mesh_, patch_);
   triangles_ -= patch_.size();
-  locator_.before_patch(sides, patch_);
+  locator_.before_patch(by_sides(*mesh_), patch_);
   const Rewrite<Halfedge> by_rule = step.by_rules(*mesh_, choice_);
+  step.find_new(*mesh_, by_rule.halfedge, patch_);
+  return tunnelled(by_rule, Step::may_isolate);
+}
+template <class Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnelled(const Rewrite<Halfedge>& by_rule,
+                                                         detail::MayIsolate may_isolate) {
+  auto&& sides = by_sides(*mesh_);
   Rewrite<Halfedge> done = by_rule;
-  step.find_new(*mesh_, done.halfedge, patch_);
   std::erase_if(patch_, [this](Triangle t) { return !mesh_->has_triangle(t); });
   triangles_ += patch_.size();
   locator_.after_patch(sides, patch_);
@@ -195,7 +206,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   for (const Triangle t : patch_)
     if (sides.solid_degree(t) < 2) tunnel_.join(sides, locator_, t, states);
   // Cleared ports end strips next to the patch.
-  if (Step::may_isolate != detail::MayIsolate::as_reported)
+  if (may_isolate != detail::MayIsolate::as_reported)
     for (const Triangle t : patch_)
       for_each_neighbor(sides, t, [&](Triangle neighbor) {
         if (sides.solid_degree(neighbor) < 2) tunnel_.join(sides, locator_, neighbor, states);
@@ -206,13 +217,14 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
     solid ? locator_.link(sides, g) : locator_.cut(sides, g);
   };
   const auto absorb_at = [&](StripMesh::Halfedge h) {
-    return detail::absorb_with(sides, h, detail::default_absorptions, paint, [](StripMesh::Halfedge) {});
+    return detail::absorb_with<std::remove_cvref_t<decltype(sides)>>(sides, h, detail::default_absorptions, paint,
+                                                                     [](StripMesh::Halfedge) {});
   };
   ColoringChange repair;
-  if (done.isolated > 0 || Step::may_isolate == detail::MayIsolate::everywhere)
+  if (done.isolated > 0 || may_isolate == detail::MayIsolate::everywhere)
     for (const Triangle t : patch_) repair += absorb_at(StripMesh::halfedge(t, 0));
   // An operation that clears ports may isolate a triangle next to the patch.
-  if (Step::may_isolate != detail::MayIsolate::as_reported)
+  if (may_isolate != detail::MayIsolate::as_reported)
     for (const Triangle t : patch_)
       for (unsigned side = 0; side < 3; ++side) repair += absorb_at(sides.opposite(StripMesh::halfedge(t, side)));
   done = detail::with(done, repair);

@@ -144,8 +144,7 @@ class RuleChoice {
         rule, [&] { return passed_to_fan(fan.k, fan.a, ring); },
         [&](Word loop) { return -ring_for_fan(mesh, fan_step(mesh, chord).spoke, fan, ring, loop); });
   }
-  template <class WalkPorts>
-  Answer answer(const Mesh& mesh, SeenPatch& patch, WalkPorts&& walk_ports) {
+  Answer answer(const Mesh& mesh, SeenPatch& patch, WalkPorts<Halfedge> walk_ports) {
     ++counts_.asked;
     return chosen(mesh, answer_by_rule(patch), patch, walk_ports);
   }
@@ -184,7 +183,7 @@ class RuleChoice {
     const Word inserted = bit(0) | bit(fan.a + 1);
     const Word all = from_ends_ ? ends_ring(fan.k, fan.a, change.colors.word(), fan.ports) : low_bits(fan.k + 2);
     for (const Word elements : {all & inserted, all & ~inserted})
-      visit_ring(mesh, fan, chord, elements, [&](Halfedge h) { start_at(mesh, h); });
+      visit_ring<Mesh>(mesh, fan, chord, elements, [&](Halfedge h) { start_at(mesh, h); });
   }
   void begin_after_collapse(const Mesh& mesh, const FanChange<Halfedge>& change, Halfedge spoke) {
     if (!searches_) return;
@@ -194,7 +193,7 @@ class RuleChoice {
     }
     const auto& fan = change.fan;
     const Word all = from_ends_ ? ends_closed(fan.k, change.colors.word(), fan.ports) : low_bits(fan.k);
-    visit_fan(mesh, fan, spoke, all, [&](Halfedge h) { start_at(mesh, h); });
+    visit_fan<Mesh>(mesh, fan, spoke, all, [&](Halfedge h) { start_at(mesh, h); });
   }
   [[nodiscard]] std::vector<Triangle>& start() noexcept { return start_; }
 
@@ -246,8 +245,7 @@ class RuleChoice {
     const ColoringChange kept = change(colors);
     return keeps(kept, by_rule) ? Rule{colors, kept.strips, true} : rule;
   }
-  template <class WalkPorts>
-  Answer chosen(const Mesh& mesh, Answer rule, const SeenPatch& patch, WalkPorts&& walk_ports) {
+  Answer chosen(const Mesh& mesh, Answer rule, const SeenPatch& patch, WalkPorts<Halfedge> walk_ports) {
     if (!weighs_) {
       took({rule.change.strips, 0, 0});
       return rule;
