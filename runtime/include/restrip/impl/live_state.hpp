@@ -88,7 +88,7 @@ class LiveState {
     /// Of the whole file.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     void expect_end() const { expect(left_.empty(), "restrip: the saved LiveMesh is too long"); }
-    static void expect(bool holds, const char* sentence) {
+    static void expect(bool holds, [[maybe_unused]] const char* sentence) {
       if (!holds) RESTRIP_THROW(std::invalid_argument, sentence);
     }
 
@@ -294,7 +294,7 @@ class LiveState {
         if (mesh.solid(h) && buffer.run_of_[StripMesh::triangle(mesh.opposite(h))] == place) out = h;
       }
       if (read_run(mesh, scratch, out, run.triangles, run.cuts) && scratch.texts_.back().length == run.length &&
-          std::equal(scratch.text_.begin(), scratch.text_.begin() + run.length, buffer.cells_.begin() + run.first))
+          std::equal(scratch.text_.data(), scratch.text_.data() + run.length, buffer.cells_.data() + run.first))
         break;
     }
     return out;
@@ -370,7 +370,7 @@ class LiveState {
                      Reader::altered);
       const std::uint32_t size = buffer.texts_.back().length;
       Reader::expect(size <= length && first <= length - size, Reader::altered);
-      std::copy_n(buffer.text_.begin(), size, buffer.cells_.begin() + first);
+      std::copy_n(buffer.text_.data(), size, buffer.cells_.data() + first);
       for (std::uint32_t link = 0; link < triangles; ++link) {
         std::uint32_t& run = buffer.run_of_[buffer.strip_[link].triangle];
         Reader::expect(run == BasicStripBuffer<Index>::nothing, Reader::altered);
