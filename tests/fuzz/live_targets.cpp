@@ -178,7 +178,7 @@ class Caller {
     constexpr int most_steps = 400;
     constexpr std::size_t most_triangles = 1500;
     for (int step = 0; step < most_steps && !input_.over() && mesh().triangle_bound() < most_triangles; ++step) {
-      const std::uint32_t choice = input_.byte() % 20;
+      const std::uint32_t choice = input_.byte() % 22;
       if (choice < 12)
         operate(choice);
       else
@@ -283,6 +283,18 @@ class Caller {
       if (move(forward) && input_.byte() % 4 != 0) update();
     }
     if (choice == 19) move(input_.byte() % 2 == 0);
+    if (choice > 19) compact();
+  }
+
+  void compact() {
+    const std::size_t budget = input_.one_of(std::array<std::size_t, 8>{0, 1, 30, 100, 300, 1000, 10'000, none});
+    if (input_.byte() % 4 != 0) update();
+    const bool ends_a_frame = changed_;
+    const std::size_t size = live_.bytes().size() / live_.index_bytes();
+    std::size_t written = 0;
+    if (!done([&] { written = live_.compact(budget); }) || ends_a_frame) lose_track();
+    promise(ends_a_frame || written <= std::min(budget, size) + 300, "compact() keeps to its budget");
+    if (input_.byte() % 4 != 0) update();
   }
 
   void update_with_options() {
@@ -465,6 +477,10 @@ LiveOptions any_options(Input& input) {
   options.format.form = static_cast<StripForm>(format % 4);
   options.format.width =
       std::array{IndexWidth::automatic, IndexWidth::automatic, IndexWidth::bits16, IndexWidth::bits32}[format / 4 % 4];
+  const std::uint32_t layout = input.byte();
+  options.layout.cache = std::array{32U, 32U, 32U, 16U, 1U, 64U, 0U, layout == 255 ? 65U : 3U}[layout % 8];
+  options.layout.waste = std::array{95U, 95U, 0U, 2000U}[layout / 8 % 4];
+  options.layout.work = std::array{5U, 5U, 0U, 1U, 100U, 5U, 5U, 5U}[layout / 32];
   const std::uint32_t limits = input.byte();
   if (limits == 255) options.format.most_vertices = 3;
   if (limits >= 254) options.format.most_indices = std::numeric_limits<std::size_t>::max() - 2;
@@ -507,9 +523,9 @@ std::vector<Target> live_targets() {
   std::uint32_t seed = 1;
   for (const int format : {0, 1, 2, 3, 8, 12})
     for (const int policy : {1, 2, 3, 4})
-      for (const int mesh : {0, 3}) seeds.push_back(some_steps({policy, 1, 3, format, 0, mesh, 45}, 150, ++seed));
-  seeds.push_back(some_steps({5, 0, 2, 4, 0, 7, 30}, 300, 77));
-  seeds.push_back(some_steps({0, 2, 0, 0, 0, 5, 0}, 60, 78));
+      for (const int mesh : {0, 3}) seeds.push_back(some_steps({policy, 1, 3, format, 0, 0, mesh, 45}, 150, ++seed));
+  seeds.push_back(some_steps({5, 0, 2, 4, 3, 0, 7, 30}, 300, 77));
+  seeds.push_back(some_steps({0, 2, 0, 0, 134, 0, 5, 0}, 60, 78));
   return {{"live", seeds, drive, 400}};
 }
 

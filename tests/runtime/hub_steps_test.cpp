@@ -9,6 +9,7 @@
 #include <string>
 
 #include "hub_meshes.hpp"
+#include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -77,6 +78,9 @@ TEST(HubSteps, OrderForTheCacheIsLinear) {
   const auto order = [](StripMesh& mesh) { (void)strips_for_vertex_cache(mesh, {.size = 16}); };
   expect_linear(2'000, fast, order);
   expect_linear(2'000, nothing, order);  // each triangle is a strip, all at one vertex
+  const auto order_runs = [](StripMesh& mesh) { (void)StripBuffer(mesh); };
+  expect_linear(2'000, fast, order_runs);
+  expect_linear(2'000, nothing, order_runs);
 }
 
 }  // namespace

@@ -164,9 +164,9 @@ TEST(LiveSave, BytesAreAsDocumented) {
   const Bytes bytes = live.save();
   std::vector<unsigned> numbers;
   for (const std::byte b : bytes) numbers.push_back(std::to_integer<unsigned>(b));
-  const std::vector<unsigned> head{'R', 'e', 's', 't', 'r', 'i', 'p', 'L', 1, 0, 0, 0,   3,   3,   0,  1, 0,
-                                   0,   0,   3,   0,   1,   0,   0,   0,   3, 0, 0, 0,   0,   0,   0,  0, 0,
-                                   0,   0,   0,   1,   0,   0,   0,   2,   0, 0, 0, 254, 255, 255, 255};
+  const std::vector<unsigned> head{'R', 'e', 's', 't', 'r', 'i', 'p', 'L', 1, 0, 0, 0, 3, 3, 0, 1,   0,   0,   0,  3, 0,
+                                   32,  0,   0,   0,   95,  0,   0,   0,   5, 0, 0, 0, 1, 0, 0, 0,   3,   0,   0,  0, 0,
+                                   0,   0,   0,   0,   0,   0,   0,   1,   0, 0, 0, 2, 0, 0, 0, 254, 255, 255, 255};
   ASSERT_GT(numbers.size(), head.size());
   numbers.resize(head.size());
   EXPECT_EQ(numbers, head);
@@ -232,7 +232,7 @@ TEST(LiveSave, RefusalsSayWhatIsWrong) {
   other.insert(other.end() - 8, std::byte{0});
   EXPECT_NE(refusal_of(sealed(other)).find("too long"), std::string::npos);
   other = bytes;
-  for (std::size_t i = 21; i < 25; ++i) other[i] = std::byte{0xFF};  // the number of triangles
+  for (std::size_t i = 33; i < 37; ++i) other[i] = std::byte{0xFF};  // the number of triangles
   EXPECT_NE(refusal_of(sealed(other)).find("truncated"), std::string::npos);
 }
 

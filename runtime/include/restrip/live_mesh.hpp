@@ -38,6 +38,8 @@ struct LiveOptions {
   std::size_t history = 0;
   /// The format of the buffer; limits of batches are not supported.
   StripFormat format = {.width = IndexWidth::bits32};
+  /// How strips in the buffer stay short and in order for a vertex cache.
+  LayoutOptions layout = {};
 };
 
 /// Can be moved, not copied; an object that was moved from can only be destroyed or assigned to. Each call throws what
@@ -80,6 +82,10 @@ class LiveMesh {
   Checked apply_anywhere(const Table& table, Triangle triangle);
   /// For idle time: see Keeper::improve. Returns the cost saved.
   std::size_t improve(std::size_t budget);
+  /// For idle time: moves strips in the buffer to places where a vertex cache misses less often, and returns the number
+  /// of indices that this writes, at most some `budget`. Changes since the last update() count as a frame. Call
+  /// update() next, which returns the ranges. Time: linear in the budget and the changes.
+  std::size_t compact(std::size_t budget);
 
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
   /// Upload::outgrown says that the buffer on the device is too small.

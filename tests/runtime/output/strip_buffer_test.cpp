@@ -13,6 +13,7 @@
 #include "hand_made_mesh.hpp"
 #include "random_operation.hpp"
 #include "restrip/output/check_buffer.hpp"
+#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -167,6 +168,79 @@ TEST(StripBuffer, ShortRunsOfAStripBecomeOne) {
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) buffer.update(mesh, std::vector<Triangle>{t});
   EXPECT_EQ(buffer.runs(), strips);
   EXPECT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
+}
+
+// Runs are ordered for the cache at first, new runs are put near their neighbours, and idle time restores the order: by
+// the misses of a mesh with the same operations whose runs are not ordered.
+TEST(StripBuffer, KeepsAnOrderThatAVertexCacheLikes) {
+  constexpr std::size_t changes = 1500;
+  struct Counts {
+    double at_first;
+    double changed;
+    double compacted;
+  };
+  const auto counts = [](const LayoutOptions& layout) {
+    StripMesh mesh = sample::torus(70, 60, 2);
+    stripify(mesh, Effort::fast, Cost::indices());
+    Keeper keeper(mesh, Policy::quick, Cost::indices());
+    std::vector<Triangle> changed;
+    mesh.watch(&changed);
+    StripBuffer buffer(StripForm::restart, layout);
+    buffer.rebuild(mesh);
+    const auto misses = [&] { return acmr(buffer.indices(), 32, mesh.triangle_count()); };
+    Counts all{misses(), 0, 0};
+    std::mt19937 random(21);
+    for (std::size_t i = 0; i < changes; ++i) {
+      random_operation(keeper, random, mesh.triangle_count() < 8400);
+      buffer.update(mesh, changed);
+      changed.clear();
+    }
+    all.changed = misses();
+    const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
+    const std::size_t size = buffer.indices().size();
+    std::size_t written = 0;
+    for (int part = 0; part < 20; ++part) {
+      const std::size_t now = buffer.compact(mesh, size / 20);
+      EXPECT_LE(now, size / 20 + 200);
+      written += now;
+    }
+    EXPECT_EQ(written == 0, layout.cache == 0);
+    expect_only_reported_changes(before, buffer.indices(), buffer.update(mesh, {}));
+    EXPECT_EQ(buffer.indices().size(), size);
+    EXPECT_TRUE(check_buffer(buffer, mesh).right());
+    all.compacted = misses();
+    mesh.watch(nullptr);
+    return all;
+  };
+  const Counts ordered = counts({.cache = 32});
+  const Counts other = counts({.cache = 0});
+  EXPECT_LT(ordered.at_first, 0.72);
+  EXPECT_GT(other.at_first, 0.85);
+  EXPECT_LT(ordered.changed, 0.9 * other.changed);
+  EXPECT_LT(ordered.compacted, ordered.changed - 0.04);
+}
+
+TEST(StripBuffer, LayoutsAreChecked) {
+  for (const LayoutOptions& layout : {LayoutOptions{.cache = 65}, {.waste = 1'000'001}, {.work = 101}})
+    EXPECT_THROW(StripBuffer(StripForm::restart, layout), std::invalid_argument);
+  // The limits, and a buffer that may move nothing.
+  std::mt19937 random(22);
+  for (const LayoutOptions& layout : {LayoutOptions{.cache = 64, .waste = 1'000'000, .work = 100}, {1, 0, 0}}) {
+    StripMesh mesh = sample::torus(20, 20, 3);
+    stripify(mesh, Effort::fast, Cost::strips());
+    Keeper keeper(mesh, Policy::quick, Cost::strips());
+    std::vector<Triangle> changed;
+    mesh.watch(&changed);
+    StripBuffer16 buffer(StripForm::stitched, layout);
+    for (int i = 0; i < 300; ++i) {
+      random_operation(keeper, random, i % 2 == 0);
+      buffer.update(mesh, changed);
+      changed.clear();
+      buffer.compact(mesh, random() % 200);
+      ASSERT_TRUE(check_buffer(buffer, mesh).right());
+    }
+    mesh.watch(nullptr);
+  }
 }
 
 TEST(StripBuffer, SixteenBitIndices) {

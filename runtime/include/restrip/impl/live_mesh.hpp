@@ -45,7 +45,7 @@ struct LiveMesh::Parts {
   Parts(StripMesh own, const LiveOptions& options)
       : mesh(std::move(own)),
         keeper(mesh, options.policy, options.cost),
-        buffer(options.format),
+        buffer(options.format, options.layout),
         most_history(options.history) {
     mesh.watch(&changed);
     buffer.rebuild(mesh);
@@ -54,7 +54,7 @@ struct LiveMesh::Parts {
   Parts(StripMesh own, const LiveOptions& options, detail::LiveState::Reader& in)
       : mesh(std::move(own)),
         keeper(mesh, options.policy, options.cost),
-        buffer(options.format),
+        buffer(options.format, options.layout),
         most_history(options.history) {
     mesh.watch(&changed);
     detail::LiveState::read_buffer(in, mesh, buffer);
@@ -81,6 +81,11 @@ struct LiveMesh::Parts {
     }
     changed.clear();
     return upload;
+  }
+  std::size_t compact(std::size_t budget) {
+    end_frame({});
+    buffer.keep_upload();
+    return buffer.compact(mesh, budget);
   }
   bool step(bool forward) {
     if (most_history == 0) return false;
@@ -128,6 +133,7 @@ RESTRIP_INLINE Checked LiveMesh::join_faces(Halfedge chord) { return checked_joi
 RESTRIP_INLINE Checked LiveMesh::bisect(Halfedge h) { return checked_bisect(parts_->keeper, h); }
 RESTRIP_INLINE Checked LiveMesh::merge(Halfedge chord) { return checked_merge(parts_->keeper, chord); }
 RESTRIP_INLINE std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
+RESTRIP_INLINE std::size_t LiveMesh::compact(std::size_t budget) { return parts_->compact(budget); }
 
 RESTRIP_INLINE Upload LiveMesh::update(const RangeOptions& ranges) {
   const Upload upload = parts_->end_frame(ranges);

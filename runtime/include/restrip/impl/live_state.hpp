@@ -110,6 +110,7 @@ class LiveState {
       out.put(weight);
     out.put(static_cast<std::uint8_t>(buffer.format().form));
     out.put(static_cast<std::uint8_t>(buffer.format().width));
+    out.put_all(std::array{buffer.layout().cache, buffer.layout().waste, buffer.layout().work});
   }
   static LiveOptions read_header(Reader& in) {
     LiveOptions options;
@@ -123,6 +124,9 @@ class LiveState {
     options.format.width = static_cast<IndexWidth>(in.get<std::uint8_t>());
     Reader::expect(options.format.form <= StripForm::list && options.format.width <= IndexWidth::bits32,
                    Reader::altered);
+    for (unsigned* const number : {&options.layout.cache, &options.layout.waste, &options.layout.work})
+      *number = in.get<std::uint32_t>();
+    Reader::expect(options.layout.in_range(), Reader::altered);
     return options;
   }
 
@@ -319,6 +323,7 @@ class LiveState {
     }
     BasicStripBuffer<Index> scratch(form);
     out.put(static_cast<std::uint32_t>(buffer.cells_.size()));
+    out.put(places.cursor());
     out.put(static_cast<std::uint32_t>(places.places_.size() - 1));
     out.put(static_cast<std::uint32_t>(places.runs()));
     for (std::uint32_t p = places.next(RunPlaces::head); p != RunPlaces::head; p = places.next(p)) {
@@ -341,6 +346,7 @@ class LiveState {
     const auto length = in.get<std::uint32_t>();
     Reader::expect(length <= in.size() && fits(length) && BasicStripBuffer<Index>::even(length) == length,
                    Reader::altered);
+    places.set_cursor(in.get<std::uint32_t>());
     const std::uint32_t count = in.count(4);
     const std::uint32_t runs = in.count(run_bytes);
     Reader::expect(runs <= count, Reader::altered);
@@ -364,7 +370,7 @@ class LiveState {
       const auto cuts = in.get<std::uint32_t>();
       const Halfedge out{in.get<std::uint32_t>()};
       drawn += triangles;
-      Reader::expect(first >= places.run(before).end() && fits(first) && triangles != 0 &&
+      Reader::expect(first >= places.run(before).end() && fits(first) && triangles - 1 < longest_run &&
                          drawn <= mesh.triangle_count() && cuts <= 2 && !StripMesh::on_boundary(out) &&
                          mesh.alive(StripMesh::triangle(out)) && read_run(mesh, buffer, out, triangles, cuts),
                      Reader::altered);
@@ -376,7 +382,8 @@ class LiveState {
         Reader::expect(run == BasicStripBuffer<Index>::nothing, Reader::altered);
         run = p;
       }
-      places.places_[p].run = {first, size, triangles, cuts};
+      const Triangle end = (std::min)(buffer.strip_[0].triangle, buffer.strip_[triangles - 1].triangle);
+      places.places_[p].run = {first, size, triangles, cuts, end};
       places.places_[p].previous = before;
       places.places_[before].next = p;
       places.totals_.used += size;

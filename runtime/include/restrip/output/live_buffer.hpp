@@ -35,8 +35,10 @@ namespace restrip {
 class LiveBuffer {
  public:
   /// Empty; the first update writes the whole buffer. Live buffers do not support batches (limits of a batch throw
-  /// std::invalid_argument; see above for a remedy), and stay strips even if a list is shorter.
-  explicit LiveBuffer(const StripFormat& format = {}) : format_(format) {
+  /// std::invalid_argument; see above for a remedy), and stay strips even if a list is shorter. `layout` matters to
+  /// strips only; throws as their buffer does.
+  explicit LiveBuffer(const StripFormat& format = {}, const LayoutOptions& layout = {})
+      : format_(format), layout_(layout) {
     if (format.most_vertices != 0 || format.most_indices != 0)
       RESTRIP_THROW(std::invalid_argument,
                     "restrip: a live buffer has no batches; draw a stitched one in windows (live_buffer.hpp)");
@@ -52,6 +54,9 @@ class LiveBuffer {
   /// update writes everything. The result is valid until the next call.
   template <NumberedMesh Mesh>
   Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {});
+  /// As the compact() of a buffer of strips, at the same time; 0 for a list.
+  template <NumberedMesh Mesh>
+  std::size_t compact(const Mesh& mesh, std::size_t budget);
   /// Makes the next update also return the ranges of the last one, for a caller that has not uploaded them. It reports
   /// an outgrown buffer if the device's, as it was before the last update, is outgrown then.
   void keep_upload() noexcept {
@@ -69,6 +74,7 @@ class LiveBuffer {
   }
 
   [[nodiscard]] const StripFormat& format() const noexcept { return format_; }
+  [[nodiscard]] const LayoutOptions& layout() const noexcept { return layout_; }
   /// 2 or 4.
   [[nodiscard]] std::size_t index_bytes() const noexcept { return buffer_.index() % 2 == 0 ? 4 : 2; }
   [[nodiscard]] std::size_t size() const noexcept {
@@ -121,7 +127,7 @@ class LiveBuffer {
     if (format_.form == StripForm::list)
       buffer_ = wide ? Buffer(TriangleListBuffer()) : Buffer(TriangleListBuffer16());
     else
-      buffer_ = wide ? Buffer(StripBuffer(format_.form)) : Buffer(StripBuffer16(format_.form));
+      buffer_ = wide ? Buffer(StripBuffer(format_.form, layout_)) : Buffer(StripBuffer16(format_.form, layout_));
   }
   void make_room() noexcept {
     if (size() > room_) room_ = size() + size() / 4;
@@ -141,6 +147,7 @@ class LiveBuffer {
   }
 
   StripFormat format_;
+  LayoutOptions layout_;
   Buffer buffer_;
   bool whole_ = true;         // the next update writes everything
   bool all_changed_ = false;  // since the device was last written
@@ -186,6 +193,17 @@ Upload LiveBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> chang
   return {ranges, outgrown};
 }
 
+template <NumberedMesh Mesh>
+std::size_t LiveBuffer::compact(const Mesh& mesh, std::size_t budget) {
+  if (whole_) return 0;
+  return std::visit(
+      [&](auto& buffer) -> std::size_t {
+        if constexpr (requires { buffer.compact(mesh, budget); }) return buffer.compact(mesh, budget);
+        return 0;
+      },
+      buffer_);
+}
+
 template <class Mesh>
 void LiveBuffer::write_all(const Mesh& mesh) {
   if (format_.width == IndexWidth::automatic) {
@@ -201,6 +219,7 @@ void LiveBuffer::write_all(const Mesh& mesh) {
 #ifdef RESTRIP_COMPILED
 extern template void LiveBuffer::rebuild(const StripMesh&);
 extern template Upload LiveBuffer::update(const StripMesh&, std::span<const std::uint32_t>, const RangeOptions&);
+extern template std::size_t LiveBuffer::compact(const StripMesh&, std::size_t);
 #endif
 
 }  // namespace restrip

@@ -27,17 +27,21 @@
 // last vertex repeated, to an even length. So the triangles between runs, or between a run and a gap filled with one
 // vertex, are always degenerate, and stitched runs can move like others.
 //
+// Order. At first runs are in an order that a vertex cache likes (impl/run_order.hpp). A run that does not fit into its
+// place any more is put next to runs that share its edges; compact() improves places in idle time
+// (impl/run_layout.hpp).
+//
 // Length. A cut takes three indices, less the repeated index that it saves, and the buffer has gaps. When cuts and gaps
-// together exceed 9 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer of
-// a scanned mesh has some 1.09 times the indices of strip_indices() while it is refined and coarsened. After many
-// scattered operations it has up to 1.2 times, a stitched one 1.25 times the indices of a stitched strip. Strips that
+// together exceed 9.5 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer
+// of a scanned mesh has some 1.09 times the indices of strip_indices() while it changes, also after scattered
+// operations, a stitched one up to 1.25 times the indices of a stitched strip. Strips that
 // repeat no index, such as strips of a grid, take more: one cut for every 28 triangles is already 11 %. A triangle list
 // has 3 indices a triangle. Separating stitched runs takes two and a half indices, other runs one.
 //
 // Time. An update takes time linear in the changed triangles, except for sorting the ranges that it returns: it reads
-// their runs and short adjacent runs, slides at most 60 indices for each run that grows, and moves at most some 600 to
-// close gaps. Only the growth of arrays is linear in the mesh; reserve() allocates the two largest in advance. Memory:
-// 4 bytes a triangle, the indices, and 40 bytes a run.
+// their runs and short adjacent runs, slides at most 60 indices for each run that grows, five for each index that needs
+// another place, and as many to close gaps. Only the growth of arrays is linear in the mesh; reserve() allocates the
+// two largest in advance. Memory: 4 bytes a triangle, the indices, and 40 bytes a run.
 #pragma once
 
 #include <array>
@@ -45,10 +49,12 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/output/impl/run_order.hpp"
 #include "restrip/output/impl/run_places.hpp"
 #include "restrip/output/strip_format.hpp"
 #include "restrip/output/strips.hpp"
@@ -74,10 +80,15 @@ class BasicStripBuffer {
   /// The index between two runs, and in gaps: all bits set, as in graphics interfaces.
   static constexpr Index restart = (std::numeric_limits<Index>::max)();
 
-  /// Empty; the first update writes the whole buffer. `form`: any but a list.
+  /// Empty; the first update writes the whole buffer. `form`: any but a list. Throws std::invalid_argument if `layout`
+  /// is out of range.
   BasicStripBuffer() = default;
-  explicit BasicStripBuffer(StripForm form) : stitched_(form == StripForm::stitched) {
+  explicit BasicStripBuffer(StripForm form, const LayoutOptions& layout = {})
+      : stitched_(form == StripForm::stitched), cache_(layout.cache), waste_(layout.waste), work_(layout.work) {
     RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "use TriangleListBuffer for triangle lists");
+    if (!layout.in_range())
+      RESTRIP_THROW(std::invalid_argument,
+                    "restrip: LayoutOptions allow a cache of 64, a waste of 1,000,000 and a work of 100");
   }
   /// Writes the strips of a valid colouring. Linear time. Throws as rebuild() does.
   template <NumberedMesh Mesh>
@@ -99,6 +110,13 @@ class BasicStripBuffer {
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
                                 const RangeOptions& ranges = {});
+
+  /// Moves runs to places where the cache misses less often, for idle time: writes at most some `budget` indices, and
+  /// returns their number. The next call continues where this one stopped. Call it when the buffer is in step with
+  /// the mesh; the next update() returns the ranges. Time: linear in the budget. Throws std::bad_alloc, or what the
+  /// mesh throws; then the moves so far are done.
+  template <NumberedMesh Mesh>
+  std::size_t compact(const Mesh& mesh, std::size_t budget);
 
   /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them; the same
   /// for ranges that a BufferHistory has written.
@@ -143,7 +161,18 @@ class BasicStripBuffer {
     std::uint32_t first;  // in text_
     std::uint32_t length;
     std::uint32_t cuts;
-    std::uint32_t place;  // of an old run that it takes, or nothing
+    std::uint32_t place;   // of an old run that it takes, or nothing
+    std::uint32_t across;  // neighbours of its triangles, in across_
+    std::uint32_t across_end;
+  };
+  struct Neighbor {
+    std::uint32_t place;
+    std::uint32_t edges;  // in common
+  };
+  struct Slide {
+    std::uint32_t cost = 0;
+    std::uint32_t last = 0;
+    std::uint32_t found = 0;  // cells
   };
   // A run seen from one of its ends.
   struct Start {
@@ -170,13 +199,30 @@ class BasicStripBuffer {
   void store();
   [[nodiscard]] bool store_in_place(const Text& text) noexcept;
   void store_anew(const Text& text) noexcept;
+  void insert(const Text& text, std::uint32_t before) noexcept;
+  [[nodiscard]] detail::Run as_run(const Text& text, std::uint32_t first) const noexcept;
   void own(const Text& text, std::uint32_t place) noexcept;
   void remove(std::uint32_t place) noexcept;
   void write(const Text& text, std::uint32_t first) noexcept;
   void blank(std::uint32_t first, std::uint32_t end) noexcept;
   void move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept;
+  [[nodiscard]] Slide slide(std::uint32_t place, std::uint32_t missing, std::uint32_t most,
+                            bool rightwards) const noexcept;
   std::uint32_t widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing, std::uint32_t most) noexcept;
   void close_gaps() noexcept;
+  // run_layout.hpp
+  void order_runs();
+  template <class Mesh>
+  void note_across(const Mesh& mesh, std::uint32_t t);
+  std::span<const Neighbor> neighbors(std::uint32_t begin, std::uint32_t end) noexcept;
+  [[nodiscard]] int added_misses(std::span<const Index> run, std::uint32_t before,
+                                 std::uint32_t without) const noexcept;
+  [[nodiscard]] std::uint32_t price_of_room(std::uint32_t before, std::uint32_t length,
+                                            std::uint32_t most) const noexcept;
+  [[nodiscard]] bool store_near(const Text& text) noexcept;
+  template <class Mesh>
+  std::size_t improve(const Mesh& mesh, std::uint32_t place);
+  void swap(std::uint32_t one, std::uint32_t other) noexcept;
   void mark(std::size_t first, std::size_t end) noexcept;
   /// The index that fills gaps. For stitched strips any vertex will do: a gap draws only degenerate triangles.
   [[nodiscard]] Index filling() const noexcept { return stitched_ ? Index{0} : restart; }
@@ -189,6 +235,9 @@ class BasicStripBuffer {
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
   bool stitched_ = false;
+  std::uint32_t cache_ = LayoutOptions().cache;
+  std::uint32_t waste_ = LayoutOptions().waste;
+  std::uint32_t work_ = LayoutOptions().work;
   bool stale_ = true;     // an update was interrupted: the next one rewrites everything
   bool rebuilt_ = true;   // the last update rewrote everything
   bool returned_ = true;  // whether written_ has been returned
@@ -200,6 +249,9 @@ class BasicStripBuffer {
   std::vector<Index> text_;
   std::uint32_t letters_ = 0;  // the number in use of text_
   std::vector<Text> texts_;
+  std::vector<std::uint32_t> across_;  // triangles
+  std::array<Neighbor, 40> neighbors_;
+  std::uint32_t changed_ = 0;  // indices of the runs read or written, whichever are more
 };
 
 using StripBuffer = BasicStripBuffer<std::uint32_t>;
@@ -207,4 +259,5 @@ using StripBuffer16 = BasicStripBuffer<std::uint16_t>;
 
 }  // namespace restrip
 
+#include "restrip/output/impl/run_layout.hpp"
 #include "restrip/output/impl/strip_buffer.hpp"

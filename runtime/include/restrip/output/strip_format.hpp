@@ -52,6 +52,20 @@ struct IndexRange {
   friend constexpr bool operator==(const IndexRange&, const IndexRange&) = default;
 };
 
+/// How a live buffer of strips stays short, and in an order that a vertex cache likes.
+struct LayoutOptions {
+  /// Vertices of the first-in-first-out cache that runs of strips are ordered for, up to 64; 0: no order.
+  unsigned cache = 32;
+  /// The length that cuts and gaps may add, per mille of the indices needed, up to 1,000,000. Above it,
+  /// updates close gaps.
+  unsigned waste = 95;
+  /// Indices that an update may move for each index of the runs that it rewrites, up to 100: once to put new runs next
+  /// to their neighbours, and once to close gaps.
+  unsigned work = 5;
+  [[nodiscard]] constexpr bool in_range() const noexcept { return cache <= 64 && waste <= 1'000'000 && work <= 100; }
+  friend constexpr bool operator==(const LayoutOptions&, const LayoutOptions&) = default;
+};
+
 /// Which ranges an update of a live buffer returns.
 struct RangeOptions {
   /// Ranges at most this many indices apart are joined: fewer uploads, with a few more indices.

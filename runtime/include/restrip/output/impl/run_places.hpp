@@ -24,7 +24,8 @@ struct Run {
   std::uint32_t first = 0;
   std::uint32_t length = 0;
   std::uint32_t triangles = 0;
-  std::uint32_t cuts = 0;  ///< its ends where the strip continues in another run
+  std::uint32_t cuts = 0;      ///< its ends where the strip continues in another run
+  std::uint32_t triangle = 0;  ///< of its two ends, the lower one
   [[nodiscard]] std::uint32_t end() const noexcept { return first + length; }
   friend bool operator==(const Run&, const Run&) = default;
 };
@@ -65,6 +66,9 @@ class RunPlaces {
   [[nodiscard]] std::uint32_t used() const noexcept { return totals_.used; }
   [[nodiscard]] std::uint32_t cuts() const noexcept { return totals_.cuts; }
   [[nodiscard]] std::uint32_t last() const noexcept { return previous(head); }
+  /// A number that is kept with the places, where work in parts continues.
+  [[nodiscard]] std::uint32_t cursor() const noexcept { return totals_.cursor; }
+  void set_cursor(std::uint32_t cursor) noexcept { totals_.cursor = cursor; }
   /// The place with the smallest gap of at least `cells`; if none exists, the place with the largest gap, or no_place.
   [[nodiscard]] std::uint32_t find_gap(std::uint32_t cells) const noexcept {
     const std::size_t size = (std::min)(cells, largest_gap);
@@ -110,7 +114,7 @@ class RunPlaces {
     return p;
   }
   void remove(std::uint32_t p) noexcept {
-    set(p, {run(p).first, 0, 0, 0});
+    set(p, {run(p).first, 0, 0, 0, 0});
     Place& place = change(p);
     take_out(p);
     change(place.previous).next = place.next;
@@ -169,6 +173,7 @@ class RunPlaces {
     std::uint32_t length = 0;
     std::uint32_t used = 0;
     std::uint32_t cuts = 0;
+    std::uint32_t cursor = 0;
     std::size_t runs = 0;
     std::array<std::uint32_t, largest_gap + 1> first_of{};      // by size of a gap
     std::array<std::uint64_t, (largest_gap + 1) / 64> sizes{};  // that exist, a bit each

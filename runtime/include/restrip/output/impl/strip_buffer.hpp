@@ -18,11 +18,9 @@ namespace detail {
 inline constexpr std::uint32_t longest_joined_run = 28;  // runs of one strip that meet become one up to this
 inline constexpr std::uint32_t cut_window = 4;           // the distance by which a cut may be off
 inline constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
-// Chosen by measurement under all policies; in indices unless stated otherwise.
-inline constexpr std::uint32_t moved_for_a_run = 60;      // at most, so that a run that grew stays where it is
-inline constexpr std::uint32_t moved_for_a_gap = 400;     // at most, so that the last run fits into it
-inline constexpr std::uint32_t moved_by_an_update = 200;  // into gaps: none is closed beyond this
-inline constexpr std::uint64_t tolerated_waste = 90;      // per mille of what is needed
+// Chosen by measurement under all policies; in indices.
+inline constexpr std::uint32_t moved_for_a_run = 60;   // at most, so that a run that grew stays where it is
+inline constexpr std::uint32_t moved_for_a_gap = 400;  // at most, so that the last run fits into it
 inline constexpr std::uint32_t shortest_run = 4;
 
 // A triangle entered over a halfedge; the edge is the exclusive or of its vertices.
@@ -45,7 +43,7 @@ inline SeenTriangle seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noex
 template <class Index>
 template <NumberedMesh Mesh>
 void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
-  stale_ = true;
+  stale_ = rebuilt_ = true;
   places_ = {};
   cells_.clear();
   run_of_.assign(mesh.triangle_bound(), nothing);
@@ -57,8 +55,9 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
     store();
     written_.clear();
   }
+  if (cache_ != 0) order_runs();
   written_.assign(cells_.empty() ? 0 : 1, {0, cells_.size()});
-  returned_ = rebuilt_ = true;
+  returned_ = true;
   stale_ = false;
 }
 
@@ -99,6 +98,7 @@ template <class Index>
 void BasicStripBuffer<Index>::begin_reading() noexcept {
   dirty_.clear();
   texts_.clear();
+  across_.clear();
   links_ = letters_ = 0;
 }
 
@@ -236,7 +236,7 @@ template <class Index>
 template <class Mesh>
 void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts) {
   const std::uint32_t triangles = end - begin;
-  Text text{begin, end, letters_, 0, cuts, nothing};
+  Text text{begin, end, letters_, 0, cuts, nothing, 0, 0};
   // It takes the place of a run that one of its triangles was in, one in the middle if possible.
   for (std::uint32_t i = 0; i < triangles && text.place == nothing; ++i) {
     const std::uint32_t run = strip_[begin + (i + triangles / 2) % triangles].run;
@@ -284,6 +284,10 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   if (stitched_ && (static_cast<std::uint32_t>(out - text_.data()) - letters_) % 2 != 0) *out++ = separator;
   letters_ = static_cast<std::uint32_t>(out - text_.data());
   text.length = letters_ - text.first;
+  text.across = static_cast<std::uint32_t>(across_.size());
+  if (cache_ != 0 && !rebuilt_)
+    for (std::uint32_t i = begin; i < end; ++i) note_across(mesh, strip_[i].triangle);
+  text.across_end = static_cast<std::uint32_t>(across_.size());
   texts_.push_back(text);
 }
 
@@ -292,10 +296,13 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
 template <class Index>
 void BasicStripBuffer<Index>::store() {
   // Room for everything that follows, so that nothing throws after this.
-  constexpr std::size_t slides_for_a_run = detail::moved_for_a_run / detail::shortest_run;
-  constexpr std::size_t slides = (detail::moved_for_a_gap + detail::moved_by_an_update) / detail::shortest_run;
+  changed_ = 0;
+  for (const std::uint32_t place : dirty_) changed_ += places_.run(place).length;
+  changed_ = (std::max)(changed_, letters_);
+  const std::size_t for_runs = texts_.size() * detail::moved_for_a_run + std::size_t{work_} * letters_;
+  const std::size_t for_gaps = detail::moved_for_a_gap + std::size_t{work_} * changed_;
   detail::make_room(cells_, letters_ + 1);
-  detail::make_room(written_, dirty_.size() + 3 * (slides_for_a_run + 1) * texts_.size() + 3 * slides);
+  detail::make_room(written_, dirty_.size() + 3 * (texts_.size() + (for_runs + for_gaps) / detail::shortest_run + 2));
   places_.make_room(texts_.size());
   for (const std::uint32_t place : dirty_)
     if (places_.state(place) == State::dirty) remove(place);
@@ -305,7 +312,7 @@ void BasicStripBuffer<Index>::store() {
       text.place = nothing;
     }
   for (const Text& text : texts_)
-    if (text.place == nothing) store_anew(text);
+    if (text.place == nothing && (cache_ == 0 || rebuilt_ || !store_near(text))) store_anew(text);
 }
 
 // False if the room is too small.
@@ -336,7 +343,7 @@ bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
   write(text, first);
   blank(old.first, (std::min)(first, old.end()));
   blank((std::max)(first + text.length, old.first), old.end());
-  places_.set(text.place, {first, text.length, text.end - text.begin, text.cuts});
+  places_.set(text.place, as_run(text, first));
   own(text, text.place);
   return true;
 }
@@ -353,8 +360,21 @@ void BasicStripBuffer<Index>::store_anew(const Text& text) noexcept {
     cells_.resize(length, filling());
     places_.set_length(length);
   }
+  insert(text, before);
+}
+
+// Into the gap after `before`, which is large enough.
+template <class Index>
+void BasicStripBuffer<Index>::insert(const Text& text, std::uint32_t before) noexcept {
+  const std::uint32_t first = places_.run(before).end();
   write(text, first);
-  own(text, places_.insert(before, {first, text.length, text.end - text.begin, text.cuts}));
+  own(text, places_.insert(before, as_run(text, first)));
+}
+
+template <class Index>
+detail::Run BasicStripBuffer<Index>::as_run(const Text& text, std::uint32_t first) const noexcept {
+  const std::uint32_t end = (std::min)(strip_[text.begin].triangle, strip_[text.end - 1].triangle);
+  return {first, text.length, text.end - text.begin, text.cuts, end};
 }
 
 template <class Index>
@@ -410,32 +430,33 @@ void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, st
   places_.insert(before, run);  // into the same place: it was freed last
 }
 
+// Runs from `place` on in one direction, which slide in this direction until there are `missing` cells more. The cost,
+// in indices moved, is 0 if it would exceed `most`. Runs that are to be written stay.
+template <class Index>
+typename BasicStripBuffer<Index>::Slide BasicStripBuffer<Index>::slide(std::uint32_t place, std::uint32_t missing,
+                                                                       std::uint32_t most,
+                                                                       bool rightwards) const noexcept {
+  for (Slide slide; place != detail::RunPlaces::head && places_.state(place) == State::settled;) {
+    const std::uint32_t before = places_.previous(place);
+    slide.cost += places_.run(place).length;
+    if (slide.cost > most) break;
+    slide.last = place;
+    slide.found += places_.gap(rightwards ? place : before);
+    if (slide.found >= missing) return slide;
+    place = rightwards ? places_.next(place) : before;
+  }
+  return {};
+}
+
 // Slides runs from `right` on to the right, or runs up to `left` to the left, until `missing` more cells lie between
-// the two. Returns the number of indices moved; 0 if it would exceed `most`. Runs that are to be written stay.
+// the two. Returns the number of indices moved; 0 if it would exceed `most`.
 template <class Index>
 std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing,
                                              std::uint32_t most) noexcept {
-  struct Side {
-    std::uint32_t cost = 0;
-    std::uint32_t last = 0;
-    std::uint32_t found = 0;
-  };
-  const auto look = [&](std::uint32_t place, bool rightwards) {
-    for (Side side; place != detail::RunPlaces::head && places_.state(place) == State::settled;) {
-      const std::uint32_t before = places_.previous(place);
-      side.cost += places_.run(place).length;
-      if (side.cost > most) break;
-      side.last = place;
-      side.found += places_.gap(rightwards ? place : before);
-      if (side.found >= missing) return side;
-      place = rightwards ? places_.next(place) : before;
-    }
-    return Side{};
-  };
-  Side side = look(right, true);
+  const Slide side = slide(right, missing, most, true);
   const bool rightwards = side.cost != 0;
   if (rightwards) most = side.cost - 1;
-  if (const Side other = look(left, false); other.cost != 0) {
+  if (const Slide other = slide(left, missing, most, false); other.cost != 0) {
     std::uint32_t first = places_.run(places_.previous(other.last)).end() + other.found - missing;
     for (std::uint32_t place = other.last;; place = places_.next(place)) {
       move(place, places_.previous(place), first);
@@ -467,9 +488,9 @@ void BasicStripBuffer<Index>::close_gaps() noexcept {
       places_.set_length(length);
     }
     const std::uint64_t needed = places_.used() - std::uint64_t{places_.cuts()} * (stitched_ ? 8 : 5) / 4;
-    const bool wasteful = 1000 * (places_.length() - needed) > detail::tolerated_waste * needed;
+    const bool wasteful = 1000 * (places_.length() - needed) > waste_ * needed;
     const std::uint32_t before = places_.find_gap(run.length);
-    if (!wasteful || moved >= detail::moved_by_an_update || before == nothing) return;
+    if (!wasteful || moved >= std::uint64_t{work_} * changed_ || before == nothing) return;
     if (places_.gap(before) < run.length && places_.next(before) != last) {
       const std::uint32_t missing = run.length - places_.gap(before);
       const std::uint32_t cost = widen(before, places_.next(before), missing, detail::moved_for_a_gap);
