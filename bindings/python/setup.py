@@ -1,5 +1,5 @@
 """Puts the C library into the package: the one that RESTRIP_C_LIBRARY names, or one compiled here by $CXX (c++), which needs
-only C++20. The sources are in the repository around this folder."""
+only C++20. The sources are in the repository around this folder; a source archive has copies of them in `sources/`."""
 import os
 import pathlib
 import re
@@ -11,6 +11,8 @@ import tempfile
 
 from setuptools import setup
 from setuptools.command.build_py import build_py
+from setuptools.command.sdist import sdist
+from setuptools.dist import Distribution
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
@@ -18,7 +20,8 @@ except ImportError:  # before setuptools 70.1
     from wheel.bdist_wheel import bdist_wheel
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+ROOT = HERE / "sources" if (HERE / "sources").is_dir() else HERE.parents[1]
+SOURCES = ("CMakeLists.txt", "LICENSE", "bindings/c", "runtime/include", "tables/include")  # what the archive has of the repository
 C = ROOT / "bindings/c"
 VERSION = re.search(r"project\(\s*restrip VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
 SCRATCH = tempfile.mkdtemp()  # the sources do not change
@@ -41,19 +44,37 @@ class WithLibrary(build_py):
                         C / "restrip.cpp", "-o", target], check=True)
 
 
+class WithSources(sdist):
+    """An archive from which pip compiles the package without the repository."""
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        for name in SOURCES:
+            source, target = ROOT / name, pathlib.Path(base_dir) / "sources" / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copytree(source, target) if source.is_dir() else shutil.copyfile(source, target)
+        for name in ("example.py", "pyproject.toml"):
+            shutil.copyfile(HERE / name, pathlib.Path(base_dir) / name)
+
+
+class WithBinary(Distribution):
+    def has_ext_modules(self):  # the package goes to the folder for one platform
+        return True
+
+
 class OfThisMachine(bdist_wheel):
     """The library depends on the machine, but not on the version of Python."""
-
-    def finalize_options(self):
-        super().finalize_options()
-        self.root_is_pure = False
 
     def get_tag(self):
         return ("py3", "none", super().get_tag()[2])
 
 
 setup(name="restrip", version=VERSION, description="Triangle strips, made from scratch and maintained while a mesh changes", license="MIT",
+      author="The restrip authors", keywords=["triangle strips", "level of detail", "mesh", "index buffer"],
+      project_urls={"Paper": "https://doi.org/10.2312/LocalChapterEvents/ItalChap/ItalianChapConf2007/023-029"},
+      classifiers=["Development Status :: 5 - Production/Stable", "Intended Audience :: Developers", "License :: OSI Approved :: MIT License",
+                   "Programming Language :: C++", "Programming Language :: Python :: 3", "Topic :: Multimedia :: Graphics :: 3D Modeling", "Typing :: Typed"],
       long_description=(HERE / "README.md").read_text(), long_description_content_type="text/markdown", python_requires=">=3.8",
       packages=["restrip"], package_dir={"": "src"}, package_data={"restrip": ["py.typed"]}, install_requires=["numpy"],
       options={"build": {"build_base": SCRATCH}, "egg_info": {"egg_base": SCRATCH}},
-      cmdclass={"build_py": WithLibrary, "bdist_wheel": OfThisMachine})
+      cmdclass={"build_py": WithLibrary, "bdist_wheel": OfThisMachine, "sdist": WithSources}, distclass=WithBinary)

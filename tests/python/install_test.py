@@ -1,5 +1,5 @@
-"""The Python package installs into a fresh virtual environment, from a folder of wheels or from its sources, without a package
-index and without a trace in the sources; its tests pass there, and its example and README's lines print what is expected.
+"""The Python package installs into a fresh virtual environment, from a folder of wheels or from its source archive, without a package
+index, without the repository and without a trace in the sources; its tests pass there, and its example and README's lines print what is expected.
 
     install_test.py PACKAGE SCRATCH [WHEELS]
 """
@@ -30,13 +30,20 @@ scratch.mkdir(parents=True)
 before = sorted(package.rglob("*"))
 run(sys.executable, "-m", "venv", "--system-site-packages", scratch / "venv")
 python = scratch / "venv/bin/python"
-source = package
-if len(sys.argv) > 3:
+if len(sys.argv) == 3:
+    subprocess.run([sys.executable, "-B", "setup.py", "-q", "sdist", "-d", str(scratch / "archive")], check=True, cwd=package)
+    source, = (scratch / "archive").glob("restrip-*.tar.gz")
+else:
     source, = pathlib.Path(sys.argv[3]).glob("restrip-*.whl")
     assert "-py3-none-" in source.name and not source.name.endswith("-any.whl"), source
 run(python, "-m", "pip", "install", "--no-index", "--no-deps", "--no-build-isolation", "--disable-pip-version-check", source)
 assert sorted(package.rglob("*")) == before and not list(package.rglob("*.egg-info")), set(package.rglob("*")) ^ set(before)
 where = run(python, "-c", "import restrip; print(restrip.__file__)")
+metadata = run(python, "-c", "import importlib.metadata as m; d = m.metadata('restrip'); print(d['Author'], d['License'], d['Keywords'], d.get_all('Classifier'), d.get_all('Project-URL'))")
+for word in ("restrip authors", "MIT", "triangle strips", "Typing :: Typed", "https://"):
+    assert word in metadata, (word, metadata)
+wheel = run(python, "-c", "import importlib.metadata as m; print(m.distribution('restrip').read_text('WHEEL'))")
+assert "Root-Is-Purelib: false" in wheel, wheel
 assert str(scratch / "venv") in where, where
 run(python, "-B", here / "package_test.py")
 found = run(python, "-B", package / "example.py")

@@ -84,6 +84,18 @@ class StripsOf(unittest.TestCase):
         restrip.strips_of(grid(30), progress=lambda *call: few.append(call) or len(few) == 3)
         self.assertEqual(few, calls[:3])
 
+    def test_looks_like_a_container_and_can_be_closed(self):
+        with restrip.LiveMesh(grid(3)) as mesh:
+            self.assertEqual(len(mesh), 18)
+            self.assertTrue(mesh)
+            self.assertRegex(repr(mesh), r"<restrip.LiveMesh of 18 triangles in \d+ strips>")
+        self.assertEqual(repr(mesh), "<restrip.LiveMesh, closed>")
+        mesh.close()
+        for use in (lambda: mesh.triangle_count, lambda: mesh.find(0, 1), lambda: mesh.flip(3), lambda: mesh.faces(), lambda: mesh.indices(),
+                    mesh.begin_buffer, mesh.update, mesh.strips, mesh.check, lambda: mesh.corners(0)):
+            with self.assertRaisesRegex(ValueError, "closed"):
+                use()
+
     def test_nothing_and_little(self):
         self.assertEqual(len(restrip.strips_of([])), 0)
         self.assertEqual(restrip.strips_of([], format="strips"), [])

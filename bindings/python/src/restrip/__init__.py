@@ -16,7 +16,7 @@ import numbers
 import operator
 import sys
 import warnings
-from typing import Callable, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Callable, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 
@@ -26,8 +26,13 @@ from ._library import NONE, RestripError
 __all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Simplified", "faces_of", "simplify", "strips_of"]
 __version__: str = lib.plain("version").decode()
 
-Cost = Union[str, Tuple[int, int, int]]
-Index = Union[str, int]
+# For type checkers; __init__ and the functions name the same words when a value is none of them.
+Policy = Literal["bare", "rules", "local", "quick", "full", "best"]
+Effort = Literal["fast", "full", "best"]
+Cost = Union[Literal["strips", "indices"], Tuple[int, int, int]]
+Form = Literal["restart", "stitched", "list"]
+Format = Literal["restart", "stitched", "strips", "vtk"]
+Index = Literal["auto", 16, 32]
 Progress = Callable[[int, int, int], Optional[bool]]
 
 _COSTS = {"strips": (1, 0, 0), "indices": (3, 1, 0)}
@@ -208,9 +213,9 @@ class LiveMesh:
     outgrown: bool
     room: int
 
-    def __init__(self, faces, vertex_count: Optional[int] = None, *, policy: str = "quick", cost: Cost = "indices",
-                 effort: Optional[str] = "fast"):
-        self._mesh: Optional[int] = None
+    def __init__(self, faces, vertex_count: Optional[int] = None, *, policy: Policy = "quick", cost: Cost = "indices",
+                 effort: Optional[Effort] = "fast"):
+        self._handle: Optional[int] = None
         self.outgrown, self.room, self._index = False, 0, None
         corners = _corners(faces, NONE)
         if vertex_count is None:
@@ -222,7 +227,7 @@ class LiveMesh:
         kept = _one_of("policy", policy, _POLICIES)
         report, mesh, weights = lib.BuildReport(), ctypes.c_void_p(), _cost(cost)
         lib.call("mesh_build_u32", _address(corners), corners.size, vertex_count, report, None, mesh)
-        self._mesh = mesh.value
+        self._handle = mesh.value
         self.report = Report(*(getattr(report, name) for name in Report._fields))
         left_out = self.report.degenerate_triangles + self.report.out_of_range_triangles
         if left_out:
@@ -232,8 +237,38 @@ class LiveMesh:
         lib.call("mesh_keep", self._mesh, kept, weights)
 
     def __del__(self) -> None:
-        if getattr(self, "_mesh", None):
-            lib.plain("mesh_free", self._mesh)
+        if getattr(self, "_handle", None):
+            lib.plain("mesh_free", self._handle)
+
+    def close(self) -> None:
+        """Frees the memory of the mesh now; it must not be used afterwards. `with LiveMesh(…) as mesh:` does this at the end."""
+        if self._handle is not None:
+            lib.plain("mesh_free", self._handle)
+            self._handle = None
+
+    @property
+    def _mesh(self) -> int:
+        if self._handle is None:
+            raise ValueError("this LiveMesh is closed")
+        return self._handle
+
+    def __enter__(self) -> LiveMesh:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def __len__(self) -> int:
+        """The number of triangles."""
+        return self.triangle_count
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __repr__(self) -> str:
+        if self._handle is None:
+            return "<restrip.LiveMesh, closed>"
+        return f"<restrip.LiveMesh of {self.triangle_count} triangles in {self.strip_count} strips>"
 
     def __reduce__(self):
         raise TypeError("a LiveMesh cannot be copied or pickled; build another from mesh.faces()")
@@ -356,13 +391,13 @@ class LiveMesh:
 
     # ---- strips
 
-    def stripify(self, effort: str = "fast", cost: Cost = "indices") -> int:
+    def stripify(self, effort: Effort = "fast", cost: Cost = "indices") -> int:
         """Strips from scratch; returns their number."""
         count = ctypes.c_size_t()
         lib.call("mesh_stripify", self._mesh, _one_of("effort", effort, _EFFORTS), _cost(cost), 0, count)
         return count.value
 
-    def keep(self, policy: str, cost: Cost = "indices") -> None:
+    def keep(self, policy: Policy, cost: Cost = "indices") -> None:
         """From now on operations maintain the strips by this policy, for this cost."""
         lib.call("mesh_keep", self._mesh, _one_of("policy", policy, _POLICIES), _cost(cost))
 
@@ -380,7 +415,7 @@ class LiveMesh:
                 break
         return saved
 
-    def indices(self, form: str = "restart", index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> np.ndarray:
+    def indices(self, form: Form = "restart", index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> np.ndarray:
         """The index buffer of the strips, in one of the forms
           "restart"   one triangle strip with primitive restart: all bits set between two strips,
           "stitched"  one triangle strip without: repeated indices lead from strip to strip,
@@ -420,7 +455,7 @@ class LiveMesh:
 
     # ---- the index buffer that follows the mesh
 
-    def begin_buffer(self, form: str = "restart", index: Index = "auto", history: int = 0) -> None:
+    def begin_buffer(self, form: Form = "restart", index: Index = "auto", history: int = 0) -> None:
         """Starts the index buffer of the mesh, instead of a previous one, in a form of `indices`. An update of "list"
         writes less than an update of strips. With "auto" it has 16 bits until a vertex needs 32; with 16, operations that would
         add such a vertex are refused. With a `history` each update, from the next one on,
@@ -513,8 +548,18 @@ class LiveMesh:
         return array
 
 
-def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort: str = "fast", vertex_count: Optional[int] = None,
-              index: Index = "auto", cache_size: int = 0, cache_weight: float = 0, progress: Optional[Progress] = None):
+@overload
+def strips_of(faces: object, cost: Cost = ..., format: Literal["restart", "stitched", "vtk"] = ..., *, effort: Effort = ...,
+              vertex_count: Optional[int] = ..., index: Index = ..., cache_size: int = ..., cache_weight: float = ...,
+              progress: Optional[Progress] = ...) -> np.ndarray: ...
+@overload
+def strips_of(faces: object, cost: Cost, format: Literal["strips"], *, effort: Effort = ..., vertex_count: Optional[int] = ...,
+              index: Index = ..., cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> List[np.ndarray]: ...
+@overload
+def strips_of(faces: object, cost: Cost = ..., *, format: Literal["strips"], effort: Effort = ..., vertex_count: Optional[int] = ...,
+              index: Index = ..., cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> List[np.ndarray]: ...
+def strips_of(faces: object, cost: Cost = "indices", format: Format = "restart", *, effort: Effort = "fast", vertex_count: Optional[int] = None,
+              index: Index = "auto", cache_size: int = 0, cache_weight: float = 0, progress: Optional[Progress] = None) -> Union[np.ndarray, List[np.ndarray]]:
     """Triangle strips of a mesh.
 
     `format` is

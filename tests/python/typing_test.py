@@ -1,0 +1,41 @@
+"""mypy --strict finds a misspelt policy, form, cost and format in a user's program, and none in a correct one.
+
+    typing_test.py SOURCES
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+GOOD = """
+import numpy as np
+import restrip
+
+faces = np.array([[0, 1, 2]])
+one: np.ndarray = restrip.strips_of(faces, "strips", "stitched")
+several: list[np.ndarray] = restrip.strips_of(faces, format="strips")
+with restrip.LiveMesh(faces, policy="quick", cost=(3, 1, 0)) as mesh:
+    mesh.begin_buffer("list", 16)
+    print(len(mesh), mesh.indices(index="auto"), one, several)
+"""
+BAD = ['restrip.LiveMesh(faces, policy="quikc")', 'restrip.LiveMesh(faces, cost="turns")', 'restrip.LiveMesh(faces, effort="most")', 'mesh.begin_buffer("lists")',
+       'mesh.indices(index=8)', 'mesh.keep("quikc")', 'restrip.strips_of(faces, format="fans")', 'wrong: np.ndarray = restrip.strips_of(faces, format="strips")']
+
+
+def lines_with_faults(text):
+    """The numbers of the lines that mypy refuses, and what it says."""
+    with tempfile.TemporaryDirectory() as folder:
+        user = pathlib.Path(folder) / "user.py"
+        user.write_text(text, encoding="utf-8")
+        done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", "--disable-error-code=type-arg", "--cache-dir", f"{folder}/cache", str(user)],
+                              env={"MYPYPATH": str(pathlib.Path(sys.argv[1]).resolve()), "PATH": "/usr/bin:/bin"}, cwd=folder, stdout=subprocess.PIPE, text=True)
+        return {int(line) for line in re.findall(r"user.py:(\d+): error: ", done.stdout)}, done.stdout
+
+
+found, said = lines_with_faults(GOOD)
+assert not found and "Success" in said, said
+first = GOOD.count("\n") + 1
+found, said = lines_with_faults(GOOD + "\n".join(BAD) + "\n")
+assert found == set(range(first, first + len(BAD))), said
+print(f"{len(BAD)} mistakes found")
