@@ -2,6 +2,7 @@
 // on a processor of any speed, and a step that takes several frames counts once; the sums, the break-even and the winner on the page
 // follow from these bytes for every place of the slider; both pictures show the mesh's triangles, drawn only from what
 // the steps have written; what the last step has written is highlighted; a run takes its steps and ends where it began.
+// The times on the page are in docs/results.md.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -40,6 +41,12 @@ export async function raceHolds(page, { folder, scratch, choose, settled }) {
   }
   await page.send('Emulation.setCPUThrottlingRate', { rate: 1 });
   assert.ok(raced[1].frames > steps.length, 'no step took more than a frame');
+  const times = await page.run(() => [...document.querySelectorAll('#times tr')].map(({ cells }) => [...cells].map(({ textContent }) => textContent)));
+  const measured = /^## Strips or a list$([^]*?)^## /m.exec(readFileSync(new URL('../../docs/results.md', import.meta.url), 'utf8'))[1];
+  const rows = ['`TriangleListBuffer`, no strips', '`local`', '`quick`', '`full`', 'from scratch: `stripify`, fast, index cost'];
+  assert.deepEqual(times.map(([, ratio]) => ratio), rows.map((row) => measured.split(`\n| ${row} | `)[1].split(' | ')[1]));
+  assert.deepEqual(times.map(([name]) => name), ['List with slots', ...['local', 'quick', 'full'].map((policy) => `Maintained strips, ${policy}`), 'Strips from scratch']);
+  assert.ok(times[0][1] === '1.00x' && times.every(([, ratio]) => parseFloat(ratio) >= 1), `${times}`);
   const { load } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')).href);
   const restrip = await load(readFileSync(join(folder, 'package/restrip.wasm')));
   const hare = restrip.baked(readFileSync(join(folder, 'hare.baked'))).begin({ policy: 'local' });
