@@ -2,10 +2,11 @@
 """Makes one file of a page, which opens from the file system: styles, scripts, the WebAssembly module and the mesh
 are put inside.
 
-bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--worker FILE…] [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
+bundle.py PAGE.html OUT.html --place PLACE [--address URL] [--style FILE…] [--script FILE…] [--worker FILE…] [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
 Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
 names at their top levels must differ; whole-line comments and indentation are left out. Scripts of a worker are bundled in the same way. --part replaces <!--NAME--> by the file as
-it is, --code by its text, to be read, --put by the file, compressed and in base64."""
+it is, --code by its text, to be read, --put by the file, compressed and in base64. --place is the place of the page in the site, for <!--NAVIGATION-->; --address of the site makes the address of the page's
+picture absolute."""
 import argparse
 import base64
 import gzip
@@ -13,6 +14,9 @@ import html
 import re
 import sys
 from pathlib import Path
+
+sys.dont_write_bytecode = True
+from pages import navigation, picture  # noqa: E402
 
 
 def inlined(scripts):
@@ -33,10 +37,16 @@ def inlined(scripts):
     return "\n".join(out)
 
 
+def packed(file):
+    return base64.b64encode(gzip.compress(Path(file).read_bytes(), 9, mtime=0)).decode("ascii")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("page")
     parser.add_argument("out")
+    parser.add_argument("--place", required=True)
+    parser.add_argument("--address", default="")
     parser.add_argument("--style", nargs="*", default=[])
     parser.add_argument("--script", nargs="*", default=[])
     parser.add_argument("--worker", nargs="*", default=[])
@@ -56,7 +66,9 @@ def main():
         parts[f"<!--{name}-->"] = html.escape(Path(file).read_text(encoding="utf-8").rstrip("\n"), quote=False)
     for put in given.put:
         name, file = put.split("=", 1)
-        parts[f"<!--{name}-->"] = base64.b64encode(gzip.compress(Path(file).read_bytes(), 9, mtime=0)).decode("ascii")
+        parts[f"<!--{name}-->"] = packed(file)
+    parts["<!--NAVIGATION-->"] = navigation(given.place)
+    page = page.replace('content="docs/ribbon.png"', f'content="{html.escape(picture(given.place, given.address))}"')
     for mark, text in parts.items():
         if text and mark not in page:
             sys.exit(f"bundle.py: {given.page}: has no {mark}")

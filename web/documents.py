@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes pages of the documents: documents.py ROOT OUT_FOLDER --style FILE…
+"""Makes pages of the documents: documents.py ROOT OUT_FOLDER --style FILE… --script FILE… --put NAME=FILE… [--address URL]
 
-README.md becomes index.html; CONTRIBUTING.md, CHANGELOG.md and the pages below docs/ keep their names. Links between them lead from page to
-page, to headings as GitHub names them; pictures and data in docs/ come along. A link to another file of the repository, which the
+README.md becomes index.html, below the live hare of web/documents/landing.html instead of its heading and its picture; CONTRIBUTING.md,
+CHANGELOG.md and the pages below docs/ keep their names. Links between them lead from page to page, to headings as GitHub names them; pictures and data in docs/ come along. A link to another file of the repository, which the
 pages do not have, is left as text with the file's name. A link to a file or heading that does not exist is refused.
-Needs markdown-it-py (package python3-markdown-it)."""
+Needs markdown-it-py and Pygments (packages python3-markdown-it and python3-pygments)."""
 import argparse
 import os
 import re
@@ -14,9 +14,28 @@ from html import escape
 from pathlib import Path
 
 from markdown_it import MarkdownIt
+from pygments.lexers import get_lexer_by_name
+from pygments.token import Token
+from pygments.util import ClassNotFound
 
-BUTTONS = ('<p class="buttons"><a class="button" href="maker.html">Make a rule</a> <a class="button" href="viewer.html">See what strips save</a> '
-           '<a class="button" href="atlas/index.html">Atlas of rules</a> <a class="button" href="atlas/paint.html">Paint a configuration</a></p>')
+from bundle import inlined, packed
+from pages import navigation, picture
+
+FOLDER = Path(__file__).resolve().parent / "documents"
+# The class of a word of code, by its kind; the first that fits.
+CLASSES = {Token.Comment.Preproc: "k", Token.Comment.PreprocFile: "s", Token.Comment: "c", Token.Keyword: "k", Token.Operator.Word: "k",
+           Token.Literal.String: "s", Token.Literal.Number: "n", Token.Name.Function: "f", Token.Name.Class: "f", Token.Name.Tag: "f",
+           Token.Name.Builtin: "f", Token.Name.Attribute: "f"}
+
+
+def highlighted(code, language):
+    """The code as HTML, with the classes of documents.css."""
+    lexer = get_lexer_by_name({"wgsl": "rust"}.get(language, language), stripnl=False)  # older versions do not know WGSL, which looks like Rust
+    spans = []
+    for kind, text in lexer.get_tokens(code):
+        name = next((name for of, name in CLASSES.items() if kind in of), None)
+        spans.append(f'<span class="{name}">{escape(text, quote=False)}</span>' if name else escape(text, quote=False))
+    return "".join(spans)
 
 
 class Documents:
@@ -89,18 +108,48 @@ class Documents:
         for token in tokens:
             if token.type == "inline":
                 token.children = self.rewrite(file, token.children)
+            elif token.type == "fence":
+                try:
+                    token.content = f'<pre tabindex="0"><code>{highlighted(token.content, token.info or "text")}</code></pre>'
+                except ClassNotFound:
+                    self.faults.append(f"{file.relative_to(self.root)}: a block of code in {token.info}, a language that Pygments does not know")
+                token.type, token.content = "html_block", f'<div class="code">{token.content}</div>\n'
         html = MarkdownIt("commonmark").renderer.render(tokens, MarkdownIt("commonmark").options, {})
         html = html.replace("<table>", '<div class="wide" tabindex="0"><table>').replace("</table>", "</table></div>")
-        html = re.sub(r"<td>(?=[+−-]?\d[\d.,]*( %)?</td>)", '<td class="number">', html)
+        html = re.sub(r"<table>.*?</table>", lambda table: aligned(table[0]), html, flags=re.S)
+        # Short names in tables are not broken at their hyphens.
+        html = re.sub(r"<td[^>]*>.*?</td>", lambda cell: re.sub(r"<code>(?=[^< ]{1,30}</code>)", '<code class="word">', cell[0]), html, flags=re.S)
         return html.replace("<pre>", '<pre tabindex="0">').replace("<th></th>", "<td></td>")
 
 
-def whole(title, body, style, up):
+def aligned(table):
+    """The table with its columns of numbers at the right."""
+    rows = [re.findall(r"<t[hd]>.*?</t[hd]>", row, re.S) for row in table.split("</tr>")[:-1]]
+    body = [row for row in rows if row and row[0].startswith("<td>")]
+    numbers = {n for n in range(len(rows[0])) if body and all(re.fullmatch(r"<td>([+−-]?\d[\d.,]*( %)?|–|)</td>", row[n]) for row in body)}
+    place = iter([n in numbers for row in rows for n in range(len(row))])
+    return re.sub(r"<(t[hd])>", lambda cell: f'<{cell[1]} class="number">' if next(place) else cell[0], table)
+
+
+def landing(page, scripts, put):
+    """The page of README.md with the live hare above it, which has the same heading and picture."""
+    text = (FOLDER / "landing.html").read_text(encoding="utf-8").replace("/*SCRIPT*/", inlined(scripts))
+    for name, file in (item.split("=", 1) for item in put):
+        text = text.replace(f"<!--{name}-->", packed(file))
+    rest, count = re.subn(r"<h1[^>]*>.*?</h1>\n|<p><img[^>]*></p>\n", "", page, flags=re.S)
+    if count != 2:
+        sys.exit(f"documents.py: README.md has not one heading and one picture of its own, which the first page replaces, but {count} of both")
+    return text, rest
+
+
+def whole(title, body, style, page, address, head=""):
+    up = "../" * page.count("/")
     return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<meta name="color-scheme" content="light dark">\n<title>{escape(title)}</title>\n'
-            f'<meta property="og:title" content="{escape(title)}">\n<meta property="og:image" content="{up}docs/ribbon.png">\n'
-            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}maker.html">Make a rule</a> <a href="{up}viewer.html">Viewer</a> '
-            f'<a href="{up}atlas/index.html">Atlas of rules</a></nav>\n<main class="prose">{body}</main>\n</body>\n</html>\n')
+            f'<meta property="og:title" content="{escape(title)}">\n<meta property="og:image" content="{escape(picture(page, address))}">\n'
+            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n{navigation(page)}\n{head}<main class="prose">{body}</main>\n'
+            f'<footer><a href="{up}CHANGELOG.html">Changes</a> <a href="{up}CONTRIBUTING.html">Contributing</a></footer>\n'
+            f'<script>{(FOLDER / "copy.js").read_text(encoding="utf-8")}</script>\n</body>\n</html>\n')
 
 
 def main():
@@ -108,6 +157,9 @@ def main():
     parser.add_argument("root", type=Path)
     parser.add_argument("out", type=Path)
     parser.add_argument("--style", nargs="+", required=True)
+    parser.add_argument("--script", nargs="+", required=True)
+    parser.add_argument("--put", nargs="+", required=True)
+    parser.add_argument("--address", default="")
     given = parser.parse_args()
     documents = Documents(given.root.resolve())
     style = "".join(Path(s).read_text(encoding="utf-8") for s in given.style)
@@ -118,9 +170,10 @@ def main():
         page = documents.page_of(file)
         title = re.sub(r"<[^>]*>", "", re.search(r"<h1[^>]*>(.*?)</h1>", body)[1])
         (given.out / page).parent.mkdir(parents=True, exist_ok=True)
+        head = ""
         if page.name == "index.html":
-            title, body = "restrip: triangle strips maintained while the mesh changes", body.replace("</h1>", f"</h1>\n{BUTTONS}", 1)
-        (given.out / page).write_text(whole(title, body, style, "../" * (len(page.parts) - 1)), encoding="utf-8")
+            title, (head, body) = "restrip: triangle strips maintained while the mesh changes", landing(body, given.script, given.put)
+        (given.out / page).write_text(whole(title, body, style, page.as_posix(), given.address, head), encoding="utf-8")
     for name in documents.copied:
         shutil.copyfile(documents.root / name, given.out / name)
 

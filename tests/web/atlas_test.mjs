@@ -12,6 +12,7 @@ import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
+import { firstPageHolds } from './first_page_checks.mjs';
 
 const [folder, chromium, dumpProgram, scratch] = process.argv.slice(2);
 const root = fileURLToPath(new URL('../../', import.meta.url));
@@ -260,8 +261,10 @@ try {
   writeFileSync(join(scratch, 'paint.png'), await page.screenshot());
   assert.deepEqual(page.faults, []);
 
+  await firstPageHolds(browser, folder, scratch);
+
   const phone = await browser.page(400, 760);
-  for (const each of ['index.html', 'atlas/index.html', 'atlas/split-5-2.html', 'atlas/paint.html']) {
+  for (const each of ['index.html', 'docs/README.html', 'docs/results.html', 'atlas/index.html', 'atlas/split-5-2.html', 'atlas/paint.html']) {
     await phone.open(address(each));
     assert.equal(await phone.run('document.documentElement.scrollWidth'), 400, `${each} sticks out sideways`);
   }

@@ -1,9 +1,14 @@
 // Every link and picture of every page leads to a file of the pages, and to an element of it that has the name after #.
-// A page with a dead link or a dead anchor is noticed. Documents are pages: no Markdown is shown as it is written.
+// A page with a dead link or a dead anchor is noticed. Documents are pages: no Markdown is shown as it is written. Each
+// page leads to the first page, the viewer, Make a rule, the atlas and the documents, and marks the one that it is. With
+// an address the picture of a link to a page has an absolute address.
 //   node links_test.mjs WEB_FOLDER
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join, posix } from 'node:path';
+import { fileURLToPath } from 'node:url';
 
 const [folder] = process.argv.slice(2);
 const pages = new Map(['', 'docs', 'docs/tutorials', 'docs/how-to', 'docs/reference', 'docs/explanation', 'atlas'].flatMap((below) => readdirSync(join(folder, below)).filter((name) => name.endsWith('.html'))
@@ -32,6 +37,21 @@ for (const [name, text] of pages) {
   count += found.count;
   assert.doesNotMatch(text.replace(/<(pre|code|script|style)[^]*?<\/\1>/g, ''), /\]\([\w./#-]+\)|^\| --- \|/m, `${name} shows Markdown as it is written`);
 }
+const main = ['index.html', 'maker.html', 'viewer.html', 'atlas/index.html', 'docs/README.html'];
+for (const [name, text] of pages) {
+  const navigation = /<nav aria-label="Pages">(.*?)<\/nav>/s.exec(text)?.[1] ?? '';
+  const links = [...navigation.matchAll(/href="([^"]*)"( aria-current="page")?/g)];
+  assert.deepEqual(links.map(([, link]) => posix.join(posix.dirname(name), link)), main, name);
+  assert.deepEqual(links.flatMap(([, , own], n) => (own ? [main[n]] : [])), main.filter((each) => each === name), name);
+}
+const made = mkdtempSync(join(tmpdir(), 'restrip-links-'));
+const pictureOf = (text) => /property="og:image" content="([^"]*)"/.exec(text)[1];
+const source = (name) => fileURLToPath(new URL(`../../web/${name}`, import.meta.url));
+execFileSync('python3', [source('bundle.py'), source('viewer/viewer.html'), join(made, 'viewer.html'), '--place', 'viewer.html', '--address', 'https://example.org/restrip/']);
+assert.equal(pictureOf(readFileSync(join(made, 'viewer.html'), 'utf8')), 'https://example.org/restrip/docs/ribbon.png');
+rmSync(made, { recursive: true });
+if (!/^https:/.test(pictureOf(pages.get('viewer.html'))))
+  assert.deepEqual(['viewer.html', 'index.html', 'docs/how-to/c.html'].map((name) => pictureOf(pages.get(name))), ['docs/ribbon.png', 'docs/ribbon.png', '../ribbon.png']);
 assert.ok(pages.size > 60 && count > 500, `${pages.size} pages, ${count} links`);
 const spoiled = '<a href="strips.html#nowhere">x</a> <img src="lost.png"> <a href="../index.html">y</a> <a href="#here" id="here">z</a>';
 assert.deepEqual(deadLinks('docs/spoiled.html', spoiled, new Map([...pages, ['docs/spoiled.html', spoiled]])).dead, ['strips.html#nowhere', 'lost.png']);

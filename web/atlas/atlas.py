@@ -19,6 +19,7 @@ WEB = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(WEB.parent / "scripts"))
 sys.path.insert(0, str(WEB))
 from bundle import inlined  # noqa: E402
+from pages import navigation  # noqa: E402
 from operations import Refused, bits, certificate, configurations, pairs_of, positions_of, strips_added  # noqa: E402
 from pictures import side_picture  # noqa: E402
 from plots import escaped, grouped  # noqa: E402
@@ -246,7 +247,7 @@ def whole(title, body, nav):
     return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<meta name="color-scheme" content="light dark">\n<title>{escaped(title)} – restrip</title>\n<link rel="icon" href="data:,">\n'
             '<link rel="stylesheet" href="atlas.css">\n<script src="atlas.js" defer></script>\n<body>\n'
-            f'<nav>{nav}<a href="index.html">Atlas of rules</a></nav>\n<main>{body}</main>\n</body>\n</html>\n')
+            f'{nav}\n<main>{body}</main>\n</body>\n</html>\n')
 
 
 def pages_of(files, folder, met):
@@ -291,11 +292,11 @@ def write(given, met):
                            "<figcaption>before the split</figcaption></figure><figure>" + side_picture(sides[1], colors, kept, "after") +
                            "<figcaption>after it, by its rule</figcaption></figure></div>" + legend(page))
     texts["index"] = "Atlas of rules", index_body(groups, picture, met)
-    nav = '<a href="../index.html">restrip</a> <a href="../maker.html">Make a rule</a> <a href="../viewer.html">Viewer</a> ' if met else ""
     given.out.mkdir(parents=True, exist_ok=True)
     (given.out / "atlas.css").write_text("".join(style.read_text(encoding="utf-8") for style in STYLES), encoding="utf-8")
     (given.out / "atlas.js").write_text("(() => {\n" + inlined(SCRIPTS) + "\n})();\n", encoding="utf-8")
     for name, (title, body) in texts.items():
+        nav = navigation(f"atlas/{name}.html") if met else '<nav><a href="index.html">Atlas of rules</a></nav>'
         (given.out / f"{name}.html").write_text(whole(title, body, nav), encoding="utf-8")
     for name, pages in groups.items():
         rules = sum(len(page.section.rules) for page in pages)
