@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the measured times of docs/results.md that the race shows: times.py RESULTS.md OUT
+"""Writes the measured times of docs/results.md that the race shows: times.py FILE OUT
 
 The table is the one below the heading "Strips or a list", its column "of the list". A heading, column or row that is not there is an error."""
 import re

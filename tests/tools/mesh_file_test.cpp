@@ -473,6 +473,15 @@ TEST_F(InFolder, Refusals) {
   EXPECT_NE(refused(folder_ / "empty.ply").find("the file is empty"), std::string::npos);
   put("a.xyz", "0 0 0\n");
   EXPECT_NE(refused(folder_ / "a.xyz").find("unknown extension '.xyz'; name the format by --from"), std::string::npos);
+  using namespace std::string_view_literals;
+  for (const auto& [name, bytes] :
+       {std::pair{"photo.png", "\x89PNG\r\n\x1a\n\0\0"sv}, std::pair{"photo.jpeg", "\xff\xd8\xff\xe0 JFIF"sv},
+        std::pair{"photo.GIF", "GIF89a"sv}, std::pair{"photo.webp", "RIFF\x10\0\0\0WEBPVP8 "sv},
+        std::pair{"photo", "\x89PNG\r\n\x1a\n\0\0"sv}}) {
+    put(name, std::string(bytes));
+    EXPECT_NE(refused(folder_ / name).find("a picture, which has no triangles; give a mesh: .obj"), std::string::npos)
+        << name;
+  }
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-/// `page`: of the viewer, with the built-in mesh. The part "One ribbon" is shown again afterwards.
+/// `page`: of the viewer, with the built-in mesh. The part "Ribbons" is shown again afterwards.
 export async function raceHolds(page, { folder, scratch, choose, settled }) {
   await page.run(() => { location.hash = '#part=race&level=0'; });
   await page.until(() => restripViewer.part === 'race');

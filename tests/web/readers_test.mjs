@@ -165,6 +165,8 @@ async function damaged() {
     bytes[at] ^= 0x40;
     await sameRefusal(from.replace('.', `${at}.`), from === 'hare.pm' ? bytes.subarray(0, -1) : bytes);
   }
+  await sameRefusal('photo.png', readFileSync(new URL('../../docs/ribbon.png', import.meta.url)));
+  await assert.rejects(read(within('photo.png')), /photo.png: a picture, which has no triangles; give a mesh: .obj/);
   // One refused file is not a fault of the next.
   assert.equal((await readMesh('t.obj', new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'))).triangles.length, 3);
 }

@@ -130,6 +130,16 @@ constexpr std::array all_formats{
                .forms = true},
 };
 
+/// A picture, which visitors drop on the viewer; by its name, or without one by how it begins.
+bool is_picture(std::string_view bytes, std::string_view extension) {
+  constexpr std::array<std::string_view, 9> names{".png", ".jpg", ".jpeg", ".gif", ".webp",
+                                                  ".bmp", ".tif", ".tiff", ".heic"};
+  if (!extension.empty()) return std::find(names.begin(), names.end(), extension) != names.end();
+  constexpr std::array<std::string_view, 3> begins{"\x89PNG", "\xff\xd8\xff", "GIF8"};
+  return std::any_of(begins.begin(), begins.end(), [&](std::string_view begin) { return bytes.starts_with(begin); }) ||
+         (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP"));
+}
+
 /// The format of a file, or nullptr.
 const MeshFormat* format_of(std::string_view bytes) {
   // The header of a binary STL may begin with any word.
@@ -186,6 +196,9 @@ ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const st
   if (!extension.empty() && format != nullptr && !reads(*format))
     throw BadInput(fmt::format("{}: a {} file is only written, not read: it has no vertex positions; give the mesh",
                                name, extension));
+  if (format == nullptr && is_picture(bytes, extension))
+    throw BadInput(fmt::format("{}: a picture, which has no triangles; give a mesh: {}", name,
+                               fmt::join(extensions_of(reads), ", ")));
   if (!extension.empty() && format == nullptr)
     throw BadInput(fmt::format("{}: unknown extension '{}'; name the format by --from: {}", name, extension,
                                fmt::join(extensions_of(reads), ", ")));

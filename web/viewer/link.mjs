@@ -26,6 +26,21 @@ function placeOf(text) {
   return { yaw, pitch: Math.max(-1.5, Math.min(1.5, pitch)), distance, target };
 }
 
+/// Shows a part, the first if there is none of that name; returns its name.
+export function showPart(by, name) {
+  const shown = Object.hasOwn(parts, name ?? '') ? name : 'ribbon';
+  for (const part of Object.keys(parts)) {
+    by(`part-${part}`).hidden = part !== shown;
+    const link = by('parts').querySelector(`[href="#part=${part}"]`);
+    if (part === shown) link.setAttribute('aria-current', 'page');
+    else link.removeAttribute('aria-current');
+  }
+  document.body.dataset.part = shown;
+  by('hint').textContent = parts[shown];
+  if (['ribbon', 'race'].includes(shown)) by(`part-${shown}`).querySelector('[data-level]').after(by('level-row'));
+  return shown;
+}
+
 export class Link {
   #writing = 0;
   #known = '';  // the address as last followed or written
@@ -43,7 +58,7 @@ export class Link {
     const state = readLink(this.#known);
     // The close look at a cut ends with its part.
     if (viewer.part === 'cut' && state.part !== 'cut' && viewer.cut.shown) viewer.camera.fly(viewer.home, viewer.moves ? 700 : 0);
-    viewer.part = Object.hasOwn(parts, state.part ?? '') ? state.part : 'ribbon';
+    viewer.part = showPart(by, state.part);
     for (const id of Object.keys(usualChoices)) {
       const option = state[id] === undefined ? null : [...by(id).options].find(({ value, disabled }) => value === state[id] && !disabled);
       if (!option || by(id).value === option.value) continue;
@@ -56,23 +71,9 @@ export class Link {
       if (!viewer.clicks.includes(record) && viewer.canSplit(record)) viewer.splitRecord(record);
     const place = placeOf(state.view);
     if (place) viewer.camera.place = place;
-    this.#showPart();
     viewer.turn.goTo(state);
     viewer.ask();
   }
-  #showPart() {
-    const { by, viewer } = this;
-    for (const part of Object.keys(parts)) {
-      by(`part-${part}`).hidden = part !== viewer.part;
-      const link = by('parts').querySelector(`[href="#part=${part}"]`);
-      if (part === viewer.part) link.setAttribute('aria-current', 'page');
-      else link.removeAttribute('aria-current');
-    }
-    document.body.dataset.part = viewer.part;
-    by('hint').textContent = parts[viewer.part];
-    if (['ribbon', 'race'].includes(viewer.part)) by(`part-${viewer.part}`).querySelector('[data-level]').after(by('level-row'));
-  }
-
   /// Writes the settled state to the address, but not often: with the light on every frame calls this.
   write() {
     this.#writing ||= setTimeout(() => {

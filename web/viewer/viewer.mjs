@@ -12,6 +12,7 @@ import { Turn } from './turn.mjs';
 import { Race } from './race.mjs';
 import { Files } from './files.mjs';
 import { Link } from './link.mjs';
+import { Plain } from './plain.mjs';
 import { listen } from './controls.mjs';
 import { indexWidth, showFigures, showLevel, showMesh, showReads } from './figures.mjs';
 import { wantedRecords } from './detail.mjs';
@@ -308,11 +309,18 @@ class Viewer {
 try {
   const wasm = await embedded('wasm');
   const restrip = await load(wasm);
-  const viewer = new Viewer(restrip, wasm);
-  window.restripViewer = viewer;  // for the console, and for tests
-  by('still').hidden = true;
-  await viewer.show({ ...prepared(restrip, 'hare', { baked: new Uint8Array(await embedded('mesh')) }).next().value });
-  viewer.link.follow();
+  let viewer = null;
+  try {
+    viewer = new Viewer(restrip, wasm);
+  } catch (error) {
+    window.restripPlain = new Plain(restrip, by, error.message);
+  }
+  if (viewer) {
+    window.restripViewer = viewer;  // for the console, and for tests
+    by('still').hidden = true;
+    await viewer.show({ ...prepared(restrip, 'hare', { baked: new Uint8Array(await embedded('mesh')) }).next().value });
+    viewer.link.follow();
+  }
 } catch (error) {
   by('fault-text').textContent = error.message;
   by('fault').hidden = false;
