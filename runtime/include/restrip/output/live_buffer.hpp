@@ -122,7 +122,7 @@ class LiveBuffer {
     friend bool operator==(const Extent&, const Extent&) = default;
   };
   template <class Mesh>
-  void write_all(const Mesh& mesh);
+  void write_all(const Mesh& mesh, bool stays_wide);
   void make(bool wide) {
     if (format_.form == StripForm::list)
       buffer_ = wide ? Buffer(TriangleListBuffer()) : Buffer(TriangleListBuffer16());
@@ -160,7 +160,7 @@ class LiveBuffer {
 
 template <NumberedMesh Mesh>
 void LiveBuffer::rebuild(const Mesh& mesh) {
-  write_all(mesh);
+  write_all(mesh, false);
   make_room();
   kept_ = false;
 }
@@ -176,7 +176,7 @@ Upload LiveBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> chang
       !std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
   std::span<const IndexRange> ranges{&all_, 1};
   if (whole_ || widens) {
-    write_all(mesh);
+    write_all(mesh, index_bytes() == 4);  // a history has no frame that narrows
   } else {
     whole_ = true;
     ranges = std::visit([&](auto& buffer) { return buffer.update(mesh, changed, options); }, buffer_);
@@ -205,9 +205,9 @@ std::size_t LiveBuffer::compact(const Mesh& mesh, std::size_t budget) {
 }
 
 template <class Mesh>
-void LiveBuffer::write_all(const Mesh& mesh) {
+void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
   if (format_.width == IndexWidth::automatic) {
-    bool wide = false;
+    bool wide = stays_wide;
     for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
     make(wide);
   }
