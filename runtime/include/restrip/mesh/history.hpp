@@ -160,8 +160,7 @@ class History {
 
 inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
   named_.assign(changed.begin(), changed.end());
-  std::sort(named_.begin(), named_.end());
-  named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
+  detail::sort_unique(named_);
   Frame frame;
   frame.triangles_before = last_.triangles_.size();
   frame.triangles_after = mesh.triangles_.size();
@@ -176,8 +175,7 @@ inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> chan
         if (v != none) corners_.push_back(v);
     if (before.corner != after.corner || before.link != after.link) frame.triangles.push_back({t, before, after});
   }
-  std::sort(corners_.begin(), corners_.end());
-  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+  detail::sort_unique(corners_);
   for (const Vertex v : corners_) {
     const std::uint32_t before = v < frame.vertices_before ? last_.spoke_[v] : none;
     const std::uint32_t after = v < frame.vertices_after ? mesh.spoke_[v] : none;

@@ -34,6 +34,42 @@
 
 namespace restrip {
 
+namespace detail {
+
+/// Values of an array, to be exchanged with the present ones.
+template <class Value>
+struct Values {
+  std::vector<std::uint32_t> at;  // ascending
+  std::vector<Value> value;
+  std::size_t size = 0;  // of the array
+
+  // From `last`, which is brought in step, the values before. `named` is cleared.
+  void take(std::vector<std::uint32_t>& named, std::vector<Value>& last, const std::vector<Value>& now, Value beyond) {
+    for (std::size_t i = (std::min)(last.size(), now.size()); i < (std::max)(last.size(), now.size()); ++i)
+      named.push_back(static_cast<std::uint32_t>(i));
+    sort_unique(named);
+    size = last.size();
+    last.resize((std::max)(last.size(), now.size()), beyond);
+    for (const std::uint32_t i : named) {
+      if (i >= last.size()) break;
+      const Value after = i < now.size() ? now[i] : beyond;
+      if (last[i] == after) continue;
+      at.push_back(i);
+      value.push_back(std::exchange(last[i], after));
+    }
+    last.resize(now.size(), beyond);
+    named.clear();
+  }
+  void exchange_with(std::vector<Value>& array, Value beyond) {
+    const std::size_t now = array.size();
+    array.resize((std::max)(now, size), beyond);
+    for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
+    array.resize(std::exchange(size, now), beyond);
+  }
+};
+
+}  // namespace detail
+
 template <class Index>
 class BasicBufferHistory {
  public:
@@ -89,43 +125,10 @@ class BasicBufferHistory {
   [[nodiscard]] const Buffer& last() const noexcept { return last_; }
 
  private:
-  /// Values of an array, to be exchanged with the present ones.
-  template <class Value>
-  struct Values {
-    std::vector<std::uint32_t> at;  // ascending
-    std::vector<Value> value;
-    std::size_t size = 0;  // of the array
-
-    // From `last`, which is brought in step, the values before. `named` is cleared.
-    void take(std::vector<std::uint32_t>& named, std::vector<Value>& last, const std::vector<Value>& now,
-              Value beyond) {
-      for (std::size_t i = (std::min)(last.size(), now.size()); i < (std::max)(last.size(), now.size()); ++i)
-        named.push_back(static_cast<std::uint32_t>(i));
-      std::sort(named.begin(), named.end());
-      named.erase(std::unique(named.begin(), named.end()), named.end());
-      size = last.size();
-      last.resize((std::max)(last.size(), now.size()), beyond);
-      for (const std::uint32_t i : named) {
-        if (i >= last.size()) break;
-        const Value after = i < now.size() ? now[i] : beyond;
-        if (last[i] == after) continue;
-        at.push_back(i);
-        value.push_back(std::exchange(last[i], after));
-      }
-      last.resize(now.size(), beyond);
-      named.clear();
-    }
-    void exchange_with(std::vector<Value>& array, Value beyond) {
-      const std::size_t now = array.size();
-      array.resize((std::max)(now, size), beyond);
-      for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
-      array.resize(std::exchange(size, now), beyond);
-    }
-  };
   struct Frame {
-    Values<Index> cells;
-    Values<std::uint32_t> run_of;
-    Values<detail::RunPlaces::Place> places;
+    detail::Values<Index> cells;
+    detail::Values<std::uint32_t> run_of;
+    detail::Values<detail::RunPlaces::Place> places;
     detail::RunPlaces::Totals totals;
   };
 

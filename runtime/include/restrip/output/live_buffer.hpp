@@ -107,7 +107,8 @@ class LiveBuffer {
   [[nodiscard]] Buffer& buffer() noexcept { return buffer_; }
   /// Replaces the buffer by another of the same form, perhaps of another width, which is in step with the mesh. The
   /// next update returns all of it.
-  void set_buffer(Buffer buffer) noexcept {
+  template <class Kind>
+  void set_buffer(Kind buffer) noexcept {
     keep_upload();
     buffer_ = std::move(buffer);
     all_changed_ = true;
@@ -124,10 +125,11 @@ class LiveBuffer {
   template <class Mesh>
   void write_all(const Mesh& mesh, bool stays_wide);
   void make(bool wide) {
-    if (format_.form == StripForm::list)
-      buffer_ = wide ? Buffer(TriangleListBuffer()) : Buffer(TriangleListBuffer16());
+    if (format_.form != StripForm::list)
+      wide ? void(buffer_.emplace<StripBuffer>(format_.form, layout_))
+           : void(buffer_.emplace<StripBuffer16>(format_.form, layout_));
     else
-      buffer_ = wide ? Buffer(StripBuffer(format_.form, layout_)) : Buffer(StripBuffer16(format_.form, layout_));
+      wide ? void(buffer_.emplace<TriangleListBuffer>()) : void(buffer_.emplace<TriangleListBuffer16>());
   }
   void make_room() noexcept {
     if (size() > room_) room_ = size() + size() / 4;
