@@ -52,7 +52,7 @@ void BasicStripBuffer<Index>::order_runs() {
   std::uint32_t end = 0;
   for (const std::uint32_t r : order.order) {
     detail::Run run = runs[r];
-    std::copy_n(cells_.begin() + run.first, run.length, cells.begin() + end);
+    std::copy_n(cells_.data() + run.first, run.length, cells.data() + end);
     run.first = std::exchange(end, end + run.length);
     new_place[place[r]] = places.insert(places.last(), run);
   }
@@ -265,14 +265,14 @@ void BasicStripBuffer<Index>::swap(std::uint32_t one, std::uint32_t other) noexc
   const std::uint32_t before_other = places_.previous(other);
   const std::uint32_t a_first = (std::min)(b.first, places_.limit(other) - a.length);
   const std::uint32_t b_first = (std::min)(a.first, places_.limit(one) - b.length);
-  std::copy_n(cells_.begin() + a.first, a.length, text_.begin());
-  std::fill_n(cells_.begin() + a.first, a.length, filling());
+  std::copy_n(cells_.data() + a.first, a.length, text_.begin());
+  std::fill_n(cells_.data() + a.first, a.length, filling());
   mark(a.first, a.end());
   mark(b.first, b.end());
   // To the left or to the right, and perhaps over itself: the run was elsewhere.
-  std::copy_n(cells_.begin() + b.first, b.length, cells_.begin() + b_first);
-  std::fill_n(cells_.begin() + b.first, b.length, filling());
-  std::copy_n(text_.begin(), a.length, cells_.begin() + a_first);
+  std::copy_n(cells_.data() + b.first, b.length, cells_.data() + b_first);
+  std::fill_n(cells_.data() + b.first, b.length, filling());
+  std::copy_n(text_.begin(), a.length, cells_.data() + a_first);
   a.first = a_first;
   b.first = b_first;
   mark(a.first, a.end());
