@@ -23,8 +23,7 @@ namespace @namespace@ {
   target_sources(${target} PRIVATE ${source})
 endfunction()
 
-# restrip_embed_families(TARGET NAMESPACE HEADER): embeds tables/families.json, docs/taken-names.json and a list of all files
-# of tables/operations.
+# restrip_embed_families(TARGET NAMESPACE HEADER): embeds tables/families.json and a list of all files of tables/operations.
 function(restrip_embed_families target namespace header)
   get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR} DIRECTORY)
   file(GLOB files CONFIGURE_DEPENDS ${root}/tables/operations/*.json)
@@ -36,6 +35,6 @@ function(restrip_embed_families target namespace header)
   endforeach()
   string(REGEX REPLACE ",$" "" list "${list}")
   file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/operations.json "[${list}]")
-  restrip_embed(${target} ${namespace} ${header} families_text ${root}/tables/families.json taken_names_text
-                ${root}/docs/taken-names.json operations_text ${CMAKE_CURRENT_BINARY_DIR}/operations.json)
+  restrip_embed(${target} ${namespace} ${header} families_text ${root}/tables/families.json operations_text
+                ${CMAKE_CURRENT_BINARY_DIR}/operations.json)
 endfunction()

@@ -234,7 +234,7 @@ function(_restrip_verify_operation target file folder)
     file(CONFIGURE OUTPUT ${folder}-operations.dump/${identifier}.cpp CONTENT
 "#include \"restrip/tables/operation_dump.hpp\"
 #include \"restrip/tables/operations/@identifier@.hpp\"
-int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@identifier@); }
+int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@identifier@_rules); }
 " @ONLY)
     add_executable(${program} ${folder}-operations.dump/${identifier}.cpp)
     target_link_libraries(${program} PRIVATE ${target})

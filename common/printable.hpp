@@ -17,4 +17,8 @@ inline constexpr std::size_t longest_message = 1000;
 /// Every byte that is not printable ASCII as \x1b, and at most 400 bytes: for words quoted from a file.
 [[nodiscard]] std::string printable_ascii(std::string_view text);
 
+/// The first part of UTF-8 text that must not be in a comment of generated files, such as "U+000A"; empty if every part
+/// may: nothing ends the comment, continues it, or is invisible (docs/reference/operation-file.md, "Words").
+[[nodiscard]] std::string unfit_for_comment(std::string_view text);
+
 }  // namespace restrip::files

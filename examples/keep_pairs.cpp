@@ -78,7 +78,7 @@ int main() {
   std::vector<Record> records;
   for (int i = 0; i < 3000; ++i) {
     // b -> c of the operation file, with m beyond.
-    const Halfedge b_c = rewrite(mesh, restrip::tables::bisect_matching, any());
+    const Halfedge b_c = rewrite(mesh, restrip::tables::bisect_matching_rules, any());
     records.push_back({mesh.to(StripMesh::next(b_c)), mesh.from(b_c)});
   }
   print("up", mesh);
@@ -88,11 +88,11 @@ int main() {
   print("paired from scratch", scratch);
   for (; !records.empty(); records.pop_back()) {
     const Halfedge m_b = mesh.spoke(records.back().made, records.back().other);
-    rewrite(mesh, restrip::tables::merge_matching, StripMesh::next(m_b));
+    rewrite(mesh, restrip::tables::merge_matching_rules, StripMesh::next(m_b));
   }
   print("down", mesh);
   for (int i = 0; i < 3000; ++i)
-    if (const Halfedge h = any(); check_apply(mesh, restrip::tables::flip_matching, h) == restrip::Refusal::granted)
-      rewrite(mesh, restrip::tables::flip_matching, h);
+    if (const Halfedge h = any(); check_apply(mesh, restrip::tables::flip_matching_rules, h) == restrip::Refusal::granted)
+      rewrite(mesh, restrip::tables::flip_matching_rules, h);
   print("flipped", mesh);
 }

@@ -42,6 +42,6 @@ void report(const char* name, const Table& table) {
 }
 
 int main() {
-  report("fewest strips first", restrip::tables::remove_six);
-  report("fewest cuts first  ", restrip::tables::remove_six_whole);
+  report("fewest strips first", restrip::tables::remove_six_rules);
+  report("fewest cuts first  ", restrip::tables::remove_six_whole_rules);
 }

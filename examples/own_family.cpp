@@ -31,7 +31,7 @@ int main() {
       const auto h = restrip::StripMesh::halfedge(static_cast<std::uint32_t>(random() % mesh.triangle_bound()), 0);
       if (!mesh.alive(h)) continue;
       const auto k = static_cast<unsigned>(restrip::spoke_count(mesh, mesh.from(h)));
-      const auto removal = position_of(restrip::tables::remove_vertex, {k});
+      const auto removal = position_of(restrip::tables::remove_vertex_rules, {k});
       if (check_apply(mesh, removal, h) != restrip::Refusal::granted) continue;
       keeper.apply(removal, h);
       ++gone[k];

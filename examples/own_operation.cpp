@@ -18,7 +18,7 @@ int main() {
         indices.push_back(v);
     }
 
-  const auto& operation = restrip::tables::remove_six;
+  const auto& operation = restrip::tables::remove_six_rules;
   std::printf("| policy | operations | triangles | strips | triangles a strip |\n| --- | --- | --- | --- | --- |\n");
   for (const restrip::PolicyRow& row : restrip::policies) {
     restrip::StripMesh mesh = restrip::StripMesh::build(indices, columns * rows);

@@ -73,7 +73,7 @@ all_operations() {
     name=$(basename "$file" .json)
     identifier=${name//-/_}
     printf '#include "restrip/tables/%s"\n' operation_dump.hpp "operations/$identifier.hpp" >"$logs/$name.cpp"
-    echo "int main() { return restrip::tables::print_dump(\"$name\", restrip::tables::$identifier); }" >>"$logs/$name.cpp"
+    echo "int main() { return restrip::tables::print_dump(\"$name\", restrip::tables::${identifier}_rules); }" >>"$logs/$name.cpp"
     c++ -std=c++20 -O2 -I tables/include "$logs/$name.cpp" -o "$logs/$name.dump" || return
     $bin/restrip-verify --operation "$file" --certificate "tables/certificates/operations/$name.cert" \
       --header "tables/include/restrip/tables/operations/$identifier.hpp" --dump-command "$logs/$name.dump" || return

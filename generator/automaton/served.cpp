@@ -128,11 +128,11 @@ std::string served_header(const Description& family) {
       "#include \"restrip/rules/exact.hpp\"\n\n"
       "namespace restrip::exact {{\n\n"
       "/// The best recolouring that keeps every port. The numbers of the family in their order: {}; {}.\n"
-      "constexpr Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
+      "constexpr Recoloring best_of_{}({}Word ports, Word joined) noexcept {{\n"
       "  return {}ports, joined);\n"
       "}}\n"
       "/// The same for bit strings, which may have any length.\n"
-      "inline Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors) {{\n"
+      "inline Value best_of_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors) {{\n"
       "  return {}ports, joined, colors);\n"
       "}}\n\n"
       "}}  // namespace restrip::exact\n",

@@ -283,7 +283,7 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
        {{".glsl", [](const TableLayout& t) { return shader_text(tables_glsl, glsl_array, tables_filling("//", t), t); },
          glsl_operation,
          [](const AutomatonArrays& a) {
-           return shader_text(automaton_glsl, glsl_array, automaton_filling("//", a, 32), a.table, "_OF_AUTOMATON");
+           return shader_text(automaton_glsl, glsl_array, automaton_filling("//", a, 32), a.table, "_IN_AUTOMATON");
          }},
         words,
         {"_check.comp", as_it_is<tables_check_comp>, nullptr, as_it_is<automaton_check_comp>}}},
@@ -291,7 +291,7 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
        {{".wgsl", [](const TableLayout& t) { return shader_text(tables_wgsl, wgsl_array, tables_filling("//", t), t); },
          wgsl_operation,
          [](const AutomatonArrays& a) {
-           return shader_text(automaton_wgsl, wgsl_array, automaton_filling("//", a, 32), a.table, "_OF_AUTOMATON");
+           return shader_text(automaton_wgsl, wgsl_array, automaton_filling("//", a, 32), a.table, "_IN_AUTOMATON");
          }},
         words,
         {"_check.wgsl", as_it_is<tables_check_wgsl>, nullptr, as_it_is<automaton_check_wgsl>}}},
@@ -299,11 +299,11 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
   return files;
 }
 
-std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages, const std::string& what) {
+std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages, const std::string& stem) {
   std::map<std::string, const LanguageFile*> files;
   for (const std::string& language : languages)
     for (const LanguageFile& file : language_files().at(language))
-      files["restrip_" + identifier(what) + file.extension] = &file;
+      files["restrip_" + stem + file.extension] = &file;
   return files;
 }
 

@@ -28,10 +28,9 @@ struct LanguageFile {
 /// operations/operation_layout.hpp. The shading languages share a file.
 [[nodiscard]] const std::map<std::string, std::vector<LanguageFile>>& language_files();
 
-/// The files of several languages, each once, by name: "restrip_tables.h" for "tables", "restrip_bisect.h" for an
-/// operation.
+/// The files of several languages, each once, by name: "restrip_tables.h" for "tables".
 [[nodiscard]] std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages,
-                                                                  const std::string& what);
+                                                                  const std::string& stem);
 
 // The files of JSON (json.cpp).
 [[nodiscard]] std::string json_tables(const TableLayout& layout);

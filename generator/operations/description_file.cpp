@@ -9,23 +9,21 @@
 #include <stdexcept>
 
 #include "common/json.hpp"
+#include "common/printable.hpp"
 #include "common/reading.hpp"
-#include "operations/emitted_words.hpp"
 #include "operations/families_text.hpp"
 #include "operations/operation_words.hpp"
 
 namespace restrip::generator {
 namespace {
 
-std::string name_from(const JsonValue& value, Author author) {
+std::string name_from(const JsonValue& value) {
   std::string name = value.text();
   const auto allowed = [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-'; };
   const bool good = !name.empty() && name.size() <= 60 && 'a' <= name.front() && name.front() <= 'z' &&
                     name.back() != '-' && name.find("--") == std::string::npos &&
                     std::all_of(name.begin(), name.end(), allowed);
   if (!good) value.refuse("expected lower-case letters, digits and single hyphens, a letter first");
-  if (const std::string by = author == Author::restrip ? "" : name_is(name); !by.empty())
-    value.refuse(fmt::format("\"{0}\" is {1}; choose another name, such as \"{0}-own\"", name, by));
   return name;
 }
 
@@ -319,15 +317,15 @@ Description description_from(const JsonValue& value, Author author) {
   Description description;
   description.in_file = value.where();
   if (value.has("restrip_operation")) expect_version(value["restrip_operation"]);
-  description.name = name_from(value["name"], author);
+  description.name = name_from(value["name"]);
   if (author == Author::user) expect_no_other_operation(value, description.name);
   if (value.has("about")) {
     description.about = value["about"].text();
-    if (const std::string found = unprintable(description.about); !found.empty())
+    if (const std::string found = files::unfit_for_comment(description.about); !found.empty())
       value["about"].refuse(
           fmt::format("expected one line that can stand in a comment of any language, found {}; remove it", found));
   }
-  description.certificate = value.has("certificate") ? name_from(value["certificate"], author) : description.name;
+  description.certificate = value.has("certificate") ? name_from(value["certificate"]) : description.name;
   take_positions(value, description);
   if (value.has("at_most")) expect_bounds(value["at_most"], description.numbers);
   description.before_in_file = value["before"].where();

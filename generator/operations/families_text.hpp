@@ -1,5 +1,4 @@
-// tables/families.json, docs/taken-names.json and a list of the files of tables/operations, embedded at build time
-// (cmake/Embed.cmake).
+// tables/families.json and a list of the files of tables/operations, embedded at build time (cmake/Embed.cmake).
 #pragma once
 
 #include <string_view>
@@ -7,7 +6,6 @@
 namespace restrip::generator {
 
 extern const std::string_view families_text;
-extern const std::string_view taken_names_text;
 extern const std::string_view operations_text;
 
 }  // namespace restrip::generator

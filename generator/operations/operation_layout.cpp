@@ -115,7 +115,7 @@ std::string operation_header(const OperationLayout& layout) {
       "// {}\n// Written by `restrip-generate rules` from the operation file of {}. Do not edit.\n// Explained in "
       "restrip/tables/operation_format.hpp.\n#pragma once\n\n#include \"restrip/tables/operation_format.hpp\"\n\n"
       "namespace restrip::tables {{\n\ninline constexpr {}\n}}  // namespace restrip::tables\n",
-      named.about.empty() ? named.name : named.about, named.name, table(layout, identifier(named.name)));
+      named.about.empty() ? named.name : named.about, named.name, table(layout, identifier(named.name) + "_rules"));
 }
 
 }  // namespace restrip::generator

@@ -86,7 +86,7 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
   table_bytes += layout.bytes();
   std::map<std::filesystem::path, std::string> files;
   if (languages.contains("c++")) files[operation_header_path(description.name)] = operation_header(layout);
-  for (const auto& [name, file] : files_in(languages, description.name))
+  for (const auto& [name, file] : files_in(languages, "rule_of_" + identifier(description.name)))
     if (file->of_operation != nullptr) files[name] = file->of_operation(layout);
   return files;
 }
@@ -182,7 +182,7 @@ void make_rules(const RulesOptions& options) {
   }
   for (const Description& description : descriptions) {
     if (certified) paths.insert(operation_header_path(description.name));
-    for (const auto& [name, file] : files_in(options.languages, description.name))
+    for (const auto& [name, file] : files_in(options.languages, "rule_of_" + identifier(description.name)))
       if (file->of_operation != nullptr) paths.insert(name);
   }
   const std::vector<std::filesystem::path> inputs{options.files.begin(), options.files.end()};

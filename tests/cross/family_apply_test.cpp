@@ -20,7 +20,7 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-constexpr auto& family = tables::remove_vertex;
+constexpr auto& family = tables::remove_vertex_rules;
 using At = tables::PositionTable<std::uint16_t>;
 
 static_assert(SurfaceTable<At> && !SurfaceTable<std::remove_const_t<std::remove_reference_t<decltype(family)>>>);

@@ -91,7 +91,7 @@ std::size_t compare(const Table& table, const Shape& shape, LookUp&& look_up) {
 TEST(FamilyAutomaton, OfAClosedFanIsAsGoodAsItsTable) {
   std::size_t compared = 0;
   for (unsigned k = 3; k <= 8; ++k)
-    compared += compare(position_of(tables::fan_becomes_star, {k}), {true, 0, k},
+    compared += compare(position_of(tables::fan_becomes_star_rules, {k}), {true, 0, k},
                         [&](Word ports, Word joined) { return exact::best_fan_becomes_star(k, ports, joined); });
   EXPECT_GT(compared, 1000U);
 }
@@ -100,7 +100,7 @@ TEST(FamilyAutomaton, OfAnOpenFanIsAsGoodAsItsTable) {
   std::size_t compared = 0;
   for (unsigned n = 2; n <= 8; ++n)
     compared += compare(position_of(tables::corner_turns, {n, 0}), {false, 0, n - 1},
-                        [&](Word ports, Word joined) { return exact::best_corner_turns(n, 0, ports, joined); });
+                        [&](Word ports, Word joined) { return exact::best_of_corner_turns(n, 0, ports, joined); });
   EXPECT_GT(compared, 1000U);
 }
 

@@ -94,9 +94,9 @@ FILES = [
 ]
 # For its look-up in C, which prints its answers as a dump.
 OPERATION_IN_C = [
-    ("an entry in C", "restrip_bisect.h", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
-    ("a token in C", "restrip_bisect.h", token("rule.colors = entry >> port_count", "rule.colors = entry << port_count"), "line 3: table bisect: expected"),
-    ("the changes that an answer in C states", "restrip_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table states "),
+    ("an entry in C", "restrip_rule_of_bisect.h", token("112, 113, 210", "112, 112, 210"), 'the table answers "7 0"'),
+    ("a token in C", "restrip_rule_of_bisect.h", token("rule.colors = entry >> port_count", "rule.colors = entry << port_count"), "line 3: table bisect: expected"),
+    ("the changes that an answer in C states", "restrip_rule_of_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table states "),
 ]
 # Tables in other languages: the digests of the answers or of their stated changes differ. Both shaders read the same data.
 LANGUAGES = [
@@ -198,7 +198,7 @@ def check_operation(scratch):
         tables = copy / "tables"
         source, program = copy / "print.cpp", copy / "print"
         source.write_text('#include "restrip/tables/operation_dump.hpp"\n#include "restrip/tables/operations/bisect.hpp"\n'
-                          'int main() { return restrip::tables::print_dump("bisect", restrip::tables::bisect); }\n', encoding="utf-8")
+                          'int main() { return restrip::tables::print_dump("bisect", restrip::tables::bisect_rules); }\n', encoding="utf-8")
         run(ARGUMENTS.compiler, "-std=c++20", "-I", tables / "include", source, "-o", program)
         return run(BIN / "restrip-verify", "--operation", tables / "operations/bisect.json", "--certificate", tables / "certificates/operations/bisect.cert",
                    "--header", tables / "include/restrip/tables/operations/bisect.hpp", "--dump-command", program)
@@ -215,8 +215,8 @@ def check_operation_in_c(scratch):
 
     def verify(folder):
         (folder / "print.c").write_text("""#include <stdio.h>
-#define RESTRIP_BISECT_IMPLEMENTATION
-#include "restrip_bisect.h"
+#define RESTRIP_RULE_OF_BISECT_IMPLEMENTATION
+#include "restrip_rule_of_bisect.h"
 int main(void) {
   uint32_t inner, ports;
   printf("restrip-table-dump 4\\ntable bisect\\n");

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Claim: whatever an operation file says, its header has the same tokens as the header of a plain file, except the name,
-and so have the files in other languages. Generator and verifier refuse any other content, and both refuse the same
-files. A dump program is not run if its header has any other content.
+and so have the files in other languages; they compile whatever the name. Generator and verifier refuse any other content,
+and both refuse the same files. A dump program is not run if its header has any other content.
 
   hostile_operations_test.py BIN COMPILER ROOT
 """
 import json
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -29,20 +30,15 @@ PIECES = ["\n", "\r", "\r\n", "\v", "\f", "\0", "\x1b[2K", "\x7f", "\x85", "\u20
           "??/", "??/\n", "?", "/", "*", "*/", "/*", "//", "\"", "'", ")json\"", "R\"(", "`", "#", "#include <cstdlib>", "%:", "<%", "{", "}", ";",
           "int owned;", "@name@", "$ENV{HOME}", "${name}", "$(id)", "\u00e9", "\u20ac", "\U0001f600", "\ud7ff", "\ufdd0", "\ufffe", "\U000e0041",
           "a", "word", " ", "  ", "<!--", "-->", "]]>", "*)", "(*", "--", "'''", "\"\"\"", "\t"]
-NAMES = ["int", "class", "co-await", "split", "flip", "automaton", "rule-of", "fn", "highp", "unix", "aux", "std", "main", "restrict",
-         "noncoherent"]
+# Keywords, macros, types and library names of the emitted languages, and names of restrip.
+NAMES = ["union", "int", "class", "main", "open-rows", "co-await", "split", "flip", "collapse", "automaton", "tables", "tables-check",
+         "rule-of", "fn", "self", "vec2", "highp", "unix", "linux", "errno", "assert", "std", "restrict", "noncoherent", "i32", "h", "operation"]
 # Sentences that would be read as code somewhere.
 ABOUTS = ["The next line belongs to this one \\", "\ufeffHarmless.", "Harmless.\rint owned;", "Harmless. */ int owned; /*", "Harmless.\x1b[2J",
           "Harmless.\fint owned;", "Harmless.\n#include <cstdlib>\ninline const int owned = std::system(\"touch owned\");",
           "Harmless.\u2028int owned;", "Harmless.\x85int owned;", "Harmless.\0int owned;", "Harmless.\u2029int owned;",
           "The next line belongs to this one ??/", "Harmless. \u202etxet denrut", "Harmless.\vint owned;"]
 SYLLABLES = ["a", "x2", "bi", "sect", "int", "co", "await", "rule", "of", "open", "split", "static", "cast", "vec2", "i32", "if", "for", "m8"]
-
-HEADERS = """cassert ccomplex cctype cerrno cfenv cfloat cinttypes climits clocale cmath csetjmp csignal cstdarg cstddef cstdint cstdio cstdlib cstring
-ctime cuchar cwchar cwctype atomic version""".split()
-POSIX = """aio arpa/inet dirent dlfcn fcntl fmtmsg fnmatch ftw glob grp iconv langinfo libgen monetary mqueue net/if netdb netinet/in netinet/tcp
-nl_types poll pthread pwd regex sched search semaphore spawn strings sys/ipc sys/mman sys/msg sys/resource sys/select sys/sem sys/shm
-sys/socket sys/stat sys/statvfs sys/time sys/times sys/types sys/uio sys/un sys/utsname sys/wait syslog termios unistd utime utmpx wordexp""".split()
 
 # docs/reference/operation-file.md, "Words": code points that no sentence has, first and last.
 HIDDEN = [(0, 0x1f), (0x7f, 0x9f), (0xad, 0xad), (0x61c, 0x61c), (0x180e, 0x180e), (0x200b, 0x200f), (0x2028, 0x202e), (0x2060, 0x206f),
@@ -126,7 +122,7 @@ def main():
             header = headers / (identifier + ".hpp")
             if not json.loads(programs_json(header))["verified"]:
                 raise SystemExit(f"{name!r}, {about!r}: the verifier does not take the header")
-            texts = {other.suffix: other.read_text(encoding="utf-8") for other in (header, *out.glob(f"restrip_{identifier}.*")) if other.suffix != ".bin"}
+            texts = {other.suffix: other.read_text(encoding="utf-8") for other in (header, *out.glob(f"restrip_rule_of_{identifier}.*")) if other.suffix != ".bin"}
             table = json.loads(texts.pop(".json"))
             if (table["name"], table["about"]) != (name, about):
                 raise SystemExit(f"{name!r}, {about!r}: {table['name']!r}, {table['about']!r} in JSON")
@@ -157,6 +153,12 @@ def main():
         if min(counts.values()) < 30:
             raise SystemExit("too few to be conclusive")
 
+        # Every name is free.
+        for name in NAMES:
+            for ending, text in made_of(name, PLAIN["about"]).items():
+                if tokens(text) != renamed(plain[ending], name.replace("-", "_")):
+                    raise SystemExit(f"{name}: other tokens:\n{text}")
+
         # All accepted ones compile together with everything shipped, even if unix and linux are macros.
         names = sorted(header.name for header in headers.glob("*.hpp"))
         source = scratch / "all.cpp"
@@ -165,10 +167,26 @@ def main():
                           "".join(f'#include "{headers / name}"\n' for name in names) + "int main() {}\n", encoding="utf-8")
         subprocess.run([compiler, "-std=gnu++20", "-Wall", "-Wextra", "-Wtrigraphs", "-Wcomment", "-Werror", "-fsyntax-only", "-I",
                         root / "tables/include", source], check=True)
-        source = scratch / "all.c"
-        source.write_text("".join(f"#define {file.stem.upper()}_IMPLEMENTATION\n#include \"{file}\"\n" for file in sorted(out.glob("restrip_*.h"))) +
+        # So they do in the other languages that have a compiler here, with the tables and the automaton of restrip.
+        for what in ("tables", "automaton"):
+            programs.said([folder / "restrip-generate", what, *(["--max-k", "4"] if what == "tables" else []), "--language", "c,rust", "--out", out], (0,))
+        c_headers = sorted(out.glob("restrip_*.h"))
+        source = out / "all.c"
+        source.write_text("".join(f"#define {file.stem.upper()}_IMPLEMENTATION\n#include \"{file.name}\"\n" for file in c_headers) +
                           "int main(void) { return 0; }\n", encoding="utf-8")
         subprocess.run([compiler, "-x", "c", "-std=gnu11", "-Wall", "-Wextra", "-Wtrigraphs", "-Wcomment", "-Werror", "-fsyntax-only", source], check=True)
+        if shutil.which("rustc"):
+            source = out / "all.rs"
+            source.write_text("".join(f"mod {file.stem};\n" for file in sorted(out.glob("restrip_*.rs")) if
+                                      file.stem not in ("restrip_tables_check", "restrip_automaton_check")) + "fn main() {}\n", encoding="utf-8")
+            subprocess.run(["rustc", "--edition=2021", "-Dwarnings", "--emit=metadata", "-o", scratch / "all.rmeta", source], check=True)
+        if shutil.which("glslangValidator"):
+            source = out / "all.comp"
+            shaders = [out / f"restrip_rule_of_{name.replace('-', '_')}.glsl" for name in NAMES]
+            source.write_text("#version 450\n" + "".join(
+                f"layout(std430, set = 0, binding = {place}) readonly buffer Table{place} {{ uint restrip_words_of_{file.stem[16:]}[]; }};\n" +
+                file.read_text(encoding="utf-8") for place, file in enumerate(shaders)) + "void main() {}\n", encoding="utf-8")
+            subprocess.run(["glslangValidator", "-V", "-o", scratch / "all.spv", source], stdout=subprocess.DEVNULL, check=True)
 
         # Each is refused by both; so are bytes that are not UTF-8, and a byte order mark.
         plain = json.dumps(PLAIN).encode()
@@ -177,22 +195,6 @@ def main():
             file.write_bytes(bad)
             if not refused_alike(programs, file, out):
                 raise SystemExit(f"{bad!r} is accepted")
-        # Every name that is taken, whatever takes it.
-        taken = [word for group in json.loads((root / "docs/taken-names.json").read_text())["taken"] for word in group["names"]]
-        for name in taken[::5] + NAMES:
-            file.write_text(json.dumps(dict(PLAIN, name=name.replace("_", "-"))), encoding="utf-8")
-            if not refused_alike(programs, file, out):
-                raise SystemExit(f"the name {name} is accepted")
-
-        # Every macro without parameters that a standard header of C++ or POSIX defines where one could stand as a name.
-        names = set()
-        for header in HEADERS + [name + ".h" for name in POSIX]:
-            macros = subprocess.run([compiler, "-std=gnu++20", "-dM", "-E", "-x", "c++", "-"], input=f"#include <{header}>\n", capture_output=True,
-                                    text=True, check=False).stdout
-            names.update(re.findall(r"^#define ([a-z][a-z0-9]*(?:_[a-z0-9]+)*)(?: |$)", macros, re.M))
-        if not {"math_errhandling", "sa_handler", "errno"} <= names or not names <= set(taken):
-            raise SystemExit(f"macros that are not taken: {sorted(names - set(taken))}, of {len(names)}")
-
         # Every code point at the edge of those that may not be there.
         for code in sorted({code for first, last in HIDDEN for code in (first - 1, first, last, last + 1)} - {-1, 0x110000}):
             file.write_text(json.dumps(dict(PLAIN, about=f"a{chr(code)}b")), encoding="utf-8")

@@ -396,7 +396,7 @@ def check_automaton():
             expect(done.returncode == 2 and refused[name] in done.stderr and not header.exists(), f"{name}: {done.stderr}")
         else:
             expect(done.returncode == 0 and done.stdout.split() == [str(header.relative_to(SCRATCH))], f"{name}: {done.stderr}{done.stdout}")
-            expect(f" best_{name.replace('-', '_')}(" in header.read_text(), f"{name}: {header.read_text()}")
+            expect(f" best_of_{name.replace('-', '_')}(" in header.read_text(), f"{name}: {header.read_text()}")
     for change, sentence in (({"constraint": "forest"}, "its solid edges are not strips"), ({"cost": [[{"count": "isolated"}]]}, "a custom cost"),
                              ({"after": FAN["before"], "before": FAN["after"]}, "is not a fan with one port at each triangle")):
         family = {**FAN, "give_up": "none", "section": "k {k} i {i}", **change}

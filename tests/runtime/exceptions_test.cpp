@@ -99,9 +99,9 @@ std::size_t fail_everywhere(const StripMesh& start, const Operation& operation, 
   }
 }
 
-/// The edge a -> m that tables::merge collapses.
+/// The edge a -> m that tables::merge_rules collapses.
 StripMesh::Halfedge merged(const StripMesh& mesh, StripMesh::Halfedge b_c) {
-  return detail::read_sides(mesh, tables::merge.triangles_before, b_c).between(3, 2);
+  return detail::read_sides(mesh, tables::merge_rules.triangles_before, b_c).between(3, 2);
 }
 
 /// Everything that may be done at a halfedge.
@@ -117,15 +117,15 @@ std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge 
     add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_join(m, h); });
   if (check_split_face(mesh, h) == Refusal::granted)
     all.emplace_back([h](Throwing& m) {
-      apply(m, tables::split_face, h, [&](const auto& patch) {
+      apply(m, tables::split_face_rules, h, [&](const auto& patch) {
         const auto a_b = patch.between(0, 1);
         return m.next(m.opposite(m.insert_vertex({m.opposite(m.next(m.next(a_b))), a_b})));
       });
     });
-  if (check_apply(mesh, tables::merge, h) == Refusal::granted &&
+  if (check_apply(mesh, tables::merge_rules, h) == Refusal::granted &&
       check_collapse(mesh, merged(mesh, h)) == Refusal::granted)
     all.emplace_back([h](Throwing& m) {
-      apply(m, tables::merge, h,
+      apply(m, tables::merge_rules, h,
             [&](const auto& patch) { return m.next(m.opposite(m.remove_vertex(patch.between(3, 2)))); });
     });
   const std::vector<StripMesh::Halfedge> spokes = sample::spokes_around(mesh, mesh.from(h));
@@ -231,7 +231,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
         const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % colored.triangle_bound()), 1);
         const Where where{h, turn_ccw(colored, h), Where::Spokes::both};
         const std::array<Refusal, 4> refusals{check_split(colored, where), check_collapse(colored, h),
-                                              check_flip(colored, h), check_apply(colored, tables::refine_face, h)};
+                                              check_flip(colored, h), check_apply(colored, tables::refine_face_rules, h)};
         const auto kind = static_cast<std::size_t>(round % 4);
         if (refusals[kind] != Refusal::granted) continue;
         ++begun[kind];
@@ -242,7 +242,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
             if (kind == 0) keeper.split(where);
             if (kind == 1) keeper.collapse(h);
             if (kind == 2) keeper.flip(h);
-            if (kind == 3) keeper.apply(tables::refine_face, h);
+            if (kind == 3) keeper.apply(tables::refine_face_rules, h);
           };
           std::vector<Triangle> changed;
           if (round >= 4) mesh.watch(&changed);

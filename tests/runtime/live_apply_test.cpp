@@ -15,16 +15,16 @@ namespace {
 TEST(LiveApply, DoesAndUndoesCustomOperations) {
   LiveMesh live(sample::torus(8, 8), {.history = 10'000});
   const auto before = sample::triangles_of(live.mesh());
-  const Checked refined = live.apply(tables::refine_face, StripMesh::halfedge(20));
+  const Checked refined = live.apply(tables::refine_face_rules, StripMesh::halfedge(20));
   ASSERT_TRUE(refined);
   EXPECT_GT(live.mesh().triangle_count(), before.size());
   EXPECT_EQ(live.strips(), count_strips(live.mesh()));
   live.update();
   EXPECT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh()));
-  EXPECT_FALSE(live.apply(tables::merge, StripMesh::halfedge(20)));
-  EXPECT_TRUE(live.apply_anywhere(tables::merge, StripMesh::triangle(refined.rewrite.halfedge)) ||
-              places(live.mesh(), tables::merge, StripMesh::triangle(refined.rewrite.halfedge)).empty());
-  EXPECT_TRUE(live.apply_anywhere(tables::refine_face, 40));
+  EXPECT_FALSE(live.apply(tables::merge_rules, StripMesh::halfedge(20)));
+  EXPECT_TRUE(live.apply_anywhere(tables::merge_rules, StripMesh::triangle(refined.rewrite.halfedge)) ||
+              places(live.mesh(), tables::merge_rules, StripMesh::triangle(refined.rewrite.halfedge)).empty());
+  EXPECT_TRUE(live.apply_anywhere(tables::refine_face_rules, 40));
   live.update();
   ASSERT_TRUE(live.undo());
   ASSERT_TRUE(live.undo());

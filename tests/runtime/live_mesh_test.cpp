@@ -29,8 +29,8 @@ void operate(LiveMesh& live, std::mt19937& random, int operations) {
     random_operation(live.keeper(), random, live.mesh().triangle_count() < 600 || random() % 2 == 0);
     // Custom operations, if they are legal.
     const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % live.mesh().triangle_bound()), 0);
-    live.apply(tables::merge, h);
-    if (live.mesh().triangle_count() < 900) live.apply(tables::refine_face, h);
+    live.apply(tables::merge_rules, h);
+    if (live.mesh().triangle_count() < 900) live.apply(tables::refine_face_rules, h);
   }
 }
 

@@ -27,19 +27,19 @@ namespace restrip {
 /// Calls visit(table) for every shipped operation whose edges are strips, and then for matchings.
 template <class Visit>
 void for_each_operation_of_strips(Visit&& visit) {
-  visit(tables::split_face);
-  visit(tables::join_faces);
-  visit(tables::bisect);
-  visit(tables::merge);
-  visit(tables::bisect_boundary);
-  visit(tables::merge_boundary);
-  visit(tables::refine_face);
+  visit(tables::split_face_rules);
+  visit(tables::join_faces_rules);
+  visit(tables::bisect_rules);
+  visit(tables::merge_rules);
+  visit(tables::bisect_boundary_rules);
+  visit(tables::merge_boundary_rules);
+  visit(tables::refine_face_rules);
 }
 template <class Visit>
 void for_each_operation_of_pairs(Visit&& visit) {
-  visit(tables::flip_matching);
-  visit(tables::bisect_matching);
-  visit(tables::merge_matching);
+  visit(tables::flip_matching_rules);
+  visit(tables::bisect_matching_rules);
+  visit(tables::merge_matching_rules);
 }
 
 /// The vertices of the triangles after an operation that were not there before, as they are met in the file.

@@ -143,19 +143,19 @@ TEST(PreconditionDeathTest, CustomOperations) {
   Halfedge inside = StripMesh::halfedge(0);
   while (!StripMesh::on_boundary(mesh.opposite(inside))) inside = StripMesh::next(inside);
   const Halfedge rim = mesh.opposite(inside);
-  EXPECT_REFUSED(apply(mesh, tables::split_face, {none}), "apply", no_such_edge);
-  EXPECT_REFUSED(apply(mesh, tables::split_face, rim), "apply", boundary_edge);
-  EXPECT_REFUSED(apply(mesh, tables::bisect, inside), "apply", other_patch);
+  EXPECT_REFUSED(apply(mesh, tables::split_face_rules, {none}), "apply", no_such_edge);
+  EXPECT_REFUSED(apply(mesh, tables::split_face_rules, rim), "apply", boundary_edge);
+  EXPECT_REFUSED(apply(mesh, tables::bisect_rules, inside), "apply", other_patch);
   StripMesh pointed = tetrahedron();
-  EXPECT_REFUSED(apply(pointed, tables::join_faces, StripMesh::halfedge(0)), "apply", too_few_triangles);
+  EXPECT_REFUSED(apply(pointed, tables::join_faces_rules, StripMesh::halfedge(0)), "apply", too_few_triangles);
   Keeper keeper(mesh, Policy::quick, Cost::strips());
-  EXPECT_REFUSED(keeper.apply(tables::bisect, inside), "Keeper::apply", other_patch);
+  EXPECT_REFUSED(keeper.apply(tables::bisect_rules, inside), "Keeper::apply", other_patch);
   const auto stay = [](const auto& patch) { return patch.side[0][0]; };
-  EXPECT_REFUSED(keeper.apply(tables::bisect, inside, stay), "Keeper::apply", other_patch);
-  EXPECT_REFUSED((void)before_apply(mesh, tables::bisect, inside), "apply", other_patch);
-  EXPECT_FAILED(apply(mesh, tables::split_face, inside, [&](const auto&) { return rim; }),
+  EXPECT_REFUSED(keeper.apply(tables::bisect_rules, inside, stay), "Keeper::apply", other_patch);
+  EXPECT_REFUSED((void)before_apply(mesh, tables::bisect_rules, inside), "apply", other_patch);
+  EXPECT_FAILED(apply(mesh, tables::split_face_rules, inside, [&](const auto&) { return rim; }),
                 "apply: the mesh does not have the triangles that the operation makes");
-  EXPECT_FAILED(apply(mesh, tables::split_face, inside, [](const auto& patch) { return patch.between(0, 3); }),
+  EXPECT_FAILED(apply(mesh, tables::split_face_rules, inside, [](const auto& patch) { return patch.between(0, 3); }),
                 "PatchSides::between: no triangle of the patch has this side");
   // A triangle put in the place of two others.
   std::array<Vertex, 3> vertices = mesh.corners(0);
@@ -344,7 +344,7 @@ TEST(StripMeshLimit, AFullMeshSaysSoAndStaysAsItIs) {
   EXPECT_THROW(split(mesh, where), std::length_error);
   const Where one_sided{mesh.spoke(0), {}, Where::Spokes::left_only};
   EXPECT_THROW(split(mesh, one_sided), std::length_error);
-  EXPECT_THROW(apply(mesh, tables::split_face, mesh.spoke(7)), std::length_error);
+  EXPECT_THROW(apply(mesh, tables::split_face_rules, mesh.spoke(7)), std::length_error);
   EXPECT_EQ(mesh.triangle_count(), 40U);
   EXPECT_TRUE(differing_triangles(mesh, before).empty());
   // Handles that a collapse frees can be taken again; one free triangle is not enough for two.

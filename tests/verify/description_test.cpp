@@ -80,9 +80,9 @@ TEST(Description, Names) {
     expect_name(name, expected);
   expect_name(std::string(61, 'a'), expected);
   expect_name(std::string(60, 'a'), "");
-  for (const std::string name : {"int", "co-await", "split", "flip", "automaton", "rule-of", "fn", "vec3", "unix"})
-    expect_name(name, fmt::format("f:3:11: name: expected a name that is free, \"{}\" is a", name));
-  for (const std::string name : {"two-2-b", "int-2", "splits", "rule", "my-class", "co-wait"}) expect_name(name, "");
+  // Generated names have a suffix, so words of languages, macros and names of the library are free.
+  for (const std::string name : {"two-2-b", "int", "co-await", "split", "automaton", "rule-of", "fn", "union", "unix"})
+    expect_name(name, "");
 }
 
 TEST(Description, AboutIsOneLineOfAComment) {
@@ -90,7 +90,7 @@ TEST(Description, AboutIsOneLineOfAComment) {
        {0x0aU, 0x0dU, 0U, 0x1bU, 0x7fU, 0x85U, 0xadU, 0x200bU, 0x2028U, 0x2029U, 0x202eU, 0x2066U, 0xfeffU, 0xfffeU})
     expect_said(
         with("\"two\"", fmt::format("\"two\", \"about\": \"One.\\u{:04x}int two;\"", code)),
-        fmt::format("f:3:27: about: expected words that can stand in a comment, found the character U+{:04X}", code));
+        fmt::format("f:3:27: about: expected words that can stand in a comment, found U+{:04X}", code));
 }
 
 TEST(Description, AByteOrderMarkIsRefused) {

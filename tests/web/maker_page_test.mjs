@@ -86,7 +86,7 @@ try {
 int main() {
   int valid = 0;
   for (unsigned inner = 0; inner < 64; ++inner)
-    for (unsigned ports = 0; ports < 64; ++ports) valid += rule_of(restrip::tables::drawn_hexagon, inner, ports).valid ? 1 : 0;
+    for (unsigned ports = 0; ports < 64; ++ports) valid += rule_of(restrip::tables::drawn_hexagon_rules, inner, ports).valid ? 1 : 0;
   std::printf("%d\\n", valid);
   std::vector<std::uint32_t> triangles;
   [[maybe_unused]] const std::uint32_t vertices = 7, a = 0, b = 1, c = 2, d = 3, e = 4, f = 5, m = 6;

@@ -93,6 +93,7 @@ class HeaderReader {
     const std::string& name = description_.name;
     std::string variable = name;
     std::replace(variable.begin(), variable.end(), '-', '_');
+    variable += "_rules";  // no word of a language, macro or library name
     const Operation& first = operations_.front();
     const bool surface = first.on_a_mesh();
     const bool matching = first.constraint == Constraint::matching;

@@ -6,9 +6,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "common/printable.hpp"
 #include "model/families_text.hpp"
 #include "model/side_reader.hpp"
-#include "model/words.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -19,14 +19,26 @@ bool is_name(std::string_view text) {
          text.back() != '-' && text.find("--") == std::string_view::npos && std::all_of(text.begin(), text.end(), fits);
 }
 
-std::string name_of(const JsonValue& value, Author author) {
+std::string name_of(const JsonValue& value) {
   std::string name = value.text("a name");
   if (!is_name(name))
     value.expected(fmt::format("at most {} lower-case letters, digits and single hyphens between them, a letter first",
                                longest_name));
-  if (const std::optional<std::string> owner = author == Author::restrip ? std::nullopt : owner_of_name(name))
-    value.refuse(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
   return name;
+}
+
+/// Whether an operation of restrip (tables/operations) has this name but another description.
+bool is_other_operation(std::string_view name, const JsonValue& description) {
+  static const std::vector<JsonValue> shipped = parse_json("tables/operations", operations_text).elements("operations");
+  return std::any_of(shipped.begin(), shipped.end(),
+                     [&](const JsonValue& one) { return one["name"].text() == name && one != description; });
+}
+
+/// Words of printable ASCII separated by one space, like lines of certificates.
+bool is_words(std::string_view text) {
+  for (const char c : text)
+    if (c < ' ' || c > '~') return false;
+  return !text.empty() && text.front() != ' ' && text.back() != ' ' && text.find("  ") == std::string_view::npos;
 }
 
 /// A position in the form of certificates and reports.
@@ -165,7 +177,7 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
                         "cost", "certificate", "numbers", "where", "listed", "position", "section", "table",
                         "at_most"});
   if (const std::optional<JsonValue> version = value.member("restrip_operation")) expect_version(*version);
-  name = name_of(value["name"], author);
+  name = name_of(value["name"]);
   if (author == Author::user && is_other_operation(name, value))
     value["name"].refuse(fmt::format(
         "expected a name that is free, \"{0}\" is an operation of restrip, tables/operations/{0}.json, and this "
@@ -173,11 +185,11 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
         name));
   if (const std::optional<JsonValue> sentence = value.member("about")) {  // becomes a comment of the table
     about = sentence->text("a sentence in quotes");
-    if (const std::optional<std::string> forbidden = no_comment(about))
-      sentence->refuse(fmt::format("expected words that can stand in a comment, found {}; remove it", *forbidden));
+    if (const std::string forbidden = files::unfit_for_comment(about); !forbidden.empty())
+      sentence->refuse(fmt::format("expected words that can stand in a comment, found {}; remove it", forbidden));
   }
   const std::optional<JsonValue> other_name = value.member("certificate");
-  certificate = other_name ? name_of(*other_name, author) : name;
+  certificate = other_name ? name_of(*other_name) : name;
   if (const auto names = value.member("numbers"))
     for (const JsonValue& number : names->elements("names", 0, most_numbers)) {
       const std::string word = number.text();

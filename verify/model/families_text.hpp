@@ -1,13 +1,11 @@
 #pragma once
-// tables/families.json, docs/taken-names.json and a list of the files of tables/operations, embedded at build time
-// (cmake/Embed.cmake).
+// tables/families.json and a list of the files of tables/operations, embedded at build time (cmake/Embed.cmake).
 
 #include <string_view>
 
 namespace restrip::verify {
 
 extern const std::string_view families_text;
-extern const std::string_view taken_names_text;
 extern const std::string_view operations_text;
 
 }  // namespace restrip::verify

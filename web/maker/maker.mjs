@@ -287,7 +287,7 @@ class Page {
     this.shown = at && Drawing.of(JSON.stringify(at), this.tables.numbers.length === 0 ? this.drawing.places : {});
     field('look').hidden = !this.shown;
     const id = this.name.replace('.json', '').replaceAll('-', '_');
-    const table = this.tables.numbers.length === 0 ? `restrip::tables::${id}` : `position_of(restrip::tables::${id}, {${position.numbers.join(', ')}})`;
+    const table = this.tables.numbers.length === 0 ? `restrip::tables::${id}_rules` : `position_of(restrip::tables::${id}_rules, {${position.numbers.join(', ')}})`;
     const [a, b] = this.shown?.operation.before[0] ?? ['from', 'to'];
     field('use').textContent = `#include <cstdio>\n#include <restrip/restrip.hpp>\n#include "${id}.hpp"\n\nrestrip::LiveMesh live(triangles, vertices);\n`
       + `// The side from ${a} to ${b} of the first triangle before the operation.\nconst auto result = live.apply(${table}, live.edge(${a}, ${b}));\n`

@@ -11,17 +11,17 @@
 // for a triangle.
 //
 // The data are in restrip_automaton.bin, written by the same command: @words@ words of 32 bits, little-endian, to be
-// copied into a storage buffer as they are. If restrip_words_of_automaton[0] is not RESTRIP_CHECKSUM_OF_AUTOMATON, file and
+// copied into a storage buffer as they are. If restrip_words_in_automaton[0] is not RESTRIP_CHECKSUM_IN_AUTOMATON, file and
 // data do not belong together.
 //
 // Bad input: any masks are safe. Bits at k and above, and bits of `joined` without a solid port, are ignored. For
 // positions that are not listed above, the answer's colours are 0 and `valid` is false.
 //
 // It is for GLSL 4.30 or GLSL ES 3.10 and later. Declare before it, with whatever binding you like:
-//     layout(std430, set = 0, binding = 0) readonly buffer RestripAutomaton { uint restrip_words_of_automaton[]; };
+//     layout(std430, set = 0, binding = 0) readonly buffer RestripAutomaton { uint restrip_words_in_automaton[]; };
 
 const uint RESTRIP_AUTOMATON_MAX_K = @max_k@u;  // whose colours fit a word
-const uint RESTRIP_CHECKSUM_OF_AUTOMATON = @checksum@u;
+const uint RESTRIP_CHECKSUM_IN_AUTOMATON = @checksum@u;
 // Where the arrays of restrip's tables/include/restrip/tables/automaton_format.hpp begin, and the bits of an element. Of
 // `before` each number is two words, the word of the low cases first, and `next` holds 0 where a letter is not allowed.
 const uint RESTRIP_LETTERS = 4u;
@@ -42,7 +42,7 @@ struct RestripRecoloring {
 
 uint restrip_automaton_element(uvec2 place, uint index) {
   uint bit = index * place.y;
-  return (restrip_words_of_automaton[place.x + bit / 32u] >> (bit % 32u)) & (0xffffffffu >> (32u - place.y));
+  return (restrip_words_in_automaton[place.x + bit / 32u] >> (bit % 32u)) & (0xffffffffu >> (32u - place.y));
 }
 
 uint restrip_low_bits(uint n) { return (1u << n) - 1u; }
@@ -71,7 +71,7 @@ void restrip_read(inout RestripArc arc, uint letter) {
   uint entry = RESTRIP_LETTERS * arc.arc_class + letter;
   arc.entries[arc.size] = entry;
   ++arc.size;
-  arc.arc_class = restrip_automaton_element(RESTRIP_NEXT_OF_AUTOMATON, entry);
+  arc.arc_class = restrip_automaton_element(RESTRIP_NEXT_IN_AUTOMATON, entry);
 }
 
 void restrip_read_fan(inout RestripArc arc, RestripKey key, uint from, uint to) {
@@ -90,7 +90,7 @@ uint restrip_links(RestripArc arc, uint end) {
   uint links = 0u;
   for (uint m = arc.size; m > 0u; --m) {
     links |= uint((end & 3u) != 0u) << m;
-    uint cases = restrip_automaton_element(RESTRIP_BEFORE_OF_AUTOMATON, 2u * arc.entries[m - 1u] + (end >> 3u));
+    uint cases = restrip_automaton_element(RESTRIP_BEFORE_IN_AUTOMATON, 2u * arc.entries[m - 1u] + (end >> 3u));
     end = (cases >> (4u * (end & 7u))) & 15u;
   }
   return links | uint((end & 3u) != 0u);
@@ -105,13 +105,13 @@ uint restrip_links_around(RestripArc arc, uint end, uint above, uint from) {
 
 // How an arc between A and D and one between D and A meet: their cases, and the chord.
 uint restrip_meeting(RestripArc one, RestripArc other) {
-  uint place = RESTRIP_SECONDS * restrip_automaton_element(RESTRIP_FIRST_OF_AUTOMATON, one.arc_class) +
-               restrip_automaton_element(RESTRIP_SECOND_OF_AUTOMATON, other.arc_class);
-  return restrip_automaton_element(RESTRIP_MEETINGS_OF_AUTOMATON,
-                                   restrip_automaton_element(RESTRIP_MEET_OF_AUTOMATON, place));
+  uint place = RESTRIP_SECONDS * restrip_automaton_element(RESTRIP_FIRST_IN_AUTOMATON, one.arc_class) +
+               restrip_automaton_element(RESTRIP_SECOND_IN_AUTOMATON, other.arc_class);
+  return restrip_automaton_element(RESTRIP_MEETINGS_IN_AUTOMATON,
+                                   restrip_automaton_element(RESTRIP_MEET_IN_AUTOMATON, place));
 }
 
-uint restrip_closing(RestripArc arc) { return restrip_automaton_element(RESTRIP_CLOSED_OF_AUTOMATON, arc.arc_class); }
+uint restrip_closing(RestripArc arc) { return restrip_automaton_element(RESTRIP_CLOSED_IN_AUTOMATON, arc.arc_class); }
 
 RestripRecoloring restrip_best_split(uint k, uint a, RestripKey key) {
   if (k < 3u || k > RESTRIP_AUTOMATON_MAX_K || a < 1u || a >= k) return RestripRecoloring(0u, false);

@@ -11,17 +11,17 @@
 // for a triangle.
 //
 // The data are in restrip_automaton.bin, written by the same command: @words@ words of 32 bits, little-endian, to be
-// copied into a storage buffer as they are. If restrip_words_of_automaton[0] is not RESTRIP_CHECKSUM_OF_AUTOMATON, file and
+// copied into a storage buffer as they are. If restrip_words_in_automaton[0] is not RESTRIP_CHECKSUM_IN_AUTOMATON, file and
 // data do not belong together.
 //
 // Bad input: any masks are safe. Bits at k and above, and bits of `joined` without a solid port, are ignored. For
 // positions that are not listed above, the answer's colours are 0 and `valid` is false.
 //
 // Declare in the same module, with whatever binding you like:
-//     @group(0) @binding(0) var<storage, read> restrip_words_of_automaton: array<u32>;
+//     @group(0) @binding(0) var<storage, read> restrip_words_in_automaton: array<u32>;
 
 const RESTRIP_AUTOMATON_MAX_K = @max_k@u;  // whose colours fit a word
-const RESTRIP_CHECKSUM_OF_AUTOMATON = @checksum@u;
+const RESTRIP_CHECKSUM_IN_AUTOMATON = @checksum@u;
 // Where the arrays of restrip's tables/include/restrip/tables/automaton_format.hpp begin, and the bits of an element. Of
 // `before` each number is two words, the word of the low cases first, and `next` holds 0 where a letter is not allowed.
 const RESTRIP_LETTERS = 4u;
@@ -42,7 +42,7 @@ struct RestripRecoloring {
 
 fn restrip_automaton_element(place: vec2<u32>, index: u32) -> u32 {
   let bit = index * place.y;
-  return (restrip_words_of_automaton[place.x + bit / 32u] >> (bit % 32u)) & (0xffffffffu >> (32u - place.y));
+  return (restrip_words_in_automaton[place.x + bit / 32u] >> (bit % 32u)) & (0xffffffffu >> (32u - place.y));
 }
 
 fn restrip_low_bits(n: u32) -> u32 { return (1u << n) - 1u; }
@@ -71,7 +71,7 @@ fn restrip_read(arc: ptr<function, RestripArc>, letter: u32) {
   let entry = RESTRIP_LETTERS * (*arc).arc_class + letter;
   (*arc).entries[(*arc).size] = entry;
   (*arc).size += 1u;
-  (*arc).arc_class = restrip_automaton_element(RESTRIP_NEXT_OF_AUTOMATON, entry);
+  (*arc).arc_class = restrip_automaton_element(RESTRIP_NEXT_IN_AUTOMATON, entry);
 }
 
 fn restrip_read_fan(arc: ptr<function, RestripArc>, key: RestripKey, first: u32, end: u32) {
@@ -88,7 +88,7 @@ fn restrip_links(arc: RestripArc, end_case: u32) -> u32 {
   var links = 0u;
   for (var m = arc.size; m > 0u; m -= 1u) {
     links |= u32((end & 3u) != 0u) << m;
-    let cases = restrip_automaton_element(RESTRIP_BEFORE_OF_AUTOMATON, 2u * arc.entries[m - 1u] + (end >> 3u));
+    let cases = restrip_automaton_element(RESTRIP_BEFORE_IN_AUTOMATON, 2u * arc.entries[m - 1u] + (end >> 3u));
     end = (cases >> (4u * (end & 7u))) & 15u;
   }
   return links | u32((end & 3u) != 0u);
@@ -103,13 +103,13 @@ fn restrip_links_around(arc: RestripArc, end: u32, above: u32, first_edge: u32) 
 
 // How an arc between A and D and one between D and A meet: their cases, and the chord.
 fn restrip_meeting(one: RestripArc, other: RestripArc) -> u32 {
-  let place = RESTRIP_SECONDS * restrip_automaton_element(RESTRIP_FIRST_OF_AUTOMATON, one.arc_class) +
-               restrip_automaton_element(RESTRIP_SECOND_OF_AUTOMATON, other.arc_class);
-  return restrip_automaton_element(RESTRIP_MEETINGS_OF_AUTOMATON,
-                                   restrip_automaton_element(RESTRIP_MEET_OF_AUTOMATON, place));
+  let place = RESTRIP_SECONDS * restrip_automaton_element(RESTRIP_FIRST_IN_AUTOMATON, one.arc_class) +
+               restrip_automaton_element(RESTRIP_SECOND_IN_AUTOMATON, other.arc_class);
+  return restrip_automaton_element(RESTRIP_MEETINGS_IN_AUTOMATON,
+                                   restrip_automaton_element(RESTRIP_MEET_IN_AUTOMATON, place));
 }
 
-fn restrip_closing(arc: RestripArc) -> u32 { return restrip_automaton_element(RESTRIP_CLOSED_OF_AUTOMATON, arc.arc_class); }
+fn restrip_closing(arc: RestripArc) -> u32 { return restrip_automaton_element(RESTRIP_CLOSED_IN_AUTOMATON, arc.arc_class); }
 
 fn restrip_best_split(k: u32, a: u32, key: RestripKey) -> RestripRecoloring {
   if (k < 3u || k > RESTRIP_AUTOMATON_MAX_K || a < 1u || a >= k) {

@@ -4,7 +4,7 @@
 // before. Where a position has at most 7,000 keys all are asked, else 64 that are drawn.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
-layout(std430, set = 0, binding = 0) readonly buffer RestripAutomaton { uint restrip_words_of_automaton[]; };
+layout(std430, set = 0, binding = 0) readonly buffer RestripAutomaton { uint restrip_words_in_automaton[]; };
 layout(std430, set = 0, binding = 1) buffer Digests { uint digests[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Positions { uvec4 positions[]; };
 #include "restrip_automaton.glsl"

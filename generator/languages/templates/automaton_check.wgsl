@@ -2,7 +2,7 @@
 // position (operation, k, p, q), as `restrip-dump-tables --automaton --digests` prints it. Operation 7 counts rules where
 // there must be none. digests must be 0 before. Where a position has at most 7,000 keys all are asked, else 64 that are
 // drawn.
-@group(0) @binding(0) var<storage, read> restrip_words_of_automaton: array<u32>;
+@group(0) @binding(0) var<storage, read> restrip_words_in_automaton: array<u32>;
 @group(0) @binding(1) var<storage, read_write> digests: array<atomic<u32>>;
 @group(0) @binding(2) var<storage, read> positions: array<vec4<u32>>;
 

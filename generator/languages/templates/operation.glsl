@@ -7,7 +7,7 @@
 // docs/reference/operation-file.md says. It takes constant time.
 @note@
 //
-// The data are in restrip_@name@.bin, written by the same command: @words@ words of 32 bits, little-endian, to be copied
+// The data are in restrip_rule_of_@name@.bin, written by the same command: @words@ words of 32 bits, little-endian, to be copied
 // into a storage buffer as they are. If the first word is not RESTRIP_CHECKSUM_OF_@capitals@, file and data do not belong
 // together.
 //

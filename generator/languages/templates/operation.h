@@ -8,13 +8,13 @@
 @note@
 //
 // Include this file wherever you need the declaration. In exactly one source file write
-//     #define RESTRIP_@capitals@_IMPLEMENTATION
+//     #define RESTRIP_RULE_OF_@capitals@_IMPLEMENTATION
 // before the include: there are the data and the body. Nothing is allocated, no library is called, nothing is written.
 //
 // Bad input: for colours that are not valid, bits outside the patch, and positions that the table does not hold, every
 // member of the answer is 0 and `valid` is false.
-#ifndef RESTRIP_@capitals@_H
-#define RESTRIP_@capitals@_H
+#ifndef RESTRIP_RULE_OF_@capitals@_H
+#define RESTRIP_RULE_OF_@capitals@_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -40,10 +40,10 @@ restrip_operation_rule restrip_rule_of_@name@(@parameters@uint32_t inner, uint32
 }
 #endif
 
-#endif  // RESTRIP_@capitals@_H
+#endif  // RESTRIP_RULE_OF_@capitals@_H
 
-#ifdef RESTRIP_@capitals@_IMPLEMENTATION
-#undef RESTRIP_@capitals@_IMPLEMENTATION
+#ifdef RESTRIP_RULE_OF_@capitals@_IMPLEMENTATION
+#undef RESTRIP_RULE_OF_@capitals@_IMPLEMENTATION
 
 // For each position its inner edges and ports before the operation, its triangles before and after, and where its entries
 // begin. A place without ports is not a position. An entry has the inner edges after above the ports that stay solid.
@@ -71,4 +71,4 @@ restrip_operation_rule restrip_rule_of_@name@(@parameters@uint32_t inner, uint32
   rule.valid = true;
   return rule;
 }
-#endif  // RESTRIP_@capitals@_IMPLEMENTATION
+#endif  // RESTRIP_RULE_OF_@capitals@_IMPLEMENTATION

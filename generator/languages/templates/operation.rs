@@ -7,7 +7,7 @@
 //! says. It takes constant time.
 @note@
 //!
-//! Put this file next to yours and write `mod restrip_@name@;`. It needs nothing but `core`, allocates nothing and has no
+//! Put this file next to yours and write `mod restrip_rule_of_@name@;`. It needs nothing but `core`, allocates nothing and has no
 //! `unsafe`. The function is `const`.
 //!
 //! Bad input: the answer is `None` for colours that are not valid, bits outside the patch, and positions that the table

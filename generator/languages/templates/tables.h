@@ -163,7 +163,7 @@ static uint32_t restrip_joined(restrip_patch p, uint32_t inner, uint32_t fan_por
 }
 
 // The place of a key in the block of its valence and position.
-static uint32_t restrip_key(restrip_patch p, uint32_t inner, uint32_t ports) {
+static uint32_t restrip_key_of(restrip_patch p, uint32_t inner, uint32_t ports) {
   return restrip_closed_rows[UINT32_C(1) << p.k | ports] + restrip_joined(p, inner, ports);
 }
 
@@ -183,7 +183,7 @@ restrip_rule restrip_split(uint32_t k, uint32_t a, uint32_t loop, uint32_t ports
   const uint32_t arc = exchange ? k - a : a;
   const uint32_t by = exchange ? a : 0;
   const uint32_t cell = restrip_split_rules[restrip_split_first[k] + (arc - 1) * restrip_split_cells[k] +
-                                            restrip_key(fan, restrip_turned(loop, by, k), restrip_turned(ports, by, k))];
+                                            restrip_key_of(fan, restrip_turned(loop, by, k), restrip_turned(ports, by, k))];
   const uint32_t ring = restrip_turned(cell & restrip_low(k + 2), exchange ? arc + 1 : 0, k + 2);
   return restrip_rule_of(ring | (cell & UINT32_C(1) << (k + 2)), loop, 2);
 }
@@ -191,7 +191,7 @@ restrip_rule restrip_split(uint32_t k, uint32_t a, uint32_t loop, uint32_t ports
 restrip_rule restrip_collapse(uint32_t k, uint32_t a, uint32_t inner, uint32_t ports) {
   const restrip_patch ring = {k, 0, a + 1};
   if (k < 3 || k > RESTRIP_TABLES_MAX_K || a < 1 || a >= k || !restrip_valid(ring, inner, ports)) return restrip_no_rule;
-  return restrip_rule_of(restrip_collapse_rules[restrip_collapse_first[k] + restrip_key(ring, inner, ports)],
+  return restrip_rule_of(restrip_collapse_rules[restrip_collapse_first[k] + restrip_key_of(ring, inner, ports)],
                          inner, -2);
 }
 

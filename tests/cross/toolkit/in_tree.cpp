@@ -6,14 +6,14 @@
 #include "restrip/rules/rules.hpp"
 #include "restrip/tables/operations/bisect.hpp"
 #include "restrip/tables/operations/bisect_boundary.hpp"
-#define RESTRIP_BISECT_IMPLEMENTATION
-#include "restrip_bisect.h"
+#define RESTRIP_RULE_OF_BISECT_IMPLEMENTATION
+#include "restrip_rule_of_bisect.h"
 #define RESTRIP_TABLES_IMPLEMENTATION
 #include "restrip_tables.h"
 
 static_assert(restrip::table_max_k == 4);
-static_assert(restrip::tables::rule_of(restrip::tables::bisect, 0, 0).valid);
-static_assert(restrip::tables::rule_of(restrip::tables::bisect_boundary, 0, 0).valid);
+static_assert(restrip::tables::rule_of(restrip::tables::bisect_rules, 0, 0).valid);
+static_assert(restrip::tables::rule_of(restrip::tables::bisect_boundary_rules, 0, 0).valid);
 
 int main() {
   int compared = 0;
@@ -34,7 +34,7 @@ int main() {
         }
   for (unsigned inner = 0; inner < 2; ++inner)
     for (unsigned ports = 0; ports < 16; ++ports) {
-      const restrip::tables::OperationRule rule = restrip::tables::rule_of(restrip::tables::bisect, inner, ports);
+      const restrip::tables::OperationRule rule = restrip::tables::rule_of(restrip::tables::bisect_rules, inner, ports);
       const restrip_operation_rule in_c = restrip_rule_of_bisect(inner, ports);
       if (in_c.valid != rule.valid || in_c.colors != rule.colors || in_c.ports != rule.ports ||
           in_c.strips != rule.strips)

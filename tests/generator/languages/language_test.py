@@ -277,7 +277,7 @@ class Shader(Language):
         checksum = 0x811c9dc5
         for word in words[1:]:
             checksum = (checksum ^ word) * 0x01000193 & 0xffffffff
-        named = re.search(r"RESTRIP_CHECKSUM(?:_OF_AUTOMATON)? = (0x[0-9a-f]{8})u;", (folder / self.file).read_text(encoding="utf-8"))[1]
+        named = re.search(r"RESTRIP_CHECKSUM(?:_IN_AUTOMATON)? = (0x[0-9a-f]{8})u;", (folder / self.file).read_text(encoding="utf-8"))[1]
         if not words[0] == checksum == int(named, 16):
             raise SystemExit(f"checksums: {words[0]:#x} in the data, {checksum:#x} of the data, {named} in {self.file}")
 

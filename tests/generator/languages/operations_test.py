@@ -17,7 +17,7 @@ MAX_K = 5
 NONE = (0, 0, 0, 0)  # valid, colours, ports, strips
 # Gaps of open fans, with numbers whose names are keywords.
 THREE_NUMBERS = {
-    "restrip_operation": 1, "name": "three-numbers", "constraint": "strips", "numbers": ["int", "fn", "let"],
+    "restrip_operation": 1, "name": "union", "constraint": "strips", "numbers": ["int", "fn", "let"],
     "where": "int >= 1, 0 <= fn < let <= int", "before": {"path": ["t[0,fn)", "A", "t[fn,let)", "D", "t[let,int)"], "chord": ["A", "D"]},
     "after": {"path": ["t[0,int)"]},
 }
@@ -36,7 +36,7 @@ class Operation:
         self.more = ["--max-k", str(MAX_K)] if "numbers" in json.loads(file.read_text(encoding="utf-8")) else []
         run(generate, "rules", "--operation", file, *self.more, "--out", out, *(f"--language={name}" for name in ("c++", "c", "rust", "json", "glsl", "wgsl")))
         # The verifier derives the positions from the operation file: a dump must have them all.
-        self.table = json.loads((out / f"restrip_{self.identifier}.json").read_text(encoding="utf-8"))
+        self.table = json.loads((out / f"restrip_rule_of_{self.identifier}.json").read_text(encoding="utf-8"))
         self.proofs = ["--certificate", out / f"certificates/operations/{self.name}.cert",
                        "--header", out / f"include/restrip/tables/operations/{self.identifier}.hpp"]
 
@@ -135,15 +135,15 @@ class C(Asked, language_test.C):
 """
 
     def source(self, operations, asked):
-        headers = "".join(f"#include \"restrip_{one.identifier}.h\"\n" for one in operations)
-        bodies = "".join(f"#define RESTRIP_{one.identifier.upper()}_IMPLEMENTATION\n" for one in operations) + headers
+        headers = "".join(f"#include \"restrip_rule_of_{one.identifier}.h\"\n" for one in operations)
+        bodies = "".join(f"#define RESTRIP_RULE_OF_{one.identifier.upper()}_IMPLEMENTATION\n" for one in operations) + headers
         return (f"#include <stdio.h>\n{headers}{bodies}static void say(restrip_operation_rule r) {{\n"
                 '  printf("%d %u %u %d\\n", r.valid, (unsigned)r.colors, (unsigned)r.ports, (int)r.strips);\n}\n'
                 f"int main(void) {{\n{asked}  return 0;\n}}\n")
 
     def more_of(self, source, folder, scratch):
         self.taken_as_cpp(scratch / "program.c", folder)
-        self.any_arguments("restrip_bisect", folder, scratch)
+        self.any_arguments("restrip_rule_of_bisect", folder, scratch)
 
 
 class Rust(Asked, language_test.Rust):
@@ -154,20 +154,20 @@ class Rust(Asked, language_test.Rust):
     for i in (0..{size}).step_by(7) {{
         for inner in 0..rows[i + 4] {{
             for ports in 0..rows[i + 6] {{
-                say(restrip_{name}::rule({call}).map(|r| (r.colors, r.ports, r.strips)));
+                say(restrip_rule_of_{name}::rule({call}).map(|r| (r.colors, r.ports, r.strips)));
             }}
         }}
     }}
 """
 
     def source(self, operations, asked):
-        modules = "".join(f"mod restrip_{one.identifier};\n" for one in operations)
-        return (f"{modules}const _: () = assert!(restrip_split_face::rule(0, 0).is_some());\nfn say(rule: Option<(u32, u32, i32)>) {{\n"
+        modules = "".join(f"mod restrip_rule_of_{one.identifier};\n" for one in operations)
+        return (f"{modules}const _: () = assert!(restrip_rule_of_split_face::rule(0, 0).is_some());\nfn say(rule: Option<(u32, u32, i32)>) {{\n"
                 '    let (c, p, s) = rule.unwrap_or((0, 0, 0));\n    println!("{} {} {} {}", rule.is_some() as u32, c, p, s);\n}\n'
                 f"fn main() {{\n{asked}}}\n")
 
     def more_of(self, source, folder, scratch):
-        self.core_alone("restrip_bisect", folder, scratch)
+        self.core_alone("restrip_rule_of_bisect", folder, scratch)
 
 
 class Json(language_test.Json):
@@ -177,7 +177,7 @@ class Json(language_test.Json):
         """As docs/how-to/other-languages.md says that the file is read."""
         found = []
         for operation in operations:
-            table = json.loads((folder / f"restrip_{operation.identifier}.json").read_text(encoding="utf-8"))
+            table = json.loads((folder / f"restrip_rule_of_{operation.identifier}.json").read_text(encoding="utf-8"))
             for at, inner, ports in (*operation.questions(), *operation.questions_outside()):
                 place = next((one for one in table["positions"] if one["numbers"] == at["numbers"]), None)
                 if place is None or inner >> place["before"]["edges"] or ports >> place["ports"]:
@@ -204,7 +204,7 @@ class Shader(Asked):
             count = sum(1 for questions in (operation.questions(), operation.questions_outside()) for _ in questions)
             tables = "".join(self.table.format(binding=0 if one is operation else 2 + place, name=one.identifier) for place, one in enumerate(operations))
             *command, shader = self.compiled(tables, self.asked(operation), folder, scratch, operations)
-            jobs.append((shader.rename(scratch / f"{operation.identifier}{shader.suffix}"), "words", 2 * count + 1, folder / f"restrip_{operation.identifier}.bin"))
+            jobs.append((shader.rename(scratch / f"{operation.identifier}{shader.suffix}"), "words", 2 * count + 1, folder / f"restrip_rule_of_{operation.identifier}.bin"))
         printed = iter(self.printed(command, jobs).split())
         found = []
         for shader, _, words, _ in jobs:
@@ -233,7 +233,7 @@ class Glsl(Shader, language_test.Glsl):
 """
 
     def compiled(self, tables, asked, folder, scratch, operations):
-        includes = "".join(f"#include \"restrip_{one.identifier}.glsl\"\n" for one in operations)
+        includes = "".join(f"#include \"restrip_rule_of_{one.identifier}.glsl\"\n" for one in operations)
         return self.program("#version 450\n#extension GL_GOOGLE_include_directive : require\nlayout(local_size_x = 1) in;\n" + tables +
                             f"layout(std430, set = 0, binding = 1) buffer Answers {{ uint answers[]; }};\n{includes}{asked}", folder, scratch)
 
@@ -263,7 +263,7 @@ fn main() {{
 """
 
     def compiled(self, tables, asked, folder, scratch, operations):
-        return self.program(tables + asked, folder, scratch, *(f"restrip_{one.identifier}.wgsl" for one in operations))
+        return self.program(tables + asked, folder, scratch, *(f"restrip_rule_of_{one.identifier}.wgsl" for one in operations))
 
     def printed(self, command, jobs):
         """In one browser, which takes long to start; `words` is said once."""
@@ -280,7 +280,7 @@ def altered(folder, scratch, language):
     other.mkdir()
     for file in folder.glob("restrip_*"):
         data = file.read_bytes()
-        if file.name == "restrip_bisect" + language.extension:
+        if file.name == "restrip_rule_of_bisect" + language.extension:
             entry = (112).to_bytes(2, "little") if language.extension == ".bin" else b" 112, 113"
             assert entry in data
             data = data.replace(entry, (96).to_bytes(2, "little") if language.extension == ".bin" else b" 96, 113", 1)
@@ -292,9 +292,9 @@ def main():
     given = arguments(__doc__, "generate", "verify")
     language = LANGUAGES[given.language](*given.programs)
     folder = given.scratch / "tables"
-    three_numbers = given.scratch / "three-numbers.json"
-    three_numbers.write_text(json.dumps(THREE_NUMBERS), encoding="utf-8")
-    operations = [Operation(file, given.generate, folder) for file in (*FILES, three_numbers)]
+    numbered = given.scratch / "union.json"
+    numbered.write_text(json.dumps(THREE_NUMBERS), encoding="utf-8")
+    operations = [Operation(file, given.generate, folder) for file in (*FILES, numbered)]
     answers = language.answers(folder, given.scratch, operations)
     asked = 0
     for operation in operations:

@@ -155,8 +155,8 @@ TEST(KeptApply, DoesTheSameOnAForeignMesh) {
   };
   for (int n = 0; n < 400 && !HasFailure(); ++n) {
     stir(mesh, mesh, random, 300);
-    if (mesh.triangle_count() < 600) compare(0, tables::refine_face, [](Foreign& f) { return refining(f); });
-    compare(1, tables::merge, [](Foreign& f) { return merging(f); });
+    if (mesh.triangle_count() < 600) compare(0, tables::refine_face_rules, [](Foreign& f) { return refining(f); });
+    compare(1, tables::merge_rules, [](Foreign& f) { return merging(f); });
   }
   EXPECT_GT(compared[0], 50U);
   EXPECT_GT(compared[1], 50U);
@@ -189,8 +189,8 @@ TEST(KeptApply, KeepersFollowOnAForeignMesh) {
           keeper.collapse(Foreign::Halfedge(h));
         else if (check_flip(mesh.same(), h) == Refusal::granted)
           keeper.flip(Foreign::Halfedge(h));
-        if (mesh.same().triangle_count() < 600) step(0, tables::refine_face, refining(mesh));
-        step(1, tables::merge, merging(mesh));
+        if (mesh.same().triangle_count() < 600) step(0, tables::refine_face_rules, refining(mesh));
+        step(1, tables::merge_rules, merging(mesh));
       }
       EXPECT_GT(done[0], 30U);
       EXPECT_GT(done[1], 30U);
@@ -219,7 +219,7 @@ TEST(KeptApply, KeepsPairsOnAHandMadeMesh) {
   for (int n = 0; n < 3000; ++n) {
     const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
     if (!mesh.can_flip(h)) continue;
-    const auto done = apply(mesh, tables::flip_matching, h, [&](const auto& patch) {
+    const auto done = apply(mesh, tables::flip_matching_rules, h, [&](const auto& patch) {
       // r -> l of (r, l, u); the file begins with l, u, r
       return mesh.next(mesh.turn_edge(patch.side[0][0]));
     });

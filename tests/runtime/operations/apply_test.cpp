@@ -26,7 +26,7 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-static_assert(SurfaceTable<std::remove_const_t<decltype(tables::refine_face)>>);
+static_assert(SurfaceTable<std::remove_const_t<decltype(tables::refine_face_rules)>>);
 static_assert(!SurfaceTable<tables::OperationTable<std::uint8_t, 8>>, "a graph has no triangles");
 
 // At every halfedge of small meshes, among them such with vertices of two and three triangles and non-manifold ones.
@@ -39,11 +39,11 @@ TEST(Apply, DoesWhatTheFileSaysWhereItMay) {
   // Vertices of three triangles, and of two on the boundary.
   for (const auto& [mesh, t] : {std::pair{sample::torus(4, 5), 3U}, {sample::rectangle(4, 3), 2U}}) {
     meshes.push_back(mesh);
-    apply(meshes.back(), tables::split_face, StripMesh::halfedge(t));
-    apply(meshes.back(), tables::split_face, StripMesh::halfedge(t));
+    apply(meshes.back(), tables::split_face_rules, StripMesh::halfedge(t));
+    apply(meshes.back(), tables::split_face_rules, StripMesh::halfedge(t));
     for (Triangle u = 0; u < mesh.triangle_bound(); ++u)
-      checked_apply(meshes.back(), tables::bisect_boundary, StripMesh::halfedge(u, 1));
-    checked_apply(meshes.back(), tables::bisect, StripMesh::halfedge(0));
+      checked_apply(meshes.back(), tables::bisect_boundary_rules, StripMesh::halfedge(u, 1));
+    checked_apply(meshes.back(), tables::bisect_rules, StripMesh::halfedge(0));
     meshes.back().clear_colors();  // pairs are wanted as well as strips
   }
   const auto look = [&](const auto& table) {
@@ -120,20 +120,20 @@ TEST(Apply, DoesWhatTheShippedFunctionsDo) {
       const auto bisected = [&](StripMesh& m) { return bisect(m, h); };
       const auto joined = [&](StripMesh& m) { return join_faces(m, g); };
       const auto merged = [&](StripMesh& m) { return merge(m, g); };
-      if (check_split_face(mesh, h) == Refusal::granted) compare(mesh, 0, tables::split_face, h, split);
-      if (check_join_faces(mesh, g) == Refusal::granted) compare(mesh, 1, tables::join_faces, h, joined);
+      if (check_split_face(mesh, h) == Refusal::granted) compare(mesh, 0, tables::split_face_rules, h, split);
+      if (check_join_faces(mesh, g) == Refusal::granted) compare(mesh, 1, tables::join_faces_rules, h, joined);
       if (check_bisect(mesh, h) == Refusal::granted) {
         if (StripMesh::on_boundary(g))
-          compare(mesh, 2, tables::bisect_boundary, h, bisected);
+          compare(mesh, 2, tables::bisect_boundary_rules, h, bisected);
         else
-          compare(mesh, 3, tables::bisect, h, bisected);
+          compare(mesh, 3, tables::bisect_rules, h, bisected);
       }
       if (check_merge(mesh, g) != Refusal::granted) continue;
       // h leaves the vertex to be removed.
       if (StripMesh::on_boundary(g))
-        compare(mesh, 4, tables::merge_boundary, h, merged);
+        compare(mesh, 4, tables::merge_boundary_rules, h, merged);
       else if (!mesh.leaves_boundary(h))
-        compare(mesh, 5, tables::merge, detail::first_around(mesh, g), merged);
+        compare(mesh, 5, tables::merge_rules, detail::first_around(mesh, g), merged);
       if (HasFatalFailure()) return;
     }
   }
@@ -147,7 +147,7 @@ TEST(Apply, InTwoHalves) {
   for (Triangle t = 0; t < 60; ++t) {
     StripMesh other = mesh;
     const Halfedge h = StripMesh::halfedge(t, t % 3);
-    const auto pending = before_apply(other, tables::split_face, h);
+    const auto pending = before_apply(other, tables::split_face_rules, h);
     EXPECT_EQ(pending.patch().side[0][0], h);
     EXPECT_TRUE(check_coloring(other).valid);
     const Halfedge chord = other.insert_vertex(detail::split_into_face(other, h));
@@ -162,14 +162,14 @@ TEST(Apply, InTwoHalves) {
 TEST(Apply, TakesBackTheHandlesThatItGave) {
   StripMesh mesh = sample::torus(5, 5);
   const Halfedge h = StripMesh::halfedge(7, 1);
-  const Halfedge first = apply(mesh, tables::split_face, h).halfedge;
+  const Halfedge first = apply(mesh, tables::split_face_rules, h).halfedge;
   const std::vector<bare::Corners> refined = sample::triangles_of(mesh);
   const std::size_t bound = mesh.triangle_bound();
   const Halfedge apex = mesh.next(mesh.next(first));  // m -> a
-  const auto joined = apply(mesh, tables::join_faces, apex);
+  const auto joined = apply(mesh, tables::join_faces_rules, apex);
   EXPECT_EQ(mesh.triangle_count(), 50U);
   EXPECT_EQ(StripMesh::triangle(joined.halfedge), StripMesh::triangle(apex));
-  apply(mesh, tables::split_face, joined.halfedge);
+  apply(mesh, tables::split_face_rules, joined.halfedge);
   EXPECT_EQ(sample::triangles_of(mesh), refined);
   EXPECT_EQ(mesh.triangle_bound(), bound);
 }
@@ -191,17 +191,17 @@ TEST(Apply, AnywhereFindsTheOrientationThatFits) {
         const Halfedge beyond = mesh.opposite(StripMesh::next(StripMesh::next(h)));
         const bool is_rim = StripMesh::on_boundary(mesh.opposite(h)) && !StripMesh::on_boundary(beyond);
         if (is_rim && StripMesh::on_boundary(mesh.opposite(StripMesh::next(StripMesh::next(beyond)))) &&
-            check_apply(mesh, tables::merge_boundary, h) == Refusal::granted)
+            check_apply(mesh, tables::merge_boundary_rules, h) == Refusal::granted)
           fitting.push_back(h);
       }
-      const Places found = places(mesh, tables::merge_boundary, t);
+      const Places found = places(mesh, tables::merge_boundary_rules, t);
       ASSERT_TRUE(std::equal(found.begin(), found.end(), fitting.begin(), fitting.end()));
     }
     const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
-    one_way += check_apply(mesh, tables::merge_boundary, StripMesh::halfedge(t)) == Refusal::granted ? 1U : 0U;
-    const bool fits = !places(mesh, tables::merge_boundary, t).empty();
+    one_way += check_apply(mesh, tables::merge_boundary_rules, StripMesh::halfedge(t)) == Refusal::granted ? 1U : 0U;
+    const bool fits = !places(mesh, tables::merge_boundary_rules, t).empty();
     const std::size_t before = mesh.triangle_count();
-    const Checked done = apply_anywhere(mesh, tables::merge_boundary, t);
+    const Checked done = apply_anywhere(mesh, tables::merge_boundary_rules, t);
     ASSERT_EQ(done.granted(), fits);
     ASSERT_EQ(mesh.triangle_count(), before - (fits ? 1 : 0));
     ASSERT_TRUE(check_coloring(mesh).valid);
@@ -209,31 +209,32 @@ TEST(Apply, AnywhereFindsTheOrientationThatFits) {
   }
   EXPECT_GT(any_way, 2 * one_way);
   StripMesh torus = sample::torus(5, 5);
-  EXPECT_EQ(places(torus, tables::split_face, 7).size(), 3U);
-  EXPECT_TRUE(places(torus, tables::merge_boundary, 7).empty());
-  EXPECT_EQ(apply_anywhere(torus, tables::merge_boundary, 7).refusal, Refusal::other_patch);
-  EXPECT_TRUE(places(torus, tables::split_face, 50).empty());
-  EXPECT_EQ(apply_anywhere(torus, tables::split_face, 50).refusal, Refusal::no_such_edge);
+  EXPECT_EQ(places(torus, tables::split_face_rules, 7).size(), 3U);
+  EXPECT_TRUE(places(torus, tables::merge_boundary_rules, 7).empty());
+  EXPECT_EQ(apply_anywhere(torus, tables::merge_boundary_rules, 7).refusal, Refusal::other_patch);
+  EXPECT_TRUE(places(torus, tables::split_face_rules, 50).empty());
+  EXPECT_EQ(apply_anywhere(torus, tables::split_face_rules, 50).refusal, Refusal::no_such_edge);
 }
 
 TEST(Apply, RefusesWithAReason) {
   const StripMesh rectangle = sample::rectangle(4, 3);
-  EXPECT_EQ(check_apply(rectangle, tables::split_face, {none}), Refusal::no_such_edge);
+  EXPECT_EQ(check_apply(rectangle, tables::split_face_rules, {none}), Refusal::no_such_edge);
   Halfedge rim = StripMesh::halfedge(0);
   while (!StripMesh::on_boundary(rectangle.opposite(rim))) rim = StripMesh::next(rim);
-  EXPECT_EQ(check_apply(rectangle, tables::split_face, rectangle.opposite(rim)), Refusal::boundary_edge);
-  EXPECT_EQ(check_apply(rectangle, tables::bisect, rim), Refusal::other_patch);
-  EXPECT_EQ(check_apply(rectangle, tables::bisect_boundary, rim), Refusal::granted);
-  EXPECT_EQ(check_apply(sample::torus(5, 5), tables::bisect_boundary, StripMesh::halfedge(0)), Refusal::other_patch);
-  EXPECT_EQ(check_apply(sample::octahedron(), tables::join_faces, StripMesh::halfedge(0)), Refusal::other_patch);
+  EXPECT_EQ(check_apply(rectangle, tables::split_face_rules, rectangle.opposite(rim)), Refusal::boundary_edge);
+  EXPECT_EQ(check_apply(rectangle, tables::bisect_rules, rim), Refusal::other_patch);
+  EXPECT_EQ(check_apply(rectangle, tables::bisect_boundary_rules, rim), Refusal::granted);
+  EXPECT_EQ(check_apply(sample::torus(5, 5), tables::bisect_boundary_rules, StripMesh::halfedge(0)),
+            Refusal::other_patch);
+  EXPECT_EQ(check_apply(sample::octahedron(), tables::join_faces_rules, StripMesh::halfedge(0)), Refusal::other_patch);
   const StripMesh tetrahedron = sample::tetrahedron();
-  EXPECT_EQ(check_apply(tetrahedron, tables::join_faces, StripMesh::halfedge(0)), Refusal::too_few_triangles);
-  EXPECT_EQ(check_apply(tetrahedron, tables::flip_matching, StripMesh::halfedge(0)), Refusal::edge_exists);
-  EXPECT_EQ(check_apply(sample::meshes().back(), tables::split_face, StripMesh::halfedge(0)),
+  EXPECT_EQ(check_apply(tetrahedron, tables::join_faces_rules, StripMesh::halfedge(0)), Refusal::too_few_triangles);
+  EXPECT_EQ(check_apply(tetrahedron, tables::flip_matching_rules, StripMesh::halfedge(0)), Refusal::edge_exists);
+  EXPECT_EQ(check_apply(sample::meshes().back(), tables::split_face_rules, StripMesh::halfedge(0)),
             Refusal::non_manifold_vertex);
   StripMesh bad = sample::torus(5, 5);
   for (unsigned s = 0; s < 3; ++s) bad.set_solid(StripMesh::halfedge(0, s), true);
-  EXPECT_EQ(check_apply(bad, tables::split_face, StripMesh::halfedge(0)), Refusal::colors_not_valid);
+  EXPECT_EQ(check_apply(bad, tables::split_face_rules, StripMesh::halfedge(0)), Refusal::colors_not_valid);
 }
 
 }  // namespace

@@ -244,7 +244,7 @@ Checked any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow
   if (kind == 0) return checked_flip(keeper, h);
   if (kind == 1) return checked_refining(keeper, grow ? Refining::split_face : Refining::join_faces, h);
   if (kind == 2) return checked_refining(keeper, grow ? Refining::bisect : Refining::merge, h);
-  if (kind == 3 && grow) return checked_apply(keeper, tables::refine_face, h);
+  if (kind == 3 && grow) return checked_apply(keeper, tables::refine_face_rules, h);
   if (!grow) return checked_collapse(keeper, h);
   return checked_split(keeper, random_split(mesh, h, random));
 }

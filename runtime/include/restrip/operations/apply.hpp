@@ -4,7 +4,7 @@
 // (docs/reference/operation-file.md, "Triangles"). With this header, the operation can be done anywhere on a mesh:
 //
 //   #include "restrip/tables/operations/refine_face.hpp"
-//   const auto done = restrip::apply(mesh, restrip::tables::refine_face, h);
+//   const auto done = restrip::apply(mesh, restrip::tables::refine_face_rules, h);
 //
 // h is the side from the first vertex to the second of the first triangle that the file names under `before`; the
 // triangle lies to its left. All other triangles are found from there.
@@ -12,7 +12,7 @@
 // The header of a family has one table for each position. With hub-goes.json of docs/tutorials/custom-operation.md, at
 // a vertex of k triangles:
 //
-//   apply(mesh, position_of(restrip::tables::hub_goes, {k}), h);
+//   apply(mesh, position_of(restrip::tables::hub_goes_rules, {k}), h);
 //
 // A StripMesh is changed as the file says. For any other mesh, pass a function that changes it:
 //

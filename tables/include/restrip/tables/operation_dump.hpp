@@ -4,7 +4,7 @@
 //
 //     #include "restrip/tables/operation_dump.hpp"
 //     #include "restrip/tables/operations/bisect.hpp"
-//     int main() { return restrip::tables::print_dump("bisect", restrip::tables::bisect); }
+//     int main() { return restrip::tables::print_dump("bisect", restrip::tables::bisect_rules); }
 #pragma once
 
 #include <cstdio>

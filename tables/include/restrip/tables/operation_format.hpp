@@ -37,7 +37,8 @@ struct OperationTable {
   std::array<Entry, Size> entries;
 };
 
-/// A triangle of a patch, as one meets it from the first: across a side of one that was met before, its own side 0.
+/// A triangle of a patch. Triangles are in traversal order; each after the first is entered through its side 0, across a
+/// side of an earlier one.
 /// Side s runs from corner s to the next one, counter-clockwise.
 struct PatchTriangle {
   std::uint8_t from = 0;       ///< met from this triangle; the first one from outside

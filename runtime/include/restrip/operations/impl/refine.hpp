@@ -89,7 +89,7 @@ Refusal refusal_of_removal(const Mesh& mesh, Halfedge chord, std::size_t interio
 template <class Mesh, class Choose>
 Rewrite<typename Mesh::Halfedge> split_face_with(Mesh& mesh, typename Mesh::Halfedge h, Choose&& choose) {
   const auto where = split_into_face(mesh, h);
-  return rewrite_patch(mesh, tables::split_face, h, choose, [&] {
+  return rewrite_patch(mesh, tables::split_face_rules, h, choose, [&] {
     const auto chord = mesh.insert_vertex(where);
     return std::pair{chord, mesh.next(mesh.opposite(chord))};
   });
@@ -97,7 +97,7 @@ Rewrite<typename Mesh::Halfedge> split_face_with(Mesh& mesh, typename Mesh::Half
 
 template <class Mesh, class Choose>
 Rewrite<typename Mesh::Halfedge> join_faces_with(Mesh& mesh, typename Mesh::Halfedge chord, Choose&& choose) {
-  return rewrite_patch(mesh, tables::join_faces, mesh.opposite(chord), choose, [&] {
+  return rewrite_patch(mesh, tables::join_faces_rules, mesh.opposite(chord), choose, [&] {
     const auto spoke = mesh.remove_vertex(chord);
     return std::pair{spoke, mesh.next(mesh.opposite(spoke))};
   });
@@ -107,11 +107,11 @@ template <class Mesh, class Choose>
 Rewrite<typename Mesh::Halfedge> bisect_with(Mesh& mesh, typename Mesh::Halfedge h, Choose&& choose) {
   const auto where = split_on_edge(mesh, h);
   if (where.spokes == decltype(where.spokes)::both)
-    return rewrite_patch(mesh, tables::bisect, h, choose, [&] {
+    return rewrite_patch(mesh, tables::bisect_rules, h, choose, [&] {
       const auto chord = mesh.insert_vertex(where);
       return std::pair{chord, first_around(mesh, chord)};
     });
-  return rewrite_patch(mesh, tables::bisect_boundary, mesh.on_boundary(h) ? mesh.opposite(h) : h, choose, [&] {
+  return rewrite_patch(mesh, tables::bisect_boundary_rules, mesh.on_boundary(h) ? mesh.opposite(h) : h, choose, [&] {
     const auto chord = mesh.insert_vertex(where);
     return std::pair{chord, first_on_boundary(mesh, chord)};
   });
@@ -121,11 +121,11 @@ template <class Mesh, class Choose>
 Rewrite<typename Mesh::Halfedge> merge_with(Mesh& mesh, typename Mesh::Halfedge chord, Choose&& choose) {
   const bool no_left = mesh.on_boundary(chord);
   if (!no_left && !mesh.on_boundary(mesh.opposite(chord)))
-    return rewrite_patch(mesh, tables::merge, first_around(mesh, chord), choose, [&] {
+    return rewrite_patch(mesh, tables::merge_rules, first_around(mesh, chord), choose, [&] {
       const auto edge = mesh.next(mesh.opposite(mesh.remove_vertex(chord)));
       return std::pair{edge, edge};
     });
-  return rewrite_patch(mesh, tables::merge_boundary, first_on_boundary(mesh, chord), choose, [&] {
+  return rewrite_patch(mesh, tables::merge_boundary_rules, first_on_boundary(mesh, chord), choose, [&] {
     const auto spoke = mesh.remove_vertex(chord);
     // To the apex; the edge on the boundary comes after or before it.
     const auto inside = no_left ? mesh.next(mesh.next(spoke)) : mesh.next(mesh.opposite(spoke));

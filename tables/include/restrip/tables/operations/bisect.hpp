@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint16_t, 32, 2, 4> bisect{
+inline constexpr SurfaceOperation<std::uint16_t, 32, 2, 4> bisect_rules{
     {{2, 1},
     {4, 4},
     4,

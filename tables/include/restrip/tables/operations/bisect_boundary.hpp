@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint8_t, 4, 1, 2> bisect_boundary{
+inline constexpr SurfaceOperation<std::uint8_t, 4, 1, 2> bisect_boundary_rules{
     {{1, 0},
     {2, 1},
     2,

@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint16_t, 16, 2, 4> bisect_matching{
+inline constexpr SurfaceOperation<std::uint16_t, 16, 2, 4> bisect_matching_rules{
     {{2, 1},
     {4, 4},
     4,

@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint8_t, 16, 2, 2> flip_matching{
+inline constexpr SurfaceOperation<std::uint8_t, 16, 2, 2> flip_matching_rules{
     {{2, 1},
     {2, 1},
     4,

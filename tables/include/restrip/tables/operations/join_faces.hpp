@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint8_t, 64, 3, 1> join_faces{
+inline constexpr SurfaceOperation<std::uint8_t, 64, 3, 1> join_faces_rules{
     {{3, 3},
     {1, 0},
     3,

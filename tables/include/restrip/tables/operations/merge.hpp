@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint8_t, 256, 4, 2> merge{
+inline constexpr SurfaceOperation<std::uint8_t, 256, 4, 2> merge_rules{
     {{4, 4},
     {2, 1},
     4,

@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint8_t, 8, 2, 1> merge_boundary{
+inline constexpr SurfaceOperation<std::uint8_t, 8, 2, 1> merge_boundary_rules{
     {{2, 1},
     {1, 0},
     2,

@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint8_t, 16, 4, 2> merge_matching{
+inline constexpr SurfaceOperation<std::uint8_t, 16, 4, 2> merge_matching_rules{
     {{4, 4},
     {2, 1},
     4,

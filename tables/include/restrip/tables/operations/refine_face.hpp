@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint32_t, 512, 4, 10> refine_face{
+inline constexpr SurfaceOperation<std::uint32_t, 512, 4, 10> refine_face_rules{
     {{4, 3},
     {10, 12},
     6,

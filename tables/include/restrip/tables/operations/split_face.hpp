@@ -7,7 +7,7 @@
 
 namespace restrip::tables {
 
-inline constexpr SurfaceOperation<std::uint8_t, 8, 1, 3> split_face{
+inline constexpr SurfaceOperation<std::uint8_t, 8, 1, 3> split_face_rules{
     {{1, 0},
     {3, 3},
     3,
