@@ -92,7 +92,8 @@ int main() {
   }
   print("down", mesh);
   for (int i = 0; i < 3000; ++i)
-    if (const Halfedge h = any(); check_apply(mesh, restrip::tables::flip_matching_rules, h) == restrip::Refusal::granted)
+    if (const Halfedge h = any();
+        check_apply(mesh, restrip::tables::flip_matching_rules, h) == restrip::Refusal::granted)
       rewrite(mesh, restrip::tables::flip_matching_rules, h);
   print("flipped", mesh);
 }

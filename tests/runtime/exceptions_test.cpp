@@ -231,7 +231,8 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatWorks) {
         const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % colored.triangle_bound()), 1);
         const Where where{h, turn_ccw(colored, h), Where::Spokes::both};
         const std::array<Refusal, 4> refusals{check_split(colored, where), check_collapse(colored, h),
-                                              check_flip(colored, h), check_apply(colored, tables::refine_face_rules, h)};
+                                              check_flip(colored, h),
+                                              check_apply(colored, tables::refine_face_rules, h)};
         const auto kind = static_cast<std::size_t>(round % 4);
         if (refusals[kind] != Refusal::granted) continue;
         ++begun[kind];

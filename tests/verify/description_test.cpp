@@ -88,9 +88,8 @@ TEST(Description, Names) {
 TEST(Description, AboutIsOneLineOfAComment) {
   for (const unsigned code :
        {0x0aU, 0x0dU, 0U, 0x1bU, 0x7fU, 0x85U, 0xadU, 0x200bU, 0x2028U, 0x2029U, 0x202eU, 0x2066U, 0xfeffU, 0xfffeU})
-    expect_said(
-        with("\"two\"", fmt::format("\"two\", \"about\": \"One.\\u{:04x}int two;\"", code)),
-        fmt::format("f:3:27: about: expected words that can stand in a comment, found U+{:04X}", code));
+    expect_said(with("\"two\"", fmt::format("\"two\", \"about\": \"One.\\u{:04x}int two;\"", code)),
+                fmt::format("f:3:27: about: expected words that can stand in a comment, found U+{:04X}", code));
 }
 
 TEST(Description, AByteOrderMarkIsRefused) {
