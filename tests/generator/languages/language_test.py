@@ -259,7 +259,7 @@ class Shader(Language):
         data = (folder / f"{self.stem}.bin").read_bytes()
         text = (folder / self.file).read_text(encoding="utf-8")
         for family in self.families:
-            word = int(re.search(rf"RESTRIP_{family.upper()}_(?:RULES|OF_AUTOMATON) = u?vec2(?:<u32>)?\((\d+)u,", text)[1])
+            word = int(re.search(rf"RESTRIP_{family.upper()}_(?:RULES|IN_AUTOMATON) = u?vec2(?:<u32>)?\((\d+)u,", text)[1])
             at = next(i for i in range(4 * word, len(data)) if data[i] not in (0, 255))
             file = scratch / "altered" / f"{family}.bin"
             file.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1:])
