@@ -164,7 +164,6 @@ TEST(Description, LimitsOfThePage) {
               "expected a sum of at most 16 terms");
   expect_said(altered("\"where\": \"", "\"where\": \"" + many("k >= 1, ", 100'000)), "expected at most 16 comparisons");
   EXPECT_LT(complaint(altered("\"where\": \"", "\"where\": \"" + std::string(900'000, 'q'))).size(), 600U);
-  expect_name("math-errhandling", "\"math-errhandling\" is a macro of C, C++ or POSIX");
   expect_name("split-face",
               "\"split-face\" is an operation of restrip, tables/operations/split-face.json, and this is another one");
   for (const char* number : {"k", "I", ""})
