@@ -154,7 +154,8 @@ int main(int argc, char** argv) {
   add_force_option(*rules_command, rules.force);
   add_json_option(*rules_command, rules.json);
   rules_command->footer(
-      "\nExamples, from the top of the source tree; the second writes restrip_rule_of_bisect.h and restrip_rule_of_bisect.rs:\n"
+      "\nExamples, from the top of the source tree; the second writes restrip_rule_of_bisect.h and "
+      "restrip_rule_of_bisect.rs:\n"
       "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n"
       "  restrip-generate rules --operation tables/operations/bisect.json --language c,rust --out "
       "/tmp/rules\n");

@@ -302,8 +302,7 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
 std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages, const std::string& stem) {
   std::map<std::string, const LanguageFile*> files;
   for (const std::string& language : languages)
-    for (const LanguageFile& file : language_files().at(language))
-      files["restrip_" + stem + file.extension] = &file;
+    for (const LanguageFile& file : language_files().at(language)) files["restrip_" + stem + file.extension] = &file;
   return files;
 }
 
