@@ -35,7 +35,8 @@ void all_tables(Output& out, std::size_t max_k) {
         // The change in isolated triangles. Closed fans have separate code, which split() and collapse() use.
         const auto isolated_by = [&](Word before, Word ports, const Rule& rule) {
           if (operation >= 2)
-            return detail::answer(collapse ? path : fan, before, collapse ? fan : path, rule, ports).isolated;
+            return detail::isolated(collapse ? fan : path, rule.colors, ports) -
+                   detail::isolated(collapse ? path : fan, before, ports);
           const Word ring = detail::isolated_ring(k, p, collapse ? before : rule.colors, ports);
           const Word closed = detail::isolated_closed(k, collapse ? rule.colors : before, ports);
           return collapse ? -count_difference(ring, closed) : count_difference(ring, closed);

@@ -50,10 +50,6 @@ def per_triangle(level):
     return level["indices"] / level["triangles"]
 
 
-def most_indices(levels, above):
-    return f"{max(per_triangle(level) for level in levels if level['triangles'] > above):.3f}"
-
-
 def times_bare(report):
     """A split and a collapse against the bare update."""
     return (report["ns_per_operation"] / report["ns_per_operation_bare"], report["ns_per_collapse"] / report["ns_per_collapse_bare"])
@@ -69,21 +65,24 @@ def header(*heads):
 
 
 def indices_table(program, meshes, ways):
-    header("mesh", "`--policy`", "strips at the top", "indices per triangle at the top", "most above 1,000: up, down",
-           "ns a split, a collapse", "times the bare update")
+    header("kept by", "indices a triangle: strips", "live buffer", "most: up, down", "bytes an operation", "ns a split, a collapse", "times the bare update")
     for mesh in meshes:
         for way in ways or INDEX_WAYS:
             report = program.replay(mesh, way, "--cost", "indices")
-            up, down, top = report["levels"], report["levels_down"], report["levels"][-1]
-            line([
-                name_of(mesh),
-                f"`{way}`",
-                f"{top['strips']:,}",
-                f"{per_triangle(top):.3f}",
-                f"{most_indices(up, 1000)}, {most_indices(down, 1000)}",
-                f"{report['ns_per_operation']:,.0f}, {report['ns_per_collapse']:,.0f}",
-                "{:.1f}, {:.1f}".format(*times_bare(report)),
-            ])
+            line([f"`{way}`", f"{per_triangle(report['levels'][-1]):.3f}", *of_buffer(report),
+                  f"{report['ns_per_operation']:,.0f}, {report['ns_per_collapse']:,.0f}", "{:.1f}, {:.1f}".format(*times_bare(report))])
+        report = program.replay(mesh, "rules", "--buffer", "list")
+        line(["a triangle list", "–", *of_buffer(report), f"{report['ns_per_operation_bare']:,.0f}, {report['ns_per_collapse_bare']:,.0f}", "1, 1"])
+        report = program.run("stripify", mesh)
+        made = 1e9 * sum(report[part] for part in ("seconds_to_build", "seconds", "seconds_to_order", "seconds_to_write"))
+        line(["strips from scratch", f"{per_triangle(report):.3f}", "–", "–", f"{4 * report['indices']:,}", f"{made:,.0f}", "–"])
+
+
+def of_buffer(report):
+    """Indices a triangle of the live buffer at the top and at most, and the bytes that an operation writes."""
+    share = lambda level: level["buffer_indices"] / level["triangles"]
+    most = (f"{max(share(level) for level in report[levels] if level['triangles'] > 1000):.3f}" for levels in ("levels", "levels_down"))
+    return f"{share(report['levels'][-1]):.3f}", ", ".join(most), f"{report['buffer_bytes_written_per_operation']:,.0f}"
 
 
 def bake_and_play(program, mesh, bake_options, replay_options):
