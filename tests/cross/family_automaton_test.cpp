@@ -92,14 +92,14 @@ TEST(FamilyAutomaton, OfAClosedFanIsAsGoodAsItsTable) {
   std::size_t compared = 0;
   for (unsigned k = 3; k <= 8; ++k)
     compared += compare(position_of(tables::fan_becomes_star_rules, {k}), {true, 0, k},
-                        [&](Word ports, Word joined) { return exact::best_fan_becomes_star(k, ports, joined); });
+                        [&](Word ports, Word joined) { return exact::best_of_fan_becomes_star(k, ports, joined); });
   EXPECT_GT(compared, 1000U);
 }
 
 TEST(FamilyAutomaton, OfAnOpenFanIsAsGoodAsItsTable) {
   std::size_t compared = 0;
   for (unsigned n = 2; n <= 8; ++n)
-    compared += compare(position_of(tables::corner_turns, {n, 0}), {false, 0, n - 1},
+    compared += compare(position_of(tables::corner_turns_rules, {n, 0}), {false, 0, n - 1},
                         [&](Word ports, Word joined) { return exact::best_of_corner_turns(n, 0, ports, joined); });
   EXPECT_GT(compared, 1000U);
 }
@@ -113,7 +113,7 @@ TEST(FamilyAutomaton, AnswersAnyLength) {
   ports[0] = 1;
   // A strip that enters over the only solid port can go all around, except over the edge that would close it.
   const exact::Value value =
-      exact::best_fan_becomes_star(k, BitSpan{ports.data()}, BitSpan{joined.data()}, MutableBitSpan{colors.data()});
+      exact::best_of_fan_becomes_star(k, BitSpan{ports.data()}, BitSpan{joined.data()}, MutableBitSpan{colors.data()});
   EXPECT_EQ(value.solid, static_cast<int>(k) - 1);
   EXPECT_EQ(value.isolated, 0);
 }

@@ -144,7 +144,7 @@ ${code.join('\n')}
   await page.until(() => /^This rule leaves/.test(document.getElementById('case').textContent));
   assert.deepEqual(await page.run('[restripMaker.shown.operation.before.length, restripMaker.shown.operation.after.length, restripMaker.cases.length]'), [6, 4, 2040]);
   assert.match(await text('which'), /^case 2 of 2,040$/);
-  assert.match(await text('use'), /position_of\(restrip::tables::my_vertex_removal, \{6\}\), live\.edge\(v, u0\)/);
+  assert.match(await text('use'), /position_of\(restrip::tables::my_vertex_removal_rules, \{6\}\), live\.edge\(v, u0\)/);
   await picture('family');
   await page.run(() => { restripMaker.case = { inner: 0, ports: 9 }; return restripMaker.look(); });
   const solid = await page.run(() => [...document.querySelectorAll('#case-after [data-inner][aria-pressed=true]')].map((edge) => edge.dataset.inner));
