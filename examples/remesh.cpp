@@ -44,8 +44,8 @@ class Bare {
   restrip::Rewrite<Halfedge> bisect(Halfedge h) {
     const Halfedge left = mesh_.opposite(mesh_.next(mesh_.next(h))), back = mesh_.opposite(h);
     if (StripMesh::on_boundary(back))
-      return {mesh_.insert_vertex({left, {}, restrip::VertexSplit<Halfedge>::Spokes::left_only})};
-    return {mesh_.insert_vertex({left, mesh_.next(back)})};
+      return {{}, mesh_.insert_vertex({left, {}, restrip::VertexSplit<Halfedge>::Spokes::left_only})};
+    return {{}, mesh_.insert_vertex({left, mesh_.next(back)})};
   }
   void collapse(Halfedge h) { mesh_.remove_vertex(h); }
   void flip(Halfedge h) { mesh_.turn_edge(h); }
