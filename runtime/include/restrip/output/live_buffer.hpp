@@ -126,10 +126,9 @@ class LiveBuffer {
   void write_all(const Mesh& mesh, bool stays_wide);
   void make(bool wide) {
     if (format_.form != StripForm::list)
-      wide ? void(buffer_.emplace<StripBuffer>(format_.form, layout_))
-           : void(buffer_.emplace<StripBuffer16>(format_.form, layout_));
+      wide ? void(buffer_ = StripBuffer(format_.form, layout_)) : void(buffer_ = StripBuffer16(format_.form, layout_));
     else
-      wide ? void(buffer_.emplace<TriangleListBuffer>()) : void(buffer_.emplace<TriangleListBuffer16>());
+      wide ? void(buffer_ = TriangleListBuffer()) : void(buffer_ = TriangleListBuffer16());
   }
   void make_room() noexcept {
     if (size() > room_) room_ = size() + size() / 4;
@@ -208,12 +207,12 @@ std::size_t LiveBuffer::compact(const Mesh& mesh, std::size_t budget) {
 
 template <class Mesh>
 void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
+  whole_ = all_changed_ = true;  // also if no memory is left for a buffer of the other width
   if (format_.width == IndexWidth::automatic) {
     bool wide = stays_wide;
     for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
     make(wide);
   }
-  whole_ = all_changed_ = true;
   std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
   whole_ = false;
 }
