@@ -65,7 +65,7 @@ def header(*heads):
 
 
 def indices_table(program, meshes, ways):
-    header("kept by", "indices a triangle: strips", "live buffer", "most: up, down", "bytes an operation", "ns a split, a collapse", "times the bare update")
+    header("kept by", "indices a triangle: strips", "live buffer", "most: up, down", "bytes an operation", "ns a split, a collapse", "times bare")
     for mesh in meshes:
         for way in ways or INDEX_WAYS:
             report = program.replay(mesh, way, "--cost", "indices")
@@ -75,7 +75,7 @@ def indices_table(program, meshes, ways):
         line(["a triangle list", "–", *of_buffer(report), f"{report['ns_per_operation_bare']:,.0f}, {report['ns_per_collapse_bare']:,.0f}", "1, 1"])
         report = program.run("stripify", mesh)
         made = 1e9 * sum(report[part] for part in ("seconds_to_build", "seconds", "seconds_to_order", "seconds_to_write"))
-        line(["strips from scratch", f"{per_triangle(report):.3f}", "–", "–", f"{4 * report['indices']:,}", f"{made:,.0f}", "–"])
+        line(["strips from scratch", f"{per_triangle(report):.3f}", "–", "–", f"{4 * report['indices']:,}", f"{made / 1e6:,.0f} ms", "–"])
 
 
 def of_buffer(report):
