@@ -13,6 +13,8 @@ type Module = typeof globalThis extends { WebAssembly: { Module: { prototype: in
 /** A WebAssembly module: where to fetch it from, its bytes, or compiled. */
 export type Source = string | Url | ArrayBuffer | ArrayBufferView | Module;
 
+/** What became of an operation: done, or refused for a reason, one sentence. */
+export type Outcome<Made = {}> = ({ ok: true } & Made) | { ok: false; reason: string };
 /** The effort of an operation to keep strips good. 'baked': plays the strips that `restrip bake` precomputed for each
  *  level; for meshes opened by Restrip.baked. */
 export type Policy = 'bare' | 'rules' | 'local' | 'quick' | 'full' | 'best' | 'baked';
@@ -145,14 +147,13 @@ export class StripMesh implements Disposable {
   addPoint(x: number, y: number, z: number): number;
   /** Moves a vertex; strips do not depend on positions. */
   setPoint(v: number, x: number, y: number, z: number): void;
-  /** Single operations by vertices; vT needs a point. Null when done, else a sentence that says why the mesh refuses. */
-  split(vS: number, vT: number, vL: number, vR: number): string | null;
-  collapse(vS: number, vT: number): string | null;
-  flip(u: number, v: number): string | null;
-  /** A new vertex at the middle of an edge, or of the triangle with these corners, counter-clockwise from any of them.
-   * Returns its number, or a sentence that says why the mesh refuses. */
-  bisect(u: number, v: number): number | string;
-  splitFace(a: number, b: number, c: number): number | string;
+  /** Single operations by vertices; vT needs a point. The mesh refuses what would damage it, and is then unchanged. */
+  split(vS: number, vT: number, vL: number, vR: number): Outcome;
+  collapse(vS: number, vT: number): Outcome;
+  flip(u: number, v: number): Outcome;
+  /** A new vertex at the middle of an edge, or of the triangle with these corners, counter-clockwise from any of them. */
+  bisect(u: number, v: number): Outcome<{ vertex: number }>;
+  splitFace(a: number, b: number, c: number): Outcome<{ vertex: number }>;
 
   /** Brings the index buffer in step; returns the ranges to upload. Ranges at most `join` indices apart (2) become one;
    * they begin and end at multiples of `align` bytes, 2 or a multiple of 4 (4, as WebGPU's writeBuffer needs). `outgrown`:

@@ -281,29 +281,31 @@ export class StripMesh {
   split(vS, vT, vL, vR) {
     // The new vertex must have a point; of the others the library says whether the mesh has them.
     whole('vT', vT, this.points.length / 3 - 1);
-    return this.#done(this.#wasm.restrip_split(this.#kept, whole('vS', vS), vT, whole('vL', vL), whole('vR', vR)));
+    return this.#outcome(this.#wasm.restrip_split(this.#kept, whole('vS', vS), vT, whole('vL', vL), whole('vR', vR)), `vertex ${vS} has no edge to ${vL} or to ${vR}`);
   }
-  collapse(vS, vT) { return this.#done(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT))); }
-  flip(u, v) { return this.#done(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v))); }
+  collapse(vS, vT) { return this.#outcome(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT)), `no triangle has a side between ${vS} and ${vT}`); }
+  flip(u, v) { return this.#outcome(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v)), `no triangle has a side between ${u} and ${v}`); }
   bisect(u, v) {
-    const page = this.#kept;
-    return this.#cannotName(this.#wasm.restrip_next_vertex(page))
-      ?? this.#added(this.#wasm.restrip_bisect(page, whole('u', u), whole('v', v)), `no triangle has a side from ${u} to ${v}`);
+    return this.#added((page) => this.#wasm.restrip_bisect(page, whole('u', u), whole('v', v)), `no triangle has a side from ${u} to ${v}`);
   }
   splitFace(a, b, c) {
-    const page = this.#kept;
-    return this.#cannotName(this.#wasm.restrip_next_vertex(page))
-      ?? this.#added(this.#wasm.restrip_split_face(page, whole('a', a), whole('b', b), whole('c', c)), `no triangle has the corners ${a}, ${b}, ${c} in this order`);
+    return this.#added((page) => this.#wasm.restrip_split_face(page, whole('a', a), whole('b', b), whole('c', c)),
+      `no triangle has the corners ${a}, ${b}, ${c} in this order`);
   }
   /// Why an index cannot be this vertex; null if it can.
   #cannotName(v) {
     return this.#begun && this.#bits === 16 && v >= 0xffff ? `16 bits cannot name vertex ${v.toLocaleString('en')}; begin with bits 'auto'` : null;
   }
-  #added(refusal, absent) {
-    if (refusal !== 0) return refusal === noSuchEdge ? absent : this.#done(refusal);
-    const v = this.#wasm.restrip_new_vertex(this.#page);
-    this.#readPoint(v);
-    return v;
+  /// An operation with a new vertex. `absent`: the sentence when the mesh does not have what it is to be done at.
+  #added(operation, absent) {
+    const page = this.#kept;
+    const reason = this.#cannotName(this.#wasm.restrip_next_vertex(page));
+    if (reason !== null) return { ok: false, reason };
+    const outcome = this.#outcome(operation(page), absent);
+    if (!outcome.ok) return outcome;
+    const vertex = this.#wasm.restrip_new_vertex(page);
+    this.#readPoint(vertex);
+    return { ok: true, vertex };
   }
   /// Copies the point of a vertex from the module; `points` is as long as the vertices then.
   #readPoint(v) {
@@ -316,9 +318,9 @@ export class StripMesh {
     if (all.length !== this.points.length) this.points = this.#store.subarray(0, all.length);
     this.points.set(all.subarray(3 * v, 3 * v + 3), 3 * v);
   }
-  #done(refusal) {
-    if (refusal === 0) return null;
-    return textAt(this.#wasm, this.#wasm.restrip_describe(refusal));
+  #outcome(refusal, absent) {
+    if (refusal === 0) return { ok: true };
+    return { ok: false, reason: refusal === noSuchEdge ? absent : textAt(this.#wasm, this.#wasm.restrip_describe(refusal)) };
   }
 
   around(v) { return listAt(this.#wasm, this.#wasm.restrip_around(this.#kept, whole('v', v)), Uint32Array, 1).slice(); }

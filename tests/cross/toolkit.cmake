@@ -207,7 +207,7 @@ elseif(WAY STREQUAL "errors")
   run(${CMAKE_COMMAND} --build ${SCRATCH}/together --target t_files of_four_files)
   # Operations alone leave the shipped tables as they are; MAX_K is for both.
   set(t ${SCRATCH}/together/restrip/t)
-  if(EXISTS ${t} OR EXISTS ${t}-languages/restrip_tables.rs OR NOT EXISTS ${t}-languages/restrip_remove_vertex.rs)
+  if(EXISTS ${t} OR EXISTS ${t}-languages/restrip_tables.rs OR NOT EXISTS ${t}-languages/restrip_rule_of_remove_vertex.rs)
     message(FATAL_ERROR "${t}: expected the operations, and no table of fans")
   endif()
   set(header include/restrip/tables/operations/remove_vertex.hpp)

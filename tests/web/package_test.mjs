@@ -166,7 +166,7 @@ function sameAsBaked() {
   mesh.begin({ policy: 'baked' });
   const [, vT] = mesh.splits;
   const [a, b, c] = mesh.triangles;
-  assert.equal(mesh.flip(a, b) === null || mesh.flip(b, c) === null || mesh.split(a, vT, b, c) === null, true);
+  assert.ok(mesh.flip(a, b).ok || mesh.flip(b, c).ok || mesh.split(a, vT, b, c).ok);
   assert.ok(!mesh.figures.baked && mesh.valid);
   assert.throws(() => straight.begin({ policy: 'baked' }), /no baked strips/);
   // The same mesh under another policy is the one of the progressive mesh.
@@ -294,18 +294,18 @@ function sculpts() {
         const [a, b, c] = triangles.subarray(i, i + 3);
         const v = mesh.addPoint(i, 1, 2);
         assert.deepEqual([...mesh.points.slice(3 * v)], [i, 1, 2]);
-        if (mesh.split(a, v, b, c) === null) ++done;
-        if (mesh.collapse(b, c) === null) ++done;
+        if (mesh.split(a, v, b, c).ok) ++done;
+        if (mesh.collapse(b, c).ok) ++done;
         mesh.setPoint(a, 4, 5, 6);
         const [d, e, f] = mesh.triangles.subarray(i, i + 3);
         for (const [added, corners] of [[mesh.bisect(d, e), [d, e]], [mesh.splitFace(...mesh.triangles.subarray(0, 3)), null]]) {
-          if (typeof added === 'string') continue;
+          if (!added.ok) continue;
           ++done;
           assert.equal(mesh.points.length % 3, 0);
-          if (corners) assert.equal(mesh.points[3 * added], Math.fround((mesh.points[3 * d] + mesh.points[3 * e]) / 2));
+          if (corners) assert.equal(mesh.points[3 * added.vertex], Math.fround((mesh.points[3 * d] + mesh.points[3 * e]) / 2));
         }
-        assert.equal(mesh.bisect(d, d), `no triangle has a side from ${d} to ${d}`);
-        assert.equal(mesh.splitFace(d, e, d), `no triangle has the corners ${d}, ${e}, ${d} in this order`);
+        assert.deepEqual(mesh.bisect(d, d), { ok: false, reason: `no triangle has a side from ${d} to ${d}` });
+        assert.deepEqual(mesh.splitFace(d, e, d), { ok: false, reason: `no triangle has the corners ${d}, ${e}, ${d} in this order` });
         follow([undefined, { join: 40, align: 16 }, { join: 0, align: 2 }][i % 4 % 3]);
       }
       assert.ok(done > 20 && mesh.valid);
@@ -313,7 +313,7 @@ function sculpts() {
     }
   const mesh = restrip.progressive(source).begin();
   const [a, b, c] = mesh.triangles;
-  assert.ok(mesh.collapse(a, b) === null || mesh.flip(a, b) === null || mesh.flip(b, c) === null);
+  assert.ok(mesh.collapse(a, b).ok || mesh.flip(a, b).ok || mesh.flip(b, c).ok);
   assert.throws(() => mesh.moveTo(10), /call begin\(\) again/);
   assert.throws(() => mesh.approach(new Uint8Array(mesh.levels)), /call begin\(\) again/);
   assert.throws(() => mesh.begin({ form: 'fans' }), /unknown form 'fans'/);
@@ -342,21 +342,20 @@ function sixteenBitsAreKept() {
   const source = grid(256, 255);
   const mesh = restrip.mesh(source).begin({ policy: 'local', bits: 16 });
   mesh.update();
-  for (let v = 65280; v < 65535; ++v) assert.equal(mesh.bisect(...mesh.triangles.subarray(300 * (v - 65280), 300 * (v - 65280) + 2)), v);
+  for (let v = 65280; v < 65535; ++v) assert.equal(mesh.bisect(...mesh.triangles.subarray(300 * (v - 65280), 300 * (v - 65280) + 2)).vertex, v);
   mesh.update();
   const before = [...mesh.triangles];
   const why = "16 bits cannot name vertex 65,535; begin with bits 'auto'";
   const [a, b, c] = mesh.triangles.subarray(3000);
-  assert.equal(mesh.bisect(a, b), why);
-  assert.equal(mesh.splitFace(a, b, c), why);
+  for (const refused of [mesh.bisect(a, b), mesh.splitFace(a, b, c)]) assert.deepEqual(refused, { ok: false, reason: why });
   assert.throws(() => mesh.addPoint(0, 0, 0), { message: why });
   assert.deepEqual([...mesh.triangles], before);
   assert.equal(mesh.points.length, 3 * 65535);
   assert.equal(mesh.update().length, 0);
   // A vertex that has been removed gives its number back.
-  const removed = mesh.triangles.find((v, i) => v > 65000 && v < 65280 && mesh.collapse(mesh.triangles[i - i % 3 + (i + 1) % 3], v) === null);
+  const removed = mesh.triangles.find((v, i) => v > 65000 && v < 65280 && mesh.collapse(mesh.triangles[i - i % 3 + (i + 1) % 3], v).ok);
   const [d, e] = mesh.triangles.subarray(6000);
-  assert.equal(mesh.bisect(d, e), removed);
+  assert.deepEqual(mesh.bisect(d, e), { ok: true, vertex: removed });
   mesh.update();
   assert.ok(mesh.valid);
   // Widened, the same mesh gets its vertex.
@@ -365,7 +364,7 @@ function sixteenBitsAreKept() {
   assert.deepEqual(sorted(mesh.triangles), shown);
   mesh.update();
   assert.equal(mesh.indices.BYTES_PER_ELEMENT, 2);
-  assert.equal(mesh.bisect(...mesh.triangles.subarray(0, 2)), 65535);
+  assert.equal(mesh.bisect(...mesh.triangles.subarray(0, 2)).vertex, 65535);
   assert.ok(mesh.update().outgrown);
   assert.equal(mesh.indices.BYTES_PER_ELEMENT, 4);
   assert.deepEqual(sorted(drawn([...mesh.indices])), sorted(mesh.triangles));
@@ -375,8 +374,8 @@ function sixteenBitsAreKept() {
 /// begin() again keeps the operations on a mesh without records, with vertices and points.
 function beginKeepsEdits() {
   const mesh = restrip.mesh(grid(9, 9)).begin({ policy: 'local' });
-  for (let v = 10; v < 60; v += 11) assert.equal(typeof mesh.bisect(v, v + 1), 'number');
-  assert.equal(mesh.collapse(70, 71), null);
+  for (let v = 10; v < 60; v += 11) assert.ok(mesh.bisect(v, v + 1).ok);
+  assert.deepEqual(mesh.collapse(70, 71), { ok: true });
   const [shown, points] = [sorted(mesh.triangles), [...mesh.points]];
   for (const form of ['list', 'restart']) {
     mesh.begin({ policy: 'quick', form });
@@ -397,7 +396,7 @@ function beginKeepsEdits() {
   }
   assert.equal(mesh.around(71).length, 0);
   assert.equal(mesh.around(70000).length, 0);
-  const v = mesh.bisect(30, 31);
+  const v = mesh.bisect(30, 31).vertex;
   assert.deepEqual([...mesh.points.subarray(3 * v, 3 * v + 3)], [3.5, 3, 0]);
   mesh.close();
 }
@@ -415,7 +414,8 @@ function pointsGrowInConstantTime() {
     Float32Array.from = function (list) { copied += list.length; return from.call(Float32Array, list); };
     try {
       for (let n = 0; n < 1000; ++n) {
-        const v = n % 3 === 0 ? mesh.addPoint(n, 0, 0) : n % 3 === 1 ? mesh.bisect(...mesh.triangles.subarray(3 * n, 3 * n + 2)) : mesh.splitFace(...mesh.triangles.subarray(3 * n, 3 * n + 3));
+        const v = n % 3 === 0 ? mesh.addPoint(n, 0, 0) : n % 3 === 1 ? mesh.bisect(...mesh.triangles.subarray(3 * n, 3 * n + 2)).vertex
+          : mesh.splitFace(...mesh.triangles.subarray(3 * n, 3 * n + 3)).vertex;
         assert.equal(typeof v, 'number');
       }
     } finally {
@@ -471,7 +471,7 @@ async function threeFollows() {
     const t = 3 * random(triangles.length / 3);
     const [a, b, c] = triangles.subarray(t, t + 3);
     const added = [() => mesh.bisect(a, b), () => mesh.splitFace(a, b, c), () => mesh.flip(a, b), () => mesh.collapse(a, b)][random(4)]();
-    if (typeof added === 'number') moved.push(added);
+    if (added.vertex !== undefined) moved.push(added.vertex);
     mesh.setPoint(c, frame, 1, 2);
     moved.push(c);
   }
@@ -513,19 +513,19 @@ function singleOperations() {
   const base = [0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5];
   const points = [1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 1.1];
   const mesh = restrip.progressive({ points, base, splits: [] }).begin({ policy: 'local' });
-  assert.equal(mesh.split(4, 6, 0, 1), null);
+  assert.deepEqual(mesh.split(4, 6, 0, 1), { ok: true });
   assert.equal(mesh.figures.triangles, 10);
   const { kind, closed, k, a, before, ports, after } = mesh.last;
   assert.deepEqual({ kind, closed, k, a }, { kind: 'split', closed: true, k: 4, a: 2 });
   assert.equal(after, restrip.rule({ family: 'split', k, a, edges: before, ports }).colors);
-  assert.match(mesh.split(4, 6, 0, 1), /already in use/);
-  assert.match(mesh.collapse(4, 5), /not one of this mesh/);
-  assert.match(mesh.collapse(4, 4000), /not one of this mesh/);
-  assert.equal(mesh.flip(4, 6), null);
-  assert.match(mesh.flip(4, 6), /not one of this mesh/);
-  assert.equal(mesh.flip(0, 1), null);
-  const back = mesh.collapse(4, 6);
-  assert.equal(back, null);
+  const refused = (outcome, why) => { assert.equal(outcome.ok, false); assert.match(outcome.reason, why); };
+  refused(mesh.split(4, 6, 0, 1), /already in use/);
+  refused(mesh.split(4, 6, 5, 1), /^vertex 4 has no edge to 5 or to 1$/);
+  refused(mesh.collapse(4, 5), /^no triangle has a side between 4 and 5$/);
+  refused(mesh.collapse(4, 4000), /^no triangle has a side between 4 and 4000$/);
+  assert.ok(mesh.flip(4, 6).ok);
+  refused(mesh.flip(4, 6), /^no triangle has a side between 4 and 6$/);
+  assert.ok(mesh.flip(0, 1).ok && mesh.collapse(4, 6).ok);
   assert.equal(mesh.figures.triangles, 8);
   assert.ok(mesh.valid);
   assert.throws(() => restrip.progressive({ points, base, splits: [4, 6, 0, 4] }), /split 0/);
@@ -755,7 +755,7 @@ async function worksAboveTwoGigabytes() {
   assert.ok(indices.byteOffset > 2 ** 31, `the indices are at ${indices.byteOffset}`);
   assert.ok(mesh.valid);
   assert.deepEqual(sorted(drawn(indices.slice())), sorted(mesh.triangles));
-  assert.match(mesh.split(0, 0, 1, 2), /[a-z]/);
+  assert.match(mesh.split(0, 0, 1, 2).reason, /[a-z]/);
   mesh.close();
 }
 

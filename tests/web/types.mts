@@ -1,5 +1,5 @@
 // What TypeScript makes of the package's types; package_test.mjs compiles this.
-import { load, none, restartIndex, small, type Figures, type StripMesh } from 'restrip-wasm';
+import { load, none, restartIndex, small, type Figures, type Outcome, type StripMesh } from 'restrip-wasm';
 import { loadReaders } from 'restrip-wasm/formats';
 
 const restrip = await load(small);
@@ -9,7 +9,12 @@ if (read.triangles) {
   using mesh: StripMesh = restrip.simplified(read, 0.5).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
   const done: number = mesh.moveTo(mesh.levels, 5);
   const figures: Figures = mesh.figures;
-  const refusal: string | null = mesh.split(0, 1, 2, none);
+  const outcome: Outcome = mesh.split(0, 1, 2, none);
+  const refusal: string = outcome.ok ? '' : outcome.reason;
+  const halved = mesh.bisect(0, 1);
+  if (halved.ok) mesh.setPoint(halved.vertex, 0, 0, 0);
+  // @ts-expect-error
+  void halved.vertex;
   for (const { first, count } of mesh.update()) mesh.indices.subarray(first, first + count).includes(restartIndex);
   // @ts-expect-error
   mesh.moveTo('1');

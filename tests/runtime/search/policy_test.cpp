@@ -59,8 +59,8 @@ TEST(Policies, EveryInterfaceHasTheirDefaults) {
   expect_in(types, "Defaults: 'quick', 'indices', 'restart', 32.");
   expect_in(script, "{ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin'");
   expect_in(script, "{ strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } }");
-  expect_in(python, "policy: str = \"quick\", cost: Cost = \"indices\"");
-  expect_in(python, "effort: Optional[str] = \"fast\"");
+  expect_in(python, "policy: Policy = \"quick\", cost: Cost = \"indices\"");
+  expect_in(python, "effort: Optional[Effort] = \"fast\"");
   expect_in(python, "{\"strips\": (1, 0, 0), \"indices\": (3, 1, 0)}");
   static_assert(Cost::strips() == Cost{1, 0, 0} && Cost::indices() == Cost{3, 1, 0});
 }
