@@ -15,6 +15,7 @@ template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
  public:
   template <class Function>
+  // NOLINTNEXTLINE(bugprone-forwarding-reference-overload): the constraint leaves copies to the copy constructor
   requires(!std::is_same_v<std::remove_cvref_t<Function>, FunctionRef>) FunctionRef(Function&& function)
   noexcept  // implicit: callers pass lambda expressions
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),

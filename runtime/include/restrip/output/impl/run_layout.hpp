@@ -103,7 +103,7 @@ std::span<const typename BasicStripBuffer<Index>::Neighbor> BasicStripBuffer<Ind
 template <class Index>
 int BasicStripBuffer<Index>::added_misses(std::span<const Index> run, std::uint32_t before,
                                           std::uint32_t without) const noexcept {
-  std::array<Index, 2 * detail::AddedMisses::largest_cache> last;
+  std::array<Index, std::size_t{2} * detail::AddedMisses::largest_cache> last;
   const std::uint32_t most = 2 * cache_;
   std::uint32_t count = 0;
   for (std::uint32_t p = before; p != detail::RunPlaces::head && count < most; p = places_.previous(p)) {
@@ -207,7 +207,7 @@ std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t pla
       in = step.in;
     }
   }
-  detail::make_room(written_, 3 * (detail::moved_for_a_better / detail::shortest_run + 4));
+  detail::make_room(written_, std::size_t{3} * (detail::moved_for_a_better / detail::shortest_run + 4));
   if (text_.size() < run.length) text_.resize(2 * run.length);
 
   struct Move {
