@@ -61,12 +61,14 @@ let pred n = match n with
 | O -> n
 | S u -> u
 
-(** val add : nat -> nat -> nat **)
-
-let rec add n m =
-  match n with
-  | O -> m
-  | S p -> S (add p m)
+module Coq__1 = struct
+ (** val add : nat -> nat -> nat **)
+ let rec add n m =
+   match n with
+   | O -> m
+   | S p -> S (add p m)
+end
+include Coq__1
 
 (** val sub : nat -> nat -> nat **)
 
@@ -115,6 +117,11 @@ type positive =
 | XO of positive
 | XH
 
+type z =
+| Z0
+| Zpos of positive
+| Zneg of positive
+
 module Pos =
  struct
   (** val succ : positive -> positive **)
@@ -123,6 +130,52 @@ module Pos =
   | XI p -> XO (succ p)
   | XO p -> XI p
   | XH -> XO XH
+
+  (** val add : positive -> positive -> positive **)
+
+  let rec add x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> XO (add_carry p q)
+       | XO q -> XI (add p q)
+       | XH -> XO (succ p))
+    | XO p ->
+      (match y with
+       | XI q -> XI (add p q)
+       | XO q -> XO (add p q)
+       | XH -> XI p)
+    | XH -> (match y with
+             | XI q -> XO (succ q)
+             | XO q -> XI q
+             | XH -> XO XH)
+
+  (** val add_carry : positive -> positive -> positive **)
+
+  and add_carry x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> XI (add_carry p q)
+       | XO q -> XO (add_carry p q)
+       | XH -> XI (succ p))
+    | XO p ->
+      (match y with
+       | XI q -> XO (add_carry p q)
+       | XO q -> XI (add p q)
+       | XH -> XO (succ p))
+    | XH ->
+      (match y with
+       | XI q -> XI (succ q)
+       | XO q -> XO (succ q)
+       | XH -> XI XH)
+
+  (** val pred_double : positive -> positive **)
+
+  let rec pred_double = function
+  | XI p -> XI (XO p)
+  | XO p -> XI (pred_double p)
+  | XH -> XH
 
   (** val compare_cont : comparison -> positive -> positive -> comparison **)
 
@@ -179,7 +232,7 @@ module Pos =
   (** val to_nat : positive -> nat **)
 
   let to_nat x =
-    iter_op add x (S O)
+    iter_op Coq__1.add x (S O)
 
   (** val of_succ_nat : nat -> positive **)
 
@@ -208,6 +261,13 @@ let rec nth_error l = function
 | S n0 -> (match l with
            | [] -> None
            | _ :: l0 -> nth_error l0 n0)
+
+(** val rev_append : 'a1 list -> 'a1 list -> 'a1 list **)
+
+let rec rev_append l l' =
+  match l with
+  | [] -> l'
+  | a :: l0 -> rev_append l0 (a :: l')
 
 (** val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
 
@@ -296,6 +356,83 @@ let rec seq start = function
 
 let list_sum l =
   fold_right add O l
+
+module Z =
+ struct
+  (** val double : z -> z **)
+
+  let double = function
+  | Z0 -> Z0
+  | Zpos p -> Zpos (XO p)
+  | Zneg p -> Zneg (XO p)
+
+  (** val succ_double : z -> z **)
+
+  let succ_double = function
+  | Z0 -> Zpos XH
+  | Zpos p -> Zpos (XI p)
+  | Zneg p -> Zneg (Pos.pred_double p)
+
+  (** val pred_double : z -> z **)
+
+  let pred_double = function
+  | Z0 -> Zneg XH
+  | Zpos p -> Zpos (Pos.pred_double p)
+  | Zneg p -> Zneg (XI p)
+
+  (** val pos_sub : positive -> positive -> z **)
+
+  let rec pos_sub x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> double (pos_sub p q)
+       | XO q -> succ_double (pos_sub p q)
+       | XH -> Zpos (XO p))
+    | XO p ->
+      (match y with
+       | XI q -> pred_double (pos_sub p q)
+       | XO q -> double (pos_sub p q)
+       | XH -> Zpos (Pos.pred_double p))
+    | XH ->
+      (match y with
+       | XI q -> Zneg (XO q)
+       | XO q -> Zneg (Pos.pred_double q)
+       | XH -> Z0)
+
+  (** val add : z -> z -> z **)
+
+  let add x y =
+    match x with
+    | Z0 -> y
+    | Zpos x' ->
+      (match y with
+       | Z0 -> x
+       | Zpos y' -> Zpos (Pos.add x' y')
+       | Zneg y' -> pos_sub x' y')
+    | Zneg x' ->
+      (match y with
+       | Z0 -> x
+       | Zpos y' -> pos_sub y' x'
+       | Zneg y' -> Zneg (Pos.add x' y'))
+
+  (** val opp : z -> z **)
+
+  let opp = function
+  | Z0 -> Z0
+  | Zpos x0 -> Zneg x0
+  | Zneg x0 -> Zpos x0
+
+  (** val succ : z -> z **)
+
+  let succ x =
+    add x (Zpos XH)
+
+  (** val sub : z -> z -> z **)
+
+  let sub m n =
+    add m (opp n)
+ end
 
 type edge = nat * nat
 
@@ -605,6 +742,37 @@ module Runs =
           (negb (neighbour e))) (flat_map rim ts))
  end
 
+module Steps =
+ struct
+  type ('t, 's) sets = { none : 's; add : ('t -> 's -> 's);
+                         drop : ('t -> 's -> 's); has : ('t -> 's -> bool) }
+
+  (** val none : ('a1, 'a2) sets -> 'a2 **)
+
+  let none s =
+    s.none
+
+  (** val add : ('a1, 'a2) sets -> 'a1 -> 'a2 -> 'a2 **)
+
+  let add s =
+    s.add
+
+  (** val drop : ('a1, 'a2) sets -> 'a1 -> 'a2 -> 'a2 **)
+
+  let drop s =
+    s.drop
+
+  (** val has : ('a1, 'a2) sets -> 'a1 -> 'a2 -> bool **)
+
+  let has s =
+    s.has
+
+  type 't step =
+  | Three of 't
+  | Round of 't
+  | Changes of z * z
+ end
+
 type state = (nat * nat) list
 
 (** val label_in : state -> nat -> nat **)
@@ -614,8 +782,8 @@ let label_in st v =
 
 (** val blank : nat -> state **)
 
-let blank size0 =
-  map (fun v -> (O, v)) (seq O size0)
+let blank size1 =
+  map (fun v -> (O, v)) (seq O size1)
 
 (** val bump : nat -> state -> state **)
 
@@ -632,9 +800,9 @@ let rec bump v = function
 let relabel old new0 st =
   map (fun n -> if Nat.eqb (snd n) old then ((fst n), new0) else n) st
 
-(** val step : edge -> state -> state option **)
+(** val step0 : edge -> state -> state option **)
 
-let step e st =
+let step0 e st =
   let (da, la) = nth (fst e) st ((S (S O)), O) in
   let (db, lb) = nth (snd e) st ((S (S O)), O) in
   if (&&) ((&&) (Nat.ltb da (S (S O))) (Nat.ltb db (S (S O))))
@@ -654,7 +822,7 @@ let rec draw es c st =
      | [] -> Some st
      | b :: c' ->
        if b
-       then (match step e st with
+       then (match step0 e st with
              | Some st' -> draw es' c' st'
              | None -> None)
        else draw es' c' st)
@@ -698,8 +866,8 @@ let books st =
 
 (** val blank_labels : nat -> binary_state **)
 
-let blank_labels size0 =
-  map (fun v -> (O, (Pos.of_succ_nat v))) (seq O size0)
+let blank_labels size1 =
+  map (fun v -> (O, (Pos.of_succ_nat v))) (seq O size1)
 
 (** val count_edge : nat -> binary_state -> binary_state **)
 
@@ -755,7 +923,7 @@ type place = { deg : nat; port : nat option }
 
 type frontier = { anchor : place; tip : place; same : bool }
 
-type step0 =
+type step1 =
 | Put of nat option
 | Next of nat option
 | Mark of nat option
@@ -804,7 +972,7 @@ let tidy f =
 let more x l =
   { deg = (S x.deg); port = l }
 
-(** val take : step0 -> bool -> frontier -> frontier option **)
+(** val take : step1 -> bool -> frontier -> frontier option **)
 
 let take s b f =
   match s with
@@ -849,7 +1017,7 @@ let take s b f =
 let lone n =
   if Nat.eqb n O then S O else O
 
-(** val left_alone : step0 -> bool -> frontier -> nat **)
+(** val left_alone : step1 -> bool -> frontier -> nat **)
 
 let left_alone s b f =
   match s with
@@ -870,7 +1038,7 @@ let blank_frontier =
     false }
 
 (** val play :
-    step0 list -> coloring -> frontier -> nat -> nat ->
+    step1 list -> coloring -> frontier -> nat -> nat ->
     (frontier * (nat * nat)) option **)
 
 let rec play ss c f n i =
@@ -924,7 +1092,7 @@ let rec insert f v h = function
   else ((g, w), k) :: (insert f v h r)
 
 (** val add_choice :
-    (bool -> 'a1 -> 'a1) -> step0 -> bool -> 'a1 entry list -> 'a1 entry ->
+    (bool -> 'a1 -> 'a1) -> step1 -> bool -> 'a1 entry list -> 'a1 entry ->
     'a1 entry list **)
 
 let add_choice note s b d = function
@@ -938,20 +1106,20 @@ let add_choice note s b d = function
    | None -> d)
 
 (** val add_both :
-    (bool -> 'a1 -> 'a1) -> step0 -> 'a1 entry list -> 'a1 entry -> 'a1 entry
+    (bool -> 'a1 -> 'a1) -> step1 -> 'a1 entry list -> 'a1 entry -> 'a1 entry
     list **)
 
 let add_both note s d e =
   add_choice note s true (add_choice note s false d e) e
 
 (** val extend :
-    (bool -> 'a1 -> 'a1) -> step0 -> 'a1 entry list -> 'a1 entry list **)
+    (bool -> 'a1 -> 'a1) -> step1 -> 'a1 entry list -> 'a1 entry list **)
 
 let extend note s d =
   fold_left (add_both note s) d []
 
 (** val extends :
-    (bool -> 'a1 -> 'a1) -> step0 list -> 'a1 entry list -> 'a1 entry list **)
+    (bool -> 'a1 -> 'a1) -> step1 list -> 'a1 entry list -> 'a1 entry list **)
 
 let extends note ss d =
   fold_left (fun d0 s -> extend note s d0) ss d
@@ -999,7 +1167,7 @@ let arranged m r l =
 let port_of k s lab t =
   if (&&) (Nat.ltb t k) (nth t s false) then Some (lab t) else None
 
-(** val step_of : nat -> coloring -> (nat -> nat) -> (kind * nat) -> step0 **)
+(** val step_of : nat -> coloring -> (nat -> nat) -> (kind * nat) -> step1 **)
 
 let step_of k s lab x =
   match fst x with
@@ -1245,3 +1413,103 @@ let judge_flip same0 olds news ps was is beside beside' altered =
        else None
      | None -> None)
   | None -> None
+
+(** val add_all : ('a1, 'a2) Steps.sets -> 'a2 -> 'a1 list -> 'a2 **)
+
+let add_all k s ts =
+  fold_left (fun s0 t -> k.Steps.add t s0) ts s
+
+(** val count : ('a1 -> bool) -> 'a1 list -> z **)
+
+let count f ts =
+  fold_left (fun n t -> if f t then Z.succ n else n) ts Z0
+
+(** val size0 : 'a1 list -> z **)
+
+let size0 l =
+  fold_left (fun n _ -> Z.succ n) l Z0
+
+(** val without : ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 list -> 'a1 list **)
+
+let rec without same0 t = function
+| [] -> []
+| u :: r -> if same0 t u then r else u :: (without same0 t r)
+
+(** val walk :
+    ('a1, 'a2) Steps.sets -> ('a1 -> 'a1 -> bool) -> ('a1 -> 'a1 list) -> nat
+    -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a2 -> 'a2 option **)
+
+let rec walk k same0 beside fuel t from one back other pending =
+  match fuel with
+  | O -> None
+  | S fuel0 ->
+    (match without same0 from (beside one) with
+     | [] -> Some pending
+     | u :: _ ->
+       if same0 t u
+       then None
+       else walk k same0 beside fuel0 t back other one u
+              (k.Steps.drop u pending))
+
+(** val fault :
+    ('a1, 'a2) Steps.sets -> ('a1 -> 'a1 -> bool) -> nat -> ('a1 -> 'a1 list)
+    -> 'a1 list -> 'a2 -> 'a1 Steps.step option **)
+
+let rec fault k same0 fuel beside ts pending =
+  match ts with
+  | [] -> None
+  | t :: r ->
+    (match beside t with
+     | [] -> fault k same0 fuel beside r pending
+     | a :: l ->
+       (match l with
+        | [] -> fault k same0 fuel beside r pending
+        | b :: l0 ->
+          (match l0 with
+           | [] ->
+             if k.Steps.has t pending
+             then (match walk k same0 beside fuel t t a t b
+                           (k.Steps.drop a (k.Steps.drop b pending)) with
+                   | Some pending0 -> fault k same0 fuel beside r pending0
+                   | None -> Some (Steps.Round t))
+             else fault k same0 fuel beside r pending
+           | _ :: _ -> Some (Steps.Three t))))
+
+(** val see :
+    ('a1, 'a2) Steps.sets -> ('a1 list * 'a2) -> 'a1 -> 'a1 list * 'a2 **)
+
+let see k found t =
+  if k.Steps.has t (snd found)
+  then found
+  else ((t :: (fst found)), (k.Steps.add t (snd found)))
+
+(** val stays :
+    ('a1, 'a2) Steps.sets -> 'a1 list -> 'a1 list -> ('a1 * 'a1) list ->
+    ('a1 * 'a1) list -> 'a1 list **)
+
+let stays k gone come lost made =
+  let sees = fun found e -> see k (see k found (fst e)) (snd e) in
+  fst
+    (fold_left sees made
+      (fold_left sees lost ([],
+        (add_all k (add_all k k.Steps.none gone) come))))
+
+(** val judge_step :
+    ('a1, 'a2) Steps.sets -> ('a1 -> 'a1 -> bool) -> nat -> ('a1 -> bool) ->
+    ('a1 -> 'a1 list) -> 'a1 list -> 'a1 list -> ('a1 * 'a1) list ->
+    ('a1 * 'a1) list -> 'a1 Steps.step **)
+
+let judge_step k same0 fuel lone0 beside gone come lost made =
+  let still = stays k gone come lost made in
+  let news = rev_append come still in
+  (match fault k same0 fuel beside news (add_all k k.Steps.none news) with
+   | Some wrong -> wrong
+   | None ->
+     Steps.Changes
+       ((Z.sub (Z.sub (size0 come) (size0 gone))
+          (Z.sub (size0 made) (size0 lost))),
+       (Z.sub
+         (count (fun t -> match beside t with
+                          | [] -> true
+                          | _ :: _ -> false) news)
+         (Z.add (count lone0 gone) (count lone0 still)))))

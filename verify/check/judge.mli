@@ -48,9 +48,20 @@ type positive =
 | XO of positive
 | XH
 
+type z =
+| Z0
+| Zpos of positive
+| Zneg of positive
+
 module Pos :
  sig
   val succ : positive -> positive
+
+  val add : positive -> positive -> positive
+
+  val add_carry : positive -> positive -> positive
+
+  val pred_double : positive -> positive
 
   val compare_cont : comparison -> positive -> positive -> comparison
 
@@ -70,6 +81,8 @@ module Pos :
 val nth : nat -> 'a1 list -> 'a1 -> 'a1
 
 val nth_error : 'a1 list -> nat -> 'a1 option
+
+val rev_append : 'a1 list -> 'a1 list -> 'a1 list
 
 val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
@@ -96,6 +109,25 @@ val skipn : nat -> 'a1 list -> 'a1 list
 val seq : nat -> nat -> nat list
 
 val list_sum : nat list -> nat
+
+module Z :
+ sig
+  val double : z -> z
+
+  val succ_double : z -> z
+
+  val pred_double : z -> z
+
+  val pos_sub : positive -> positive -> z
+
+  val add : z -> z -> z
+
+  val opp : z -> z
+
+  val succ : z -> z
+
+  val sub : z -> z -> z
+ end
 
 type edge = nat * nat
 
@@ -213,6 +245,25 @@ module Runs :
     'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> bool
  end
 
+module Steps :
+ sig
+  type ('t, 's) sets = { none : 's; add : ('t -> 's -> 's);
+                         drop : ('t -> 's -> 's); has : ('t -> 's -> bool) }
+
+  val none : ('a1, 'a2) sets -> 'a2
+
+  val add : ('a1, 'a2) sets -> 'a1 -> 'a2 -> 'a2
+
+  val drop : ('a1, 'a2) sets -> 'a1 -> 'a2 -> 'a2
+
+  val has : ('a1, 'a2) sets -> 'a1 -> 'a2 -> bool
+
+  type 't step =
+  | Three of 't
+  | Round of 't
+  | Changes of z * z
+ end
+
 type state = (nat * nat) list
 
 val label_in : state -> nat -> nat
@@ -223,7 +274,7 @@ val bump : nat -> state -> state
 
 val relabel : nat -> nat -> state -> state
 
-val step : edge -> state -> state option
+val step0 : edge -> state -> state option
 
 val draw : edge list -> coloring -> state -> state option
 
@@ -259,7 +310,7 @@ type place = { deg : nat; port : nat option }
 
 type frontier = { anchor : place; tip : place; same : bool }
 
-type step0 =
+type step1 =
 | Put of nat option
 | Next of nat option
 | Mark of nat option
@@ -279,18 +330,18 @@ val tidy : frontier -> frontier
 
 val more : place -> nat option -> place
 
-val take : step0 -> bool -> frontier -> frontier option
+val take : step1 -> bool -> frontier -> frontier option
 
 val lone : nat -> nat
 
-val left_alone : step0 -> bool -> frontier -> nat
+val left_alone : step1 -> bool -> frontier -> nat
 
 val at_end : frontier -> nat
 
 val blank_frontier : frontier
 
 val play :
-  step0 list -> coloring -> frontier -> nat -> nat ->
+  step1 list -> coloring -> frontier -> nat -> nat ->
   (frontier * (nat * nat)) option
 
 val same_label : nat option -> nat option -> bool
@@ -304,17 +355,17 @@ type 'h entry = (frontier * score) * 'h
 val insert : frontier -> score -> 'a1 -> 'a1 entry list -> 'a1 entry list
 
 val add_choice :
-  (bool -> 'a1 -> 'a1) -> step0 -> bool -> 'a1 entry list -> 'a1 entry -> 'a1
+  (bool -> 'a1 -> 'a1) -> step1 -> bool -> 'a1 entry list -> 'a1 entry -> 'a1
   entry list
 
 val add_both :
-  (bool -> 'a1 -> 'a1) -> step0 -> 'a1 entry list -> 'a1 entry -> 'a1 entry
+  (bool -> 'a1 -> 'a1) -> step1 -> 'a1 entry list -> 'a1 entry -> 'a1 entry
   list
 
-val extend : (bool -> 'a1 -> 'a1) -> step0 -> 'a1 entry list -> 'a1 entry list
+val extend : (bool -> 'a1 -> 'a1) -> step1 -> 'a1 entry list -> 'a1 entry list
 
 val extends :
-  (bool -> 'a1 -> 'a1) -> step0 list -> 'a1 entry list -> 'a1 entry list
+  (bool -> 'a1 -> 'a1) -> step1 list -> 'a1 entry list -> 'a1 entry list
 
 type coloring_entry = coloring entry
 
@@ -338,7 +389,7 @@ val arranged : nat -> nat -> 'a1 list -> 'a1 list
 
 val port_of : nat -> coloring -> (nat -> nat) -> nat -> nat option
 
-val step_of : nat -> coloring -> (nat -> nat) -> (kind * nat) -> step0
+val step_of : nat -> coloring -> (nat -> nat) -> (kind * nat) -> step1
 
 val choices : nat -> nat -> coloring -> coloring
 
@@ -393,3 +444,30 @@ val judge_flip :
   'a1 Runs.mesh_edge list -> ('a1 Runs.mesh_edge -> bool) -> ('a1
   Runs.mesh_edge -> bool) -> ('a1 Runs.mesh_edge -> bool) -> ('a1
   Runs.mesh_edge -> bool) -> 'a1 Runs.mesh_edge list -> Runs.verdict option
+
+val add_all : ('a1, 'a2) Steps.sets -> 'a2 -> 'a1 list -> 'a2
+
+val count : ('a1 -> bool) -> 'a1 list -> z
+
+val size0 : 'a1 list -> z
+
+val without : ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 list -> 'a1 list
+
+val walk :
+  ('a1, 'a2) Steps.sets -> ('a1 -> 'a1 -> bool) -> ('a1 -> 'a1 list) -> nat
+  -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a1 -> 'a2 -> 'a2 option
+
+val fault :
+  ('a1, 'a2) Steps.sets -> ('a1 -> 'a1 -> bool) -> nat -> ('a1 -> 'a1 list)
+  -> 'a1 list -> 'a2 -> 'a1 Steps.step option
+
+val see : ('a1, 'a2) Steps.sets -> ('a1 list * 'a2) -> 'a1 -> 'a1 list * 'a2
+
+val stays :
+  ('a1, 'a2) Steps.sets -> 'a1 list -> 'a1 list -> ('a1 * 'a1) list ->
+  ('a1 * 'a1) list -> 'a1 list
+
+val judge_step :
+  ('a1, 'a2) Steps.sets -> ('a1 -> 'a1 -> bool) -> nat -> ('a1 -> bool) ->
+  ('a1 -> 'a1 list) -> 'a1 list -> 'a1 list -> ('a1 * 'a1) list ->
+  ('a1 * 'a1) list -> 'a1 Steps.step

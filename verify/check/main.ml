@@ -3,7 +3,8 @@
 let usage =
   {|Checks a trace written by `restrip replay --trace` or a custom program
 (restrip/output/trace.hpp). It maintains a separate mesh of triangles and colours and requires,
-after each operation, valid colours and true numbers of strips and isolated triangles.
+after each operation, valid colours and true numbers of strips and isolated triangles, decided
+by functions extracted from Coq.
 docs/reference/file-formats.md has the format, docs/how-to/check-a-run.md what is proved.
 
 usage: restrip-check [--json FILE] TRACE

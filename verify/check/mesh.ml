@@ -161,31 +161,6 @@ let onward mesh ((u, v, w) : triangle) =
   | false, false -> None
   | true, true -> refuse "triangle %d %d %d has three solid edges" u v w
 
-(* Checks that the strips through the triangles have ends. Degrees are at most two, so a strip with an end is a path.
-   Both directions are followed in turn, which takes at most twice the distance to the nearer end. Triangles met on the
-   way need no further check. *)
-let expect_paths mesh triangles =
-  let pending = Hashtbl.create (List.length triangles) in
-  List.iter (fun t -> Hashtbl.replace pending t ()) triangles;
-  let expect_path ((a, b, c) as t) =
-    let turned = [ (a, b, c); (b, c, a); (c, a, b) ] in
-    match List.filter (fun (u, v, _) -> is_solid mesh u v) turned with
-    | [ one; two ] ->
-        let rec follow one other =
-          match onward mesh one with
-          | None -> ()
-          | Some next ->
-              let met = canonical next in
-              if same_triangle met t then refuse "the solid edges through triangle %d %d %d form a cycle" a b c;
-              Hashtbl.remove pending met;
-              follow other next
-        in
-        (* Entered from beyond [two] and from beyond [one]. *)
-        follow two one
-    | _ -> ()
-  in
-  List.iter (fun t -> if Hashtbl.mem pending t then expect_path t) triangles
-
 (* ---- the whole mesh *)
 
 let iter_triangles mesh f =

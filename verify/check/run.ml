@@ -1,8 +1,9 @@
-(* Replays a trace: applies each operation to the checker's mesh, compares the stated changes with the actual ones, and asks
-   Judge about its patch. *)
+(* Replays a trace: makes each step on the checker's mesh, which Judge.judge_step judges, and asks Judge about the patch, as
+   claimed. *)
 
 open Mesh
 open Trace
+open Step
 
 type account = {
   mutable splits : int;
@@ -15,44 +16,6 @@ type account = {
 let judged_of account family = Option.value (Hashtbl.find_opt account.judged family) ~default:(0, 0)
 
 let operations account = account.splits + account.collapses + account.flips + account.others
-
-(* Triangles whose colours or corners an operation changes: with [turned], before it, the removed ones, after it, the added
-   ones; and the triangles at edges that change their colour. *)
-let touched mesh turned operation =
-  let add_sides found (u, v) =
-    let add found t = match t with Some t -> canonical t :: found | None -> found in
-    add (add found (left_of mesh u v)) (left_of mesh v u)
-  in
-  let found = List.rev_map canonical turned in
-  let found = List.fold_left add_sides found operation.dashed in
-  List.sort_uniq compare_triangles (List.fold_left add_sides found operation.solid)
-
-(* Counts isolated triangles; none may have three solid edges. *)
-let isolated_among mesh triangles = List.fold_left (fun n t -> if expect_degree mesh t = 0 then n + 1 else n) 0 triangles
-
-let expect_stated what stated found = if stated <> found then refuse "%s: stated %+d, found %+d" what stated found
-
-let sides ((a, b, c) : triangle) = [ (a, b); (b, c); (c, a) ]
-
-let apply mesh operation =
-  List.iter
-    (fun ((a, b, c) as t) -> if not (has_triangle mesh t) then refuse "triangle %d %d %d is removed, but does not exist" a b c)
-    operation.gone;
-  let strips_before = strips mesh in
-  let isolated_before = isolated_among mesh (touched mesh operation.gone operation) in
-  List.iter (make_dashed mesh) operation.dashed;
-  List.iter (remove_triangle mesh) operation.gone;
-  List.iter (add_triangle mesh) operation.come;
-  List.iter (make_solid mesh) operation.solid;
-  List.iter
-    (fun t -> List.iter (fun (u, v) -> if is_solid mesh u v then expect_both_sides mesh u v) (sides t))
-    operation.gone;
-  let after = touched mesh operation.come operation in
-  let isolated_change = isolated_among mesh after - isolated_before in
-  expect_paths mesh after;
-  mesh.isolated <- mesh.isolated + isolated_change;
-  expect_stated "strips" operation.strips (strips mesh - strips_before);
-  expect_stated "isolated triangles" operation.isolated isolated_change
 
 (* ---- optimality *)
 
@@ -172,7 +135,7 @@ let check reader =
         make_solid mesh (u, v);
         edges_next (read ())
     | line ->
-        mesh.isolated <- expect_whole mesh;
+        begin_with mesh;
         largest := mesh.triangles;
         operations_then line
   and operations_then = function

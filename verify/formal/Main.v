@@ -8,7 +8,7 @@
 Require Import Arith Bool List NArith.
 Import ListNotations.
 Require Import Statements.
-Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound Check.
+Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound Check Step.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects ToldRejects.
 Require Split OpenSplit Symmetry Sequences.
 Require Positions Told Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
@@ -90,6 +90,9 @@ Print Assumptions judge_right.
 Theorem judge_flip_right : Judge_flip_right (@Check.judge_flip).
 Proof. exact @Check.judge_flip_right. Qed.
 Print Assumptions judge_flip_right.
+Theorem judge_step_right : Judge_step_right (@Step.judge_step).
+Proof. exact @Step.judge_step_right. Qed.
+Print Assumptions judge_step_right.
 Theorem chosen_is_safe : Chosen_is_safe.
 Proof. exact Check.chosen_is_safe. Qed.
 Print Assumptions chosen_is_safe.

@@ -648,3 +648,49 @@ Definition Judge_flip_right (judge : forall V : Type, (V -> V -> bool) -> list c
 Definition Chosen_is_safe : Prop := forall o s c x O, possible o = true -> best (patch_at o) s c x ->
   rest_of_mesh (patch_at o) O ->
   valid (O ++ drawing (before (patch_at o)) s c) -> valid (O ++ drawing (after (patch_at o)) s x).
+
+(** ** Steps: what [restrip-check] decides of every operation, whatever it is
+
+    The mesh changes as the reader of the trace says. Only the touched triangles and the strips through them are looked at, and
+    yet the answer is about the whole mesh. *)
+Module Steps.
+(** Sets of triangles, as the program around has them. *)
+Record sets (T S : Type) := Sets { none : S; add : T -> S -> S; drop : T -> S -> S; has : T -> S -> bool }.
+Arguments none {T S}. Arguments add {T S}. Arguments drop {T S}. Arguments has {T S}.
+Definition lawful {T S} (k : sets T S) : Prop :=
+  (forall t, has k t (none k) = false) /\
+  (forall t u s, has k t (add k u s) = true <-> t = u \/ has k t s = true) /\
+  (forall t u s, has k t (drop k u s) = true <-> t <> u /\ has k t s = true).
+
+(** A triangle with three solid edges, a triangle on a cycle, or the changes of the numbers of strips and isolated triangles. *)
+Inductive step (T : Type) := Three (t : T) | Round (t : T) | Changes (strips alone : Z).
+Arguments Three {T}. Arguments Round {T}. Arguments Changes {T}.
+
+Section Named.
+  Context {T : Type} (name : T -> nat).
+  Definition named (es : list (T * T)) : graph := map (fun e => (name (fst e), name (snd e))) es.
+  (** The triangles [gone] are replaced by [come], and the solid edges [lost] by [made]. *)
+  Definition replaced (gone come : list T) (lost made : list (T * T)) (M M' : mesh) : Prop :=
+    exists stay kept,
+      Permutation (nodes M) (map name gone ++ stay) /\ Permutation (nodes M') (map name come ++ stay) /\
+      Permutation (edges M) (named lost ++ kept) /\ Permutation (edges M') (named made ++ kept).
+  (** The triangles across the solid edges of a triangle. *)
+  Definition lists_neighbours (beside : T -> list T) (M : mesh) : Prop := forall t, In (name t) (nodes M) ->
+    length (beside t) = degree (edges M) (name t) /\ forall u, In u (beside t) -> adjacent (edges M) (name t) (name u).
+  Definition tells_isolated (lone : T -> bool) (M : mesh) : Prop := forall t, In (name t) (nodes M) ->
+    lone t = (degree (edges M) (name t) =? 0).
+End Named.
+Definition isolated_of (M : mesh) : Z := Z.of_nat (length (filter (fun v => degree (edges M) v =? 0) (nodes M))).
+End Steps.
+Import Steps.
+
+(** If [judge] answers with changes, then a valid mesh is valid after the step, and the changes are those of the whole mesh.
+    [lone] is about the mesh before, [beside] about the mesh after. *)
+Definition Judge_step_right (judge : forall T S : Type, sets T S -> (T -> T -> bool) -> nat -> (T -> bool) -> (T -> list T) ->
+    list T -> list T -> list (T * T) -> list (T * T) -> step T) : Prop :=
+  forall T S k same fuel lone beside gone come lost made strips alone,
+  judge T S k same fuel lone beside gone come lost made = Changes strips alone -> lawful k ->
+  forall name M M', (forall t u : T, name t = name u -> t = u) -> sane M -> sane M' ->
+  replaced name gone come lost made M M' -> tells_isolated name lone M -> lists_neighbours name beside M' ->
+  valid (edges M) ->
+  valid (edges M') /\ strips_of M' = (strips_of M + strips)%Z /\ isolated_of M' = (isolated_of M + alone)%Z.

@@ -123,7 +123,7 @@ took() {
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
 modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Sequences Restrip.WholeMesh Restrip.LowerBound Restrip.Flip
-  Restrip.EveryFan Restrip.Check Restrip.Facts Restrip.EveryBoundary Restrip.Served Restrip.Telling)
+  Restrip.EveryFan Restrip.Check Restrip.Step Restrip.Facts Restrip.EveryBoundary Restrip.Served Restrip.Telling)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
@@ -151,6 +151,7 @@ for i in "${!theorems[@]}"; do
     correct_tables_*) files=(EverySize) ;;
     whole_mesh*) files=(WholeMesh) ;;
     every_rule_pays | one_strip_* | no_rule_competes) files=(LowerBound) ;;
+    judge_step_right) files=(Graph Strips Step) ;;
     judge_* | chosen_is_safe) files=(Labels Check) ;;
     automaton_*) files=(Automaton) ;;
     answers) files=(Answers) ;;

@@ -219,6 +219,37 @@ for kind in ("split", "collapse"):
     with_apart[number + 1] = " ".join(words)
     refused("\n".join(with_apart) + "\n", f"triangle 900001 900002 900003 is removed, but is not of the patch of this .*{kind}")
 
+# Faults that arise away from the patch, or without a change of colour, whatever is claimed. A flip of two triangles stands apart from
+# a fan with one dashed spoke, a strip, and from a triangle with two solid edges.
+def mesh_of(claim):
+    fan = [(100, 101 + i, 101 + (i + 1) % 6) for i in range(6)]
+    star = [(200, 201, 202), (201, 200, 203), (202, 201, 204), (200, 202, 205)]
+    solid = [(100, 101 + i) for i in range(6) if i != 1] + [(200, 201), (201, 202)]
+    faces = [(0, 1, 2), (1, 3, 2), *fan, *star]
+    return "\n".join(["restrip-trace 1", f"claim {claim}", *("t {} {} {}".format(*t) for t in faces), *("s {} {}".format(*e) for e in solid), ""])
+
+
+for kind, claim in (("other", "valid"), ("flip", "valid"), ("other", "no-worse"), ("other", "best")):
+    apart = kind + " 1 2 {} - 0 1 2 1 3 2 + 0 1 3 0 3 2 s 0 3{}\nend 1\n"
+    damaged.write_text(mesh_of(claim) + apart.format("-1 -2", ""))
+    accepted(damaged)
+    refused(mesh_of(claim) + apart.format("-2 -2", " 100 102"), "triangle 100 .* form a cycle")
+    refused(mesh_of(claim) + apart.format("-2 -3", " 202 200"), "triangle 200 201 202 has three solid edges")
+    refused(mesh_of(claim) + apart.format("-1 -1", ""), r"isolated triangles: stated -1, found -2")
+    refused(mesh_of(claim) + apart.format("0 -2", ""), r"strips: stated \+0, found -1")
+    # Flipped in the fan: no colour changes, and the strip closes outside the two triangles.
+    inside = kind + " 100 102 {} - 100 101 102 100 102 103 + 100 101 103 101 102 103{}\nend 1\n"
+    refused(mesh_of(claim) + inside.format("0 1", ""), "triangle 100 101 103 form a cycle")
+    refused(mesh_of(claim) + inside.format("0 0", " d 100 105 s 101 103"), "triangle 100 101 103 has three solid edges")
+    refused(mesh_of(claim) + inside.format("0 1", " d 100 105"), r"strips: stated \+0, found \+1")
+    if kind == "other":
+        for right in (inside.format("1 1", " d 100 105"), inside.format("0 0", " d 100 101 s 101 103")):
+            damaged.write_text(mesh_of(claim) + right)
+            accepted(damaged)
+    # The mesh at the beginning is judged as well.
+    refused(mesh_of(claim) + "s 100 102\n" + apart.format("-1 -2", ""), "triangle 100 .* form a cycle")
+    refused(mesh_of(claim) + "s 202 200\n" + apart.format("-1 -2", ""), "triangle 200 201 202 has three solid edges")
+
 # Words that do not exist.
 operation = lines[first].split(" ")
 for wrong, said in (
