@@ -72,7 +72,6 @@ TEST(StripOrder, AnyStripsAndAnyCache) {
 // In rows as long as the cache allows, half a miss a triangle, and some at the ends of the rows.
 TEST(StripOrder, FewMissesAndFewIndices) {
   for (const auto& [size, most_misses, most_indices] : {std::tuple{16U, 0.72, 1.49}, {32U, 0.64, 1.43}}) {
-    Counts all;
     for (StripMesh mesh : {sample::sphere(5), sample::torus(70, 60, 2), sample::rectangle(90, 60)}) {
       stripify(mesh, Effort::fast, Cost::indices());
       const Counts here = checked(mesh, {.size = size});
