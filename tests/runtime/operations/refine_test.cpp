@@ -215,6 +215,12 @@ TEST(Refine, RefusesOtherValences) {
 }
 
 // The facts of the tables, from the certificates' claims: refining costs a strip at most, and inside a face none.
+// Two triangles that share two sides. The checks of the mesh are asked, although refine.hpp is read before checks.hpp.
+TEST(Refine, RefusesBetweenOneSpokeAndItself) {
+  const StripMesh mesh = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2, 1, 0, 2}, 3);
+  EXPECT_EQ(check_bisect(mesh, StripMesh::halfedge(1, 0)), Refusal::same_spoke);
+}
+
 TEST(Refine, RefiningIsolatesNothing) {
   std::mt19937 random(7);
   StripMesh mesh = sample::torus(12, 9);

@@ -52,10 +52,10 @@ inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size
 
 // NOLINTBEGIN(readability-redundant-declaration): strip_mesh.hpp needs these names before it is read to its end.
 
-/// Whether the vertex may be split there. `new_vertex`: the name of the new vertex, or `none` for the next free one.
+/// Whether the vertex may be split there. `new_vertex`: the name of the new vertex; by default the next free one.
 /// O(1).
 [[nodiscard]] RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
-                                                 Vertex new_vertex = none);
+                                                 Vertex new_vertex);
 
 namespace detail {
 

@@ -345,8 +345,9 @@ class StripMesh {
 };
 
 // Preconditions that the operations check in debug builds; defined in checks.hpp.
+// The default argument is here, because templates ask for check_split(mesh, where) before checks.hpp is read.
 [[nodiscard]] RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
-                                                 Vertex new_vertex);
+                                                 Vertex new_vertex = none);
 [[nodiscard]] RESTRIP_INLINE Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
 [[nodiscard]] RESTRIP_INLINE Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
 /// Whether the triangles `in` may replace `out` (StripMesh::replace). The rules of checks.hpp hold, with these

@@ -51,7 +51,7 @@ class CacheOrder {
         drawn_(row.size(), false),
         tried_(row.size(), 0) {
     const double indices = weigh_cuts();
-    miss_ = static_cast<Cost>(std::llround(weight_of(cache, indices / row.size()) * unit));
+    miss_ = static_cast<Cost>(std::llround(weight_of(cache, indices / (std::max)(row.size(), 1U)) * unit));
     list_triangles();
     // An empty cache, and numbers of misses that are never 0.
     misses_ = cache_;
