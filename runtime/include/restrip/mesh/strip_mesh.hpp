@@ -260,8 +260,8 @@ class StripMesh {
   // Throws as insert_vertex does; then nothing has been taken.
   [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex);
   void give_back(const Room& room);
-  // Room for the handles that this many removals give back, so that give_back does not throw.
-  void expect_back(std::size_t removals);
+  // Room for the handles that a removal gives back, so that give_back does not throw.
+  void expect_back();
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
   Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, const Room& room) noexcept;
   Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;

@@ -253,15 +253,15 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Ha
   return chord;
 }
 
-RESTRIP_INLINE void StripMesh::expect_back(std::size_t removals) {
-  detail::make_room(free_, 2 * removals);
-  detail::make_room(free_vertices_, removals);
+RESTRIP_INLINE void StripMesh::expect_back() {
+  detail::make_room(free_, 2);
+  detail::make_room(free_vertices_, 1);
 }
 
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
                  describe(check_collapse(*this, chord)));
-  expect_back(1);
+  expect_back();
   expect_touches_around(to(chord));
   Room freed;
   const Halfedge merged = remove_vertex(chord, freed);
@@ -300,7 +300,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
   RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
                  describe(check_collapse(*this, chord)));
-  expect_back(1);
+  expect_back();
   expect_touches(moved.size() + most_other_touches);
   Room freed;
   const Halfedge merged = remove_vertex(chord, moved, freed);

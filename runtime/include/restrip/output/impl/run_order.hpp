@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "restrip/output/impl/run_places.hpp"
+#include "restrip/output/impl/undrawn.hpp"
 
 namespace restrip::detail {
 
@@ -73,22 +74,9 @@ class RunOrder {
     for (std::uint32_t r = 0; r < count; ++r)
       for_each_vertex(r, [&](Index v) { bound = (std::max)(bound, v + std::size_t{1}); });
     vertices_.resize(bound);
-    first_at_.assign(bound + 1, 0);
-    for (std::uint32_t r = 0; r < count; ++r) for_each_vertex(r, [&](Index v) { ++first_at_[v + std::size_t{1}]; });
-    for (std::size_t v = 0; v < bound; ++v) first_at_[v + 1] += first_at_[v];
-    runs_at_.resize(first_at_.back());
-    end_at_.assign(first_at_.begin(), first_at_.end() - 1);
-    for (std::uint32_t r = 0; r < count; ++r) for_each_vertex(r, [&](Index v) { runs_at_[end_at_[v]++] = r; });
-  }
-  // Runs that have been drawn are taken out of the list of v while it is read. Ends if `visit` returns false.
-  template <class Visit>
-  void for_each_run_at(std::uint32_t v, Visit&& visit) {
-    for (std::size_t i = first_at_[v]; i < end_at_[v];) {
-      if (drawn_[runs_at_[i]])
-        runs_at_[i] = runs_at_[--end_at_[v]];
-      else if (!visit(runs_at_[i++]))
-        return;
-    }
+    runs_at_.list(bound, [&](auto&& use) {
+      for (std::uint32_t r = 0; r < count; ++r) for_each_vertex(r, [&](Index v) { use(v, r); });
+    });
   }
   void try_cached() {
     ++round_;
@@ -98,7 +86,7 @@ class RunOrder {
       const std::uint32_t v = missed_[miss];
       if (v == none) return;
       if (vertices_[v].came_in != miss) continue;
-      for_each_run_at(v, [&](std::uint32_t run) {
+      runs_at_.for_each(v, drawn_, [&](std::uint32_t run) {
         ++met;
         if (tried_[run] != round_) {
           tried_[run] = round_;
@@ -111,7 +99,7 @@ class RunOrder {
   }
   void try_left_behind() {
     for (; best_.run == none && !recent_.empty(); recent_.pop_back()) {
-      for_each_run_at(recent_.back(), [&](std::uint32_t run) {
+      runs_at_.for_each(recent_.back(), drawn_, [&](std::uint32_t run) {
         best_.run = run;
         return false;
       });
@@ -149,9 +137,7 @@ class RunOrder {
   std::vector<bool> drawn_;
   std::vector<std::uint32_t> tried_;  // by run: in which round
   std::vector<Vertex> vertices_;
-  std::vector<std::size_t> first_at_;
-  std::vector<std::size_t> end_at_;
-  std::vector<std::uint32_t> runs_at_;
+  UndrawnAt runs_at_;
   std::vector<std::uint32_t> missed_;  // by the number of the miss
   std::vector<std::uint32_t> recent_;  // the same, without vertices that have no run left
   std::uint32_t round_ = 0;

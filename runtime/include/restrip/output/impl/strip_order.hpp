@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "restrip/output/impl/strip_row.hpp"
+#include "restrip/output/impl/undrawn.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/precondition.hpp"
 
@@ -181,16 +182,10 @@ class CacheOrder {
     std::uint32_t bound = 0;
     for (const std::uint32_t v : row_.corners) bound = (std::max)(bound, v + 1);
     vertices_.resize(bound);
-    first_at_.assign(bound + std::size_t{1}, 0);
-    for (const std::uint32_t v : row_.corners) {
-      ++first_at_[v + std::size_t{1}];
-      ++vertices_[v].left_to_draw;
-    }
-    for (std::size_t v = 0; v < bound; ++v) first_at_[v + 1] += first_at_[v];
-    places_at_.resize(row_.corners.size());
-    end_at_.assign(first_at_.begin(), first_at_.end() - 1);
-    for (std::size_t i = 0; i < row_.corners.size(); ++i)
-      places_at_[end_at_[row_.corners[i]]++] = static_cast<std::uint32_t>(i / 3);
+    for (const std::uint32_t v : row_.corners) ++vertices_[v].left_to_draw;
+    places_at_.list(bound, [this](auto&& use) {
+      for (std::size_t i = 0; i < row_.corners.size(); ++i) use(row_.corners[i], static_cast<std::uint32_t>(i / 3));
+    });
   }
 
   // ---- candidates
@@ -204,7 +199,7 @@ class CacheOrder {
       const std::uint32_t v = missed_[miss];
       if (v == StripRow::none) return;
       if (vertices_[v].came_in != miss) continue;
-      for_each_place_at(v, [&](std::uint32_t place) {
+      places_at_.for_each(v, drawn_, [&](std::uint32_t place) {
         ++met;
         if (tried_[place] != round_) {
           tried_[place] = round_;
@@ -228,7 +223,7 @@ class CacheOrder {
     while (!recent_.empty() && vertices_[recent_.back()].left_to_draw == 0) recent_.pop_back();
     if (recent_.empty()) return;
     unsigned met = 0;
-    for_each_place_at(recent_.back(), [&](std::uint32_t place) {
+    places_at_.for_each(recent_.back(), drawn_, [&](std::uint32_t place) {
       try_both(place);
       return ++met < most_tried;
     });
@@ -236,16 +231,6 @@ class CacheOrder {
   void try_both(std::uint32_t place) {
     try_run(place, true);
     try_run(place, false);
-  }
-  // Places that have been drawn are taken out of the list of v while it is read. Ends if `visit` returns false.
-  template <class Visit>
-  void for_each_place_at(std::uint32_t v, Visit&& visit) {
-    for (std::size_t i = first_at_[v]; i < end_at_[v];) {
-      if (drawn_[places_at_[i]])
-        places_at_[i] = places_at_[--end_at_[v]];
-      else if (!visit(places_at_[i++]))
-        return;
-    }
   }
 
   void try_run(std::uint32_t place, bool forward) {
@@ -384,9 +369,7 @@ class CacheOrder {
   std::vector<std::uint8_t> links_;
   std::vector<bool> drawn_;
   std::vector<Vertex> vertices_;
-  std::vector<std::size_t> first_at_;
-  std::vector<std::size_t> end_at_;
-  std::vector<std::uint32_t> places_at_;
+  UndrawnAt places_at_;
   std::uint32_t misses_ = 0;
   std::vector<std::uint32_t> missed_;  // by the number of the miss
   std::vector<std::uint32_t> recent_;  // the same, without vertices that have no triangle left
