@@ -13,8 +13,8 @@ SEARCH = ROOT / "runtime/include/restrip/search"
 
 
 class Row:
-    def __init__(self, code, name, says, says_indices, state, price):
-        self.code, self.name, self.says, self.says_indices, self.state, self.price = code, name, says, says_indices, state, price
+    def __init__(self, code, name, description, for_indices, state, price):
+        self.code, self.name, self.description, self.for_indices, self.state, self.price = code, name, description, for_indices, state, price
 
 
 def rows():
@@ -37,16 +37,16 @@ def readme(listed):
         if row.name == "bare":
             return ["–", "–"]
         return [most("strips"), "grows with the valence" if row.name == "rules" else most("indices")]
-    return "".join("| " + " | ".join([f"`{row.name}`", row.says, row.says_indices, row.state, row.price, *bounds(row)]) + " |\n"
+    return "".join("| " + " | ".join([f"`{row.name}`", row.description, row.for_indices, row.state, row.price, *bounds(row)]) + " |\n"
                    for row in listed)
 
 
 def c(listed):
-    def says(row):
-        return "no rule, dual edges of changed triangles become dashed" if row.name == "bare" else row.says_indices
+    def comment(row):
+        return "no rule, dual edges of changed triangles become dashed" if row.name == "bare" else row.for_indices
     heads = [f"  RESTRIP_POLICY_{row.name.upper()} = {row.code}," for row in listed]
     heads.append("  RESTRIP_POLICY_BAKED = 255")
-    comments = [f"/* {says(row)}; {row.price} */\n" for row in listed]
+    comments = [f"/* {comment(row)}; {row.price} */\n" for row in listed]
     comments.append("/* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */\n")
     width = max(map(len, heads))
     return "".join(f"{head:{width}} {comment}" for head, comment in zip(heads, comments))

@@ -95,8 +95,10 @@ std::vector<Alteration> alterations(const std::string& file) {
   for (const std::string& line : lines_of(bytes_of(altered(file)))) {
     if (line.empty() || line.starts_with("#")) continue;
     const std::string text = line.substr(std::min<std::size_t>(line.size(), 2));
-    const bool goes_on = line[0] == last;
-    const auto longer = [&](const std::string& so_far) { return goes_on ? fmt::format("{}\n{}", so_far, text) : text; };
+    const bool continues = line[0] == last;
+    const auto longer = [&](const std::string& so_far) {
+      return continues ? fmt::format("{}\n{}", so_far, text) : text;
+    };
     if (line[0] == 'o')
       next.of = argument(line);
     else if (line[0] == '-')
@@ -105,7 +107,7 @@ std::vector<Alteration> alterations(const std::string& file) {
       next.by = longer(next.by.value_or(""));
     else if (line[0] != '=')
       throw std::runtime_error(fmt::format("{}: unknown line \"{}\"", file, line));
-    else if (goes_on)
+    else if (continues)
       all.back().says = longer(all.back().says);
     else
       all.push_back({next.of, next.what, std::exchange(next.by, {}), text});

@@ -236,9 +236,9 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
          "bits of an index in .glb and .bin; auto: 16 if all are below 65535")
       ->check(CLI::IsMember({"16", "32", "auto"}))
       ->default_str("auto");
-  app.add_option(
-         "--batch-vertices", options.most_vertices,
-         "most vertices of a batch; each batch is drawn separately, and its indices stay those of the whole mesh")
+  app.add_option("--batch-vertices", options.most_vertices,
+                 "most vertices of a batch; each batch is drawn separately; indices still number the vertices of the "
+                 "whole mesh")
       ->check(whole_number_from(3, 1'000'000'000));
   app.add_option("--batch-indices", options.most_indices, "most indices of a batch")
       ->check(whole_number_from(4, 1'000'000'000));

@@ -140,9 +140,9 @@ class Traces final : public Maintainer {
 
 Method under(const PolicyRow& row) {
   const Policy policy = row.policy;
-  const std::string description = policy == Policy::rules
-                                      ? "the rule of each operation and nothing else"
-                                      : fmt::format("the rule, then {}; for indices {}", row.says, row.says_indices);
+  const std::string description =
+      policy == Policy::rules ? "the rule of each operation and nothing else"
+                              : fmt::format("the rule, then {}; for indices {}", row.description, row.for_indices);
   Method method{row.name, description, policy == Policy::rules ? Method::Kind::rules : Method::Kind::ours,
                 [policy](StripMesh& mesh, const MaintainerInputs& with) -> std::unique_ptr<Maintainer> {
                   return std::make_unique<UnderPolicy>(mesh, policy, with);
@@ -169,7 +169,7 @@ const std::vector<Method>& methods() {
     std::vector<Method> all;
     for (const PolicyRow& row : policies)
       if (row.policy == Policy::bare)
-        all.push_back({row.name, row.says, Method::Kind::mesh,
+        all.push_back({row.name, row.description, Method::Kind::mesh,
                        [](StripMesh& mesh, const MaintainerInputs&) { return std::make_unique<Bare>(mesh); }});
       else
         all.push_back(under(row));

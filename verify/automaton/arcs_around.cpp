@@ -114,7 +114,7 @@ ArcWays::ArcWays() {
 }
 
 bool joined_before(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other) {
-  // The solid ports of the ring, those of the first arc first; a link reaches the nearest one of its arc.
+  // The solid ports of the ring, beginning with the first arc; a link reaches the nearest one of its arc.
   const std::size_t of_first = ports_in(first).size();
   const std::string ring = ports_in(first) + ports_in(second);
   const auto reached = [&](ArcEnd end) -> std::optional<std::size_t> {

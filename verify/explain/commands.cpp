@@ -27,7 +27,7 @@ Mask mask_of(const std::string& option, const std::string& text, unsigned bits) 
   return static_cast<Mask>(value);
 }
 
-/// The shipped descriptions, or those of a file.
+/// The shipped descriptions, or the descriptions in a file.
 std::vector<Description> descriptions_of(const std::string& file) {
   return file.empty() ? shipped_descriptions() : parse_descriptions(file, read_file(file));
 }

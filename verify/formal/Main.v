@@ -9,10 +9,10 @@ Require Import Arith Bool List NArith.
 Import ListNotations.
 Require Import Statements.
 Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound Check Step.
-Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects ToldRejects.
+Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects ChangesRejects.
 Require Split OpenSplit Symmetry Sequences.
-Require Positions Told Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
-Require Told_split Told_collapse Told_open_split Told_open_collapse Told_boundary_split Told_boundary_collapse Told_flip.
+Require Positions Changes Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
+Require Changes_split Changes_collapse Changes_open_split Changes_open_collapse Changes_boundary_split Changes_boundary_collapse Changes_flip.
 
 (** ** Statements *)
 Theorem locality : Locality.
@@ -115,14 +115,14 @@ Proof. exact Automaton.looked_up_told. Qed.
 Print Assumptions automaton_told.
 (** The changes in strips and isolated triangles that every answer of the headers reports; [Telling.tells] defines correctness. *)
 Theorem answers_tell :
-  Forall (fun at_ => Telling.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two Told_split.table at_)) Positions.arcs /\
-  Forall (fun at_ => Telling.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two Told_collapse.table at_)) Positions.arcs /\
-  Forall (fun at_ => Telling.tells false (Told.of_three open_split at_) (Told.three Tables_open_split.table at_) (Told.three Told_open_split.table at_)) Positions.gap_pairs /\
-  Forall (fun at_ => Telling.tells false (Told.of_three open_collapse at_) (Told.three Tables_open_collapse.table at_) (Told.three Told_open_collapse.table at_)) Positions.gap_pairs /\
-  Forall (fun at_ => Telling.tells false (Told.of_two boundary_split at_) (Told.two Tables_boundary_split.table at_) (Told.two Told_boundary_split.table at_)) Positions.gaps /\
-  Forall (fun at_ => Telling.tells false (Told.of_two boundary_collapse at_) (Told.two Tables_boundary_collapse.table at_) (Told.two Told_boundary_collapse.table at_)) Positions.gaps /\
-  Telling.tells true flip (Tables_flip.table []) (Told_flip.table []).
-Proof. exact Told.answers_tell. Qed.
+  Forall (fun at_ => Telling.tells false (Changes.of_two split at_) (Changes.two Tables_split.table at_) (Changes.two Changes_split.table at_)) Positions.arcs /\
+  Forall (fun at_ => Telling.tells false (Changes.of_two collapse at_) (Changes.two Tables_collapse.table at_) (Changes.two Changes_collapse.table at_)) Positions.arcs /\
+  Forall (fun at_ => Telling.tells false (Changes.of_three open_split at_) (Changes.three Tables_open_split.table at_) (Changes.three Changes_open_split.table at_)) Positions.gap_pairs /\
+  Forall (fun at_ => Telling.tells false (Changes.of_three open_collapse at_) (Changes.three Tables_open_collapse.table at_) (Changes.three Changes_open_collapse.table at_)) Positions.gap_pairs /\
+  Forall (fun at_ => Telling.tells false (Changes.of_two boundary_split at_) (Changes.two Tables_boundary_split.table at_) (Changes.two Changes_boundary_split.table at_)) Positions.gaps /\
+  Forall (fun at_ => Telling.tells false (Changes.of_two boundary_collapse at_) (Changes.two Tables_boundary_collapse.table at_) (Changes.two Changes_boundary_collapse.table at_)) Positions.gaps /\
+  Telling.tells true flip (Tables_flip.table []) (Changes_flip.table []).
+Proof. exact Changes.answers_tell. Qed.
 Print Assumptions answers_tell.
 (** Meshes to which the bounds apply, and of which they are equations: T, S, I, C, B, and the meetings of two strips. Without the
     assumptions the inequalities fail. *)
@@ -179,8 +179,8 @@ Theorem careless_images_refused :
     [(3, 2); (4, 3); (5, 3); (5, 4)] = true.
 Proof. exact Rejects.careless_images_refused. Qed.
 Print Assumptions careless_images_refused.
-Theorem wrong_told_refused : ToldRejects.small = [(788, true); (848, true); (439, true)] /\ ToldRejects.large = repeat (5, true) 6.
-Proof. exact ToldRejects.wrong_told_refused. Qed.
+Theorem wrong_told_refused : ChangesRejects.small = [(788, true); (848, true); (439, true)] /\ ChangesRejects.large = repeat (5, true) 6.
+Proof. exact ChangesRejects.wrong_told_refused. Qed.
 Print Assumptions wrong_told_refused.
 Theorem wrong_automata_refused : forallb (fun H => negb (Meetings.header_ok H)) AutomatonRejects.wrong_automata = true.
 Proof. exact AutomatonRejects.wrong_automata_refused. Qed.

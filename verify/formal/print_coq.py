@@ -1,11 +1,11 @@
 """Prints what other programs have written as Coq files. Anything unexpected ends the script with a message.
 
-  print_coq.py tables DIRECTORY < dump           a table dump (docs/reference/verifiers.md) as Tables_FAMILY.v and Told_FAMILY.v
+  print_coq.py tables DIRECTORY < dump           a table dump (docs/reference/verifiers.md) as Tables_FAMILY.v and Changes_FAMILY.v
   print_coq.py rows DIRECTORY < FAMILY.cert      a certificate (there as well) as Rows_FAMILY.v
   print_coq.py automaton DIRECTORY < dump        a dump of the automaton (there as well) as AutomatonNumbers.v
 
 Tables: a table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read. The
-stated changes become a trie as well, which Told.v reads. Only the
+stated changes become a trie as well, which Changes.v reads. Only the
 flip may keep fewer ports; the mask of its answer is after | kept << 1. At the end of a file is the
 function from positions, lists of numbers such as [8; 3], to the family's tables. Printed to the standard output: each
 family, how many positions it has, and how many answers.
@@ -156,7 +156,7 @@ def print_tables(lines, directory):
     count = sum(file.answers for file in files.values())
     if line != "end %d" % count or next(lines, None) is not None:
         fail("the dump does not end with `end %d`" % count)
-    for kind, all_of_kind in (("Tables", files), ("Told", told_files)):
+    for kind, all_of_kind in (("Tables", files), ("Changes", told_files)):
         for family, file in all_of_kind.items():
             file.write(directory, "%s_%s.v" % (kind, family.replace("-", "_")))
     for family, file in files.items():

@@ -155,8 +155,8 @@ for i in "${!theorems[@]}"; do
     judge_* | chosen_is_safe) files=(Labels Check) ;;
     automaton_*) files=(Automaton) ;;
     answers) files=(Answers) ;;
-    answers_tell) files=(Told_{split,collapse,open_split,open_collapse,boundary_split,boundary_collapse,flip} Marks Telling Told) ;;
-    wrong_told_refused) files=(ToldRejects) ;;
+    answers_tell) files=(Changes_{split,collapse,open_split,open_collapse,boundary_split,boundary_collapse,flip} Marks Telling Changes) ;;
+    wrong_told_refused) files=(ChangesRejects) ;;
     every_counts) files=(EveryFigures) ;;
     valid_* | costing_*) files=(Figures) ;;
     wrong_automata_refused) files=(AutomatonRejects) ;;

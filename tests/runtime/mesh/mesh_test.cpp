@@ -52,8 +52,8 @@ TEST(MeshSteps, AreMadeOfFiveFunctions) {
       EXPECT_EQ(mesh.from(turn_ccw(plain, h)), mesh.from(h));
       const auto strip = strip_step(mesh, h);
       const auto plain_strip = strip_step(plain, h);
-      ASSERT_EQ(strip.goes_on, plain_strip.goes_on);
-      if (!strip.goes_on) continue;
+      ASSERT_EQ(strip.continues, plain_strip.continues);
+      if (!strip.continues) continue;
       EXPECT_EQ(strip.in, plain_strip.in);
       EXPECT_TRUE(mesh.solid(strip.in));
       EXPECT_EQ(StripMesh::triangle(mesh.opposite(strip.in)), StripMesh::triangle(h));

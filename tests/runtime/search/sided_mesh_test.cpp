@@ -28,8 +28,8 @@ TEST(SideView, AnswersWhatTheMeshAnswers) {
         const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
         const auto one = view.strip_step(h);
         const auto other = mesh.strip_step(h);
-        ASSERT_EQ(one.goes_on, other.goes_on);
-        if (one.goes_on) {
+        ASSERT_EQ(one.continues, other.continues);
+        if (one.continues) {
           ASSERT_EQ(one.in, other.in);
         }
         if (s == 3) continue;

@@ -4,7 +4,7 @@
 // What is left for a library is to say which handler of a landing pad takes the exception. The compiler calls
 // _Unwind_CallPersonality with the address before each landing pad that has typed handlers, after it has stored the
 // number of the pad and the table of its function in __wasm_lpad_context. The answer, `selector`, is the number of the
-// type in the table, or 0: then the exception goes on.
+// type in the table, or 0: then the exception propagates.
 //
 // The table is the language-specific data area of the Itanium C++ ABI, in the form for numbered landing pads: a row for
 // each pad with its first action, a list of actions (a type, and the distance to the next action), and the types,

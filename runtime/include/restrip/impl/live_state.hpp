@@ -273,7 +273,7 @@ class LiveState {
       Halfedge exit = out;
       if (i != 0) {
         const auto step = strip_step(mesh, in);
-        if (!step.goes_on) return false;
+        if (!step.continues) return false;
         exit = mesh.opposite(step.in);
         in = step.in;
       } else if (StripMesh::side(out) == 3 || StripMesh::on_boundary(mesh.opposite(out)) || !mesh.solid(out)) {

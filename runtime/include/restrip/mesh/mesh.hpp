@@ -148,7 +148,7 @@ template <ColoredMesh Mesh>
 /// which halfedge of the next triangle.
 template <class Halfedge>
 struct StripStep {
-  bool goes_on = false;
+  bool continues = false;
   Halfedge in{};
 };
 

@@ -114,7 +114,7 @@ struct Places {
 /// triangle as the first under `before`. None for a number that is not a triangle.
 template <SurfaceTable Table>
 [[nodiscard]] Places places(const StripMesh& mesh, const Table& table, Triangle triangle);
-/// Does the operation at the first of these places; if there are none, it is refused with the reason for side 0.
+/// Does the operation at the first of these places; without a place, it is refused with the reason for side 0.
 template <CheckedTarget Target, SurfaceTable Table>
 Checked apply_anywhere(Target& target, const Table& table, Triangle triangle);
 

@@ -198,7 +198,7 @@ class BasicStripBuffer {
   void write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts);
   void store();
   [[nodiscard]] bool store_in_place(const Text& text) noexcept;
-  void store_anew(const Text& text) noexcept;
+  void store_in_gap(const Text& text) noexcept;
   void insert(const Text& text, std::uint32_t before) noexcept;
   [[nodiscard]] detail::Run as_run(const Text& text, std::uint32_t first) const noexcept;
   void own(const Text& text, std::uint32_t place) noexcept;

@@ -32,8 +32,8 @@ struct VertexCache {
 
 /// Cuts and joins the strips of `mesh`, a valid colouring, so that 3 S + W (three indices for each strip, one for each
 /// swap) plus `cache.weight` for each miss of the cache becomes small, and returns the strips in the order and the
-/// direction in which they are to be drawn. The colours of `mesh` are the returned strips. Good strips to begin with
-/// are those of stripify() with Cost::indices(). A size of 0 changes nothing and returns extract_strips(mesh).
+/// direction in which they are to be drawn. The colours of `mesh` become the returned strips. Call
+/// stripify() with Cost::indices() first. A size of 0 changes nothing and returns extract_strips(mesh).
 ///
 /// Greedy, linear time: for each strip drawn, at most some 50 beginnings of at most 128 triangles are compared; some
 /// microseconds a triangle for a cache of 32. About 80 bytes a triangle during the call. Deterministic, the same on

@@ -40,10 +40,10 @@ inline constexpr int most_indices_added = 6;
 struct PolicyRow {
   Policy policy;
   const char* name;
-  const char* says;          ///< what follows the rule, under the cost of strips
-  const char* says_indices;  ///< the same under the cost of indices, after the choice between rule and previous colours
-  const char* state;         ///< in addition to colours, under the cost of strips; none under the cost of indices
-  const char* price;         ///< times the mesh update alone, under either cost, on meshes of some 50,000 triangles
+  const char* description;  ///< what follows the rule, under the cost of strips
+  const char* for_indices;  ///< the same under the cost of indices, after the choice between rule and previous colours
+  const char* state;        ///< in addition to colours, under the cost of strips; none under the cost of indices
+  const char* price;        ///< times the mesh update alone, under either cost, on meshes of some 50,000 triangles
   Search search;
   IndexPlan plan;
 };

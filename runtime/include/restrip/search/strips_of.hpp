@@ -23,10 +23,10 @@ namespace restrip {
 
 /// Returns the strips of a triangle list (anything that a TriangleList can be made of), in a form of
 /// output/strip_format.hpp: the same strips as StripMesh::build(), stripify() and strip_indices(). If a list has fewer
-/// indices, it is returned instead, and IndexBuffer::form says so. With a size of `cache` the strips are those of
-/// strips_for_vertex_cache(). `report` receives the counts of triangles left out. Cache and report take the time of
-/// building a mesh. Throws as TriangleList, find_neighbors(), stripify(), strips_for_vertex_cache() and format_strips()
-/// do.
+/// indices, it is returned instead, and IndexBuffer::form says so. With a size of `cache`,
+/// strips_for_vertex_cache() makes the strips. `report` receives the counts of triangles left out. Cache and report
+/// take the time of building a mesh. Throws as TriangleList, find_neighbors(), stripify(), strips_for_vertex_cache()
+/// and format_strips() do.
 template <class Triangles>
 [[nodiscard]] IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count,
                                     const StripFormat& format = {}, Effort effort = default_effort,

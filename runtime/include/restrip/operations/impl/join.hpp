@@ -38,8 +38,8 @@ struct StripWalker {
   /// Steps to the next triangle.
   void step(const Mesh& mesh) {
     const auto step = strip_step(mesh, at);
-    ended = !step.goes_on;
-    if (step.goes_on) at = step.in;
+    ended = !step.continues;
+    if (step.continues) at = step.in;
   }
 };
 

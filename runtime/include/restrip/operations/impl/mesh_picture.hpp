@@ -135,8 +135,8 @@ Contract check_members(const Mesh& mesh, const MeshPicture<Mesh>& picture) {
       if (picture.solid[i] != 0 && (picture.solid[second] == 0 || picture.solid[third] == 0)) {
         const auto step = mesh.strip_step(h);
         const std::size_t out = picture.solid[second] != 0 ? second : third;
-        if (step.goes_on != (picture.solid[out] != 0) ||
-            (step.goes_on && !(step.in == picture.halfedges[picture.opposite[out]])))
+        if (step.continues != (picture.solid[out] != 0) ||
+            (step.continues && !(step.in == picture.halfedges[picture.opposite[out]])))
           return Contract::strip_step_agrees;
       }
   }

@@ -138,7 +138,7 @@ std::uint32_t BasicStripBuffer<Index>::price_of_room(std::uint32_t before, std::
   return left.cost == 0 ? right.cost : (std::min)(left.cost, right.cost);
 }
 
-// In the gap next to a neighbour that costs least. False if there is none.
+// Stores the run in the cheapest gap next to one of its neighbours. False if no such gap is cheap enough.
 template <class Index>
 bool BasicStripBuffer<Index>::store_near(const Text& text) noexcept {
   const std::span<const Index> run(text_.data() + text.first, text.length);
@@ -203,7 +203,7 @@ std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t pla
     for (std::uint32_t n = 1; n < run.triangles && run_of_[detail::triangle_of(mesh, in)] == place; ++n) {
       note_across(mesh, detail::triangle_of(mesh, in));
       const auto step = strip_step(mesh, in);
-      if (!step.goes_on) break;
+      if (!step.continues) break;
       in = step.in;
     }
   }

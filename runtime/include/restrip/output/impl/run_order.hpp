@@ -1,11 +1,12 @@
 // The order of runs for a cache of transformed vertices. Knows neither places nor meshes.
 //
 // From scratch, greedy: the next run is the one with the fewest misses for each triangle, counted by simulating the
-// cache over the whole run, among the runs that have a cached vertex. If there is none, a run at the vertex that was
-// missed last and has one. Linear time: for each run drawn, at most 64 runs of bounded length are tried.
+// cache over the whole run, among the runs that have a cached vertex. If no run has one, it is a run at the vertex
+// that was missed last among the vertices with runs. Linear time: for each run drawn, at most 64 runs of bounded length
+// are tried.
 //
-// Later, one run at a time: AddedMisses prices a place for a run by the misses that it adds there, its own and those of
-// the runs after it, in a simulation that begins some indices before.
+// Later, one run at a time: AddedMisses prices a place for a run by the misses that it adds there, in the run itself
+// and in the runs after it. The simulation begins some indices before the place.
 #pragma once
 
 #include <algorithm>

@@ -142,7 +142,7 @@ bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge i
     link->run = run;
     (link - edge_goes)->edge = seen.edge;
     const auto step = strip_step(mesh, in);
-    if (!step.goes_on) break;
+    if (!step.continues) break;
     in = step.in;
   }
   links_ = links;
@@ -312,10 +312,10 @@ void BasicStripBuffer<Index>::store() {
       text.place = nothing;
     }
   for (const Text& text : texts_)
-    if (text.place == nothing && (cache_ == 0 || rebuilt_ || !store_near(text))) store_anew(text);
+    if (text.place == nothing && (cache_ == 0 || rebuilt_ || !store_near(text))) store_in_gap(text);
 }
 
-// False if the room is too small.
+// Stores the run where it was. False if the room is too small.
 template <class Index>
 bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
   const std::uint32_t before = places_.previous(text.place);
@@ -348,9 +348,9 @@ bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
   return true;
 }
 
-// In the smallest gap that is large enough, or at the end.
+// Stores the run in the smallest gap that is large enough, or at the end.
 template <class Index>
-void BasicStripBuffer<Index>::store_anew(const Text& text) noexcept {
+void BasicStripBuffer<Index>::store_in_gap(const Text& text) noexcept {
   std::uint32_t before = places_.find_gap(text.length);
   if (before == nothing || places_.gap(before) < text.length) before = places_.last();
   const std::uint32_t first = places_.run(before).end();

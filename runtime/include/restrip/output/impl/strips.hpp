@@ -78,7 +78,7 @@ bool are_strips_of(const Mesh& mesh, const Strips& strips) {
 }
 
 // Writes all strips, as strip_indices() promises, of a mesh that returns turns as StripMesh::other_solid_sides does.
-// Strips turn at random, so no turn is a branch.
+// Branch-free: turns are unpredictable.
 template <class Mesh>
 class SidedWriter {
  public:
@@ -213,7 +213,7 @@ std::size_t count_strips(const Mesh& mesh) {
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.has_triangle(t) || met[t] || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
     ++strips;
-    for (StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)}; at.goes_on;
+    for (StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)}; at.continues;
          at = strip_step(mesh, at.in)) {
       met[detail::triangle_of(mesh, at.in)] = true;
       --left;
@@ -244,7 +244,7 @@ Strips extract_strips(const Mesh& mesh) {
     if (!mesh.has_triangle(t) || listed[t] || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
     // In an invalid colouring a strip may return to itself.
     StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)};
-    for (; at.goes_on && !listed[detail::triangle_of(mesh, at.in)]; at = strip_step(mesh, at.in)) {
+    for (; at.continues && !listed[detail::triangle_of(mesh, at.in)]; at = strip_step(mesh, at.in)) {
       strips.order.push_back(detail::triangle_of(mesh, at.in));
       listed[detail::triangle_of(mesh, at.in)] = true;
     }

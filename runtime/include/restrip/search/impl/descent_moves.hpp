@@ -247,7 +247,7 @@ bool Descent::keeps_strips(const SidedMesh auto& mesh, const StripMove& move) {
     if (StripMesh::triangle(from_u) == t) return !(from_u == into_t);
     const auto next_t = mesh.strip_step(from_t);
     const auto next_u = mesh.strip_step(from_u);
-    if (!next_t.goes_on || !next_u.goes_on) return true;
+    if (!next_t.continues || !next_u.continues) return true;
     from_t = next_t.in;
     from_u = next_u.in;
   }

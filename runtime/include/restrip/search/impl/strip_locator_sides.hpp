@@ -25,7 +25,7 @@ bool StripLocator::step(const SidedMesh auto& mesh, Triangle& t, unsigned& entry
   const StripStep<Halfedge> next = mesh.strip_step(StripMesh::halfedge(t, entry));
   t = StripMesh::triangle(next.in);
   entry = StripMesh::side(next.in);
-  return next.goes_on;
+  return next.continues;
 }
 
 // Whether labels of the chunk of h's triangle grow across the solid edge of h.
@@ -236,7 +236,7 @@ void StripLocator::find_strands(const SidedMesh auto& mesh, std::span<const Tria
   const std::uint32_t done = ++mark_;
   for (const Triangle t : patch) marks_[t] = waiting;
   // Adds the nodes of a path after t, up to its end in the patch. Returns the halfedge that leads back into the patch,
-  // if the path goes on.
+  // if the path continues.
   const auto follow = [&](Triangle t, unsigned entry) -> Halfedge {
     while (step(mesh, t, entry)) {
       if (marks_[t] != waiting) return marks_[t] == done ? Halfedge{} : StripMesh::halfedge(t, entry);

@@ -202,7 +202,7 @@ class WindowPlan {
     }
     for (std::uint32_t steps = 0; steps < max_walk; ++steps, ++walked_) {
       const auto step = mesh.strip_step(in);
-      if (!step.goes_on) {
+      if (!step.continues) {
         side.kind = Kind::port;
         const unsigned last_turn = mesh.other_solid_sides(mesh.opposite(in));
         side.far_end = side.turn == 0 ? ends_there : last_turn == 1 ? ends_wrong : ends_well;
