@@ -97,19 +97,15 @@ class Draft {
       fail_to_write(shown_, errno);
   }
 
-  // False, with errno, when they failed; then the target is as it was.
-  /// Takes the target's name.
-  [[nodiscard]] bool publish() noexcept {
-    if (system_calls().rename(name_.c_str(), target_.c_str()) != 0) return false;
+  /// Takes the target's name. Throws FileError; then the target is as it was.
+  void publish() {
+    if (system_calls().rename(name_.c_str(), target_.c_str()) != 0) fail_to_write(shown_, errno);
     name_.clear();
-    return true;
   }
-  /// Instead of fill(): the target itself gets the draft's name.
-  [[nodiscard]] bool take_target_aside() noexcept { return system_calls().rename(target_.c_str(), name_.c_str()) == 0; }
-  /// Removes the target, which this draft was published as.
-  [[nodiscard]] bool remove_published() const noexcept { return system_calls().unlink(target_.c_str()) == 0; }
-  /// Leaves the draft where it is, under its own name, which it returns.
-  [[nodiscard]] std::string leave() noexcept { return std::exchange(name_, {}); }
+  /// Removes the target, if it exists. Throws FileError.
+  void remove_target() const {
+    if (system_calls().unlink(target_.c_str()) != 0 && errno != ENOENT) fail_to_write(shown_, errno);
+  }
 
  private:
   fs::path target_;
@@ -233,20 +229,20 @@ void Output::write(std::string_view bytes) const {
   const SignalPause pause;
   Draft draft(target_, file_.string());
   draft.fill(bytes);
-  if (!draft.publish()) fail_to_write(file_.string(), errno);
+  draft.publish();
 }
 
-MadeFolders::~MadeFolders() {
-  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
+OutputSet::MadeFolders::~MadeFolders() {
+  for (auto folder = made.rbegin(); folder != made.rend(); ++folder) ::rmdir(folder->c_str());
 }
 
-void MadeFolders::make(const fs::path& folder) {
+void OutputSet::MadeFolders::make(const fs::path& folder) {
   if (folder.empty() || status_of(folder)) return;
   make(folder.parent_path());
-  made_.reserve(made_.size() + 1);
+  made.reserve(made.size() + 1);
   std::string name = folder.string();
   if (system_calls().mkdir(name.c_str(), 0777) == 0)
-    made_.push_back(std::move(name));
+    made.push_back(std::move(name));
   else if (errno != EEXIST)
     throw FileError(fmt::format("{}: cannot be made: {}; name a folder that you may write to", folder.string(),
                                 std::strerror(errno)));
@@ -257,92 +253,21 @@ OutputSet::OutputSet(fs::path folder, const std::vector<fs::path>& names, const 
   if (folder_.empty()) throw FileError("the name of the folder for the output is empty; name one");
   for (const fs::path& name : names) {
     const fs::path file = folder_ / name;
-    made_.make(folder_of(file));
+    folders_.make(folder_of(file));
     if (tested_.emplace_back(file, rules).target_.empty())
       throw FileError(fmt::format("{}: cannot be written: it is not a regular file; remove it", file.string()));
   }
 }
 
-namespace {
-
-/// Replaces files by drafts, and back.
-class Exchange {
- public:
-  struct Replacement {
-    Draft fresh;
-    std::optional<Draft> old;  ///< a name in the same folder for the existing file, if any
-    std::string shown;
-    bool is_aside = false;
-    bool is_published = false;
-  };
-
-  explicit Exchange(std::vector<Replacement> files) : files_(std::move(files)) { lost_.reserve(files_.size()); }
-
-  /// The file at which it failed, with errno; null if all are done.
-  const Replacement* run() noexcept {
-    if (files_.size() > 1 && !set_aside(files_.back())) return &files_.back();
-    for (Replacement& file : files_) {
-      if (!set_aside(file) || !file.fresh.publish()) return &file;
-      file.is_published = true;
-    }
-    return nullptr;
-  }
-
-  /// Returns the old files that could not be restored, under their present names. The last file is restored last, and
-  /// only if all others are. Allocates nothing, because a failure here would lose files.
-  const std::vector<std::string>& undo() noexcept {
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      Replacement& file = files_[i];
-      const bool may_vouch = i + 1 < files_.size() || whole_;
-      if (file.is_aside ? may_vouch && file.old->publish() : !file.is_published || file.fresh.remove_published())
-        continue;
-      whole_ = false;
-      if (file.is_aside) lost_.push_back(file.old->leave());
-    }
-    return lost_;
-  }
-  /// After undo(): whether everything is restored.
-  [[nodiscard]] bool whole() const noexcept { return whole_; }
-
- private:
-  static bool set_aside(Replacement& file) noexcept {
-    if (!file.old || file.is_aside) return true;
-    file.is_aside = file.old->take_target_aside();
-    return file.is_aside;
-  }
-
-  std::vector<Replacement> files_;
-  std::vector<std::string> lost_;
-  bool whole_ = true;
-};
-
-}  // namespace
-
-void OutputSet::write(const std::vector<NamedBytes>& files) {
+void OutputSet::write(const std::vector<NamedBytes>& files) const {
   const SignalPause pause;
-  std::vector<Exchange::Replacement> replacements;
-  replacements.reserve(files.size());
+  std::vector<Draft> drafts;
   for (const NamedBytes& file : files) {
     const fs::path path = folder_ / file.name;
-    made_.make(folder_of(path));
-    const fs::path target = follow_links(path).file;
-    const std::string shown = path.string();
-    Exchange::Replacement& replacement =
-        replacements.emplace_back(Exchange::Replacement{Draft(target, shown), {}, shown});
-    replacement.fresh.fill(file.bytes);
-    if (status_of(target)) replacement.old.emplace(target, shown);
+    drafts.emplace_back(follow_links(path).file, path.string()).fill(file.bytes);
   }
-  Exchange exchange(std::move(replacements));
-  if (const Exchange::Replacement* const failed = exchange.run()) {
-    const int error = errno;
-    const std::vector<std::string>& lost = exchange.undo();
-    if (!exchange.whole())
-      throw FileError(fmt::format("{}: cannot be written: {}; nor could the files in {} be restored{}{}", failed->shown,
-                                  std::strerror(error), folder_.string(),
-                                  lost.empty() ? "; remove them" : ", which are now ", fmt::join(lost, ", ")));
-    fail_to_write(failed->shown, error);
-  }
-  made_.keep();
+  if (drafts.size() > 1) drafts.back().remove_target();
+  for (Draft& draft : drafts) draft.publish();
 }
 
 }  // namespace restrip::files

@@ -43,45 +43,39 @@ class Output {
   std::shared_ptr<const Claim> claim_;
 };
 
-/// Folders made for an output. Empty ones are removed with their owner, unless kept.
-class MadeFolders {
- public:
-  MadeFolders() = default;
-  ~MadeFolders();
-  MadeFolders(const MadeFolders&) = delete;
-  MadeFolders& operator=(const MadeFolders&) = delete;
-
-  /// Makes the folder and its parents, if they do not exist. Throws FileError.
-  void make(const std::filesystem::path& folder);
-  void keep() noexcept { made_.clear(); }
-
- private:
-  std::vector<std::string> made_;
-};
-
 struct NamedBytes {
   std::filesystem::path name;  ///< below the folder of the set
   std::string bytes;
 };
 
-/// Several files of one folder. The last one describes the others (a manifest, a page of figures). It never appears
-/// next to files that it does not describe, even after failures.
+/// Several files of one folder. The last one describes the others (a manifest, a report). It never appears next to
+/// files that it does not describe, even after failures.
 class OutputSet {
  public:
-  /// Makes the folders of these files, which are removed again if nothing is written. Throws FileError unless each file
+  /// Makes the folders of these files; those that stay empty are removed in the end. Throws FileError unless each file
   /// can be written, is a regular file if it exists, and no two are the same.
   OutputSet(std::filesystem::path folder, const std::vector<std::filesystem::path>& names,
             const OutputRules& rules = {});
 
-  /// First all files are drafted. Then the old ones are set aside, the last name first, and the new ones get their
-  /// names in order. Throws FileError after restoring all changes. If that fails as well, the file of the last name
-  /// does not exist, and the message says where the old files are. A program killed in between leaves no file of the
-  /// last name either. Names must be among the names of the constructor.
-  void write(const std::vector<NamedBytes>& files);
+  /// Drafts all files; after a failure so far (a full disk) everything is as before. Then removes the last of the old
+  /// files and gives the new ones their names, in order. Throws FileError; then each file is old or new, and the last
+  /// one does not exist unless all are old. Names must be among the names of the constructor.
+  void write(const std::vector<NamedBytes>& files) const;
 
  private:
+  struct MadeFolders {
+    MadeFolders() = default;
+    ~MadeFolders();
+    MadeFolders(const MadeFolders&) = delete;
+    MadeFolders& operator=(const MadeFolders&) = delete;
+    /// Makes the folder and its parents, if they do not exist. Throws FileError.
+    void make(const std::filesystem::path& folder);
+
+    std::vector<std::string> made;
+  };
+
   std::filesystem::path folder_;
-  MadeFolders made_;
+  MadeFolders folders_;
   std::vector<Output> tested_;
 };
 

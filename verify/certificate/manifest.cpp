@@ -76,7 +76,8 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
   for (const ManifestLine& line : lines) {
     listed.insert(line.path);
     const auto fault = [&](const std::string& what) {
-      faults.push_back(fmt::format("{}/MANIFEST:{}: {}: {}", tables_dir, line.line, line.path, what));
+      faults.push_back(
+          fmt::format("{}/MANIFEST:{}: {}: {}; generate the tables again", tables_dir, line.line, line.path, what));
     };
     const std::string path = tables_dir + "/" + line.path;
     if (!fs::is_regular_file(path)) {
@@ -91,7 +92,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
   }
   if (const std::string families = tables_dir + "/families.json";
       fs::is_regular_file(families) && read_file(families) != families_text)
-    faults.push_back(families + ": differs from the families that this program was built with");
+    faults.push_back(families + ": differs from the families that this program was built with; build it again");
   std::set<std::string> unlisted;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tables_dir)) {
     if (entry.is_directory() && !entry.is_symlink()) continue;
@@ -99,7 +100,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
     if (!needs_no_line(path) && !listed.contains(path)) unlisted.insert(path);
   }
   for (const std::string& path : unlisted)
-    faults.push_back(fmt::format("{}/{}: unlisted file", tables_dir, files::printable_ascii(path)));
+    faults.push_back(fmt::format("{}/{}: unlisted file; remove it", tables_dir, files::printable_ascii(path)));
   return faults;
 }
 

@@ -33,13 +33,13 @@ std::string read_whole(const std::filesystem::path& file, const ReadLimits& limi
   return found->second;
 }
 
-MadeFolders::~MadeFolders() = default;
+OutputSet::MadeFolders::~MadeFolders() = default;
 
 OutputSet::OutputSet(std::filesystem::path folder, const std::vector<std::filesystem::path>& /*names*/,
                      const OutputRules& /*rules*/)
     : folder_(std::move(folder)) {}
 
-void OutputSet::write(const std::vector<NamedBytes>& written) {
+void OutputSet::write(const std::vector<NamedBytes>& written) const {
   for (const NamedBytes& file : written) maker::memory_files()[(folder_ / file.name).string()] = file.bytes;
 }
 
