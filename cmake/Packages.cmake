@@ -1,7 +1,7 @@
 # Debian packages, one for each component: `cpack -G DEB` in the build folder. The library is a package without programs;
 # the C interface has two packages, so that programs do not require its header.
 set(CPACK_PACKAGE_NAME restrip)
-set(CPACK_PACKAGE_CONTACT "The restrip authors")
+set(CPACK_PACKAGE_CONTACT "${RESTRIP_AUTHORS}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_GENERATOR DEB)

@@ -9,5 +9,7 @@ export async function compiled(source) {
   }
   const answer = await fetch(source);
   if (!answer.ok) throw new Error(`${source}: ${answer.status} ${answer.statusText}`);
-  return WebAssembly.compile(await answer.arrayBuffer());
+  // Engines compile what still arrives only if the server says what it is, in these words.
+  const streams = WebAssembly.compileStreaming && answer.headers.get('content-type') === 'application/wasm';
+  return streams ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }

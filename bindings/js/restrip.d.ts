@@ -10,10 +10,11 @@
  *  needed. */
 type Url = typeof globalThis extends { URL: { prototype: infer T } } ? T : { readonly href: string };
 type Module = typeof globalThis extends { WebAssembly: { Module: { prototype: infer T } } } ? T : object;
-/** A WebAssembly module: where to fetch it from, its bytes, or compiled. */
+/** A WebAssembly module: where to fetch it from, its bytes, or compiled. It is compiled while it arrives if the server
+ *  gives it the type application/wasm. */
 export type Source = string | Url | ArrayBuffer | ArrayBufferView | Module;
 
-/** What became of an operation: done, or refused for a reason, one sentence. */
+/** What became of an operation: done, or refused for a reason, one sentence that names its vertices. */
 export type Outcome<Made = {}> = ({ ok: true } & Made) | { ok: false; reason: string };
 /** The effort of an operation to keep strips good. 'baked': plays the strips that `restrip bake` precomputed for each
  *  level; for meshes opened by Restrip.baked. */
@@ -79,8 +80,8 @@ export interface Figures {
   /** Records that are split now; when `inOrder`, the first ones. */
   played: number;
   inOrder: boolean;
-  /** To be drawn, gaps included. */
-  bufferIndices: number;
+  /** To be drawn, gaps included. Null between an operation and update(): the buffer is then not the one of this mesh. */
+  bufferIndices: number | null;
   operations: number;
   /** Operations that added strips; that added an isolated triangle (not counted while `baked`); that the mesh refused. */
   addingStrip: number;
@@ -112,7 +113,7 @@ export interface LastOperation {
 
 /** Call begin() first. Before it only `points`, `levels`, `splits`, `hasBakedStrips`, `leftOut`, addPoint(), setPoint()
  * and close() do not throw. A view of memory (`indices`, `listIndices`) is valid until the next call of any method of any
- * mesh. */
+ * mesh, and while its mesh can be reached. */
 export class StripMesh implements Disposable {
   /** Replaced when addPoint(), bisect() or splitFace() makes it longer, in constant time on average: read it again.
    * bisect() and splitFace() may reuse the number of a removed vertex; then it keeps its length. */
@@ -198,7 +199,8 @@ export class StripMesh implements Disposable {
   /** The first point where a ray meets the mesh, or null. Linear time. */
   pick(from: ArrayLike<number>, along: ArrayLike<number>): [number, number, number] | null;
   readonly last: LastOperation | null;
-  /** Releases the memory. Once is enough; `using mesh = …` does it at the end of the block. */
+  /** Releases the memory. Once is enough; `using mesh = …` does it at the end of the block. Without it the memory is
+   *  released some time after the program can no longer reach the mesh. */
   close(): void;
   [Symbol.dispose](): void;
 }

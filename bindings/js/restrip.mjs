@@ -9,7 +9,7 @@ const costs = { strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart
 const forms = ['restart', 'stitched', 'lengths', 'list'];
 export const restartIndex = 0xffffffff;
 export const none = 0xffffffff;
-const noSuchEdge = 1;  // of Refusal, restrip/mesh/refusal.hpp
+const refusals = { noSuchEdge: 1, sameSpoke: 3, spokeOnBoundary: 6 };  // of Refusal, restrip/mesh/refusal.hpp
 
 const figureNames = ['triangles', 'strips', 'played', 'inOrder', 'bufferIndices', 'operations', 'addingStrip',
   'isolating', 'refused', 'indicesWritten', 'updates', 'baked'];
@@ -81,6 +81,20 @@ function mask(what, bits) {
   return out;
 }
 
+// ---- memory of the module
+
+/// What an object here has there: a mesh, marks of its records, a mesh that is being simplified; 0 if it does not.
+function holding(wasm, held) { return { wasm, page: 0, marks: 0, simplifier: 0, ...held }; }
+function release(held) {
+  const { wasm, page, marks, simplifier } = held;
+  Object.assign(held, { page: 0, marks: 0, simplifier: 0 });
+  if (marks !== 0) wasm.restrip_give_back(marks);
+  if (page !== 0) wasm.restrip_close(page);
+  if (simplifier !== 0) wasm.restrip_close(wasm.restrip_simplify_end(simplifier));
+}
+/// Releases what objects held that a program can no longer reach and did not close.
+const unreachable = new FinalizationRegistry(release);
+
 export class Restrip {
   #wasm;
 
@@ -108,22 +122,27 @@ export class Restrip {
     }
   }
   /// The same in steps of some thousand attempts.
-  *simplifying({ points, triangles }, share = 0.02) {
+  simplifying({ points, triangles }, share = 0.02) {
     if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${quoted(share)}; it must be from 0 to 1`);
     const places = coordinates(points);
     const count = places.length / 3;
     const corners = vertices('triangle', triangles, 3, count);
     const wanted = Math.max(4, Math.round(corners.length / 3 * share));
     const simplifier = this.#with([places, corners], (p, t) => this.#wasm.restrip_simplify_begin(p, count, t, corners.length / 3));
-    let page = 0;
+    const held = holding(this.#wasm, { simplifier });
+    const steps = this.#collapses(held, places, wanted, Math.max(1, corners.length / 3 - wanted));
+    unreachable.register(steps, held);
+    return steps;
+  }
+  *#collapses(held, places, wanted, all) {
     try {
-      const all = Math.max(1, corners.length / 3 - wanted);
-      for (let left; (left = this.#wasm.restrip_simplify_run(simplifier, wanted, 1000)) > 0;) yield 1 - left / all;
-      page = this.#wasm.restrip_simplify_end(simplifier);
+      for (let left; (left = this.#wasm.restrip_simplify_run(held.simplifier, wanted, 1000)) > 0;) yield 1 - left / all;
+      const page = this.#wasm.restrip_simplify_end(held.simplifier);
+      held.simplifier = 0;
+      return this.#opened(page, places);
     } finally {
-      if (page === 0) this.#wasm.restrip_close(this.#wasm.restrip_simplify_end(simplifier));  // the caller has stopped early
+      release(held);  // the caller has stopped early
     }
-    return this.#opened(page, places);
   }
 
   /// A baked mesh, from the bytes of its file.
@@ -200,36 +219,32 @@ function textAt(wasm, address) {
 
 export class StripMesh {
   #wasm;
-  #page;
+  #held;
   #levels;
   #begun = false;
   #bits = 32;
-  #wanted = 0;
   #store;  // points, and room for more
   /// Three coordinates a vertex.
   points;
 
   constructor(wasm, page, points) {
     this.#wasm = wasm;
-    this.#page = page;
+    this.#held = holding(wasm, { page });
+    unreachable.register(this, this.#held);
     this.points = this.#store = points;
     this.#levels = wasm.restrip_levels(page);
   }
-  close() {
-    if (this.#wanted) this.#wasm.restrip_give_back(this.#wanted);
-    if (this.#page) this.#wasm.restrip_close(this.#page);
-    this.#page = this.#wanted = 0;
-  }
+  close() { release(this.#held); }
   [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() { this.close(); }
 
   /// The mesh in the module's memory.
   get #open() {
-    if (this.#page === 0) throw new Error('this mesh is closed: close() gave its memory back');
-    return this.#page;
+    if (this.#held.page === 0) throw new Error('this mesh is closed: close() gave its memory back');
+    return this.#held.page;
   }
   /// The same, with strips.
   get #kept() {
-    if (!this.#begun && this.#page !== 0) throw new Error('this mesh has no strips yet; call begin() first');
+    if (!this.#begun && this.#held.page !== 0) throw new Error('this mesh has no strips yet; call begin() first');
     return this.#open;
   }
 
@@ -274,34 +289,38 @@ export class StripMesh {
     if (wanted?.length !== this.#levels)
       throw new RangeError(`there are ${String(wanted?.length ?? 'no')} marks; there must be one for each of the ${this.#levels} records`);
     const page = this.#inRecords;
-    if (!this.#wanted) this.#wanted = taken(this.#wasm, this.#levels);
-    new Uint8Array(this.#wasm.memory.buffer, this.#wanted, this.#levels).set(wanted);
-    return this.#wasm.restrip_approach(page, this.#wanted, limit(most));
+    this.#held.marks ||= taken(this.#wasm, this.#levels);
+    new Uint8Array(this.#wasm.memory.buffer, this.#held.marks, this.#levels).set(wanted);
+    return this.#wasm.restrip_approach(page, this.#held.marks, limit(most));
   }
   split(vS, vT, vL, vR) {
     // The new vertex must have a point; of the others the library says whether the mesh has them.
     whole('vT', vT, this.points.length / 3 - 1);
-    return this.#outcome(this.#wasm.restrip_split(this.#kept, whole('vS', vS), vT, whole('vL', vL), whole('vR', vR)), `vertex ${vS} has no edge to ${vL} or to ${vR}`);
+    const sides = [vL, vR].filter((v) => v !== none);
+    return this.#outcome(this.#wasm.restrip_split(this.#kept, whole('vS', vS), vT, whole('vL', vL), whole('vR', vR)), `vertex ${vS} cannot be split`, {
+      [refusals.noSuchEdge]: `vertex ${vS} has no edge to ${sides.join(' or to ') || '`none`'}`,
+      [refusals.sameSpoke]: `vertex ${vS} needs two edges, but vL and vR are both ${vL}`,
+      [refusals.spokeOnBoundary]: `vertex ${vS} is not on the boundary, so neither vL nor vR may be \`none\`` });
   }
-  collapse(vS, vT) { return this.#outcome(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT)), `no triangle has a side between ${vS} and ${vT}`); }
-  flip(u, v) { return this.#outcome(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v)), `no triangle has a side between ${u} and ${v}`); }
+  collapse(vS, vT) { return this.#atEdge(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT)), vS, vT, 'collapsed'); }
+  flip(u, v) { return this.#atEdge(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v)), u, v, 'flipped'); }
   bisect(u, v) {
-    return this.#added((page) => this.#wasm.restrip_bisect(page, whole('u', u), whole('v', v)), `no triangle has a side from ${u} to ${v}`);
+    return this.#added((page) => this.#atEdge(this.#wasm.restrip_bisect(page, whole('u', u), whole('v', v)), u, v, 'bisected'));
   }
   splitFace(a, b, c) {
-    return this.#added((page) => this.#wasm.restrip_split_face(page, whole('a', a), whole('b', b), whole('c', c)),
-      `no triangle has the corners ${a}, ${b}, ${c} in this order`);
+    return this.#added((page) => this.#outcome(this.#wasm.restrip_split_face(page, whole('a', a), whole('b', b), whole('c', c)),
+      `the triangle ${a}, ${b}, ${c} cannot be split`, { [refusals.noSuchEdge]: `no triangle has the corners ${a}, ${b}, ${c} in this order` }));
   }
   /// Why an index cannot be this vertex; null if it can.
   #cannotName(v) {
     return this.#begun && this.#bits === 16 && v >= 0xffff ? `16 bits cannot name vertex ${v.toLocaleString('en')}; begin with bits 'auto'` : null;
   }
-  /// An operation with a new vertex. `absent`: the sentence when the mesh does not have what it is to be done at.
-  #added(operation, absent) {
+  /// An operation with a new vertex.
+  #added(operation) {
     const page = this.#kept;
     const reason = this.#cannotName(this.#wasm.restrip_next_vertex(page));
     if (reason !== null) return { ok: false, reason };
-    const outcome = this.#outcome(operation(page), absent);
+    const outcome = operation(page);
     if (!outcome.ok) return outcome;
     const vertex = this.#wasm.restrip_new_vertex(page);
     this.#readPoint(vertex);
@@ -309,7 +328,7 @@ export class StripMesh {
   }
   /// Copies the point of a vertex from the module; `points` is as long as the vertices then.
   #readPoint(v) {
-    const all = listAt(this.#wasm, this.#wasm.restrip_points(this.#page), Float32Array, 1);
+    const all = listAt(this.#wasm, this.#wasm.restrip_points(this.#held.page), Float32Array, 1);
     if (all.length > this.#store.length) {
       const store = new Float32Array(2 * all.length);
       store.set(this.points);
@@ -318,9 +337,13 @@ export class StripMesh {
     if (all.length !== this.points.length) this.points = this.#store.subarray(0, all.length);
     this.points.set(all.subarray(3 * v, 3 * v + 3), 3 * v);
   }
-  #outcome(refusal, absent) {
+  /// `fault`: what cannot be done, by its vertices. `sentences`, by refusal: in place of the library's that speak of halfedges.
+  #outcome(refusal, fault, sentences) {
     if (refusal === 0) return { ok: true };
-    return { ok: false, reason: refusal === noSuchEdge ? absent : textAt(this.#wasm, this.#wasm.restrip_describe(refusal)) };
+    return { ok: false, reason: sentences[refusal] ?? `${fault}: ${textAt(this.#wasm, this.#wasm.restrip_describe(refusal))}` };
+  }
+  #atEdge(refusal, u, v, done) {
+    return this.#outcome(refusal, `the edge from ${u} to ${v} cannot be ${done}`, { [refusals.noSuchEdge]: `no triangle has a side between ${u} and ${v}` });
   }
 
   around(v) { return listAt(this.#wasm, this.#wasm.restrip_around(this.#kept, whole('v', v)), Uint32Array, 1).slice(); }
@@ -345,7 +368,7 @@ export class StripMesh {
     const { join = 2, align = 4 } = known('update', options, ['join', 'align']);
     if (align !== 2 && (whole('align', align) === 0 || align % 4 !== 0)) throw new RangeError(`align is ${align}; it must be 2 or a multiple of 4`);
     const ranges = this.#ranges(this.#wasm.restrip_update(this.#kept, whole('join', join), align));
-    return Object.assign(ranges, { outgrown: this.#wasm.restrip_outgrown(this.#page) === 1 });
+    return Object.assign(ranges, { outgrown: this.#wasm.restrip_outgrown(this.#held.page) === 1 });
   }
   get room() { return this.#wasm.restrip_room(this.#kept); }
   get draws() { return this.#ranges(this.#wasm.restrip_draws(this.#kept)); }
@@ -369,7 +392,7 @@ export class StripMesh {
   }
   get indices() {
     const [data, bytes] = new Uint32Array(this.#wasm.memory.buffer, this.#wasm.restrip_indices(this.#kept), 2);
-    const Type = this.#wasm.restrip_index_bytes(this.#page) === 2 ? Uint16Array : Uint32Array;
+    const Type = this.#wasm.restrip_index_bytes(this.#held.page) === 2 ? Uint16Array : Uint32Array;
     return bytes === 0 ? new Type(0) : new Type(this.#wasm.memory.buffer, data, bytes / Type.BYTES_PER_ELEMENT);
   }
   get triangles() { return listAt(this.#wasm, this.#wasm.restrip_triangles(this.#kept), Uint32Array, 3).slice(); }
@@ -378,6 +401,7 @@ export class StripMesh {
     const raw = new Uint32Array(this.#wasm.memory.buffer, this.#wasm.restrip_figures(this.#kept), figureNames.length);
     const figures = Object.fromEntries(figureNames.map((name, n) => [name, raw[n]]));
     for (const flag of ['inOrder', 'baked']) figures[flag] = figures[flag] === 1;
+    if (figures.bufferIndices === none) figures.bufferIndices = null;
     return figures;
   }
   get plainIndices() { return this.#wasm.restrip_plain_indices(this.#kept); }

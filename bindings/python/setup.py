@@ -24,6 +24,8 @@ ROOT = HERE / "sources" if (HERE / "sources").is_dir() else HERE.parents[1]
 SOURCES = ("CMakeLists.txt", "LICENSE", "bindings/c", "runtime/include", "tables/include")  # what the archive has of the repository
 C = ROOT / "bindings/c"
 VERSION = re.search(r"project\(\s*restrip VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+REPOSITORY = re.search(r'set\(RESTRIP_REPOSITORY "(.*)"\)', (ROOT / "CMakeLists.txt").read_text())[1]
+LINKS = {"Source": REPOSITORY, "Issues": f"{REPOSITORY}/issues"} if REPOSITORY else {}
 SCRATCH = tempfile.mkdtemp()  # the sources do not change
 NAME = {"darwin": "librestrip_c.dylib", "win32": "restrip_c.dll"}.get(sys.platform, "librestrip_c.so")
 
@@ -71,7 +73,7 @@ class OfThisMachine(bdist_wheel):
 
 setup(name="restrip", version=VERSION, description="Triangle strips, made from scratch and maintained while a mesh changes", license="MIT",
       author="The restrip authors", keywords=["triangle strips", "level of detail", "mesh", "index buffer"],
-      project_urls={"Paper": "https://doi.org/10.2312/LocalChapterEvents/ItalChap/ItalianChapConf2007/023-029"},
+      project_urls={"Paper": "https://doi.org/10.2312/LocalChapterEvents/ItalChap/ItalianChapConf2007/023-029", **LINKS},
       classifiers=["Development Status :: 5 - Production/Stable", "Intended Audience :: Developers", "License :: OSI Approved :: MIT License",
                    "Programming Language :: C++", "Programming Language :: Python :: 3", "Topic :: Multimedia :: Graphics :: 3D Modeling", "Typing :: Typed"],
       long_description=(HERE / "README.md").read_text(), long_description_content_type="text/markdown", python_requires=">=3.8",

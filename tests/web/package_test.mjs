@@ -2,10 +2,14 @@
 // top and back at the base, after an update of the index buffer for every single operation, `restrip replay` and the
 // package report the same numbers. The index buffer, copied only by its ranges, draws the mesh. Operations that the
 // mesh refuses change nothing, and misuse throws a sentence. A view-dependent walk ends, wherever it went, at the
-// triangles that the levels have. Rules are the same as in the native tables. The small module has equally good rules.
+// triangles that the levels have. Rules are the same as in the native tables. The small module has equally good rules. What
+// a program no longer reaches is freed. The module is compiled while it arrives if the server allows it.
 //   node package_test.mjs WEB_FOLDER RESTRIP DUMP_TABLES SCRATCH [TSC]
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { createServer } from 'node:http';
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -13,7 +17,7 @@ import { standIn } from './use_checks.mjs';
 
 const [folder, program, dumpProgram, scratch, tsc] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
-const { load, restartIndex, small } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
+const { load, none, restartIndex, small } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
 const { loadReaders } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
 const readMesh = await loadReaders();
 const restrip = await load();
@@ -304,7 +308,7 @@ function sculpts() {
           assert.equal(mesh.points.length % 3, 0);
           if (corners) assert.equal(mesh.points[3 * added.vertex], Math.fround((mesh.points[3 * d] + mesh.points[3 * e]) / 2));
         }
-        assert.deepEqual(mesh.bisect(d, d), { ok: false, reason: `no triangle has a side from ${d} to ${d}` });
+        assert.deepEqual(mesh.bisect(d, d), { ok: false, reason: `no triangle has a side between ${d} and ${d}` });
         assert.deepEqual(mesh.splitFace(d, e, d), { ok: false, reason: `no triangle has the corners ${d}, ${e}, ${d} in this order` });
         follow([undefined, { join: 40, align: 16 }, { join: 0, align: 2 }][i % 4 % 3]);
       }
@@ -645,8 +649,9 @@ function asDependency() {
   assert.ok(printed[0][2] < 2 * triangles && printed.every(([, bytes, indices]) => bytes > 4 * indices / 2), JSON.stringify(printed));
   fine.close();
   assert.throws(() => example(), /usage: node example.mjs MESH/);
-  for (const { types, default: code } of Object.values(about.exports).filter((path) => typeof path === 'object'))
-    for (const path of [types, code]) assert.ok(about.files.includes(path.slice(2)), path);
+  for (const { types, default: code } of Object.values(about.exports))
+    for (const path of [types, code]) assert.ok(path && about.files.includes(path.slice(2)), path);
+  for (const field of ['version', 'author', 'license', 'description']) assert.ok(about[field] && !about[field].includes('@'), field);
   // The types, if a compiler for them is available: right uses compile, uses marked as wrong do not.
   if (tsc) {
     copyFileSync(fileURLToPath(new URL('types.mts', import.meta.url)), join(project, 'types.mts'));
@@ -654,8 +659,8 @@ function asDependency() {
       execFileSync(tsc, ['--strict', '--noEmit', '--target', 'es2022', '--module', module, '--moduleResolution', resolution, 'types.mts'],
         { cwd: project, stdio: 'inherit' });
     // Neither the library of a browser nor Node's types are needed.
-    writeFileSync(join(project, 'bare.mts'), "import { load, small } from 'restrip-wasm';\nimport { loadReaders } from 'restrip-wasm/formats';\n" +
-      "await load(small);\nawait loadReaders(new Uint8Array(3));\n// @ts-expect-error\nawait load(3);\n");
+    writeFileSync(join(project, 'bare.mts'), "import { load, small } from 'restrip-wasm';\nimport { loadReaders } from 'restrip-wasm/formats';\nimport address from 'restrip-wasm/restrip.wasm';\n" +
+      "const text: string = address;\nawait load(text);\nawait load(small);\nawait loadReaders(new Uint8Array(3));\n// @ts-expect-error\nawait load(3);\n");
     execFileSync(tsc, ['--strict', '--noEmit', '--target', 'es2022', '--module', 'nodenext', '--lib', 'es2022', 'bare.mts'],
       { cwd: project, stdio: 'inherit' });
     console.log('types: as claimed');
@@ -739,15 +744,21 @@ function misuseThrows() {
   next.close();
 }
 
-/// The module gets 2 GB that it does not touch, so that all it takes from then on has addresses above.
-async function worksAboveTwoGigabytes() {
+/// The library once more, with what its module exports.
+async function loadOpen() {
   const { instantiate } = WebAssembly;
   let instance;
   WebAssembly.instantiate = async (...given) => (instance = await instantiate(...given));
-  const high = await load(small);
+  const library = await load(small);
   WebAssembly.instantiate = instantiate;
-  instance.exports.restrip_take(1);  // the first call makes all memory that is there then the heap
-  instance.exports.memory.grow(2 ** 15);
+  return { library, exports: instance.exports };
+}
+
+/// The module gets 2 GB that it does not touch, so that all it takes from then on has addresses above.
+async function worksAboveTwoGigabytes() {
+  const { library: high, exports } = await loadOpen();
+  exports.restrip_take(1);  // the first call makes all memory that is there then the heap
+  exports.memory.grow(2 ** 15);
   const mesh = high.progressive(source).begin({ policy: 'quick' });
   mesh.moveTo(mesh.levels);
   mesh.update();
@@ -759,7 +770,131 @@ async function worksAboveTwoGigabytes() {
   mesh.close();
 }
 
-for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, singleOperations, sameRules, smallIsAsGood, copiesByRanges, sculpts, sixteenBitsAreKept, beginKeepsEdits, pointsGrowInConstantTime, threeFollows, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
+/// Meshes that nobody closed, and simplifications that nobody finished, give their memory back when the program cannot reach
+/// them; what it can reach stays.
+async function unclosedIsFreed() {
+  setFlagsFromString('--expose-gc');
+  const collect = runInNewContext('gc');
+  const { library, exports } = await loadOpen();
+  const source = grid(60, 60);
+  const forget = {
+    mesh: () => library.mesh(source).begin().update(),
+    simplified: () => { const mesh = library.simplified(source, 0.5).begin(); mesh.approach(new Uint8Array(mesh.levels)); },
+    unfinished: () => library.simplifying(source, 0.5).next(),
+    'not begun': () => library.simplifying(source, 0.5),
+    'stopped early': () => { for (const share of library.simplifying(source, 0.5)) return share; },
+  };
+  const kept = library.mesh(source).begin();
+  const round = async (leave) => {
+    for (let n = 0; n < 4; ++n) leave();
+    collect();
+    await new Promise((then) => setTimeout(then));
+  };
+  for (const [what, leave] of Object.entries(forget)) {
+    for (let n = 0; n < 3; ++n) await round(leave);
+    const { byteLength } = exports.memory.buffer;
+    for (let n = 0; n < 12; ++n) await round(leave);
+    assert.equal(exports.memory.buffer.byteLength, byteLength, what);
+  }
+  assert.ok(kept.valid && kept.triangles.length === source.triangles.length);
+  // A mesh that was closed is not closed again when it is collected: another one has its memory by then.
+  library.mesh(source).close();
+  const heirs = [library.mesh(source).begin(), library.mesh(source).begin()];
+  await round(() => {});
+  for (const heir of heirs) assert.ok(heir.bisect(0, 1).ok && heir.valid);
+}
+
+/// A module from a server is compiled while it arrives, if the server says that it is one and the engine can; else after it.
+async function compilesFromServers() {
+  const module = readFileSync(join(folder, 'package/restrip-small.wasm'));
+  const server = createServer(({ url }, answer) => {
+    const type = decodeURIComponent(url.slice(1));
+    if (type === 'absent') answer.writeHead(404).end();
+    else answer.writeHead(200, type === '' ? {} : { 'content-type': type }).end(module);
+  });
+  await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
+  const address = (type) => `http://127.0.0.1:${server.address().port}/${encodeURIComponent(type)}`;
+  const { compileStreaming } = WebAssembly;
+  let streamed = 0;
+  const observed = (answer) => (++streamed, compileStreaming(answer));
+  try {
+    for (const [type, engine, streams] of [['application/wasm', observed, 1], ['Application/WASM', observed, 0], ['application/octet-stream', observed, 0],
+      ['application/wasm; charset=utf-8', observed, 0], ['', observed, 0], ['application/wasm', undefined, 0]]) {
+      WebAssembly.compileStreaming = engine;
+      streamed = 0;
+      const mesh = (await load(address(type))).mesh(grid(3, 3)).begin();
+      assert.deepEqual([mesh.triangles.length, streamed], [24, streams], `'${type}'`);
+    }
+    assert.equal((await load(new URL(address('application/wasm')))).mesh(grid(2, 2)).begin().figures.triangles, 2);
+    await assert.rejects(load(address('absent')), /absent: 404/);
+  } finally {
+    WebAssembly.compileStreaming = compileStreaming;
+    server.close();
+  }
+}
+
+/// Every refusal is a sentence about the vertices that the caller named, and leaves the mesh as it was. The mesh has a boundary, a
+/// vertex with three neighbours, and one that two fans share.
+function refusalsNameVertices() {
+  const { points, triangles } = grid(5, 4);
+  const apex = 20;
+  const [a, b, c] = triangles.splice(18, 3);
+  triangles.push(a, b, apex, b, c, apex, c, a, apex, 4, 21, 22);
+  const places = [...points, 1.3, 0.6, 0, 9, 1, 0, 9, 2, 0, 9, 9, 9];
+  const open = () => restrip.mesh({ points: places, triangles }).begin({ policy: 'local' });
+  const before = sorted(open().triangles);
+  const reasons = new Set();
+  const attempt = (name, vertices, named = vertices) => {
+    const mesh = open();
+    const { ok, reason } = mesh[name](...vertices);
+    if (!ok) {
+      assert.deepEqual(sorted(mesh.triangles), before);
+      assert.doesNotMatch(reason, /halfedge|spoke|undefined|4294967295/);
+      for (const v of named) assert.match(reason, new RegExp(`\\b${v}\\b`));
+      reasons.add(reason.replace(/\d+/g, 'n'));
+    }
+    mesh.close();
+  };
+  const all = Array.from({ length: 24 }, (_, v) => v);
+  for (const u of all)
+    for (const v of all) {
+      for (const name of ['collapse', 'flip', 'bisect']) attempt(name, [u, v]);
+      attempt('split', [u, 23, v, none], [u]);
+      attempt('split', [u, 23, none, v], [u]);
+      attempt('splitFace', [u, v, 5]);
+    }
+  for (const u of all.slice(0, 12)) for (const v of all.slice(0, 12)) for (const w of all.slice(0, 12)) attempt('split', [u, 23, v, w], [u]);
+  attempt('split', [6, 7, 1, 11], [6]);
+  attempt('split', [6, 23, none, none], [6]);
+  for (const each of [/^no triangle has a side between n and n$/, /^vertex n has no edge to n or to n$/, /^vertex n needs two edges, but vL and vR are both n$/,
+    /^vertex n is not on the boundary, so neither vL nor vR may be `none`$/, /^the edge from n to n cannot be flipped: the edge lies on the boundary$/,
+    /^the edge from n to n cannot be collapsed: .*pinch/, /^the edge from n to n cannot be collapsed: .*manifold/, /^vertex n cannot be split: .*in use/,
+    /^no triangle has the corners n, n, n in this order$/, /^vertex n has no edge to `none`$/])
+    assert.ok([...reasons].some((reason) => each.test(reason)), `${each} in ${[...reasons].join('\n')}`);
+}
+
+/// What figures say of the buffer is of the mesh as it is: null from an operation to update(), otherwise what is drawn.
+function bufferFiguresAreFresh() {
+  for (const form of ['restart', 'stitched', 'list']) {
+    const mesh = restrip.progressive(source).begin({ form });
+    const drawnIndices = () => mesh.draws.reduce((sum, { count }) => sum + count, 0);
+    const fresh = () => assert.equal(mesh.figures.bufferIndices, drawnIndices());
+    fresh();
+    for (const operate of [() => mesh.moveTo(100), () => mesh.moveTo(90), () => mesh.approach(new Uint8Array(mesh.levels)), () => mesh.flip(...mesh.triangles.subarray(0, 2)),
+      () => mesh.bisect(...mesh.triangles.subarray(6, 8))]) {
+      const done = operate();
+      if (done.ok !== false) assert.equal(mesh.figures.bufferIndices, null);
+      mesh.update();
+      fresh();
+    }
+    const refused = mesh.collapse(0, 0);
+    assert.ok(!refused.ok);
+    fresh();
+    mesh.close();
+  }
+}
+
+for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, unclosedIsFreed, compilesFromServers, refusalsNameVertices, bufferFiguresAreFresh, singleOperations, sameRules, smallIsAsGood, copiesByRanges, sculpts, sixteenBitsAreKept, beginKeepsEdits, pointsGrowInConstantTime, threeFollows, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
   await test();
   console.log(`${test.name}: as claimed`);
 }

@@ -1,14 +1,21 @@
 // What TypeScript makes of the package's types; package_test.mjs compiles this.
 import { load, none, restartIndex, small, type Figures, type Outcome, type StripMesh } from 'restrip-wasm';
 import { loadReaders } from 'restrip-wasm/formats';
+import address from 'restrip-wasm/restrip.wasm';
+import smaller from 'restrip-wasm/restrip-small.wasm';
+import readers from 'restrip-wasm/restrip-readers.wasm';
 
-const restrip = await load(small);
-const readMesh = await loadReaders();
+await load(small);
+const addresses: string[] = [address, smaller, readers];
+const restrip = await load(new URL(address, 'https://restrip.example/'));
+const readMesh = await loadReaders(addresses[2]);
 const read = await readMesh('mesh.obj', new Uint8Array(3));
 if (read.triangles) {
   using mesh: StripMesh = restrip.simplified(read, 0.5).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
   const done: number = mesh.moveTo(mesh.levels, 5);
   const figures: Figures = mesh.figures;
+  // @ts-expect-error
+  const size: number = figures.bufferIndices;
   const outcome: Outcome = mesh.split(0, 1, 2, none);
   const refusal: string = outcome.ok ? '' : outcome.reason;
   const halved = mesh.bisect(0, 1);
@@ -22,7 +29,7 @@ if (read.triangles) {
   mesh.begin({ policy: 'quickly' });
   // @ts-expect-error
   mesh.indices = new Uint32Array(1);
-  void [done, figures.strips, refusal];
+  void [done, figures.strips, refusal, size];
 } else if (read.base) {
   restrip.progressive(read).close();
 } else {

@@ -79,7 +79,7 @@ struct Figures {
   std::uint32_t strips = 0;
   std::uint32_t played = 0;          ///< records that are split now
   std::uint32_t in_order = 0;        ///< 1: these are the first `played` records
-  std::uint32_t buffer_indices = 0;  ///< of the live buffer, its gaps included
+  std::uint32_t buffer_indices = 0;  ///< to be drawn, gaps included; `none`: the buffer is behind the mesh
   std::uint32_t operations = 0;
   std::uint32_t adding_strip = 0;  ///< operations that added strips
   std::uint32_t isolating = 0;     ///< operations that added an isolated triangle
@@ -311,7 +311,8 @@ class Session {
     figures_.in_order = played == beyond ? 1 : 0;
     figures_.baked = keeper_->baked() != nullptr && keeper_->baked()->in_step() ? 1 : 0;
     const bool list = buffer_.format().form == StripForm::list;  // whose padding is not drawn
-    figures_.buffer_indices = static_cast<std::uint32_t>(list ? buffer_.size() / 3 * 3 : buffer_.size());
+    figures_.buffer_indices =
+        changed_.empty() ? static_cast<std::uint32_t>(list ? buffer_.size() / 3 * 3 : buffer_.size()) : none;
     return figures_;
   }
 
