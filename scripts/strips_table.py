@@ -82,7 +82,7 @@ def of_buffer(report):
     """Indices a triangle of the live buffer at the top and at most, and the bytes that an operation writes."""
     share = lambda level: level["buffer_indices"] / level["triangles"]
     most = (f"{max(share(level) for level in report[levels] if level['triangles'] > 1000):.3f}" for levels in ("levels", "levels_down"))
-    return f"{share(report['levels'][-1]):.3f}", ", ".join(most), f"{report['buffer_bytes_written_per_operation']:,.0f}"
+    return f"{share(report['levels'][-1]):.3f}", ", ".join(most), f"{report['live_buffers'][0]['bytes_per_operation']:,.0f}"
 
 
 def bake_and_play(program, mesh, bake_options, replay_options):

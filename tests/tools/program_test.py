@@ -247,6 +247,30 @@ class Commands(Folder):
             self.assertIn(key, replay["levels"][0])
         self.assertIs(replay["valid"], True)
 
+    def test_live_buffers_are_measured(self):
+        def replayed(options):
+            return self.report("replay --built-in --triangles 3000 --repeats 0 --walk 1000 " + options)
+
+        plain = replayed("")
+        text = self.done("replay --built-in --triangles 3000 --repeats 0 --walk 1000")
+        for report, states in (plain, ["base", "finest level", "base again"]), (plain["walk"], ["start", "end"]):
+            self.assertEqual([buffer["operations_per_update"] for buffer in report["live_buffers"]], [1, 100])
+            for buffer in report["live_buffers"]:
+                self.assertEqual([state["at"] for state in buffer["states"]], states)
+                self.assertIn(f"{buffer['bytes_per_operation']:.0f} bytes an operation", text)
+                for state in buffer["states"]:
+                    self.assertGreaterEqual(state["indices"], state["strip_indices"])
+                    self.assertGreaterEqual(state["acmr"], state["acmr_32"])
+                    self.assertRegex(text, f"{state['at']} +{state['triangles']} +{state['indices']} .*{state['acmr']:.3f} +{state['acmr_32']:.3f}")
+        one = replayed("--operations-per-update 7 --compact 20")
+        self.assertEqual(len(one["live_buffers"]), 1)
+        self.assertEqual(one["walk"]["live_buffers"][0]["operations_per_update"], 7)
+        self.assertGreater(one["live_buffers"][0]["compact_bytes_per_operation"], 0)
+        for wrong in ("--operations-per-update 0", "--compact 101"):
+            code, out = self.run_with("replay --built-in --repeats 0 " + wrong, errors=True)
+            self.assertEqual(code, 2)
+            self.assertIn(wrong.replace(" ", ": "), out)
+
 
 class Meshes(Folder):
     """A mesh in three formats."""

@@ -10,6 +10,8 @@
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
+#include "restrip/output/live_buffer.hpp"
+#include "restrip/output/vertex_cache.hpp"
 #include "shapes.hpp"
 #include "support/sanitizers.hpp"
 
@@ -55,15 +57,55 @@ TEST(Replay, EveryPolicyBothWays) {
     EXPECT_EQ(report.levels_down.back().strips, report.levels.back().strips);
     EXPECT_LT(report.levels.back().strips, strips) << "the costlier policy keeps fewer strips";
     strips = report.levels.back().strips;
-    EXPECT_GT(report.bytes_written_per_operation, 0);
-    EXPECT_LT(report.bytes_written_per_operation,
-              static_cast<double>(report.buffer_bytes) / (method.name == "best" ? 8 : 10));
+    ASSERT_EQ(report.live_buffers.size(), 2U);
+    const LiveBufferReport& single = report.live_buffers.front();
+    EXPECT_GT(single.bytes_per_operation, 0);
+    EXPECT_LT(single.bytes_per_operation,
+              4 * static_cast<double>(single.states[1].indices) / (method.name == "best" ? 8 : 10));
+    EXPECT_LT(report.live_buffers.back().bytes_per_operation, single.bytes_per_operation);
   }
 }
 
 TEST(Replay, BoundaryOfBothPolicies) {
   for (const BoundaryPolicy policy : {BoundaryPolicy::lock, BoundaryPolicy::move})
     EXPECT_TRUE(replay_of(sheet(30), policy).valid());
+}
+
+// With one update at the very end, what is written follows from the first and the last buffer.
+TEST(Replay, StatesOfLiveBuffers) {
+  const Soup soup = make_mesh(4000);
+  const ProgressiveMesh mesh = simplify(soup, {0.2, BoundaryPolicy::move}).mesh;
+  for (const StripForm form : {StripForm::restart, StripForm::list}) {
+    ReplayOptions options = quick;
+    options.buffer = {form, {1, 1'000'000}};
+    const PreparedMethod prepared(method_named("local"), mesh, {.cost = Cost::indices()});
+    const ReplayReport report = replay(prepared, soup.triangles, options);
+    EXPECT_TRUE(report.valid());
+    ASSERT_EQ(report.live_buffers.size(), 2U);
+    for (const LiveBufferReport& buffer : report.live_buffers) {
+      ASSERT_EQ(buffer.states.size(), 3U);
+      EXPECT_EQ(buffer.states[0].triangles, report.base_triangles);
+      EXPECT_EQ(buffer.states[1].triangles, report.triangles);
+      EXPECT_EQ(buffer.states[2].triangles, report.base_triangles);
+      EXPECT_EQ(buffer.states[0].strip_indices, report.levels.front().indices);
+      EXPECT_EQ(buffer.states[1].strip_indices, report.levels.back().indices);
+      EXPECT_EQ(buffer.states[2].strip_indices, report.levels_down.front().indices);
+    }
+    const BufferState& base = report.live_buffers[1].states[0];
+    const LayoutOptions layout;
+    LiveBuffer buffer({.form = form}, layout);
+    buffer.rebuild(prepared.base());
+    EXPECT_EQ(base.indices, buffer.size());
+    std::vector<std::uint32_t> indices;
+    for (const std::uint16_t i : buffer.indices16()) indices.push_back(i == 0xFFFF ? restart_index : i);
+    if (form == StripForm::list) indices.resize(3 * base.triangles);
+    EXPECT_EQ(base.indices, indices.size());
+    EXPECT_DOUBLE_EQ(base.fifo_16, acmr(indices, 16, base.triangles));
+    EXPECT_DOUBLE_EQ(base.fifo_32, acmr(indices, 32, base.triangles));
+    EXPECT_GT(report.live_buffers[0].bytes_per_operation, report.live_buffers[1].bytes_per_operation);
+    EXPECT_EQ(report.levels.back().buffer_indices, report.live_buffers[0].states[1].indices);
+    EXPECT_EQ(report.levels.back().acmr_32, report.live_buffers[0].states[1].fifo_32);
+  }
 }
 
 TEST(Replay, NothingToSplit) {

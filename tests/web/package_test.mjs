@@ -82,7 +82,7 @@ function sameAsReplay() {
       const { indicesWritten, operations, refused } = mesh.figures;
       assert.equal(operations, 2 * mesh.levels);
       assert.equal(refused, 0);
-      assert.ok(Math.abs(4 * indicesWritten / operations - native.buffer_bytes_written_per_operation) < 1e-6);
+      assert.ok(Math.abs(4 * indicesWritten / operations - native.live_buffers[0].bytes_per_operation) < 1e-6);
       assert.ok(mesh.valid);
       mesh.close();
     }
@@ -133,7 +133,7 @@ function sameAsBaked() {
   assert.equal(mesh.figures.addingStrip, native.operations_adding_strip);
   for (let level = mesh.levels; level-- > 0;) to(level);
   assert.equal(compared, 2 * native.levels.length - 1);  // the finest one once
-  assert.ok(Math.abs(4 * mesh.figures.indicesWritten / mesh.figures.operations - native.buffer_bytes_written_per_operation) < 1e-6);
+  assert.ok(Math.abs(4 * mesh.figures.indicesWritten / mesh.figures.operations - native.live_buffers[0].bytes_per_operation) < 1e-6);
 
   // Out of order the rules continue, with valid strips that are counted; begin() leads back.
   const wanted = new Uint8Array(mesh.levels).fill(1, 800, 1000);

@@ -57,7 +57,9 @@ WalkReport take_walk(const Source& source, const ReplayCommand& command, const P
   }
   stripify(mesh, default_effort, prepared.cost());
   // A walk that fails is repeated on copies without its trace.
-  return walk(mesh, {command.walk_steps, command.seed}, [&](StripMesh& on) {
+  WalkOptions options{command.walk_steps, command.seed};
+  options.buffer = command.replay.buffer;
+  return walk(mesh, options, [&](StripMesh& on) {
     return trace != nullptr && &on == &mesh ? traced(on, prepared.begin(on), claim_of(prepared), *trace)
                                             : prepared.begin(on);
   });
@@ -154,11 +156,21 @@ Subcommand add_replay(CLI::App& app) {
   sub->add_option_function<std::string>(
          "--buffer",
          [&command](const std::string& word) {
-           command.replay.buffer = word == "list" ? ReplayOptions::Buffer::list : ReplayOptions::Buffer::strips;
+           command.replay.buffer.form = word == "list" ? StripForm::list : StripForm::restart;
          },
          "the index buffer that is updated: strips, or a triangle list for comparison")
       ->check(CLI::IsMember({"strips", "list"}))
       ->default_str("strips");
+  sub->add_option("--operations-per-update", command.replay.buffer.operations_per_update,
+                  "operations after which the index buffer is updated; several numbers: one run for each")
+      ->delimiter(',')
+      ->check(whole_number_from(1, 1'000'000'000))
+      ->capture_default_str();
+  sub->add_option("--compact", command.replay.buffer.compact,
+                  "per cent of the index buffer that may be written in idle time after every 1,000 operations, to draw "
+                  "it with fewer misses of the vertex cache")
+      ->check(whole_number_from(0, 100))
+      ->capture_default_str();
   sub->add_option("--cycles", command.replay.cycles, "times down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();

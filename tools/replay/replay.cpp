@@ -15,11 +15,8 @@
 #include "lod/coloring_check.hpp"
 #include "replay/methods.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/output/check_buffer.hpp"
-#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/output/triangle_list_buffer.hpp"
-#include "restrip/output/vertex_cache.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -48,10 +45,8 @@ class Replay {
         maintainer_ = prepared_.begin(mesh_);
       }
       if (!splits_.empty() && report_.faults.empty()) {
-        if (options_.buffer == ReplayOptions::Buffer::list)
-          measure_buffer<TriangleListBuffer>();
-        else
-          measure_buffer<StripBuffer>();
+        for (const std::size_t operations : options_.buffer.operations_per_update) measure_buffer(operations);
+        if (options_.repeats != 0) time_buffer();
       }
       measure();
       check_top(original.empty() ? bare_triangles() : original);
@@ -146,46 +141,35 @@ class Replay {
     std::reverse(report_.levels_down.begin(), report_.levels_down.end());
   }
 
-  // ---- the bytes that a renderer must upload, updated after every operation
-  template <class Buffer>
-  void measure_buffer() {
+  // ---- the live index buffer
+  void measure_buffer(std::size_t operations_per_update) {
     start_from_base();
-    std::vector<Triangle> changed;
-    mesh_.watch(&changed);
-    Buffer buffer(mesh_);
-    std::size_t written = 0;
-    const auto update = [&] {
-      for (const auto& range : buffer.update(mesh_, changed)) written += range.count;
-      changed.clear();
-    };
-    const auto look = [&](Level& here) {
-      here.buffer_indices = buffer.indices().size();
-      here.acmr = acmr(buffer.indices(), 16, mesh_.triangle_count());
-      if (!check_buffer(buffer, mesh_).right())
-        report_.faults.push_back(fmt::format(
-            "at {} triangles the index buffer that was kept in step does not draw the mesh", mesh_.triangle_count()));
-    };
+    LiveMeasure measure(mesh_, options_.buffer, operations_per_update, prepared_.mesh().fine_triangles());
+    const bool first = report_.live_buffers.empty();
     Progress progress("keeping an index buffer", 2 * splits_.size());
-    go_up([&](std::size_t at) { look(report_.levels[at]); },
-          [&](std::size_t i, const auto&) {
-            update();
-            progress.at(i);
-          });
-    report_.buffer_bytes = buffer.indices().size_bytes();
-    go_down([&](std::size_t at) { look(report_.levels_down[at]); },
-            [&](std::size_t i, const auto&) {
-              update();
-              progress.at(2 * splits_.size() - 1 - i);
-            });
-    mesh_.watch(nullptr);
-    constexpr auto bytes_each = static_cast<double>(sizeof(std::uint32_t));
-    const auto operations = 2 * static_cast<double>(splits_.size());
-    report_.bytes_written_per_operation = static_cast<double>(written) * bytes_each / operations;
-    if (options_.repeats != 0) time_buffer<Buffer>();
+    std::size_t done = 0;
+    const auto operation = [&](std::size_t, const auto&) {
+      measure.count_operation();
+      progress.at(done++);
+    };
+    const auto look = [&](Level& level, const std::string& at) {
+      if (!first && at.empty()) return;
+      const BufferState here = measure.look(at, report_.faults);
+      if (!first) return;
+      level.buffer_indices = here.indices;
+      level.acmr = here.fifo_16;
+      level.acmr_32 = here.fifo_32;
+    };
+    const std::size_t top = report_.levels.size() - 1;
+    go_up([&](std::size_t at) { look(report_.levels[at], at == 0     ? "base"
+                                                         : at == top ? "finest level"
+                                                                     : ""); },
+          operation);
+    go_down([&](std::size_t at) { look(report_.levels_down[at], at == 0 ? "base again" : ""); }, operation);
+    report_.live_buffers.push_back(measure.report());
   }
 
   // Runs up and down with and without the buffer in turn and takes the difference per operation.
-  template <class Buffer>
   void time_buffer() {
     Medians with;
     Medians without;
@@ -204,8 +188,9 @@ class Replay {
       start_from_base();
       without.time([&] { through([] {}); });
       start_from_base();
-      Buffer buffer(mesh_);
+      LiveBuffer buffer({.form = options_.buffer.form, .width = IndexWidth::bits32});
       buffer.reserve(prepared_.mesh().fine_triangles());
+      buffer.rebuild(mesh_);
       mesh_.watch(&changed);
       with.time([&] {
         through([&] {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meshes/soup.hpp"
+#include "replay/live_measure.hpp"
 #include "replay/methods.hpp"
 
 namespace restrip::tools {
@@ -20,7 +21,8 @@ struct Level {
   std::size_t indices = 0;   ///< of an index buffer of strips with primitive restart
   /// The live buffer after all operations so far, including its gaps. 0: no live buffer.
   std::size_t buffer_indices = 0;
-  double acmr = 0;  ///< of the live buffer, in a FIFO cache of 16 vertices
+  double acmr = 0;     ///< of the live buffer, in a FIFO cache of 16 vertices
+  double acmr_32 = 0;  ///< of 32
 };
 
 /// Counts the strips of a mesh. Adds a sentence to `faults` if a triangle is in no strip. Linear time.
@@ -35,9 +37,8 @@ struct ReplayOptions {
   std::size_t levels = 12;  ///< at which strips are counted, including base and finest level; at least 2
   std::size_t repeats = 5;  ///< of each timed run; 0: no timing
   std::size_t cycles = 0;   ///< down and up again after the first way up
-  enum class Buffer { strips, list };
-  Buffer buffer = Buffer::strips;  ///< which index buffer is updated
-  std::string* trace = nullptr;    ///< receives a trace of the first way up and the way back (output/trace.hpp)
+  BufferOptions buffer{};
+  std::string* trace = nullptr;  ///< receives a trace of the first way up and the way back (output/trace.hpp)
   /// Minimum number of timed operations: small meshes are repeated more often.
   std::size_t enough_operations = 200'000;
 };
@@ -73,10 +74,10 @@ struct ReplayReport {
   double ns_per_operation_bare = 0;
   double ns_per_collapse = 0;
   double ns_per_collapse_bare = 0;
-  /// An index buffer updated after every operation of the way up and down (strip_buffer.hpp, or
-  /// triangle_list_buffer.hpp).
-  std::size_t buffer_bytes = 0;  ///< at the finest level
-  double bytes_written_per_operation = 0;
+  /// Of the way up and down: the buffer at the base, at the finest level and at the base again. The levels show the
+  /// first one.
+  std::vector<LiveBufferReport> live_buffers;
+  /// With one operation an update.
   double ns_per_buffer_update = 0;  ///< of a timed run with the buffer minus one without; 0: not timed
   std::size_t levels_compared = 0;  ///< baked: levels reached again with the same strips
   std::vector<std::string> faults;  ///< found by a check; empty if all is well

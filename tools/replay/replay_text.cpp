@@ -21,7 +21,27 @@ Json json_of(const std::vector<Level>& levels) {
                     {"swaps", level.swaps},
                     {"indices", level.indices},
                     {"buffer_indices", level.buffer_indices},
-                    {"acmr", level.acmr}});
+                    {"acmr", level.acmr},
+                    {"acmr_32", level.acmr_32}});
+  return json;
+}
+
+Json json_of(const std::vector<LiveBufferReport>& buffers) {
+  Json json = Json::array();
+  for (const LiveBufferReport& buffer : buffers) {
+    Json states = Json::array();
+    for (const BufferState& state : buffer.states)
+      states.push_back({{"at", state.at},
+                        {"triangles", state.triangles},
+                        {"indices", state.indices},
+                        {"strip_indices", state.strip_indices},
+                        {"acmr", state.fifo_16},
+                        {"acmr_32", state.fifo_32}});
+    json.push_back({{"operations_per_update", buffer.operations_per_update},
+                    {"bytes_per_operation", buffer.bytes_per_operation},
+                    {"compact_bytes_per_operation", buffer.compact_bytes_per_operation},
+                    {"states", std::move(states)}});
+  }
   return json;
 }
 
@@ -29,6 +49,23 @@ double ratio(std::size_t a, std::size_t b) { return b == 0 ? 0.0 : static_cast<d
 /// What was not measured is 0.
 std::string measured(double value, int digits) { return value == 0 ? "–" : fmt::format("{:.{}f}", value, digits); }
 double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part, whole); }
+
+std::string as_text(const std::vector<LiveBufferReport>& buffers) {
+  std::string text;
+  auto out = std::back_inserter(text);
+  for (const LiveBufferReport& buffer : buffers) {
+    fmt::format_to(out, "\n  live buffer, {} an update: {:.0f} bytes an operation",
+                   counted(buffer.operations_per_update, "operation"), buffer.bytes_per_operation);
+    if (buffer.compact_bytes_per_operation > 0)
+      fmt::format_to(out, ", and {:.0f} by compact()", buffer.compact_bytes_per_operation);
+    fmt::format_to(out, "\n  {:<14} {:>10} {:>12} {:>14} {:>22} {:>6}\n", "", "triangles", "indices", "of strips'",
+                   "ACMR in a cache of 16", "of 32");
+    for (const BufferState& state : buffer.states)
+      fmt::format_to(out, "  {:<14} {:>10} {:>12} {:>14.3f} {:>22.3f} {:>6.3f}\n", state.at, state.triangles,
+                     state.indices, ratio(state.indices, state.strip_indices), state.fifo_16, state.fifo_32);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -80,9 +117,6 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   };
   cost("a split with its strips", report.ns_per_operation, report.ns_per_operation_bare);
   cost("a collapse with its strips", report.ns_per_collapse, report.ns_per_collapse_bare);
-  if (report.buffer_bytes != 0)
-    fmt::format_to(out, "\n  {:<41}{:>10.0f} bytes, of {}", "live index buffer, written by an operation",
-                   report.bytes_written_per_operation, report.buffer_bytes);
   if (report.ns_per_buffer_update > 0)
     fmt::format_to(out, "\n  {:<41}{:>7.0f} ns", "live index buffer, an update", report.ns_per_buffer_update);
   fmt::format_to(out, "\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
@@ -93,7 +127,7 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
       fmt::format_to(out, "\n  {:<41}{:>10.1f}", "seconds to bake", subject.baked->seconds);
     fmt::format_to(out, "\n  {:<41}{:>10}", "levels reached again, strips the same", report.levels_compared);
   }
-  text += '\n';
+  text += '\n' + as_text(report.live_buffers);
 
   if (!report.cycles.empty()) {
     fmt::format_to(out, "\n  {:>6} {:>12} {:>12} {:>12} {:>10}\n", "cycle", "base strips", "top strips", "isolating",
@@ -119,8 +153,9 @@ std::string as_text(const WalkReport& report) {
       counted(report.collapses, "collapse"), counted(report.flips, "flip"), report.refused, report.isolating,
       report.flips_isolating);
   if (report.fault.empty())
-    return text + fmt::format("  checked: no fault; {} in {} at the end, {} isolated\n",
-                              counted(report.triangles, "triangle"), counted(report.strips, "strip"), report.isolated);
+    return text + as_text(report.live_buffers) +
+           fmt::format("  checked: no fault; {} in {} at the end, {} isolated\n", counted(report.triangles, "triangle"),
+                       counted(report.strips, "strip"), report.isolated);
   text += fmt::format("  FAULT at step {}: {}\n  the shortest way there that was found:\n", report.fault_step,
                       report.fault);
   for (const std::string& line : report.trace) text += "    " + line + "\n";
@@ -169,8 +204,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"ns_per_operation_bare", report.ns_per_operation_bare},
       {"ns_per_collapse", report.ns_per_collapse},
       {"ns_per_collapse_bare", report.ns_per_collapse_bare},
-      {"buffer_bytes", report.buffer_bytes},
-      {"buffer_bytes_written_per_operation", report.bytes_written_per_operation},
+      {"live_buffers", json_of(report.live_buffers)},
       {"ns_per_buffer_update", report.ns_per_buffer_update},
       {"left_out",
        {{"degenerate_triangles", subject.left_out.degenerate_triangles},
@@ -186,13 +220,14 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
                      {"bake_seconds", subject.baked->seconds},
                      {"levels_compared", report.levels_compared}};
   if (walk)
-    json["walk"] = {{"steps", walk->options.steps},   {"seed", walk->options.seed},
-                    {"splits", walk->splits},         {"collapses", walk->collapses},
-                    {"flips", walk->flips},           {"refused", walk->refused},
-                    {"isolating", walk->isolating},   {"flips_isolating", walk->flips_isolating},
-                    {"triangles", walk->triangles},   {"strips", walk->strips},
-                    {"isolated", walk->isolated},     {"fault", walk->fault},
-                    {"fault_step", walk->fault_step}, {"trace", walk->trace}};
+    json["walk"] = {{"steps", walk->options.steps}, {"seed", walk->options.seed},
+                    {"splits", walk->splits},       {"collapses", walk->collapses},
+                    {"flips", walk->flips},         {"refused", walk->refused},
+                    {"isolating", walk->isolating}, {"flips_isolating", walk->flips_isolating},
+                    {"triangles", walk->triangles}, {"strips", walk->strips},
+                    {"isolated", walk->isolated},   {"live_buffers", json_of(walk->live_buffers)},
+                    {"fault", walk->fault},         {"fault_step", walk->fault_step},
+                    {"trace", walk->trace}};
   // Names may contain bytes that are not UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

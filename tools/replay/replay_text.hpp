@@ -22,10 +22,11 @@
 //    and up; of more than 1024 the last one and every second, fourth … before it
 //  - ns_per_operation, ns_per_operation_bare: a split with strips kept, and the same mesh update without (medians)
 //  - ns_per_collapse, ns_per_collapse_bare: the same for the way down
-//  - buffer_bytes: the live index buffer at the finest level
-//  - buffer_bytes_written_per_operation: what a split rewrites of it
+//  - live_buffers: [{operations_per_update, bytes_per_operation, compact_bytes_per_operation, states}], index buffers
+//    kept in step on the way up and down; states: [{at, triangles, indices, strip_indices, acmr, acmr_32}] at the base,
+//    at the finest level and at the base again. The levels show the first buffer
 //  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,
-//    fault, fault_step, trace}; when there was one
+//    live_buffers, fault, fault_step, trace}; when there was one
 //  - left_out: {degenerate_triangles, non_manifold_vertices, large_vertices}, what no operation touches
 //  - mended: {welded_vertices, vanished_triangles, turned_triangles}, when it was asked for
 //  - left_out_content: what the file holds besides the mesh, if anything

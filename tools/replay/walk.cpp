@@ -182,6 +182,18 @@ std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_ste
   return trace;
 }
 
+LiveBufferReport measured_walk(StripMesh mesh, std::size_t operations_per_update, const WalkOptions& options,
+                               const BeginMaintainer& begin, std::vector<std::string>& faults) {
+  Walker walker(mesh, options.seed, mesh.triangle_count(), begin);
+  LiveMeasure measure(mesh, options.buffer, operations_per_update, 2 * mesh.triangle_count());
+  measure.look("start", faults);
+  Progress progress("keeping an index buffer", options.steps);
+  for (std::uint64_t step = 0; step < options.steps; progress.at(step++))
+    if (walker.step(step); !walker.last().empty()) measure.count_operation();
+  measure.look("end", faults);
+  return measure.report();
+}
+
 }  // namespace
 
 WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintainer& begin) {
@@ -195,6 +207,7 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintain
   Walker walker(mesh, options.seed, home_size, begin);
   const Account start = count(mesh);
   Camp camp{mesh, start, 0};
+  const StripMesh home = mesh;
   std::string fault;
   std::uint64_t step = 0;
   Progress progress("walking", options.steps);
@@ -218,6 +231,10 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintain
   const Account end = start + walker.reported;  // just confirmed by a recount
   report.strips = static_cast<std::size_t>(end.strips);
   report.isolated = static_cast<std::size_t>(end.isolated);
+  std::vector<std::string> faults;
+  for (const std::size_t operations : options.buffer.operations_per_update)
+    report.live_buffers.push_back(measured_walk(home, operations, options, begin, faults));
+  if (!faults.empty()) report.fault = faults.front();
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/live_measure.hpp"
 #include "replay/maintainer.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
@@ -21,6 +22,7 @@ struct WalkOptions {
   std::uint64_t steps = 10'000;
   std::uint64_t seed = 1;
   std::uint64_t whole_check_every = 10'000;
+  BufferOptions buffer{.operations_per_update = {}};
 };
 
 struct WalkReport {
@@ -34,14 +36,15 @@ struct WalkReport {
   std::size_t triangles = 0;          ///< at the end
   std::size_t strips = 0;
   std::size_t isolated = 0;
-  std::string fault;             ///< empty if every check passed
-  std::uint64_t fault_step = 0;  ///< where the fault was found
+  std::vector<LiveBufferReport> live_buffers;  ///< at the start and at the end
+  std::string fault;                           ///< empty if every check passed
+  std::uint64_t fault_step = 0;                ///< where the fault was found
   std::vector<std::string>
       trace;  ///< the shortest list of operations found that leads to a fault, from the mesh of the last whole check
 };
 
 /// Walks on `mesh`, whose colouring must be valid, and leaves it in its final state. The mesh keeps about its size.
-/// Step i depends only on the seed, i and the mesh.
+/// Step i depends only on the seed, i and the mesh. If no fault is found, it walks again on copies to measure buffers.
 [[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintainer& begin);
 
 }  // namespace restrip::tools
