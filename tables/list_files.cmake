@@ -1,15 +1,42 @@
-# Adds to the MANIFEST of a folder of tables what lies there and was not written with the rules: the descriptions, the
-# headers written by hand, and the custom operations. Lines of these files that it already has are made from scratch.
+# Writes include/restrip/tables/shipped_operations.hpp, which visits the tables of all operations. Then adds to the
+# MANIFEST of a folder of tables what lies there and was not written with the rules: the descriptions, this header, those
+# written by hand, and the custom operations. Lines of these files that it already has are made from scratch.
 #   cmake -DTABLES=FOLDER -P list_files.cmake
 cmake_policy(SET CMP0057 NEW)
 get_filename_component(TABLES ${TABLES} ABSOLUTE)
+
+file(GLOB names RELATIVE ${TABLES}/operations ${TABLES}/operations/*.json)
+list(TRANSFORM names REPLACE "[.]json$" "")
+list(SORT names)
+set(includes "")
+set(calls "")
+foreach(name IN LISTS names)
+  string(REPLACE - _ identifier ${name})
+  string(APPEND includes "#include \"restrip/tables/operations/${identifier}.hpp\"\n")
+  string(APPEND calls "  visit(\"${name}\", ${identifier}_rules);\n")
+endforeach()
+file(WRITE ${TABLES}/include/restrip/tables/shipped_operations.hpp
+"// Visits the tables of tables/operations. Written by the target `regenerate`. Do not edit.
+#pragma once
+
+${includes}
+namespace restrip::tables {
+
+/// Calls visit(name, table) for each shipped operation, in the order of their names.
+template <class Visit>
+constexpr void for_each_operation(Visit&& visit) {
+${calls}}
+
+}  // namespace restrip::tables
+")
+
 file(STRINGS ${TABLES}/MANIFEST lines)
 list(POP_FRONT lines heading)
 set(listed "")
 set(by_path "")
 foreach(line IN LISTS lines)
   string(REGEX MATCH "[^ ]+$" path "${line}")
-  if(path MATCHES "[.]json$|operations/|format[.]hpp$|_dump[.]hpp$")
+  if(path MATCHES "[.]json$|operations[/.]|format[.]hpp$|_dump[.]hpp$")
     continue()
   endif()
   list(APPEND listed ${path})

@@ -10,36 +10,17 @@
 
 #include "random_operation.hpp"
 #include "restrip/operations/apply.hpp"
-#include "restrip/tables/operations/bisect.hpp"
-#include "restrip/tables/operations/bisect_boundary.hpp"
-#include "restrip/tables/operations/bisect_matching.hpp"
-#include "restrip/tables/operations/flip_matching.hpp"
-#include "restrip/tables/operations/join_faces.hpp"
-#include "restrip/tables/operations/merge.hpp"
-#include "restrip/tables/operations/merge_boundary.hpp"
-#include "restrip/tables/operations/merge_matching.hpp"
-#include "restrip/tables/operations/refine_face.hpp"
-#include "restrip/tables/operations/split_face.hpp"
+#include "restrip/tables/shipped_operations.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
 
-/// Calls visit(table) for every shipped operation whose edges are strips, and then for matchings.
+/// Calls visit(name, table) for every shipped operation that can be applied: a graph has no triangles.
 template <class Visit>
-void for_each_operation_of_strips(Visit&& visit) {
-  visit(tables::split_face_rules);
-  visit(tables::join_faces_rules);
-  visit(tables::bisect_rules);
-  visit(tables::merge_rules);
-  visit(tables::bisect_boundary_rules);
-  visit(tables::merge_boundary_rules);
-  visit(tables::refine_face_rules);
-}
-template <class Visit>
-void for_each_operation_of_pairs(Visit&& visit) {
-  visit(tables::flip_matching_rules);
-  visit(tables::bisect_matching_rules);
-  visit(tables::merge_matching_rules);
+void for_each_applicable(Visit&& visit) {
+  tables::for_each_operation([&](const char* name, const auto& table) {
+    if constexpr (SurfaceTable<std::remove_cvref_t<decltype(table)>>) visit(name, table);
+  });
 }
 
 /// The vertices of the triangles after an operation that were not there before, as they are met in the file.
@@ -64,13 +45,15 @@ std::optional<StripMesh::Halfedge> random_place(const StripMesh& mesh, const Tab
   return {};
 }
 
-/// One of the operations at a random place: done(table, h), on a mesh that neither grows nor vanishes.
+/// One of the operations of strips at a random place: done(table, h), on a mesh that neither grows nor vanishes.
 template <class Do>
 bool random_application(const StripMesh& mesh, std::mt19937& random, std::size_t size, Do&& done) {
-  std::size_t left = random() % 7;
+  std::size_t count = 0;
+  for_each_applicable([&](const char*, const auto& table) { count += table.matching ? 0U : 1U; });
+  std::size_t left = random() % count;
   bool did = false;
-  for_each_operation_of_strips([&](const auto& table) {
-    if (left-- != 0) return;
+  for_each_applicable([&](const char*, const auto& table) {
+    if (table.matching || left-- != 0) return;
     const bool grows = table.triangles_after.size() > table.triangles_before.size();
     if (grows ? mesh.triangle_count() > size : mesh.triangle_count() < size / 2) return;
     const auto h = random_place(mesh, table, random);

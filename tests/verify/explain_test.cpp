@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <random>
@@ -110,11 +111,9 @@ std::vector<Operation> operations() {
   std::vector<Operation> all;
   for (const Description& one : shipped_descriptions())
     for (const Numbers& numbers : one.positions(5)) all.push_back(operation_at(one, numbers));
-  for (const char* name : {"bisect", "bisect-boundary", "bisect-matching", "flip-matching", "join-faces", "merge",
-                           "merge-matching", "split-face"}) {
-    const std::string path = fmt::format("{}/operations/{}.json", RESTRIP_TABLES_DIR, name);
-    all.push_back(parse_operation(path, read_file(path)));
-  }
+  const std::filesystem::directory_iterator files(RESTRIP_TABLES_DIR "/operations");
+  for (const std::set<std::filesystem::path> sorted(begin(files), end(files)); const auto& file : sorted)
+    all.push_back(parse_operation(file.string(), read_file(file.string())));
   std::erase_if(all, [](const Operation& one) { return one.cost != default_cost(one.constraint); });
   return all;
 }

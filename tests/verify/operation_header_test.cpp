@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "corpus.hpp"
 #include "model/family.hpp"
@@ -43,8 +45,10 @@ struct Header {
 };
 
 TEST(OperationHeader, GoodOnesAreTables) {
-  for (const std::string name :
-       {"bisect", "bisect-boundary", "merge", "merge-matching", "split-face", "new-corner", "fan-turns", "fan-stays"}) {
+  std::vector<std::string> names{"new-corner", "fan-turns", "fan-stays"};
+  for (const auto& file : std::filesystem::directory_iterator(RESTRIP_TABLES_DIR "/operations"))
+    names.push_back(file.path().stem().string());
+  for (const std::string& name : names) {
     const Header good(name);
     EXPECT_EQ(good.complaint(good.text), "") << name;
     EXPECT_GT(check_operation_header("h", good.text, good.description, largest_fan).lines, 18U);

@@ -4,21 +4,12 @@
 #include <cstring>
 
 #include "restrip/tables/operation_dump.hpp"
-#include "restrip/tables/operations/bisect.hpp"
-#include "restrip/tables/operations/bisect_boundary.hpp"
 #include "restrip/tables/operations/bisect_costs.hpp"
-#include "restrip/tables/operations/bisect_matching.hpp"
 #include "restrip/tables/operations/flip_forest.hpp"
-#include "restrip/tables/operations/flip_matching.hpp"
 #include "restrip/tables/operations/hub_goes.hpp"
-#include "restrip/tables/operations/join_faces.hpp"
-#include "restrip/tables/operations/merge.hpp"
-#include "restrip/tables/operations/merge_boundary.hpp"
 #include "restrip/tables/operations/merge_face_matching.hpp"
-#include "restrip/tables/operations/merge_matching.hpp"
-#include "restrip/tables/operations/refine_face.hpp"
-#include "restrip/tables/operations/split_face.hpp"
 #include "restrip/tables/operations/spoke_flips.hpp"
+#include "restrip/tables/shipped_operations.hpp"
 
 // A family answers at its positions and nowhere else.
 static_assert(restrip::tables::rule_of(restrip::tables::hub_goes_rules, {3}, 0, 0b111).ports != 0b111);
@@ -30,23 +21,18 @@ static_assert(!restrip::tables::rule_of(restrip::tables::spoke_flips_rules, {7, 
 
 int main(int argc, char** argv) {
   namespace tables = restrip::tables;
-  const auto is = [&](const char* name) { return argc == 2 && std::strcmp(argv[1], name) == 0; };
-  if (is("bisect")) return tables::print_dump("bisect", tables::bisect_rules);
-  if (is("bisect-boundary")) return tables::print_dump("bisect-boundary", tables::bisect_boundary_rules);
-  if (is("bisect-costs")) return tables::print_dump("bisect-costs", tables::bisect_costs_rules);
-  if (is("bisect-matching")) return tables::print_dump("bisect-matching", tables::bisect_matching_rules);
-  if (is("flip-forest")) return tables::print_dump("flip-forest", tables::flip_forest_rules);
-  if (is("flip-matching")) return tables::print_dump("flip-matching", tables::flip_matching_rules);
-  if (is("hub-goes")) return tables::print_dump("hub-goes", tables::hub_goes_rules);
-  if (is("join-faces")) return tables::print_dump("join-faces", tables::join_faces_rules);
-  if (is("merge")) return tables::print_dump("merge", tables::merge_rules);
-  if (is("merge-boundary")) return tables::print_dump("merge-boundary", tables::merge_boundary_rules);
-  if (is("merge-face-matching")) return tables::print_dump("merge-face-matching", tables::merge_face_matching_rules);
-  if (is("merge-matching")) return tables::print_dump("merge-matching", tables::merge_matching_rules);
-  if (is("refine-face")) return tables::print_dump("refine-face", tables::refine_face_rules);
-  if (is("split-face")) return tables::print_dump("split-face", tables::split_face_rules);
-  if (is("spoke-flips")) return tables::print_dump("spoke-flips", tables::spoke_flips_rules);
-  std::fprintf(stderr,
-               "usage: print_operations NAME, of an operation of tables/operations or tests/corpus/operations\n");
-  return 2;
+  int result = 2;
+  const auto print = [&](const char* name, const auto& table) {
+    if (argc == 2 && std::strcmp(argv[1], name) == 0) result = tables::print_dump(name, table);
+  };
+  tables::for_each_operation(print);
+  print("bisect-costs", tables::bisect_costs_rules);
+  print("flip-forest", tables::flip_forest_rules);
+  print("hub-goes", tables::hub_goes_rules);
+  print("merge-face-matching", tables::merge_face_matching_rules);
+  print("spoke-flips", tables::spoke_flips_rules);
+  if (result == 2)
+    std::fprintf(stderr,
+                 "usage: print_operations NAME, of an operation of tables/operations or tests/corpus/operations\n");
+  return result;
 }

@@ -46,22 +46,20 @@ TEST(Apply, DoesWhatTheFileSaysWhereItMay) {
     checked_apply(meshes.back(), tables::bisect_rules, StripMesh::halfedge(0));
     meshes.back().clear_colors();  // pairs are wanted as well as strips
   }
-  const auto look = [&](const auto& table) {
+  for_each_applicable([&](const char* name, const auto& table) {
     std::size_t granted = 0;
     for (const StripMesh& mesh : meshes)
       granted += try_everywhere(
           mesh, [&](Halfedge) -> const auto& { return table; });
-    EXPECT_GT(granted, 5U);
+    EXPECT_GT(granted, 5U) << name;
     for (const StripMesh& mesh : sample::meshes())
       for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
         StripMesh copy = mesh;
         if (checked_apply(copy, table, StripMesh::halfedge(t))) {
-          EXPECT_EQ(fault_of(copy), "");
+          EXPECT_EQ(fault_of(copy), "") << name;
         }
       }
-  };
-  for_each_operation_of_strips(look);
-  for_each_operation_of_pairs(look);
+  });
 }
 
 TEST(Apply, ReportsWhatItChanged) {
