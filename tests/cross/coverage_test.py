@@ -93,6 +93,16 @@ class Reports(unittest.TestCase):
             with self.assertRaisesRegex(coverage.Wrong, why):
                 coverage.rows_of("run", text)
 
+    def test_an_operation_that_was_not_checked(self):
+        """One row stands for all operation files, so each must be in the report."""
+        row = coverage.Row("Sound", "", "0", coverage.SEARCH, coverage.CERTIFICATES, "operations")
+        names = sorted(path.stem for path in (ROOT / "tables/operations").glob("*.json"))
+        rows = [row._replace(operation=name) for name in names]
+        self.assertEqual(coverage.of_files(rows), {row._replace(operation="operation files")})
+        self.assertEqual({row.operation for row in coverage.of_files(row for row in rows if "matching" not in row.operation)}, {"operation files of strips"})
+        with self.assertRaisesRegex(coverage.Wrong, f"operations: Sound: the report lacks {names[0]}"):
+            coverage.of_files(rows[1:])
+
     def test_every_check_has_its_report(self):
         self.assertEqual(set(coverage.REPORTS), set(coverage.Coverage(ROOT).checks))
 

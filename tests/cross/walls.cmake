@@ -5,7 +5,7 @@ set(allowed_in_common "${std}|\"common/.*\"|<(fmt|nlohmann|openssl)/.*>|<(fcntl|
 set(allowed_in_generator "${std}|\"common/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
 set(allowed_in_verify "${std}|\"common/(counted|digest|file_error|json|printable|reading|share).hpp\"|<(boost|fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
-set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
+set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-z0-9_]+).hpp\"")
 set(allowed_in_tools "${std}|\"(restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<boost/graph/.*>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
