@@ -16,19 +16,14 @@ sys.dont_write_bytecode = True  # nothing but the page is written, least of all 
 
 from results import Results, duration, plain, table, times
 
-PROGRAMS = ["level", "draw", "replay", "scale"]
+PROGRAMS = ["level", "replay", "scale"]
 WAYS = ["local", "quick", "full", "baked"]
 RIVALS = {
-    "meshopt_ordered": "`meshopt_optimizeVertexCacheStrip`, then `meshopt_stripify`",
-    "meshopt_order_given": "`meshopt_stripify` alone, order found before",
-    "meshopt_as_it_is": "`meshopt_stripify` alone, triangles as they are",
-    "openmesh": "OpenMesh `StripifierT`",
-    "stripify_fast": "ours from scratch, `stripify_fast`",
-}
-DRAWN = {
     "list": "`TriangleListBuffer`, no strips",
-    "stripify_fast": "from scratch: `stripify`, fast, index cost",
+    "stripify_fast": "from scratch: `stripify`, fast",
     "meshopt_strips": "from scratch: `meshopt_optimizeVertexCacheStrip`, `meshopt_stripify`",
+    "meshopt_order_given": "from scratch: `meshopt_stripify` alone, order found before",
+    "openmesh": "from scratch: OpenMesh `StripifierT`",
     "rm_tristripper": "from scratch: rm_tristripper",
     "meshopt_list": "from scratch: `meshopt_optimizeVertexCache`, a list",
 }
@@ -65,27 +60,15 @@ class Page:
     def triangles(self):
         return ", ".join(f"{mesh} {self.r.median(f'replay/{mesh}/local', 'triangles'):,.0f}" for mesh in self.meshes)
 
-    def cheaper(self, mesh, percent, way, other):
-        stem = f"level/{mesh}/{percent}/"
-        return self.r.median(stem + other, "up_ns") / self.r.median(stem + way, "up_ns")
-
-    def all_cheaper(self, way, other):
-        return [self.cheaper(m, p, way, other) for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
-
-    def with_buffer(self, way):
-        """The same with an index buffer, which the other library's result is."""
-        return [self.r.median(f"level/{m}/{p}/meshopt_ordered", "up_ns") / self.r.median(f"level/{m}/{p}/{way}", "up_with_buffer_ns")
+    def over_levels(self, way, other, field="move_ns"):
+        """Another method's figure for one of ours, for each mesh and level."""
+        return [self.r.median(f"level/{m}/{p}/{other}", field) / self.r.median(f"level/{m}/{p}/{way}", field)
                 for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
 
     def overtaken(self, way):
-        """From which move on, in per cent, `stripify_fast` is cheaper."""
-        moves = [self.cheaper(m, p, way, "stripify_fast") for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
+        """From which move on, in per cent, strips from scratch are cheaper."""
+        moves = self.over_levels(way, "stripify_fast")
         return f"{plain(min(moves), 2)} % to {plain(max(moves), 2)} %"
-
-    def fewer(self, way):
-        """Strips of the other library for one of ours, over all meshes and levels."""
-        return [self.r.median(f"level/{m}/{p}/meshopt_ordered", "strips") / self.r.median(f"level/{m}/{p}/{way}", "strips")
-                for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
 
     def upkeep(self, way, what):
         return [self.r.ratio(f"replay/{m}/{way}", f"{what}_ns", f"{what}_bare_ns") for m in self.meshes
@@ -101,13 +84,13 @@ class Page:
         for way in WAYS:
             if not self.upkeep(way, "split"):
                 continue
-            rows.append([f"`{way}`", self.span(self.upkeep(way, "split")), self.span(self.upkeep(way, "collapse")),
-                         self.span(self.all_cheaper(way, "meshopt_ordered")),
-                         self.span(self.all_cheaper(way, "meshopt_order_given")), self.span(self.with_buffer(way)),
-                         self.span(self.fewer(way)), self.overtaken(way)])
-        return table(["", "split, of bare", "collapse, of bare", "1 % up, cheaper than ordering and `meshopt_stripify`",
-                      "than `meshopt_stripify` alone", "than both, with an index buffer in step", "fewer strips than it",
-                      "`stripify_fast` is cheaper from"], rows)
+            indices = [self.r.median(f"level/{m}/{p}/{way}", "indices_per_triangle") for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
+            rows.append([f"`{way}`", f"{min(indices):.2f} to {max(indices):.2f}", self.span(self.over_levels(way, "stripify_fast", "bytes")),
+                         self.span([1 / ratio for ratio in self.over_levels(way, "list")]), self.span(self.over_levels(way, "stripify_fast")),
+                         self.span(self.over_levels(way, "meshopt_strips")), self.overtaken(way),
+                         self.span(self.upkeep(way, "split")), self.span(self.upkeep(way, "collapse"))])
+        return table(["", "indices a triangle", "fewer bytes than from scratch", "time, of a list's", "faster than from scratch",
+                      "than meshoptimizer", "from scratch is faster from", "a split, of bare", "a collapse"], rows)
 
     # ---- tables
     def replay(self):
@@ -118,40 +101,22 @@ class Page:
                 triangles, strips = self.r.median(name, "triangles"), self.r.median(name, "strips")
                 rows.append([mesh, f"`{way}`" if way != "rules" else "rules alone", duration(self.r.median(name, "split_ns")),
                              times(self.r.ratio(name, "split_ns", "split_bare_ns")), duration(self.r.median(name, "collapse_ns")),
-                             times(self.r.ratio(name, "collapse_ns", "collapse_bare_ns")), f"{strips:,.0f}",
-                             plain(triangles / strips), f"{self.r.median(name, 'indices_per_triangle'):.2f}"])
-        return table(["mesh", "", "split", "of bare", "collapse", "of bare", "strips at the top", "triangles per strip",
-                      "indices per triangle"], rows)
+                             times(self.r.ratio(name, "collapse_ns", "collapse_bare_ns")),
+                             f"{self.r.median(name, 'indices_per_triangle'):.3f}", plain(triangles / strips)])
+        return table(["mesh", "", "split", "of bare", "collapse", "of bare", "indices a triangle", "triangles a strip"], rows)
 
     def level(self):
         rows = []
-        mesh, percent = self.shown()
-        stem = f"level/{mesh}/{percent}"
-        for way in self.ways(stem) + list(RIVALS):
-            name = f"{stem}/{way}"
-            ours = way in WAYS
-            buffer = self.r.median(name, "up_with_buffer_ns") if ours or way == "stripify_fast" else self.r.median(name, "up_ns")
-            rows.append([f"`{way}`" if ours else RIVALS[way], duration(self.r.median(name, "up_ns")),
-                         times(self.cheaper(mesh, percent, way, "meshopt_ordered")),
-                         duration(buffer) if way != "openmesh" else "",
-                         f"{self.r.median(name, 'strips'):,.0f}", f"{self.r.median(name, 'indices_per_triangle'):.2f}"])
-        return table(["", "1 % up, or from scratch", "cheaper than ordering and `meshopt_stripify`",
-                      "with an index buffer", "strips", "indices per triangle"], rows)
-
-    def drawn(self):
-        rows = []
-        stem = "draw/{}/{}".format(*self.shown())
-        for way in self.ways(stem) + [rival for rival in DRAWN if self.r.has(f"{stem}/{rival}")]:
+        stem = "level/{}/{}".format(*self.shown())
+        for way in self.ways(stem) + [rival for rival in RIVALS if self.r.has(f"{stem}/{rival}")]:
             of = lambda field: self.r.median(f"{stem}/{way}", field)
-            rows.append([f"`{way}`" if way in WAYS else DRAWN[way], duration(of("move_ns")),
+            rows.append([f"`{way}`" if way in WAYS else RIVALS[way], duration(of("move_ns")),
                          times(of("move_ns") / self.r.median(f"{stem}/list", "move_ns")), f"{of('bytes') / 1000:,.1f}",
-                         f"{4 * of('indices_per_triangle'):.2f}", f"{of('indices_per_triangle'):.3f}"] +
-                        [f"{of(field):.2f}" for field in ("acmr_16", "acmr_32", "atvr_16", "atvr_32")])
-        return table(["", "1 % up, or from scratch", "of the list", "kB to upload", "bytes a triangle", "indices a triangle",
-                      "ACMR, 16", "32", "ATVR, 16", "32"], rows)
+                         f"{of('indices_per_triangle'):.3f}", f"{of('acmr_16'):.2f}", f"{of('acmr_32'):.2f}"])
+        return table(["", "1 % up, or from scratch", "of the list", "kB to upload", "indices a triangle", "misses, 16", "32"], rows)
 
-    def drawn_without(self):
-        return "" if self.r.parts(r"draw/.*/(rm_tristripper)") else " rm_tristripper was not measured: `--tristripper` was not given."
+    def measured_without(self):
+        return "" if self.r.parts(r"level/.*/(rm_tristripper)") else " rm_tristripper was not measured: `--tristripper` was not given."
 
     # ---- scale
     def sizes(self):

@@ -28,8 +28,6 @@ struct LargeGround {
   StripMesh mesh;
   Sites spread;
   Sites neighboring;
-  double build_ns = 0;     // a triangle
-  double stripify_ns = 0;  // a triangle
 };
 
 const LargeGround& ground(std::size_t triangles) {
@@ -37,10 +35,8 @@ const LargeGround& ground(std::size_t triangles) {
   if (g.triangles == triangles) return g;
   g = {};
   const tools::Soup soup = tools::make_mesh(triangles);
-  g.build_ns = tools::nanoseconds_of([&] { g.mesh = StripMesh::build(soup.triangles, soup.points.size()); });
-  g.stripify_ns = tools::nanoseconds_of([&] { stripify_fast(g.mesh); });
-  g.build_ns /= static_cast<double>(g.mesh.triangle_count());
-  g.stripify_ns /= static_cast<double>(g.mesh.triangle_count());
+  g.mesh = StripMesh::build(soup.triangles, soup.points.size());
+  stripify(g.mesh, Effort::fast, default_cost);
   // More than a cache can hold, so that the way up does not hit data of the way down.
   const std::size_t count = std::min<std::size_t>(triangles / 25, settings().quick ? 100 : 100'000);
   g.spread = spread_out_sites(g.mesh, count);
@@ -57,7 +53,8 @@ void scale(benchmark::State& state, std::size_t triangles, const Method& method,
   const double before = allocated_bytes();
   StripMesh mesh = g.mesh;
   const double with_mesh = allocated_bytes();
-  const auto maintainer = method.begin(mesh, {method.search});
+  const Cost cost = method.weighs() ? default_cost : Cost::strips();
+  const auto maintainer = method.begin(mesh, {method.search_under(cost), cost});
   const double with_keeper = allocated_bytes();
   tools::Medians down;
   tools::Medians up;
@@ -74,8 +71,6 @@ void scale(benchmark::State& state, std::size_t triangles, const Method& method,
   state.counters["split_ns"] = up.nanoseconds() / each;
   state.counters["mesh_bytes"] = (with_mesh - before) / all;
   state.counters["keeper_bytes"] = (with_keeper - with_mesh) / all;
-  state.counters["build_ns"] = g.build_ns;
-  state.counters["stripify_ns"] = g.stripify_ns;
 }
 
 /// The memory of an index buffer kept in step.

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <map>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "common/random.hpp"
@@ -15,7 +14,6 @@
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/rules/rules.hpp"
-#include "restrip/search/stripify.hpp"
 
 namespace restrip::bench {
 namespace {
@@ -91,28 +89,22 @@ const Subject& subject(const std::string& name) {
       tools::simplify(name == "made" ? tools::make_mesh(settings().quick ? 2'000 : tools::default_made_triangles)
                                      : tools::read_mesh(file_of(name)))
           .mesh;
-  made.base = StripMesh::build(made.mesh.base, made.mesh.points.size());
-  stripify(made.base, Effort::full, Cost::strips());
   made.triangles = made.mesh.fine_triangles();
   return made;
 }
 
 bool is_measured(const std::string& name, const Method& method) { return name != "dragon" || !method.bakes; }
 
-const tools::PreparedMethod& prepared(const std::string& name, const Method& method, const Cost& cost) {
-  static std::map<std::tuple<std::string, std::string, unsigned, unsigned, unsigned>, tools::PreparedMethod> made;
-  const std::tuple key{name, method.name, cost.restart, cost.swap, cost.isolated};
+const tools::PreparedMethod& prepared(const std::string& name, const Method& method) {
+  static std::map<std::pair<std::string, std::string>, tools::PreparedMethod> made;
+  const std::pair key{name, method.name};
   const auto found = made.find(key);
   if (found != made.end()) return found->second;
-  const Subject& of = subject(name);
-  tools::PreparedMethod::Given given;
-  given.cost = cost;
-  if (cost == Cost::strips()) given.base = &of.base;
-  return made.emplace(key, tools::PreparedMethod(method, of.mesh, given)).first->second;
+  return made.emplace(key, tools::PreparedMethod(method, subject(name).mesh, {})).first->second;
 }
 
-Player::Player(const std::string& name, const Method& method, const Cost& cost)
-    : subject_(&subject(name)), prepared_(&prepared(name, method, cost)) {
+Player::Player(const std::string& name, const Method& method)
+    : subject_(&subject(name)), prepared_(&prepared(name, method)) {
   mesh_.reserve(subject_->triangles, subject_->mesh.points.size());
   restart();
 }

@@ -15,7 +15,6 @@
 #include "lod/progressive_mesh.hpp"
 #include "replay/methods.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/output/strips.hpp"
 
 namespace restrip::bench {
 
@@ -33,7 +32,6 @@ void register_benchmarks();
 
 struct Subject {
   tools::ProgressiveMesh mesh;  ///< quadric collapses to 2 %
-  StripMesh base;               ///< with strips from scratch
   std::size_t triangles = 0;    ///< of the finest level
 };
 
@@ -44,14 +42,13 @@ struct Subject {
 
 /// Baking the dragon takes minutes (docs/how-to/baked-strips.md has its figures), so it is left out here.
 [[nodiscard]] bool is_measured(const std::string& name, const Method& method);
-/// Made on first use, and kept. Costs other than strips only for methods that weigh.
-[[nodiscard]] const tools::PreparedMethod& prepared(const std::string& name, const Method& method,
-                                                    const Cost& cost = Cost::strips());
+/// Under the default cost of the method. Made on first use, and kept.
+[[nodiscard]] const tools::PreparedMethod& prepared(const std::string& name, const Method& method);
 
 /// Plays a progressive mesh up and down by one method. A split starts from vertices: finding its spokes is part of it.
 class Player {
  public:
-  Player(const std::string& name, const Method& method, const Cost& cost = Cost::strips());
+  Player(const std::string& name, const Method& method);
 
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] StripMesh& mesh() noexcept { return mesh_; }
@@ -102,16 +99,6 @@ void add_timed(const std::string& name, Run run) {
       ->UseManualTime()
       ->Unit(benchmark::kMicrosecond)
       ->Iterations(settings().quick ? 1 : 3);
-}
-
-inline void count_strips(benchmark::State& state, std::size_t triangles, std::size_t strips, std::size_t indices) {
-  state.counters["triangles"] = static_cast<double>(triangles);
-  state.counters["strips"] = static_cast<double>(strips);
-  state.counters["indices_per_triangle"] = static_cast<double>(indices) / static_cast<double>(triangles);
-}
-inline void count_strips(benchmark::State& state, const StripMesh& mesh) {
-  const Strips strips = extract_strips(mesh);
-  count_strips(state, mesh.triangle_count(), strips.size(), strip_index_count(mesh, strips));
 }
 
 }  // namespace restrip::bench

@@ -21,13 +21,13 @@ while [ $# -gt 0 ]; do
     --bin) bin=${2:?--bin wants a folder}; shift ;;
     --out) out=${2:?--out wants a folder}; shift ;;
     --tristripper) tristripper=$(realpath "${2:?--tristripper wants a folder}"); shift ;;
-    --only) only+=("${2:?--only wants a program: draw, level, replay, scale}"); shift ;;
+    --only) only+=("${2:?--only wants a program: level, replay, scale}"); shift ;;
     *) sed -n '2,12s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "performance.sh: unknown: $1" >&2; exit 2 ;;
   esac
   shift
 done
 out=${out:-build/performance${quick:+-quick}}
-programs=(level draw replay scale)
+programs=(level replay scale)
 [ ${#only[@]} -gt 0 ] || only=("${programs[@]}")
 for name in "${only[@]}"; do
   [[ " ${programs[*]} " == *" $name "* ]] || { echo "performance.sh: unknown program: $name; there are ${programs[*]}" >&2; exit 2; }

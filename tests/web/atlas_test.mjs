@@ -23,8 +23,10 @@ const address = (page) => pathToFileURL(join(folder, page)).href;
 const count = (mask) => mask.toString(2).replaceAll('0', '').length;
 
 const text = (page) => readFileSync(join(folder, 'atlas', page), 'utf8');
-/// The rows of a page: by name, its rule (P J R K), and the patch drawn before it, as its position and inner edges.
-const rowsOf = (page) => new Map([...text(page).matchAll(/<tr id="([^"]*)" class="([^"]*)" data-rule="([^"]*)" data-before="([^"]*)"(.*)/g)]
+/// The pages of a section: the one of its name, and what follows it.
+const pagesOf = (page) => [page, ...readdirSync(join(folder, 'atlas')).filter((name) => name.startsWith(page.replace('.html', '-from-')))];
+/// The rows of a section: by name, its rule (P J R K), and the patch drawn before it, as its position and inner edges.
+const rowsOf = (page) => new Map([...pagesOf(page).map(text).join('').matchAll(/<tr id="([^"]*)" class="([^"]*)" data-rule="([^"]*)" data-before="([^"]*)"(.*)/g)]
   .map(([, name, kinds, rule, before, rest]) => [name, { kinds, rule: rule.split(' ').map(Number), before: before.split(' ').map(Number), rest }]));
 
 // ---- rows against certificates: each rule has its row, with its answer
@@ -92,7 +94,7 @@ console.log(`${[...counted.values()].reduce((a, b) => a + b)} rules, ${configura
 {
   const restrip = await load();
   const drawn = new Map();
-  for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /-\d+\.html$|^flip\.html$/.test(name))) {
+  for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /-\d+\.html$|^flip\.html$/.test(name) && !name.includes('-from-'))) {
     const positions = JSON.parse(/data-positions="([^"]*)"/.exec(text(page))[1].replaceAll('&quot;', '"'));
     for (const [name, { rule: [ports, , colors, kept], before: [position, edges] }] of rowsOf(page)) {
       const [family, ...words] = positions[position].split(' ');
@@ -186,6 +188,14 @@ try {
   for (const [kinds, ports, wanted] of filtered) {
     assert.match(kinds, /\bcosts\b/);
     assert.equal(ports, wanted);
+  }
+  // A long section has several pages, and a link to the first finds each rule.
+  assert.ok(pagesOf('split-8-1.html').length > 1);
+  for (const each of readdirSync(join(folder, 'atlas')).filter((name) => /-\d+\.html$/.test(name))) assert.ok(text(each).length < 500_000, `${each}: ${text(each).length} characters`);
+  const rules = [...rowsOf('split-8-1.html').keys()];
+  for (const at of [0, Math.floor(rules.length / 2), rules.length - 1]) {
+    await page.open(`${address('atlas/split-8-1.html')}#${rules[at]}`);
+    await page.until(`document.querySelector("tr:target")?.id === "${rules[at]}"`);
   }
   // The rules met most often come first, as met.csv has them, and filtered are those that are met.
   const met = new Map(readFileSync(join(root, 'web/atlas/met.csv'), 'latin1').trim().split('\n').slice(1).map((line) => line.split(','))

@@ -25,7 +25,16 @@ if (table) {
   form.addEventListener('input', filter);
   form.addEventListener('submit', (event) => event.preventDefault());
   filter();
-  const go = () => document.getElementById(location.hash.slice(1))?.scrollIntoView({ block: 'center' });
+  // A link names the first page of a section: the rule may be on another.
+  const go = () => {
+    const name = location.hash.slice(1);
+    const row = document.getElementById(name);
+    if (row) return row.scrollIntoView({ block: 'center' });
+    const ports = name.split('-').at(-2)?.match(/^[0-9a-f]+$/)?.[0] ?? '0';
+    const solid = [...parseInt(ports, 16).toString(2)].filter((bit) => bit === '1').length;
+    const page = document.querySelector(`#pages [data-ports~="${solid}"]:not([aria-current])`);
+    if (page) location.replace(page.href + location.hash);
+  };
   addEventListener('hashchange', go);
   if (location.hash) go();
 }

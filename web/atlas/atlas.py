@@ -27,6 +27,7 @@ from surfaces import drawings  # noqa: E402
 
 STYLES = [WEB / "viewer/style.css", WEB / "atlas/atlas.css"]
 SCRIPTS = [WEB / "atlas/atlas.mjs"]
+LONGEST_PAGE = 450  # rules; a longer section has several pages, split by the number of solid ports
 UNITS = {  # what a rule adds, one and several; what solid edges make
     "strips": ("strip", "strips", "strip"), "forest": ("tree", "trees", "tree"),
     "matching": ("triangle left alone", "triangles left alone", "pair")}
@@ -62,6 +63,15 @@ class Page:
     def changes(self, key, colors, kept):
         """How many configurations of a key gain how many strips, trees or triangles alone by this recolouring."""
         return {strips_added(self.positions[0], before, colors, key[0], kept): count for before, count in self.known[key][0].items()}
+
+    def parts(self):
+        """The pages of a section: the name of the file, and the numbers of solid ports that its rules have."""
+        counts, parts = Counter(ports.bit_count() for ports, *_ in self.section.rules), []
+        for ports in sorted(counts):
+            if not parts or sum(counts[n] for n in [*parts[-1], ports]) > LONGEST_PAGE:
+                parts.append([])
+            parts[-1].append(ports)
+        return {self.name + (f"-from-{some[0]}" if n else ""): some for n, some in enumerate(parts)}
 
     def leaves_alone(self, colors, kept):
         met = {n for i in bits(colors) for n in self.after.edges[i]} | {self.after.owners[i] for i in bits(kept)}
@@ -167,9 +177,21 @@ def legend(page):
     return LEGEND.format(unit=page.made)
 
 
-def body_of(page, sides, met):
+def parts_navigation(page, here):
+    """Links between the pages of a section. A link to a rule names the first, which sends it on."""
+    parts = page.parts()
+    if len(parts) == 1:
+        return ""
+    words = {name: f"{some[0]} to {some[-1]}" if len(some) > 1 else str(some[0]) for name, some in parts.items()}
+    return ('<nav id="pages">Rules with ' + ", ".join(
+        f'<a href="{name}.html" data-ports="{" ".join(map(str, some))}"{" aria-current=page" * (name == here)}>{words[name]}</a>'
+        for name, some in parts.items()) + " solid ports</nav>")
+
+
+def body_of(page, sides, met, here):
     section, claims = page.section, page.section.claims
-    rows = "\n".join(row(page, rule, sides, met) for rule in section.rules)
+    shown = page.parts()[here]
+    rows = "\n".join(row(page, rule, sides, met) for rule in section.rules if rule[0].bit_count() in shown)
     several = len(page.positions) > 1
     with_met = page.met > 0
     columns = ["", "rule", "solid ports", "joined before", *(["ports kept"] if page.description.gives_up else []), "solid edges after",
@@ -183,7 +205,7 @@ def body_of(page, sides, met):
               f"In {grouped(page.costing)} configurations the best rule adds a {page.unit}; none adds more than {worst}."))
     if with_met:
         facts += (f" Of the splits of four real meshes, from 2 % of their triangles up, {100 * page.met / sum(met.values()):.1f} % are at this "
-                  f"position; they meet {grouped(rows.count(' data-met='))} of these rules.")
+                  f"position; they meet {grouped(sum(f'{page.name}-{ports:x}-{joined:x}' in met for ports, joined, *_ in section.rules))} of these rules.")
     notes = ("A rule depends only on the solid ports and on which of them are joined before, so it serves "
              f"{'several positions and ' if several else ''}all patches that agree in these. One with the fewest solid edges is drawn. " +
              ("A rule may clear ports, and so may everything that it is compared with." if page.description.gives_up else
@@ -202,7 +224,7 @@ def body_of(page, sides, met):
             f'{WHY if any(tree is not None for *_, tree in section.rules) else ""}'
             '<p>A solid port leads out of the patch. A rule may join two of them only if they were joined before.</p>'
             f'{legend(page)}<form id="filter" hidden>{filters}{sorting}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
-            '<output></output></form>'
+            f'<output></output></form>{parts_navigation(page, here)}'
             f'<style>@media (max-width: 700px), print {{ {heads} }}</style>'
             f'<svg width="0" height="0" class="parts" aria-hidden="true"><defs>{patches}</defs></svg>'
             f'<div class="wide" tabindex="0"><table id="rules" data-positions="{positions}"><thead><tr>{"".join(f"<th>{c}</th>" if c else "<td></td>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>')
@@ -284,7 +306,8 @@ def write(given, met):
             except Refused as fault:
                 raise Refused(f"{page.title}: {fault}") from None
             sides = sides[0], sides[1][0]
-            texts[page.name] = page.title, body_of(page, sides, met)
+            for part in page.parts():
+                texts[part] = page.title, body_of(page, sides, met, part)
             if page.name == "split-5-2":  # one of its rules is the picture of the index
                 ports, joined, colors, kept, _ = next(rule for rule in page.section.rules if rule[0].bit_count() == 3 and rule[1] > 0)
                 _, position, inner = page.known[ports, joined]
