@@ -191,11 +191,12 @@ def fill(template, page):
 
 
 def wrapped(text):
-    """Long lines of prose broken; tables, pictures and comments stay whole."""
-    return "\n".join(line if len(line) <= WIDTH or line.startswith(("|", "!", "<")) else
-                     textwrap.fill(line, WIDTH, subsequent_indent="  " if line.startswith("- ") else "",
-                                   break_long_words=False, break_on_hyphens=False)
-                     for line in text.split("\n"))
+    """Paragraphs that have become too long, filled again; tables, pictures, comments and lists stay as they are."""
+    def filled(part):
+        if part.startswith(("|", "!", "<", "-", "#")) or max(map(len, part.split("\n"))) <= WIDTH:
+            return part
+        return textwrap.fill(" ".join(part.split()), WIDTH, break_long_words=False, break_on_hyphens=False)
+    return "\n\n".join(map(filled, text.split("\n\n")))
 
 
 def write_whole(path, text):

@@ -17,7 +17,7 @@
 //
 // Compared with StripBuffer. A list is the better choice if bytes written or update times matter most, or if vertices
 // are expensive and the triangles are in an order for the vertex cache. Strips take half the memory, but need a
-// colouring. bench/draw.cpp measures both.
+// colouring. bench/level.cpp measures both.
 #pragma once
 
 #include <algorithm>
