@@ -146,13 +146,14 @@ function(restrip_generate_tables)
     set(headers automaton collapse flip rows split)
     list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
     add_custom_command(
-      OUTPUT ${folder}/restrip-digests.txt  # gets the present time even if nothing was done
+      OUTPUT ${folder}.stamp  # unchanged files keep their time
       BYPRODUCTS ${folder}/MANIFEST ${headers}
       COMMAND restrip::generate tables --out ${folder} --threads 0 ${options}
+      COMMAND ${CMAKE_COMMAND} -E touch ${folder}.stamp
       DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the tables of ${arg_TARGET}"
       VERBATIM)
-    list(APPEND made ${folder}/restrip-digests.txt)
+    list(APPEND made ${folder}.stamp)
     list(APPEND commands COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE})
     if(--language=c IN_LIST arg_LANGUAGE)
       set(check ${folder}-languages/restrip_tables_check.c)
@@ -164,22 +165,24 @@ function(restrip_generate_tables)
   # Other languages have a separate folder, because the MANIFEST lists everything in the folder of the tables.
   if(arg_LANGUAGE)
     add_custom_command(
-      OUTPUT ${folder}-languages/restrip-digests.txt
+      OUTPUT ${folder}-languages.stamp
       BYPRODUCTS ${check}
       ${commands}
+      COMMAND ${CMAKE_COMMAND} -E touch ${folder}-languages.stamp
       DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the tables of ${arg_TARGET} in other languages"
       VERBATIM)
-    list(APPEND made ${folder}-languages/restrip-digests.txt)
+    list(APPEND made ${folder}-languages.stamp)
   endif()
   if(operations)
     add_custom_command(
-      OUTPUT ${folder}-operations/restrip-digests.txt
+      OUTPUT ${folder}-operations.stamp
       COMMAND restrip::generate rules --out ${folder}-operations ${own}
+      COMMAND ${CMAKE_COMMAND} -E touch ${folder}-operations.stamp
       DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the operations of ${arg_TARGET}"
       VERBATIM)
-    list(APPEND made ${folder}-operations/restrip-digests.txt)
+    list(APPEND made ${folder}-operations.stamp)
   endif()
   add_custom_target(${arg_TARGET}_files DEPENDS ${made})
   add_library(${arg_TARGET} INTERFACE)

@@ -34,12 +34,6 @@ CLI::Option* add_json_option(CLI::App& command, std::string& file) {
                             "Write the report as JSON to this file; - for standard output, in place of the text");
 }
 
-void add_force_option(CLI::App& command, bool& force) {
-  command.add_flag("--force", force,
-                   "Write the files even if the directory has them from the same program, inputs and options, "
-                   "as restrip-digests.txt records (it is not written then); --json always writes them");
-}
-
 /// Adds the option of the languages; `of_cpp` says what is written in C++, `in_others` in other languages.
 CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& languages, const char* of_cpp,
                                  const char* in_others) {
@@ -95,28 +89,11 @@ int main(int argc, char** argv) {
                    "Threads, 0: one for each processor; the bytes written do not depend on it")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
-  auto* shard_option = tables_command->add_option(
-      "--shard", tables.shard, "I/N: solve only the I-th of N shares and write DIR/shard-I-of-N.txt, for `merge`");
-  add_language_option(*tables_command, tables.languages, "headers, certificates and MANIFEST", "data")
-      ->excludes(shard_option);
-  add_force_option(*tables_command, tables.force);
+  add_language_option(*tables_command, tables.languages, "headers, certificates and MANIFEST", "data");
   add_json_option(*tables_command, tables.json);
   tables_command->footer(
-      "\nExample, two shares by two machines, then all together:\n"
-      "  restrip-generate tables --shard 1/2 --out /tmp/shards\n"
-      "  restrip-generate tables --shard 2/2 --out /tmp/shards\n"
-      "  restrip-generate merge --in /tmp/shards --out /tmp/tables\n"
-      "Example, restrip_tables.h and restrip_tables.json:\n"
+      "\nExample, restrip_tables.h and restrip_tables.json:\n"
       "  restrip-generate tables --language c,json --out /tmp/tables\n");
-
-  std::string merge_in;
-  std::string merge_out;
-  auto* merge_command = app.add_subcommand("merge", "Write from all shards what `tables` writes without --shard");
-  merge_command->add_option("--in", merge_in, "Directory that holds the shards")->required();
-  merge_command->add_option("--out", merge_out, "Output directory")->required();
-  std::string merge_json;
-  add_json_option(*merge_command, merge_json);
-  merge_command->footer("\nExample:\n  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
 
   AutomatonOptions automaton;
   auto* automaton_command =
@@ -151,7 +128,6 @@ int main(int argc, char** argv) {
       ->add_option("--max-k", rules.max_k, "Families: positions whose first number is at most this, by default 8")
       ->check(CLI::Range(3, 10));
   add_language_option(*rules_command, rules.languages, "header and certificate", "table");
-  add_force_option(*rules_command, rules.force);
   add_json_option(*rules_command, rules.json);
   rules_command->footer(
       "\nExamples, from the top of the source tree; the second writes restrip_rule_of_bisect.h and "
@@ -222,10 +198,9 @@ int main(int argc, char** argv) {
   }
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
-    if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
+    if (*tables_command) make_tables(tables);
     if (*automaton_command)
       served.empty() ? make_automaton_files(automaton) : make_served_headers(served, automaton.out);
-    if (*merge_command) merge_shards(merge_in, merge_out, merge_json);
     if (*rules_command) make_rules(rules);
     if (*dump_command && !dumped.empty()) {
       dump_rules(dumped, dumped_max_k, stdout);

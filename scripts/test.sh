@@ -114,7 +114,7 @@ if [ -n "$all" ]; then
   # Sanitizers would take minutes for each exhaustive part of generator and verifier; smaller tests run the same code.
   # The same is true of the real meshes. Two callers of each allocation are kept instead of thirty, which takes a sixth
   # of the time.
-  too_long='EveryCrime|EveryFlipped|shards|tables.fresh'
+  too_long='EveryCrime|EveryFlipped|tables.fresh'
   part "testing with sanitizers" env -u RESTRIP_MESHES ASAN_OPTIONS=malloc_context_size=2 ctest --preset sanitize -j "$(nproc)" -E "$too_long"
   joined
 fi

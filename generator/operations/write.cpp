@@ -19,7 +19,7 @@
 #include "operations/description_file.hpp"
 #include "operations/operation_layout.hpp"
 #include "tables/certificate_text.hpp"
-#include "tables/made_before.hpp"
+#include "tables/changed.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -157,11 +157,9 @@ void dump_rules(const std::string& file, std::optional<unsigned> max_k, std::FIL
 void make_rules(const RulesOptions& options) {
   std::vector<Description> descriptions;
   bool has_family = false;
-  std::vector<std::string> made_from{"rules", fmt::format("{}", options.max_k.value_or(0))};
   for (const std::string& file : options.files) {
     const std::vector<Description> others = descriptions;
-    made_from.push_back(read_description_text(file));
-    for (Description& description : parse_descriptions(file, made_from.back())) {
+    for (Description& description : read_descriptions(file)) {
       for (const Description& other : others)
         if (other.name == description.name || other.certificate == description.certificate)
           throw std::runtime_error(fmt::format("{}: another of these files has the name {}", file, description.name));
@@ -186,14 +184,7 @@ void make_rules(const RulesOptions& options) {
       if (file->of_operation != nullptr) paths.insert(name);
   }
   const std::vector<std::filesystem::path> inputs{options.files.begin(), options.files.end()};
-  const MadeBefore before(options.out, made_from);
-  std::vector<std::filesystem::path> names{paths.begin(), paths.end()};
-  if (!options.force && options.json.empty() && before.has(names)) {
-    fmt::print("{}", before.sentence());
-    return;
-  }
-  if (!options.force) names.emplace_back(MadeBefore::file_name);
-  files::OutputSet out(options.out, names, {{}, inputs});
+  files::OutputSet out(options.out, {paths.begin(), paths.end()}, {{}, inputs});
   const files::ReportOutput report(options.json, inputs);
 
   std::vector<Section> solved;
@@ -216,8 +207,7 @@ void make_rules(const RulesOptions& options) {
     }
     add_figures(certificate, table_bytes, json["operations"], text);
   }
-  if (!options.force) texts.push_back(before.with(texts));
-  out.write(texts);
+  out.write(changed(options.out, std::move(texts)));
   report.print(text, json.dump(2) + "\n");
 }
 

@@ -14,7 +14,6 @@ struct RulesOptions {
   std::string out;                         ///< the output folder
   std::optional<unsigned> max_k;           ///< for families: the largest first number; default 8
   std::set<std::string> languages{"c++"};  ///< of language_files(); C++ has header and certificate
-  bool force = false;                      ///< make the files even if the folder has them, and keep no record
   std::string json;  ///< file for the figures; "-": standard output, instead of the text; or empty
 };
 

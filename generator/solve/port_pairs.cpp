@@ -38,17 +38,4 @@ std::string PortPairs::text() const {
   return text;
 }
 
-bool PortPairs::read(std::string_view text, unsigned ports, PortPairs& pairs) {
-  constexpr std::string_view hexadecimal = "0123456789abcdef";
-  pairs = {};
-  for (unsigned low = 0; low < ports; ++low)
-    for (unsigned high = low + 1; high < ports; ++high) {
-      const unsigned place = written_place_of(low, high);
-      if (place / 4 >= text.size()) continue;
-      const std::size_t digit = hexadecimal.find(text[text.size() - 1 - place / 4]);
-      if (digit != std::string_view::npos && (digit >> place % 4 & 1U) != 0) pairs.add(low, high);
-    }
-  return pairs.text() == text;
-}
-
 }  // namespace restrip::generator

@@ -43,9 +43,8 @@ class PortPairs {
   /// The images of the pairs.
   [[nodiscard]] PortPairs moved(const std::vector<unsigned>& to) const;
 
-  /// As certificates write it: bit j (j - 1) / 2 + i is the pair of ports i < j. Only such text is accepted.
+  /// As certificates write it: bit j (j - 1) / 2 + i is the pair of ports i < j.
   [[nodiscard]] std::string text() const;
-  [[nodiscard]] static bool read(std::string_view text, unsigned ports, PortPairs& pairs);
 
  private:
   static constexpr unsigned most = 16;

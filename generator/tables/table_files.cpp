@@ -19,11 +19,9 @@
 #include "common/progress.hpp"
 #include "common/report_output.hpp"
 #include "languages/languages.hpp"
-#include "operations/families_text.hpp"
 #include "tables/certificate_text.hpp"
+#include "tables/changed.hpp"
 #include "tables/emit.hpp"
-#include "tables/made_before.hpp"
-#include "tables/shard.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -123,14 +121,7 @@ std::string written_json(unsigned max_k, const std::vector<files::NamedBytes>& f
 }  // namespace
 
 void make_tables(const TablesOptions& options) {
-  std::vector<std::filesystem::path> names = table_files(options.languages);
-  const MadeBefore before(options.out, {"tables", std::string(families_text), std::to_string(options.max_k)});
-  if (!options.force && options.json.empty() && before.has(names)) {
-    fmt::print("{}", before.sentence());
-    return;
-  }
-  if (!options.force) names.insert(names.begin(), MadeBefore::file_name);
-  files::OutputSet out(options.out, names);
+  files::OutputSet out(options.out, table_files(options.languages));
   const files::ReportOutput report(options.json);
   const bool certified = options.languages.contains("c++");
 
@@ -139,40 +130,7 @@ void make_tables(const TablesOptions& options) {
   if (certified) texts = section_texts(solved, options.threads);
   const std::vector<Certificate> certificates = by_certificate(std::move(solved), std::move(texts));
   const Emitted made = emit(certificates, pack(certificates, options.max_k), options);
-  std::vector<files::NamedBytes> written = made.files;
-  if (!options.force) written.insert(written.begin(), before.with(made.files));
-  out.write(written);
-  report.print(made.text, written_json(options.max_k, made.files));
-}
-
-void make_shard(const TablesOptions& options) {
-  const Shard shard = shard_named(options.shard);
-  files::OutputSet out(options.out, {file_name(shard)});
-  const files::ReportOutput report(options.json);
-  const std::vector<Patches> all = patches_of(tabled_families(), options.max_k);
-  std::vector<Patches> own;
-  for (const std::size_t i : share_of(all, shard.index, shard.count)) own.push_back(all[i]);
-  const std::vector<Section> solved = solve_all(own, options.threads, Watched::yes);
-  const std::string text =
-      shard_text(shard, options.max_k, generator_id(RESTRIP_VERSION), solved, section_texts(solved, options.threads));
-  const std::vector<files::NamedBytes> written{{file_name(shard), text}};
-  out.write(written);
-  std::size_t rows = 0;
-  for (const Section& section : solved) rows += section.rows.size();
-  report.print(fmt::format("shard {} of {}: {} of {} sections, {}, {}\n", shard.index, shard.count, solved.size(),
-                           all.size(), counted(rows, "row"), counted(text.size(), "byte")),
-               written_json(options.max_k, written));
-}
-
-void merge_shards(const std::string& in, const std::string& folder, const std::string& json) {
-  TablesOptions options;
-  files::OutputSet out(folder, table_files(options.languages));
-  const files::ReportOutput report(json);
-  Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
-  options.max_k = merged.max_k;
-  const std::vector<Certificate> certificates = by_certificate(std::move(merged.sections), std::move(merged.texts));
-  const Emitted made = emit(certificates, pack(certificates, options.max_k), options);
-  out.write(made.files);
+  out.write(changed(options.out, made.files));
   report.print(made.text, written_json(options.max_k, made.files));
 }
 
@@ -192,7 +150,7 @@ void make_automaton_files(const AutomatonOptions& options) {
     written = {{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}};
   const AutomatonArrays arrays = automaton_arrays(made.automaton);
   for (const auto& [name, file] : others) written.push_back({name, file->of_automaton(arrays)});
-  out.write(written);
+  out.write(changed(folder, std::move(written)));
   if (classes_out) classes_out->write(classes_json(made.automaton));
   report.print(made.summary(), automaton_json(made.automaton));
 }

@@ -1,4 +1,4 @@
-// Writes the files of restrip-generate: headers, certificates and MANIFEST; shards; an automaton.
+// Writes the files of restrip-generate: headers, certificates and MANIFEST; an automaton.
 #pragma once
 
 #include <set>
@@ -9,12 +9,10 @@
 namespace restrip::generator {
 
 struct TablesOptions {
-  std::string out;    ///< the output folder
-  std::string shard;  ///< "I/N", or empty for everything
+  std::string out;  ///< the output folder
   unsigned max_k = 8;
   unsigned threads = 1;
   std::set<std::string> languages{"c++"};  ///< of language_files()
-  bool force = false;                      ///< make the files even if the folder has them, and keep no record
   std::string json;                        ///< file for a list of what was written; "-": standard output; or empty
 };
 
@@ -27,12 +25,6 @@ struct TablesOptions {
 
 /// Writes the files of the languages, all at once; for C++ headers, certificates and MANIFEST.
 void make_tables(const TablesOptions& options);
-
-/// Writes one of several shares of the sections, for merge_shards().
-void make_shard(const TablesOptions& options);
-
-/// Writes the same files as make_tables(), from the shards in the folder `in`.
-void merge_shards(const std::string& in, const std::string& out, const std::string& json);
 
 /// Writes the automaton's header and certificate, or its files in other languages.
 struct AutomatonOptions {

@@ -19,7 +19,7 @@ set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
 set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The page "Make a rule": one file is the generator's, one the verifier's; what is below them has neither.
 set(door_maker "\"common/[^\"]*\"|<nlohmann/json.hpp>|<stdio.h>")
-set(door_maker_generator "\"[a-z]+/(made_before|write).hpp\"")
+set(door_maker_generator "\"[a-z]+/(changed|write).hpp\"")
 set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"|\"judge/orbits.hpp\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")

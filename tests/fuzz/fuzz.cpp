@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     if (argument.starts_with(to_folder)) folder = argument.substr(to_folder.size());
   }
   std::string names;
-  for (auto* targets : {&mesh_targets, &table_targets, &shard_targets, &live_targets, &saved_targets})
+  for (auto* targets : {&mesh_targets, &table_targets, &live_targets, &saved_targets})
     for (Target& target : targets()) {
       names += ' ' + target.name;
       if (target.name == wanted) chosen = std::move(target);

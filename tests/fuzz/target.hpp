@@ -23,11 +23,9 @@ struct Target {
   unsigned runs = 0;  ///< default number of runs in a test; about two seconds with sanitizers
 };
 
-/// Readers of meshes, of tables and custom operations (by the verifier), and of the generator's shards; a LiveMesh,
-/// driven and saved.
+/// Readers of meshes, of tables and custom operations (by the verifier); a LiveMesh, driven and saved.
 [[nodiscard]] std::vector<Target> mesh_targets();
 [[nodiscard]] std::vector<Target> table_targets();
-[[nodiscard]] std::vector<Target> shard_targets();
 [[nodiscard]] std::vector<Target> live_targets();
 [[nodiscard]] std::vector<Target> saved_targets();
 

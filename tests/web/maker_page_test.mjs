@@ -75,7 +75,7 @@ try {
     .map(async (link) => [link.download, await (await fetch(link.href)).text()]))));
   assert.equal(files['drawn-hexagon.json'], operation);
   writeFileSync(join(scratch, 'drawn-hexagon.json'), operation);
-  execFileSync(generate, ['rules', '--operation', 'drawn-hexagon.json', '--out', 'rules', '--force'], { cwd: scratch });
+  execFileSync(generate, ['rules', '--operation', 'drawn-hexagon.json', '--out', 'rules'], { cwd: scratch });
   assert.equal(files['drawn-hexagon.cert'], readFileSync(join(scratch, 'rules/certificates/operations/drawn-hexagon.cert'), 'utf8'));
   assert.equal(files['drawn_hexagon.hpp'], readFileSync(join(scratch, 'rules/include/restrip/tables/operations/drawn_hexagon.hpp'), 'utf8'));
   writeFileSync(join(scratch, 'drawn_hexagon.hpp'), files['drawn_hexagon.hpp']);

@@ -48,7 +48,7 @@ const told = ({ error, claims, failed, last }) => (error ? { error } : { claims:
 async function compare(name, text, maxK) {
   writeFileSync(join(scratch, name), text);
   const words = maxK ? ['--max-k', String(maxK)] : [];
-  const native = run(generateProgram, 'rules', '--operation', name, '--out', 'rules', '--language', languages.join(), '--force', '--json', 'report.json', ...words);
+  const native = run(generateProgram, 'rules', '--operation', name, '--out', 'rules', '--language', languages.join(), '--json', 'report.json', ...words);
   heard = [];
   const mine = await made(modules, name, text, { languages, ...(maxK ? { max_k: maxK } : {}) });
   if (native.status !== 0) {

@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 
 /// Files in the folder of the tables that need no line.
 bool needs_no_line(const std::string& path) {
-  return path == "MANIFEST" || path == "restrip-digests.txt" || path.ends_with("CMakeLists.txt") ||
-         path.ends_with(".cmake");
+  return path == "MANIFEST" || path.ends_with("CMakeLists.txt") || path.ends_with(".cmake");
 }
 
 /// The number of rows of a certificate by its last line, "end NUMBER …", 0 if it has no such line; of a header by the

@@ -6,15 +6,13 @@
 #include "files.hpp"
 #include "module.hpp"
 #include "operations/write.hpp"
-#include "tables/made_before.hpp"
+#include "tables/changed.hpp"
 
 namespace restrip::generator {
 
-// Nothing was made before, and no record is kept.
-MadeBefore::MadeBefore(std::filesystem::path /*folder*/, const std::vector<std::string>& /*inputs*/) {}
-bool MadeBefore::has(const std::vector<std::filesystem::path>& /*files*/) const { return false; }
-files::NamedBytes MadeBefore::with(const std::vector<files::NamedBytes>& /*made*/) const { return {file_name, {}}; }
-std::string MadeBefore::sentence() const { return {}; }
+std::vector<files::NamedBytes> changed(const std::filesystem::path& /*folder*/, std::vector<files::NamedBytes> files) {
+  return files;
+}
 
 }  // namespace restrip::generator
 
@@ -25,7 +23,6 @@ nlohmann::ordered_json generated(const nlohmann::json& request) {
   for (const auto& [name, text] : request.at("files").items()) options.files.push_back(name);
   if (request.contains("max_k")) options.max_k = request.at("max_k").get<unsigned>();
   options.languages = request.at("languages").get<std::set<std::string>>();
-  options.force = true;
   options.json = "-";
   const std::map<std::string, std::string> given = memory_files();
   generator::make_rules(options);

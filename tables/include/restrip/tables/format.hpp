@@ -22,7 +22,7 @@
 
 namespace restrip {
 
-/// Places inside a table: 16 bits if they suffice, 32 in tables that go beyond k = 8 (docs/how-to/cluster.md).
+/// Places inside a table: 16 bits if they suffice, 32 in tables that go beyond k = 8 (docs/reference/tables.md, "Larger tables").
 template <unsigned MaxK>
 using TableIndex = std::conditional_t<MaxK <= 8, std::uint16_t, std::uint32_t>;
 
