@@ -43,7 +43,7 @@ TEST(ComponentStrips, FollowSplits) {
     const auto where = spokes_of(mesh, record);
     using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
     boundary_splits += where.spokes == Spokes::both ? 0U : 1U;
-    fan_triangles(mesh, where.spokes == Spokes::right_only ? where.right : where.left, patch);
+    fan_triangles(mesh, where.spoke(), patch);
     counts.before_split(mesh, patch);
     const auto done = split_baked(mesh, where, {}, record.v_t);
     edge_triangles(mesh, done.halfedge, patch);

@@ -154,7 +154,7 @@ class StripBaker final : public Baker {
 
   void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) override {
     const std::size_t before = strips();
-    fan_triangles(mesh(), where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
+    fan_triangles(mesh(), where.spoke(), patch_);
     locator_.before_patch(mesh(), patch_);
     counts_->before_split(mesh(), patch_);
     const Halfedge chord = split_plainly(where, v_t).halfedge;

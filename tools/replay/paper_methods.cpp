@@ -97,7 +97,7 @@ class Paper final : public WitnessedMaintainer {
   static constexpr std::uint32_t short_tunnel = 50;  // states: chains of about four moves
 
   Halfedge do_split(const Where& where, Vertex v_t) override {
-    fan_triangles(mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
+    fan_triangles(mesh_, where.spoke(), patch_);
     before();
     const Halfedge chord = split_as_the_paper(mesh_, where, v_t, join_);
     edge_triangles(mesh_, chord, patch_);

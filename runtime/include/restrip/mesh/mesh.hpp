@@ -65,6 +65,9 @@ struct VertexSplit {
   Halfedge left{};
   Halfedge right{};
   Spokes spokes = Spokes::both;
+
+  /// The left spoke, or the right one if it is alone.
+  [[nodiscard]] constexpr Halfedge spoke() const { return spokes == Spokes::right_only ? right : left; }
 };
 
 /// A mesh that can split a vertex: insert the triangles described at VertexSplit and return the halfedge v_s -> v_t

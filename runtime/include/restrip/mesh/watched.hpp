@@ -84,8 +84,7 @@ class Watched {
     m.insert_vertex(where, name_of_vertex...);
   }
   {
-    detail::add_fan(*mesh_, where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left,
-                    changed_);
+    detail::add_fan(*mesh_, where.spoke(), changed_);
     detail::make_room(changed_, 2);
     const Halfedge chord = mesh_->insert_vertex(where, name_of_vertex...);
     name(chord);

@@ -80,9 +80,7 @@ class SurfaceMeshStrips {
   }
   /// The new vertex is put where v_s is.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where) {
-    using Spokes = typename VertexSplit<Halfedge>::Spokes;
-    const Halfedge spoke = where.spokes == Spokes::right_only ? where.right : where.left;
-    return insert_vertex(where, Point(mesh_.point(mesh_.source(spoke))));
+    return insert_vertex(where, Point(mesh_.point(mesh_.source(where.spoke()))));
   }
 
   Halfedge remove_vertex(Halfedge chord) {

@@ -73,7 +73,7 @@ class OpenMeshStrips {
   /// `new_vertex` has been added to the mesh and belongs to no triangle yet.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex) {
     using Spokes = typename VertexSplit<Halfedge>::Spokes;
-    const Vertex v_s = mesh_.from_vertex_handle(where.spokes == Spokes::right_only ? where.right : where.left);
+    const Vertex v_s = mesh_.from_vertex_handle(where.spoke());
     const Vertex v_l = where.spokes == Spokes::right_only ? Vertex() : mesh_.to_vertex_handle(where.left);
     const Vertex v_r = where.spokes == Spokes::left_only ? Vertex() : mesh_.to_vertex_handle(where.right);
     // OpenMesh looks along v_t -> v_s, so our right is its left.
@@ -88,9 +88,8 @@ class OpenMeshStrips {
   }
   /// The new vertex is put where v_s is.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where) {
-    using Spokes = typename VertexSplit<Halfedge>::Spokes;
-    const Halfedge spoke = where.spokes == Spokes::right_only ? where.right : where.left;
-    const typename TriMesh::Point point = mesh_.point(mesh_.from_vertex_handle(spoke));  // a copy: the points may move
+    // A copy: the points may move.
+    const typename TriMesh::Point point = mesh_.point(mesh_.from_vertex_handle(where.spoke()));
     return insert_vertex(where, mesh_.add_vertex(point));
   }
 

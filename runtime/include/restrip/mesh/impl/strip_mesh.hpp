@@ -176,7 +176,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfe
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
   RESTRIP_ASSERT(check_split(*this, where, wanted) == Refusal::granted, "StripMesh::insert_vertex",
                  describe(check_split(*this, where, wanted)));
-  expect_touches_around(from(where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left));
+  expect_touches_around(from(where.spoke()));
   return insert_vertex(where, take_room(where.spokes, wanted));
 }
 

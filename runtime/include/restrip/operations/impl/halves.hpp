@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "restrip/operations/impl/function_ref.hpp"
 #include "restrip/operations/impl/patch_walk.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/rules/exact.hpp"
@@ -62,9 +61,7 @@ inline Answer answer_by_rule(SeenPatch& patch) {
 }
 
 template <class Halfedge>
-using VisitPort = FunctionRef<void(std::size_t, Halfedge)>;
-template <class Halfedge>
-using WalkPorts = FunctionRef<void(VisitPort<Halfedge>)>;
+using WalkPorts = FunctionRef<void(VisitEdge<Halfedge>)>;
 
 /// The source of rules for the operations; a Keeper has another one. split() and collapse() are for interior fans of
 /// ordinary valence, answer() for others: walk_ports(port) calls port(i, h) for every port.
@@ -97,6 +94,20 @@ struct FanChange {
   std::size_t gap = 0;  ///< elsewhere: see SeenPatch
   ColoringChange counts;
 
+  /// Takes the rule of an interior fan. The masks are of isolated triangles.
+  void take(const Rule& rule, Word colors_before, Word isolated_after, Word isolated_before) {
+    before = colors_before;
+    colors = FanBits(rule.colors);
+    counts = {rule.strips, 0, count_difference(isolated_after, isolated_before)};
+  }
+  /// Takes the rule of another patch, whose layout without the inserted triangles is `at`.
+  void take(Answer&& rule, const Layout& at, std::size_t gap_of_spoke) {
+    fan.k = at.k;
+    colors = std::move(rule.colors);
+    layout = at;
+    gap = gap_of_spoke;
+    counts = rule.change;
+  }
   /// Interior: the spokes that go from one vertex to the other.
   [[nodiscard]] std::span<const Halfedge> moved() const { return {fan.spokes + fan.a - 1, fan.k - fan.a}; }
   [[nodiscard]] Rewrite<Halfedge> done(Halfedge at) const { return {counts, at, static_cast<std::uint32_t>(fan.k)}; }
@@ -115,35 +126,27 @@ template <class Rules, class Mesh>
 FanChange<typename Mesh::Halfedge> begin_split(Rules&& rules, Mesh& mesh,
                                                const VertexSplit<typename Mesh::Halfedge>& where) {
   using Halfedge = typename Mesh::Halfedge;
-  using Spokes = typename VertexSplit<Halfedge>::Spokes;
   FanChange<Halfedge> change;
   InteriorFan<Halfedge>& interior = change.fan;
-  change.interior = where.spokes == Spokes::both && read_interior_fan(mesh, where.left, where.right, interior);
+  change.interior =
+      where.spokes == VertexSplit<Halfedge>::Spokes::both && read_interior_fan(mesh, where.left, where.right, interior);
   if (change.interior) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = rules.split(mesh, where.left, interior);
-    change.before = interior.loop;
-    change.colors = FanBits(rule.colors);
-    change.counts = {rule.strips, 0,
-                     count_difference(isolated_ring(k, a, rule.colors, interior.ports),
-                                      isolated_closed(k, interior.loop, interior.ports))};
+    change.take(rule, interior.loop, isolated_ring(k, a, rule.colors, interior.ports),
+                isolated_closed(k, interior.loop, interior.ports));
     interior.write(mesh, interior.loop & ~kept_loop(k, a, rule.colors), false);
     return change;
   }
   SeenPatch fan = read_fan(mesh, where);
-  Answer rule = rules.answer(std::as_const(mesh), fan,
-                             [&](VisitPort<Halfedge> port) { walk_ports(std::as_const(mesh), where, fan, port); });
-  walk_fan(mesh, where.spokes == Spokes::right_only ? where.right : where.left, fan.before, fan.gap,
-           [&](std::size_t i, Halfedge h) {
-             const std::size_t edge = fan.after.element(i);
-             const bool is_cut = i + 1 == fan.before.k || fan.after.element(i + 1) != edge + 1;
-             if (!is_cut && fan.inner.get(i) && !rule.colors.get(edge)) mesh.set_solid(h, false);
-           });
-  interior.k = fan.before.k;
-  change.colors = std::move(rule.colors);
-  change.layout = fan.before;
-  change.gap = fan.gap;
-  change.counts = rule.change;
+  change.take(rules.answer(std::as_const(mesh), fan,
+                           [&](VisitEdge<Halfedge> port) { walk_ports(std::as_const(mesh), where, fan, port); }),
+              fan.before, fan.gap);
+  walk_fan(mesh, where.spoke(), fan.before, fan.gap, [&](std::size_t i, Halfedge h) {
+    const std::size_t edge = fan.after.element(i);
+    const bool is_cut = i + 1 == fan.before.k || fan.after.element(i + 1) != edge + 1;
+    if (!is_cut && fan.inner.get(i) && !change.colors.get(edge)) mesh.set_solid(h, false);
+  });
   return change;
 }
 
@@ -196,32 +199,25 @@ FanChange<typename Mesh::Halfedge> begin_collapse(Rules&& rules, Mesh& mesh, typ
   if (change.interior) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = rules.collapse(mesh, chord, interior, ring);
-    change.before = ring;
-    change.colors = FanBits(rule.colors);
-    change.counts = {
-        rule.strips, 0,
-        count_difference(isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports))};
+    change.take(rule, ring, isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports));
     interior.write(mesh, interior.loop & ~rule.colors, false);
     return change;
   }
   SeenPatch patch = read_patch(mesh, chord);
   const Layout& before = patch.before;
-  Answer rule = rules.answer(std::as_const(mesh), patch, [&](VisitPort<Halfedge> port) {
-    walk_patch(
-        std::as_const(mesh), chord, [](std::size_t, Halfedge) {}, port);
-  });
+  change.take(rules.answer(std::as_const(mesh), patch,
+                           [&](VisitEdge<Halfedge> port) {
+                             walk_patch(
+                                 std::as_const(mesh), chord, [](std::size_t, Halfedge) {}, port);
+                           }),
+              patch.after, patch.gap);
   walk_patch(
       mesh, chord,
       [&](std::size_t j, Halfedge h) {
         const bool stays = j + 1 < before.size() && before.is_fan(j) && before.is_fan(j + 1);
-        if (stays && patch.inner.get(j) && !rule.colors.get(before.port(j))) mesh.set_solid(h, false);
+        if (stays && patch.inner.get(j) && !change.colors.get(before.port(j))) mesh.set_solid(h, false);
       },
       [](std::size_t, Halfedge) {});
-  interior.k = patch.after.k;
-  change.colors = std::move(rule.colors);
-  change.layout = patch.after;
-  change.gap = patch.gap;
-  change.counts = rule.change;
   return change;
 }
 

@@ -73,7 +73,7 @@ template <ColoredMesh Mesh>
 Refusal check_split_patch(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const bool both = where.spokes == Spokes::both;
-  const auto first = where.spokes == Spokes::right_only ? where.right : where.left;
+  const auto first = where.spoke();
   if (!knows(mesh, first) || (both && !knows(mesh, where.right))) return Refusal::no_such_edge;
   if (both && where.left == where.right) return Refusal::same_spoke;
   const FanSize fan = fan_size(mesh, first, both ? where.right : first);

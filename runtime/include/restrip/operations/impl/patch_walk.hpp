@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "restrip/mesh/mesh.hpp"
+#include "restrip/operations/impl/function_ref.hpp"
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/key.hpp"
 
@@ -98,7 +99,11 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   return true;
 }
 
-// ---- All other cases.
+// ---- All other cases. Their walks are compiled once for a mesh: visitors are references.
+
+/// visit(i, h): inner edge or port number i crosses the mesh edge of h.
+template <class Halfedge>
+using VisitEdge = FunctionRef<void(std::size_t, Halfedge)>;
 
 /// Bits of a fan: one word, or allocated words once a bit beyond the first 64 is set.
 class FanBits {
@@ -159,7 +164,7 @@ template <ColoredMesh Mesh>
 SeenPatch read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   using Halfedge = typename Mesh::Halfedge;
-  const Halfedge start = where.spokes == Spokes::right_only ? where.right : where.left;
+  const Halfedge start = where.spoke();
   const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
   SeenPatch fan;
   std::size_t k = 0;
@@ -200,17 +205,15 @@ SeenPatch read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>&
 }
 
 /// Visits the ports of a fan that has been read: port(i, h), port p_i crosses the mesh edge of h.
-template <ColoredMesh Mesh, class Port>
+template <ColoredMesh Mesh>
 void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const SeenPatch& fan,
-                Port&& port) {
-  using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
-  const auto start = where.spokes == Spokes::right_only ? where.right : where.left;
-  auto h = start;
+                VisitEdge<typename Mesh::Halfedge> port) {
+  auto h = where.spoke();
   for (std::size_t i = fan.gap; i < fan.before.k; ++i) {
     port(i, mesh.next(h));
     h = turn_ccw(mesh, h);
   }
-  h = start;
+  h = where.spoke();
   for (std::size_t i = fan.gap; i-- > 0;) {
     h = turn_cw(mesh, h);
     port(i, mesh.next(h));
@@ -219,9 +222,9 @@ void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& wh
 
 /// Visits spokes counter-clockwise from the one after `from`, until the boundary or `from` again; edge number
 /// `edge_index` counts up. Returns the number of fan triangles met (not the ones at `from`).
-template <ColoredMesh Mesh, class Edge, class Port>
+template <ColoredMesh Mesh>
 std::size_t walk_up(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t edge_index, std::size_t port_index,
-                    Edge&& edge, Port&& port) {
+                    VisitEdge<typename Mesh::Halfedge> edge, VisitEdge<typename Mesh::Halfedge> port) {
   std::size_t met = 0;
   auto h = turn_ccw(mesh, from);
   while (!mesh.on_boundary(h)) {
@@ -236,8 +239,9 @@ std::size_t walk_up(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t 
 }
 
 /// Visits spokes clockwise from the one after `from` until the boundary; edges count down from `top` - 1.
-template <ColoredMesh Mesh, class Edge, class Port>
-void walk_down(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t top, Edge&& edge, Port&& port) {
+template <ColoredMesh Mesh>
+void walk_down(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t top, VisitEdge<typename Mesh::Halfedge> edge,
+               VisitEdge<typename Mesh::Halfedge> port) {
   auto h = turn_cw(mesh, from);
   while (!mesh.on_boundary(mesh.opposite(h))) {
     --top;
@@ -271,8 +275,10 @@ bool leaves_boundary(const Mesh& mesh, typename Mesh::Halfedge h) {
 /// Visits the patch after a split, or before a collapse, whose chord is v_s -> v_t.
 ///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
 /// Returns its layout and SeenPatch::gap. The mesh is not changed by the walk; edge() may change colours.
-template <ColoredMesh Mesh, class Edge, class Port>
-std::pair<Layout, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Edge&& edge, Port&& port) {
+template <ColoredMesh Mesh>
+std::pair<Layout, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord,
+                                          VisitEdge<typename Mesh::Halfedge> edge,
+                                          VisitEdge<typename Mesh::Halfedge> port) {
   const auto back = mesh.opposite(chord);
   if (mesh.on_boundary(chord) || mesh.on_boundary(back)) {
     const auto inward = mesh.on_boundary(chord) ? back : chord;  // the triangle lies to its left
@@ -301,8 +307,9 @@ std::pair<Layout, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfe
 /// Visits the loop edges of the fan around the vertex that `spoke` leaves: edge(i, h), loop edge i crosses the mesh
 /// edge of h. Closed: edge k - 1 crosses `spoke`, edges count up from there. Open: `spoke` lies in gap `gap`, which
 /// carries edge gap - 1. The mesh is not changed by the walk; edge() may change colours.
-template <ColoredMesh Mesh, class Edge>
-void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, const Layout& fan, std::size_t gap, Edge&& edge) {
+template <ColoredMesh Mesh>
+void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, const Layout& fan, std::size_t gap,
+              VisitEdge<typename Mesh::Halfedge> edge) {
   const std::size_t k = fan.k;
   if (fan.ring) {
     edge(k - 1, spoke);

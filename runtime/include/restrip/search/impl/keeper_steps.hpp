@@ -106,9 +106,7 @@ struct SplitStep {
   VertexSplit<Halfedge> where;
   std::tuple<Name...> names;
 
-  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
-    fan_triangles(mesh, where.spokes == Spokes::right_only ? where.right : where.left, patch);
-  }
+  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const { fan_triangles(mesh, where.spoke(), patch); }
   Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto change = begin_split(choice, mesh, where);
     const auto done = finish_split(mesh, change, changed(mesh, change));
