@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <span>
 #include <type_traits>
@@ -16,7 +17,7 @@
 #include <vector>
 
 #include "../runtime/sample_meshes.hpp"
-#include "restrip/mesh/checks.hpp"
+#include "../support/random_operations.hpp"
 #include "restrip/mesh/watched.hpp"
 #include "restrip/operations/test_adapter.hpp"
 #include "restrip/output/check_buffer.hpp"
@@ -49,10 +50,8 @@ class Lockstep {
     const std::size_t low = mesh_.triangle_count() / 2;
     const std::size_t high = mesh_.triangle_count() * 2;
     for (int n = 0; n < operations; ++n) {
-      const unsigned choice = mesh_.triangle_count() > high ? 1 : mesh_.triangle_count() < low ? 0 : pick(3);
-      if (choice == 0) split_both();
-      if (choice == 1) change_both(check_collapse, 1, [](auto& keeper, auto h) { return keeper.collapse(h); });
-      if (choice == 2) change_both(check_flip, 2, [](auto& keeper, auto h) { return keeper.flip(h); });
+      const Trend trend = trend_between(low, high, mesh_.triangle_count());
+      operate(draw_at(mesh_, random_side(mesh_, random_), random_, splits_collapses_flips, trend));
       if (n % 300 == 0 && !exact_) {
         mine_.improve(300);
         theirs_.improve(300);
@@ -62,14 +61,15 @@ class Lockstep {
       if (testing::Test::HasFatalFailure()) return;
     }
     compare();
-    const auto asked = mine_.policy() == Policy::bare ? 0 : static_cast<std::uint64_t>(done_[0] + done_[1] + done_[2]);
+    std::uint64_t asked = 0;
+    for (const auto& [kind, share] : splits_collapses_flips) {
+      EXPECT_GT(done_[kind], operations / 20);
+      if (mine_.policy() != Policy::bare) asked += static_cast<std::uint64_t>(done_[kind]);
+    }
     for (const RuleCounts& counts : {mine_.rule_counts(), theirs_.rule_counts()}) {
       EXPECT_EQ(counts.asked, asked);
       EXPECT_EQ(counts.taken + counts.kept, asked);
     }
-    EXPECT_GT(done_[0], operations / 20);
-    EXPECT_GT(done_[1], operations / 20);
-    EXPECT_GT(done_[2], operations / 20);
   }
   [[nodiscard]] int one_sided() const { return one_sided_; }
 
@@ -77,51 +77,34 @@ class Lockstep {
   using Halfedge = StripMesh::Halfedge;
   using ForeignHalfedge = typename Foreign::Halfedge;
 
-  unsigned pick(std::size_t below) { return static_cast<unsigned>(random_() % below); }
-  Halfedge any() {
-    for (;;) {
-      const auto t = static_cast<Triangle>(pick(mesh_.triangle_bound()));
-      const Halfedge h = StripMesh::halfedge(t, pick(3));
-      if (mesh_.alive(t)) return pick(4) == 0 ? mesh_.opposite(h) : h;
-    }
+  ForeignHalfedge there(Halfedge h) {
+    return h == Halfedge{} ? ForeignHalfedge() : foreign_.find(name_.at(mesh_.from(h)), name_.at(mesh_.to(h)));
   }
-  ForeignHalfedge there(Halfedge h) { return foreign_.find(name_.at(mesh_.from(h)), name_.at(mesh_.to(h))); }
 
-  void split_both() {
-    const std::vector<Halfedge> spokes = sample::spokes_around(mesh_, mesh_.from(any()));
-    VertexSplit<Halfedge> where{spokes[pick(spokes.size())], spokes[pick(spokes.size())]};
-    using Spokes = VertexSplit<Halfedge>::Spokes;
-    if (mesh_.leaves_boundary(where.left) && pick(2) == 0)
-      where.spokes = pick(2) == 0 ? Spokes::left_only : Spokes::right_only;
-    if (check_split(mesh_, where) != Refusal::granted) return;
-    one_sided_ += where.spokes == Spokes::both ? 0 : 1;
+  /// By both, if the StripMesh permits it.
+  void operate(const DrawnOperation& drawn) {
+    if (check(mesh_, drawn) != Refusal::granted) return;
+    const ForeignHalfedge theirs = there(drawn.h);
+    ASSERT_TRUE(theirs != ForeignHalfedge());
+    if (drawn.kind == OperationKind::collapse)
+      return expect_same(drawn.kind, mine_.collapse(drawn.h), theirs_.collapse(theirs));
+    if (drawn.kind == OperationKind::flip) return expect_same(drawn.kind, mine_.flip(drawn.h), theirs_.flip(theirs));
     using TheirSpokes = typename VertexSplit<ForeignHalfedge>::Spokes;
-    const VertexSplit<ForeignHalfedge> theirs{there(where.left), there(where.right),
-                                              static_cast<TheirSpokes>(where.spokes)};
-    const auto mine = mine_.split(where);
-    const auto yours = theirs_.split(theirs);
-    expect_same(mine, yours, 0);
+    const auto& [left, right, spokes] = drawn.where;
+    one_sided_ += spokes == VertexSplit<Halfedge>::Spokes::both ? 0 : 1;
+    const VertexSplit<ForeignHalfedge> where{there(left), there(right), static_cast<TheirSpokes>(spokes)};
+    const auto mine = mine_.split(drawn.where);
+    const auto yours = theirs_.split(where);
     const Vertex made = mesh_.to(mine.halfedge);
     if (made >= name_.size()) name_.resize(made + 1);
     name_[made] = foreign_.to(yours.halfedge);
-    ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
-  }
-  /// A collapse or a flip.
-  template <class Operation>
-  void change_both(Refusal (*check)(const StripMesh&, Halfedge), int kind, Operation&& operation) {
-    const Halfedge h = any();
-    if (check(mesh_, h) != Refusal::granted) return;
-    const auto theirs = there(h);
-    ASSERT_TRUE(theirs != ForeignHalfedge());
-    const auto mine = operation(mine_, h);
-    const auto yours = operation(theirs_, theirs);
-    expect_same(mine, yours, kind);
-    ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
-    ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
+    expect_same(drawn.kind, mine, yours);
   }
   template <class Mine, class Yours>
-  void expect_same(const Mine& mine, const Yours& yours, int kind) {
+  void expect_same(OperationKind kind, const Mine& mine, const Yours& yours) {
     ++done_[kind];
+    ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
+    ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
     EXPECT_EQ(mine.valence, yours.valence);
     if (!exact_) return;
     EXPECT_EQ(mine.strips, yours.strips);
@@ -188,7 +171,7 @@ class Lockstep {
   bool exact_;
   std::mt19937 random_;
   std::vector<typename Foreign::Vertex> name_;
-  int done_[3] = {0, 0, 0};
+  std::map<OperationKind, int> done_;
   int one_sided_ = 0;
 };
 

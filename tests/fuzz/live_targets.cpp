@@ -18,6 +18,7 @@
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/search/policy.hpp"
 #include "support/failing_new.hpp"
+#include "support/random_operations.hpp"
 #include "target.hpp"
 
 namespace restrip::fuzz {
@@ -178,11 +179,12 @@ class Caller {
     constexpr int most_steps = 400;
     constexpr std::size_t most_triangles = 1500;
     for (int step = 0; step < most_steps && !input_.over() && mesh().triangle_bound() < most_triangles; ++step) {
-      const std::uint32_t choice = input_.byte() % 22;
-      if (choice < 12)
-        operate(choice);
+      constexpr std::uint32_t operations = sum_of_shares(all_operations);
+      const std::uint32_t choice = input_.byte() % (operations + attentions.size());
+      if (choice < operations)
+        operate(kind_at(all_operations, choice));
       else
-        attend(choice);
+        attend(attentions[choice - operations]);
     }
     memory_fails_ = 0;
     update();
@@ -248,42 +250,53 @@ class Caller {
     return false;
   }
 
-  void operate(std::uint32_t choice) {
-    const Halfedge h = choice < 3 ? Halfedge{} : side();
-    const VertexSplit<Halfedge> where = choice < 3 ? place_of_split() : VertexSplit<Halfedge>{};
-    const Vertex name = choice < 3 ? new_vertex() : none;
+  void operate(OperationKind kind) {
+    const bool splits = kind == OperationKind::split;
+    const DrawnOperation drawn{kind, splits ? Halfedge{} : side(), splits ? place_of_split() : VertexSplit<Halfedge>{}};
+    const Vertex name = splits ? new_vertex() : none;
     Checked result;
-    const bool returned = done([&] {
-      if (choice < 3) result = live_.split(where, name);
-      if (choice >= 3 && choice < 6) result = live_.collapse(h);
-      if (choice == 6 || choice == 7) result = live_.flip(h);
-      if (choice == 8) result = live_.split_face(h);
-      if (choice == 9) result = live_.join_faces(h);
-      if (choice == 10) result = live_.bisect(h);
-      if (choice == 11) result = live_.merge(h);
-    });
+    const bool returned = done([&] { result = perform(live_, drawn, name); });
     promise(!returned || !result || mesh().alive(result.rewrite.halfedge), "an operation returns an edge of the mesh");
     changed_ |= !returned || result.granted();
   }
 
-  void attend(std::uint32_t choice) {
-    if (choice == 12) {
+  /// What a caller does between operations, some of it more often.
+  enum class Attention : std::uint8_t {
+    improve,
+    exhaust_memory,
+    update,
+    update_with_options,
+    undo,
+    redo,
+    move,
+    compact
+  };
+  static constexpr std::array attentions{Attention::improve,
+                                         Attention::exhaust_memory,
+                                         Attention::update,
+                                         Attention::update,
+                                         Attention::update_with_options,
+                                         Attention::undo,
+                                         Attention::redo,
+                                         Attention::move,
+                                         Attention::compact,
+                                         Attention::compact};
+  void attend(Attention choice) {
+    if (choice == Attention::improve) {
       const std::uint32_t budget = 1 + 16 * input_.byte();
       changed_ = true;
       done([&] { live_.improve(budget); });
     }
-    if (choice == 13) {
+    if (choice == Attention::exhaust_memory) {
       const std::uint32_t failing = input_.byte();
       memory_fails_ = 2 + failing;
     }
-    if (choice == 14 || choice == 15) update();
-    if (choice == 16) update_with_options();
-    if (choice == 17 || choice == 18) {
-      const bool forward = choice == 18;
-      if (move(forward) && input_.byte() % 4 != 0) update();
-    }
-    if (choice == 19) move(input_.byte() % 2 == 0);
-    if (choice > 19) compact();
+    if (choice == Attention::update) update();
+    if (choice == Attention::update_with_options) update_with_options();
+    if ((choice == Attention::undo && move(false)) || (choice == Attention::redo && move(true)))
+      if (input_.byte() % 4 != 0) update();
+    if (choice == Attention::move) move(input_.byte() % 2 == 0);
+    if (choice == Attention::compact) compact();
   }
 
   void compact() {

@@ -64,11 +64,6 @@ inline Rewrite<Spoke> hooked_flip(StripMesh& mesh, Spoke h) {
   return after_flip(mesh, std::move(pending), turned);
 }
 
-inline Spoke any_halfedge(const StripMesh& mesh, std::mt19937& random) {
-  const Spoke h = random_halfedge(mesh, random);
-  return random() % 3 == 0 ? mesh.opposite(h) : h;
-}
-
 inline void expect_what_operations_give() {
   unsigned seed = 0;
   for (StripMesh& start : sample::meshes()) {
@@ -79,19 +74,14 @@ inline void expect_what_operations_give() {
     std::size_t done = 0;
     for (int n = 0; n < 1500; ++n) {
       const bool grow = one.triangle_count() < start.triangle_count() + random() % 40;
-      if (random() % 3 == 0) {
-        const Spoke h = any_halfedge(one, random);
-        if (check_flip(one, h) != Refusal::granted) continue;
-        expect_same(hooked_flip(two, h), flip(one, h));
-      } else if (grow) {
-        const auto where = random_split(one, any_halfedge(one, random), random);
-        if (check_split(one, where) != Refusal::granted) continue;
-        expect_same(hooked_split(two, where), split(one, where));
-      } else {
-        const Spoke h = any_halfedge(one, random);
-        if (check_collapse(one, h) != Refusal::granted) continue;
-        expect_same(hooked_collapse(two, h), collapse(one, h));
-      }
+      const DrawnOperation drawn =
+          draw_at(one, random_side(one, random), random, splits_collapses_flips, trend_of(grow));
+      const Checked granted = perform(one, drawn);
+      if (!granted) continue;
+      expect_same(drawn.kind == OperationKind::flip       ? hooked_flip(two, drawn.h)
+                  : drawn.kind == OperationKind::collapse ? hooked_collapse(two, drawn.h)
+                                                          : hooked_split(two, drawn.where),
+                  granted.rewrite);
       ++done;
       expect_same_colors(one, two);
       if (testing::Test::HasFatalFailure()) return;

@@ -3,17 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <vector>
 
-#include "buffer_changes.hpp"
-#include "random_operation.hpp"
-#include "restrip/live_apply.hpp"
 #include "restrip/output/check_buffer.hpp"
-#include "restrip/tables/operations/merge.hpp"
-#include "restrip/tables/operations/refine_face.hpp"
+#include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
-#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -22,67 +16,6 @@ std::vector<std::uint32_t> list_of(const StripMesh& mesh) {
   std::vector<std::uint32_t> list;
   for (const DrawnTriangle& t : triangles_of(mesh)) list.insert(list.end(), t.begin(), t.end());
   return list;
-}
-
-void operate(LiveMesh& live, std::mt19937& random, int operations) {
-  for (int n = 0; n < operations; ++n) {
-    random_operation(live.keeper(), random, live.mesh().triangle_count() < 600 || random() % 2 == 0);
-    // Custom operations, if they are legal.
-    const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % live.mesh().triangle_bound()), 0);
-    live.apply(tables::merge_rules, h);
-    if (live.mesh().triangle_count() < 900) live.apply(tables::refine_face_rules, h);
-  }
-}
-
-TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
-  std::mt19937 random(1);
-  for (const Cost& cost : {Cost::strips(), Cost::indices()}) {
-    LiveMesh live(list_of(sample::torus(20, 20)), 400, {.cost = cost, .history = 100'000});
-    std::vector<std::uint32_t> gpu(live.indices().begin(), live.indices().end());  // written by the ranges alone
-    const auto expect_drawn = [&] {
-      const auto ranges = live.update();
-      upload_ranges(live.indices(), ranges, gpu);
-      ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(gpu)), triangles_of(live.mesh()));
-      ASSERT_EQ(live.keeper().strips(), count_strips(live.mesh()));
-      ASSERT_EQ(live.keeper().isolated(), check_coloring(live.mesh()).isolated);
-      ASSERT_EQ(live.keeper().swaps(), count_swaps(live.mesh()));
-      ASSERT_EQ(fault_of(live.mesh()), "");
-    };
-    // The indices at the end of each frame; undo and redo restore them exactly.
-    std::vector<std::vector<std::uint32_t>> looks{gpu};
-    std::size_t at = 0;
-    for (int frame = 0; frame < 60; ++frame) {
-      const unsigned choice = random() % 4;
-      if (choice == 0) {
-        at -= live.undo() ? 1U : 0U;
-      } else if (choice == 1) {
-        at += live.redo() ? 1U : 0U;
-      } else {
-        const auto before = look_at(live.mesh());
-        operate(live, random, static_cast<int>(random() % 30));
-        if (look_at(live.mesh()) != before) {
-          looks.resize(at + 1);
-          if (random() % 4 == 0) {
-            // Changes since the last frame count as a frame.
-            ASSERT_TRUE(live.undo());
-            ASSERT_EQ(look_at(live.mesh()), before);
-            ASSERT_TRUE(live.redo());
-            expect_drawn();
-            looks.push_back(gpu);
-            ASSERT_TRUE(live.undo());
-          } else {
-            expect_drawn();
-            looks.push_back(gpu);
-            ++at;
-          }
-        }
-      }
-      expect_drawn();
-      if (HasFatalFailure()) return;
-      ASSERT_LT(at, looks.size());
-      ASSERT_EQ(gpu, looks[at]);
-    }
-  }
 }
 
 TEST(LiveMesh, RefinesAndCoarsensWithTheNumbersOfNewVertices) {

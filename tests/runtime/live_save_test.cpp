@@ -47,24 +47,9 @@ void expect_equal(LiveMesh& one, LiveMesh& other) {
 
 /// One operation, drawn from the state of the generator, so that two copies of the generator draw the same.
 Checked operate_once(LiveMesh& live, std::mt19937& random) {
-  const StripMesh::Halfedge h = random_halfedge(live.mesh(), random);
-  const bool grow = live.mesh().triangle_count() < 500 || random() % 2 == 0;
-  switch (random() % 8) {
-    case 0:
-      return live.flip(h);
-    case 1:
-      return live.bisect(h);
-    case 2:
-      return grow ? live.split_face(h) : live.merge(h);
-    case 3:
-      return live.join_faces(h);
-    default:
-      break;
-  }
-  if (!grow) return live.collapse(h);
-  const VertexSplit<StripMesh::Halfedge> where = random_split(live.mesh(), h, random);
-  const std::size_t bound = live.mesh().vertex_bound();
-  return live.split(where, random() % 9 == 0 ? static_cast<Vertex>(bound + random() % 3) : none);
+  const StripMesh& mesh = live.mesh();
+  const DrawnOperation drawn = draw(mesh, random, all_operations, trend_between(0, 500, mesh.triangle_count()));
+  return perform(live, drawn, random() % 9 == 0 ? static_cast<Vertex>(mesh.vertex_bound() + random() % 3) : none);
 }
 
 void frame(LiveMesh& live, std::mt19937& random, std::vector<Checked>& results) {

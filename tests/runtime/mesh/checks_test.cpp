@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/operations/checked.hpp"
-#include "restrip/operations/operations.hpp"
+#include "../../support/random_operations.hpp"
 #include "sample_meshes.hpp"
 #include "triangle_list.hpp"
 
@@ -234,15 +233,8 @@ TEST(Checks, AgreeOnSmallMeshesAndWhatOperationsMakeOfThem) {
     StripMesh mesh = start;
     for (int n = 0; n < 3; ++n) {
       for (int tries = 0; tries < 12; ++tries) {
-        const std::vector<Halfedge> all = halfedges_of(mesh);
-        const Halfedge g = all[random() % all.size()];
-        const Halfedge h = all[random() % all.size()];
-        if (random() % 4 == 0)
-          checked_flip(mesh, h);
-        else if (mesh.triangle_count() > 14 || random() % 2 == 0)
-          checked_collapse(mesh, h);
-        else
-          checked_split(mesh, {g, mesh.spoke(mesh.from(g)), static_cast<Where::Spokes>(random() % 3)});
+        const Trend trend = trend_between(0, 14, mesh.triangle_count());
+        perform(mesh, draw_at(mesh, random_side(mesh, random), random, splits_collapses_flips, trend));
       }
       comparison.all_operations(mesh);
     }

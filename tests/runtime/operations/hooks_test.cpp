@@ -47,7 +47,7 @@ TEST(Hooks, MergedEdgesAreDashed) {
     std::mt19937 random(5);
     std::size_t done = 0;
     for (int n = 0; n < 400; ++n) {
-      const Spoke h = any_halfedge(mesh, random);
+      const Spoke h = random_side(mesh, random);
       if (check_collapse(mesh, h) != Refusal::granted) continue;
       StripMesh copy = mesh;
       const auto pending = before_collapse(copy, h);
@@ -72,7 +72,7 @@ TEST(Hooks, TallyAddsUp) {
   HookTally tally;
   std::mt19937 random(3);
   while (tally.operations < 40) {
-    const Spoke h = any_halfedge(mesh, random);
+    const Spoke h = random_side(mesh, random);
     if (check_collapse(mesh, h) == Refusal::granted) tally.add(hooked_collapse(mesh, h));
   }
   EXPECT_EQ(census_of(mesh), expected += tally);

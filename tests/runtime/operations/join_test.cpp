@@ -122,11 +122,9 @@ TEST(Join, NoEndsMeetAfterRefinement) {
     Keeper keeper(mesh, Policy::local, Cost::strips());
     int done = 0;
     for (int n = 0; n < 1500; ++n) {
-      const Halfedge h = random_halfedge(mesh, random);
       const std::size_t before = keeper.strips();
-      const auto kind = static_cast<Refining>(random() % 4);
-      if ((kind == Refining::split_face || kind == Refining::bisect) && mesh.triangle_count() > 500) continue;
-      const Checked refined = checked_refining(keeper, kind, h);
+      const Trend trend = trend_between(0, 500, mesh.triangle_count());
+      const Checked refined = perform(keeper, draw(mesh, random, refinements, trend));
       if (!refined) continue;
       ++done;
       ASSERT_EQ(static_cast<int>(keeper.strips()), static_cast<int>(before) + refined.rewrite.strips);

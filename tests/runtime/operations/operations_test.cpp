@@ -42,9 +42,8 @@ class Walk {
     const std::size_t low = mesh.triangle_count() / 2;
     const std::size_t high = mesh.triangle_count() * 2;
     for (std::size_t n = 0; n < operations && !::testing::Test::HasFatalFailure(); ++n) {
-      const unsigned choice = mesh.triangle_count() > high ? 1 : mesh.triangle_count() < low ? 0 : pick(3);
-      const bool done = choice == 0 ? try_split() : choice == 1 ? try_collapse() : try_flip();
-      if (!done) continue;
+      const Trend trend = trend_between(low, high, mesh.triangle_count());
+      if (!operate(draw_at(mesh, random_side(mesh, random_), random_, all_operations, trend))) continue;
       if (++done_ % every_ == 0) check();
     }
     check();
@@ -57,45 +56,25 @@ class Walk {
   std::size_t flips = 0;
 
  private:
-  unsigned pick(std::size_t below) { return static_cast<unsigned>(random_() % below); }
-
-  Halfedge any_halfedge() {
-    const Halfedge h = random_halfedge(mesh, random_);
-    return pick(4) == 0 ? mesh.opposite(h) : h;
-  }
-
-  bool try_split() {
-    const std::vector<Halfedge> spokes = sample::spokes_around(mesh, mesh.from(any_halfedge()));
-    Where where{spokes[pick(spokes.size())], spokes[pick(spokes.size())]};
-    if (mesh.leaves_boundary(where.left) && pick(3) == 0)
-      where.spokes = pick(2) == 0 ? Where::Spokes::left_only : Where::Spokes::right_only;
-    if (check_split(mesh, where) != Refusal::granted) return false;
-    one_sided_splits += where.spokes == Where::Spokes::both ? 0U : 1U;
+  bool operate(const DrawnOperation& drawn) {
     const std::size_t before = mesh.triangle_count();
-    // Passing a vertex, even `none`, selects the shorter overload.
-    const auto rewrite = pick(2) == 0 ? split(mesh, where) : split(mesh, where, none);
-    reported_ += rewrite;
-    EXPECT_EQ(mesh.triangle_count(), before + (where.spokes == Where::Spokes::both ? 2U : 1U));
-    split_valences.insert(rewrite.valence);
-    return true;
-  }
-
-  bool try_collapse() {
-    const Halfedge h = any_halfedge();
-    if (check_collapse(mesh, h) != Refusal::granted) return false;
-    boundary_collapses += StripMesh::on_boundary(h) || StripMesh::on_boundary(mesh.opposite(h)) ? 1U : 0U;
-    reported_ += collapse(mesh, h);
-    return true;
-  }
-
-  bool try_flip() {
-    const Halfedge h = any_halfedge();
-    if (check_flip(mesh, h) != Refusal::granted) return false;
-    const Vertex u = mesh.from(h);
-    const Vertex v = mesh.to(h);
-    reported_ += flip(mesh, h);
-    EXPECT_EQ(mesh.spoke(u, v).id, none);
-    ++flips;
+    const Vertex u = mesh.from(drawn.h);
+    const Vertex v = mesh.to(drawn.h);
+    const bool rim = StripMesh::on_boundary(drawn.h) || StripMesh::on_boundary(mesh.opposite(drawn.h));
+    const Checked done = perform(mesh, drawn);
+    if (!done) return false;
+    reported_ += done.rewrite;
+    if (drawn.kind == OperationKind::split) {
+      const bool both = drawn.where.spokes == Where::Spokes::both;
+      one_sided_splits += both ? 0U : 1U;
+      EXPECT_EQ(mesh.triangle_count(), before + (both ? 2U : 1U));
+      split_valences.insert(done.rewrite.valence);
+    } else if (drawn.kind == OperationKind::collapse) {
+      boundary_collapses += rim ? 1U : 0U;
+    } else if (drawn.kind == OperationKind::flip) {
+      EXPECT_EQ(mesh.spoke(u, v).id, none);
+      ++flips;
+    }
     return true;
   }
 

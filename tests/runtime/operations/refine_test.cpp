@@ -7,17 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <random>
 #include <set>
 
 #include "../../support/sanitizers.hpp"
-#include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/keeper.hpp"
-#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "triangle_list.hpp"
 
@@ -27,17 +24,17 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 
 /// The bare list after an operation that puts `added` between the corners from and to of one triangle, or of an edge.
-bare::List refined_list(const bare::List& list, Refining kind, Vertex from, Vertex to, Vertex apex, Vertex added) {
+bare::List refined_list(const bare::List& list, OperationKind kind, Vertex from, Vertex to, Vertex apex, Vertex added) {
   bare::List result;
   for (const auto& c : list) {
     const auto has = [&](Vertex v) { return std::find(c.begin(), c.end(), v) != c.end(); };
     const bool whole = has(from) && has(to) && has(apex);
-    if (kind == Refining::split_face ? !whole : !has(from) || !has(to)) {
+    if (kind == OperationKind::split_face ? !whole : !has(from) || !has(to)) {
       result.push_back(c);
       continue;
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (kind == Refining::bisect && c[i] != from && c[i] != to) continue;
+      if (kind == OperationKind::bisect && c[i] != from && c[i] != to) continue;
       bare::Corners part = c;
       part[i] = added;
       result.push_back(part);
@@ -55,7 +52,7 @@ class RefineWalk {
     reported_ = census_of(mesh_);
     for (done_ = 0; done_ < operations && !::testing::Test::HasFailure();) {
       const bool grow = mesh_.triangle_count() < size / 2 || (mesh_.triangle_count() < 2 * size && random_() % 2 == 0);
-      const Halfedge h = random_halfedge();
+      const Halfedge h = random_side(mesh_, random_);
       const bool did = random_() % 3 == 0 ? others(h, grow) : ours(h, grow);
       done_ += did ? 1 : 0;
       if (did && done_ % 32 == 0) {
@@ -65,56 +62,41 @@ class RefineWalk {
     EXPECT_EQ(census_of(mesh_), reported_);
   }
 
-  std::array<std::size_t, 4> granted{};
+  std::map<OperationKind, std::size_t> granted;
 
  private:
-  Halfedge random_halfedge() {
-    const Halfedge h = restrip::random_halfedge(mesh_, random_);
-    return random_() % 2 == 0 ? h : mesh_.opposite(h);
-  }
-
   bool ours(Halfedge h, bool grow) {
-    const Refining kind = grow ? (random_() % 2 == 0 ? Refining::split_face : Refining::bisect)
-                               : (random_() % 2 == 0 ? Refining::join_faces : Refining::merge);
+    const auto [kind, at, unused] = draw_at(mesh_, h, random_, refinements, trend_of(grow));
     const bool look = random_() % 16 == 0;
     const bare::List before = look ? sample::triangles_of(mesh_) : bare::List{};
     const Vertex from = mesh_.from(h);
     const Vertex to = mesh_.to(h);
     const Vertex apex = StripMesh::on_boundary(h) ? none : mesh_.to(StripMesh::next(h));
-    const Checked done = checked_refining(mesh_, kind, h);
+    const Checked done = perform(mesh_, {kind, h, {}});
     if (look && !done) {
       EXPECT_EQ(sample::triangles_of(mesh_), before);
     }
     if (!done) return false;
-    ++granted[static_cast<std::size_t>(kind)];
+    ++granted[kind];
     reported_ += done.rewrite;
     const Halfedge made = done.rewrite.halfedge;
     EXPECT_EQ(mesh_.from(made), from);
     if (!look) return true;
     if (grow) {
       EXPECT_EQ(sample::triangles_of(mesh_), refined_list(before, kind, from, to, apex, mesh_.to(made)));
-    } else if (kind == Refining::merge) {
-      EXPECT_EQ(before, refined_list(sample::triangles_of(mesh_), Refining::bisect, from, mesh_.to(made), none, to));
+    } else if (kind == OperationKind::merge) {
+      EXPECT_EQ(before,
+                refined_list(sample::triangles_of(mesh_), OperationKind::bisect, from, mesh_.to(made), none, to));
     } else {
       const Halfedge inside = StripMesh::next(mesh_.opposite(made));
-      EXPECT_EQ(before, refined_list(sample::triangles_of(mesh_), Refining::split_face, from, mesh_.to(made),
+      EXPECT_EQ(before, refined_list(sample::triangles_of(mesh_), OperationKind::split_face, from, mesh_.to(made),
                                      mesh_.to(inside), to));
     }
     return true;
   }
 
   bool others(Halfedge h, bool grow) {
-    Checked done;
-    if (random_() % 4 == 0) {
-      done = checked_flip(mesh_, h);
-    } else if (!grow) {
-      done = checked_collapse(mesh_, h);
-    } else {
-      VertexSplit<Halfedge> where{h, h};
-      for (unsigned turns = 1 + random_() % 4; turns > 0; --turns)
-        if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh_, where.right);
-      done = checked_split(mesh_, where);
-    }
+    const Checked done = perform(mesh_, draw_at(mesh_, h, random_, splits_collapses_flips, trend_of(grow)));
     if (done) reported_ += done.rewrite;
     return done.granted();
   }
@@ -126,14 +108,14 @@ class RefineWalk {
 };
 
 TEST(Refine, ReportsWhatItChangedInAMillionOperations) {
-  std::array<std::size_t, 4> granted{};
+  std::map<OperationKind, std::size_t> granted;
   unsigned seed = 1;
   for (const StripMesh& start : sample::meshes()) {
     RefineWalk walk(start, seed++);
     walk.run(test::large(160'000));
-    for (std::size_t i = 0; i < 4; ++i) granted[i] += walk.granted[i];
+    for (const auto& [kind, times] : walk.granted) granted[kind] += times;
   }
-  for (const std::size_t times : granted) EXPECT_GT(times, 4000U);
+  for (const auto& [kind, share] : refinements) EXPECT_GT(granted[kind], 4000U);
 }
 
 TEST(Refine, InversesUndoEachOther) {
@@ -142,52 +124,25 @@ TEST(Refine, InversesUndoEachOther) {
       for (unsigned side = 0; side < 6; ++side) {
         const Halfedge there = StripMesh::halfedge(t, side % 3);
         const Halfedge h = side < 3 ? there : start.opposite(there);
-        for (const auto& [forth, back] :
-             {std::pair{Refining::split_face, Refining::join_faces}, {Refining::bisect, Refining::merge}}) {
+        for (const auto& [forth, back] : {std::pair{OperationKind::split_face, OperationKind::join_faces},
+                                          {OperationKind::bisect, OperationKind::merge}}) {
           StripMesh mesh = start;
-          const Checked done = checked_refining(mesh, forth, h);
+          const Checked done = perform(mesh, {forth, h, {}});
           if (!done) continue;
-          EXPECT_EQ(done.rewrite.valence, forth == Refining::split_face ? 3U
+          EXPECT_EQ(done.rewrite.valence, forth == OperationKind::split_face ? 3U
                                           : StripMesh::on_boundary(h) || StripMesh::on_boundary(start.opposite(h))
                                               ? 2U
                                               : 4U);
-          const Checked undone = checked_refining(mesh, back, done.rewrite.halfedge);
+          const Checked undone = perform(mesh, {back, done.rewrite.halfedge, {}});
           ASSERT_TRUE(undone) << describe(undone.refusal);
           EXPECT_EQ(sample::triangles_of(mesh), sample::triangles_of(start));
           EXPECT_TRUE(check_coloring(mesh).valid);
-          if (forth == Refining::bisect) {
+          if (forth == OperationKind::bisect) {
             EXPECT_EQ(mesh.from(undone.rewrite.halfedge), start.from(h));
             EXPECT_EQ(mesh.to(undone.rewrite.halfedge), start.to(h));
           }
         }
       }
-}
-
-// Under a keeper, reported changes are counted as well, and its locator follows.
-TEST(Refine, KeepersFollow) {
-  for (const Policy policy : {Policy::local, Policy::quick, Policy::full}) {
-    StripMesh mesh = sample::torus(12, 9);
-    stripify(mesh, Effort::fast, Cost::strips());
-    Keeper keeper(mesh, policy, Cost::strips());
-    std::mt19937 random(3);
-    Census reported = census_of(mesh);
-    for (std::uint32_t n = 0; n < test::large(4000); ++n) {
-      const bool grow = mesh.triangle_count() < 200 || (mesh.triangle_count() < 600 && random() % 2 == 0);
-      const Halfedge h = random_halfedge(mesh, random);
-      const bool face = random() % 2 == 0;
-      const Refining kind =
-          grow ? (face ? Refining::split_face : Refining::bisect) : (face ? Refining::join_faces : Refining::merge);
-      const Checked done = checked_refining(keeper, kind, h);
-      if (!done) continue;
-      reported += done.rewrite;
-      if (n % 16 != 0) continue;
-      ASSERT_EQ(census_of(mesh), reported);
-      ASSERT_EQ(static_cast<long>(keeper.strips()), reported.strips);
-      if (keeper.locator() != nullptr) {
-        ASSERT_TRUE(agrees(*keeper.locator(), mesh));
-      }
-    }
-  }
 }
 
 // Exactly the triangles that the operation removes must lie around v_t.

@@ -279,8 +279,7 @@ TEST(LiveBuffer, OfALiveMeshIsRestoredAcrossWidths) {
       device.upload(live, {all, false});
       using Bytes = std::vector<std::byte>;
       const auto bytes = [&] { return Bytes(live.bytes().begin(), live.bytes().end()); };
-      std::vector<std::pair<Bytes, decltype(sample::triangles_of(live.mesh()))>> looks{
-          {bytes(), sample::triangles_of(live.mesh())}};
+      std::vector<std::pair<Bytes, Look>> looks{{bytes(), look_at(live.mesh())}};
       std::size_t at = 0;
       for (int step = 0; step < 60; ++step) {
         const std::size_t width = live.index_bytes();
@@ -291,7 +290,7 @@ TEST(LiveBuffer, OfALiveMeshIsRestoredAcrossWidths) {
         } else {
           const Look before = look_at(live.mesh());
           for (auto n = random() % 5; n > 0; --n)
-            random_operation(live.keeper(), random, live.mesh().triangle_count() < 90);
+            random_operation(live.keeper(), random, live.mesh().triangle_count() < 90, all_operations);
           const Vertex fresh = std::max(Vertex{65'535}, static_cast<Vertex>(live.mesh().vertex_bound()));
           const auto h = random_halfedge(live.mesh(), random);
           if (choice == 5) live.split(random_split(live.mesh(), h, random), random() % 2 == 0 ? fresh : none);
@@ -299,14 +298,18 @@ TEST(LiveBuffer, OfALiveMeshIsRestoredAcrossWidths) {
           device.upload(live, upload);
           if (look_at(live.mesh()) == before) continue;  // no frame, although the buffer may have been written
           looks.resize(++at);
-          looks.emplace_back(bytes(), sample::triangles_of(live.mesh()));
+          looks.emplace_back(bytes(), look_at(live.mesh()));
         }
         if (random() % 3 != 0) {
           device.upload(live, live.update());
           ASSERT_TRUE(device.equals(live.buffer()));
           ASSERT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
         }
-        ASSERT_EQ(sample::triangles_of(live.mesh()), looks[at].second);
+        ASSERT_EQ(look_at(live.mesh()), looks[at].second);
+        ASSERT_EQ(fault_of(live.mesh()), "");
+        ASSERT_EQ(live.strips(), count_strips(live.mesh()));
+        ASSERT_EQ(live.keeper().isolated(), check_coloring(live.mesh()).isolated);
+        ASSERT_EQ(live.keeper().swaps(), count_swaps(live.mesh()));
         ASSERT_TRUE(form == StripForm::list || bytes() == looks[at].first);
         widened += live.index_bytes() > width ? 1 : 0;
         narrowed += live.index_bytes() < width ? 1 : 0;
@@ -338,36 +341,6 @@ TEST(LiveBuffer, DrawsAStitchedBufferInWindows) {
         for (auto n = random() % 8; n > 0; --n) random_operation(keeper, random, mesh.triangle_count() < 60);
       }
       mesh.watch(nullptr);
-    }
-}
-
-/// Through frames, undo and redo of a LiveMesh, the device is written by update() alone.
-TEST(LiveBuffer, OfALiveMeshThroughUndo) {
-  std::mt19937 random(22);
-  for (const StripForm form : forms)
-    for (const IndexWidth width : widths) {
-      LiveMesh live(sample::torus(12, 12), {.history = 100'000, .format = {.form = form, .width = width}});
-      Device device;
-      device.upload(live, {{}, true});
-      device.upload(
-          live,
-          {std::span<const IndexRange>(std::array{IndexRange{0, live.bytes().size() / live.index_bytes()}}), false});
-      std::vector<std::vector<std::byte>> looks;
-      for (int frame = 0; frame < 60; ++frame) {
-        const std::vector<std::byte> before(live.bytes().begin(), live.bytes().end());
-        const auto triangles = sample::triangles_of(live.mesh());
-        for (int n = 0; n < 6; ++n) random_operation(live.keeper(), random, frame < 40);
-        const bool ended = random() % 2 == 0;
-        if (ended) device.upload(live, live.update());
-        if (random() % 2 == 0 && live.undo() && sample::triangles_of(live.mesh()) == triangles &&
-            form != StripForm::list) {
-          ASSERT_TRUE(std::equal(before.begin(), before.end(), live.bytes().begin(), live.bytes().end()));
-        }
-        device.upload(live, live.update());
-        ASSERT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
-        if (random() % 4 == 0 && live.redo()) device.upload(live, live.update());
-        ASSERT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
-      }
     }
 }
 

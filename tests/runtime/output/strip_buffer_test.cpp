@@ -244,20 +244,8 @@ TEST(StripBuffer, LayoutsAreChecked) {
 }
 
 TEST(StripBuffer, SixteenBitIndices) {
-  std::mt19937 random(13);
-  StripMesh mesh = sample::torus(20, 20);
-  stripify(mesh, Effort::fast, Cost::strips());
-  Keeper keeper(mesh, Policy::local, Cost::strips());
   std::vector<Triangle> changed;
-  mesh.watch(&changed);
-  StripBuffer16 buffer(mesh);
   static_assert(StripBuffer16::restart == 0xFFFF);
-  for (int i = 0; i < 600; ++i) {
-    random_operation(keeper, random, (i / 150) % 2 == 0);
-    buffer.update(mesh, changed);
-    changed.clear();
-    ASSERT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
-  }
   // Vertex 65,534 is the last that fits.
   const std::vector<sample::Corners> last{{0, 1, 65'534}};
   const std::vector<sample::Corners> beyond{{0, 1, 65'535}};
@@ -283,26 +271,34 @@ TEST(StripBuffer, SixteenBitIndices) {
 
 static_assert(NumberedMesh<sample::HandMade> && NumberedMesh<StripMesh> && FlippableMesh<sample::HandMade>);
 
+// With a keeper: the mesh has custom numbers, and only flips.
 TEST(StripBuffer, FollowsAMeshMadeByHand) {
-  for (const StripMesh& shape : {sample::rectangle(6, 5), sample::torus(6, 6)}) {
-    std::mt19937 random(14);
-    StripMesh colored = shape;
-    stripify(colored, Effort::fast, Cost::strips());
-    sample::HandMade mesh(colored);
-    StripBuffer buffer(mesh);
-    ASSERT_EQ(triangles_of_strips(buffer.indices()), mesh.triangles());
-    int flips = 0;
-    for (int i = 0; i < 400; ++i) {
-      const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
-      if (!mesh.can_flip(h)) continue;
-      flip(mesh, h);
-      buffer.update(mesh, mesh.changed);
-      mesh.changed.clear();
-      ASSERT_EQ(triangles_of_strips(buffer.indices()), mesh.triangles());
-      ++flips;
+  std::mt19937 random(14);
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const PolicyRow& row : policies) {
+      StripMesh colored = sample::rectangle(9, 8);
+      stripify(colored, Effort::fast, cost);
+      sample::HandMade mesh(colored);
+      Keeper keeper(mesh, row.policy, cost);
+      StripBuffer buffer(mesh);
+      int flips = 0;
+      for (int n = 0; n < 300; ++n) {
+        const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
+        if (!mesh.can_flip(h)) continue;
+        keeper.flip(h);
+        ++flips;
+        if (n % 100 == 0) keeper.improve(100);
+        const ColoringReport report = check_coloring(mesh);
+        ASSERT_TRUE(report.valid) << row.name;
+        ASSERT_EQ(keeper.strips(), report.strips) << row.name;
+        ASSERT_EQ(keeper.isolated(), report.isolated) << row.name;
+        ASSERT_EQ(keeper.swaps(), count_swaps(mesh)) << row.name;
+        buffer.update(mesh, mesh.changed);
+        mesh.changed.clear();
+        ASSERT_EQ(triangles_of_strips(buffer.indices()), mesh.triangles());
+      }
+      EXPECT_GT(flips, 100);
     }
-    EXPECT_GT(flips, 100);
-  }
 }
 
 TEST(StripBuffer, NothingChangedNothingWritten) {

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "coloring_cost.hpp"
-#include "hand_made_mesh.hpp"
 #include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/operations/apply.hpp"
@@ -50,42 +49,25 @@ TEST(Keeper, ChangesItsPolicyOnTheWay) {
 
 TEST(Keeper, IsRightAfterEveryOperation) {
   std::mt19937 random(6);
-  for (const PolicyRow& row : policies) {
-    for (StripMesh& mesh : sample::meshes()) {
-      Keeper keeper(mesh, row.policy, Cost::strips());
-      for (int i = 0; i < 400; ++i) {
-        random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 80) % 2 == 0);
-        if (i % 97 == 0) keeper.improve(200);
+  for (const PolicyRow& row : policies)
+    for (const Cost& weights : {Cost::strips(), Cost::indices(), Cost{5, 0, 2}, Cost{3, 1, 2}})
+      for (StripMesh& mesh : sample::meshes()) {
+        Keeper keeper(mesh, row.policy, weights);
         expect_right(keeper);
-        if (HasFatalFailure()) return;
+        for (int i = 0; i < 200; ++i) {
+          random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 40) % 2 == 0, all_operations);
+          expect_right(keeper);
+          if (i % 50 == 49) {
+            const std::size_t cost = keeper.cost();
+            const std::size_t saved = keeper.improve(200);
+            ASSERT_EQ(saved, cost - keeper.cost());
+            expect_right(keeper);
+          }
+          if (HasFatalFailure()) return;
+        }
+        EXPECT_EQ(keeper.cost(), weights.restart * keeper.strips() + weights.swap * keeper.swaps() +
+                                     weights.isolated * keeper.isolated());
       }
-    }
-  }
-}
-
-// The mesh has custom numbers, and only flips.
-TEST(Keeper, OfAMeshMadeByHand) {
-  std::mt19937 random(31);
-  for (const Cost& cost : {Cost::strips(), Cost::indices()})
-    for (const PolicyRow& row : policies) {
-      sample::HandMade mesh(sample::rectangle(9, 8));
-      stripify(mesh, Effort::full, cost);
-      Keeper keeper(mesh, row.policy, cost);
-      std::size_t flips = 0;
-      for (int n = 0; n < 600; ++n) {
-        const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
-        if (!mesh.can_flip(h)) continue;
-        keeper.flip(h);
-        ++flips;
-        if (n % 100 == 0) keeper.improve(100);
-        const ColoringReport report = check_coloring(mesh);
-        ASSERT_TRUE(report.valid) << row.name;
-        ASSERT_EQ(keeper.strips(), report.strips) << row.name;
-        ASSERT_EQ(keeper.isolated(), report.isolated) << row.name;
-        ASSERT_EQ(keeper.swaps(), count_swaps(mesh)) << row.name;
-      }
-      EXPECT_GT(flips, 200U);
-    }
 }
 
 std::size_t strips_from_scratch(StripMesh mesh) {
@@ -114,29 +96,6 @@ TEST(Keeper, StripsDoNotAge) {
   keeper.improve(mesh.triangle_count() * 10);
   EXPECT_LE(keeper.strips(), allowed(1000));
   expect_right(keeper);
-}
-
-TEST(KeeperByCost, ReportsWhatEveryOperationChanged) {
-  std::mt19937 random(21);
-  for (const Cost& weights : {Cost::indices(), Cost{5, 0, 2}, Cost{3, 1, 2}})
-    for (const Policy policy : searching_policies())
-      for (StripMesh& mesh : sample::meshes()) {
-        Keeper keeper(mesh, policy, weights);
-        expect_right(keeper);
-        for (int i = 0; i < 200; ++i) {
-          random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 40) % 2 == 0);
-          expect_right(keeper);
-          if (i % 50 == 49) {
-            const std::size_t cost = keeper.cost();
-            const std::size_t saved = keeper.improve(200);
-            ASSERT_EQ(saved, cost - keeper.cost());
-            expect_right(keeper);
-          }
-          if (HasFatalFailure()) return;
-        }
-        EXPECT_EQ(keeper.cost(), weights.restart * keeper.strips() + weights.swap * keeper.swaps() +
-                                     weights.isolated * keeper.isolated());
-      }
 }
 
 // Random operations make rough meshes; a local minimum of the whole mesh, by chains, is the measure.
@@ -235,18 +194,13 @@ TEST(KeeperByCost, CountsAgainWhenAsked) {
 
 // ---- The rule first.
 
-/// Any kind of operation at a random place.
-Checked any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow, bool& interior) {
+/// Any operation at a random place, shipped ones and a custom one. `fan`: it is a split or a collapse.
+Checked any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow, bool& fan) {
   const StripMesh& mesh = keeper.mesh();
-  const StripMesh::Halfedge h = random_halfedge(mesh, random);
-  const auto kind = random() % 12;
-  interior = kind > 4;
-  if (kind == 0) return checked_flip(keeper, h);
-  if (kind == 1) return checked_refining(keeper, grow ? Refining::split_face : Refining::join_faces, h);
-  if (kind == 2) return checked_refining(keeper, grow ? Refining::bisect : Refining::merge, h);
-  if (kind == 3 && grow) return checked_apply(keeper, tables::refine_face_rules, h);
-  if (!grow) return checked_collapse(keeper, h);
-  return checked_split(keeper, random_split(mesh, h, random));
+  const DrawnOperation drawn = draw(mesh, random, all_operations, trend_of(grow));
+  const bool custom = grow && random() % 12 == 0;
+  fan = !custom && (drawn.kind == OperationKind::split || drawn.kind == OperationKind::collapse);
+  return custom ? checked_apply(keeper, tables::refine_face_rules, drawn.h) : perform(keeper, drawn);
 }
 
 // A vertex of the mesh is on the boundary or not at random; closed fans come from the torus.

@@ -36,34 +36,25 @@ void random_cut_or_link(StripLocator& locator, StripMesh& mesh, std::mt19937& ra
   if (locator.position(a).strip != locator.position(b).strip) locator.link(mesh, h);
 }
 
-// Returns the chord of a split; {none} after anything else.
-Halfedge operation_at(StripLocator& locator, StripMesh& mesh, Halfedge h, std::mt19937& random, bool grow) {
-  std::vector<Triangle> patch;
-  const unsigned kind = static_cast<unsigned>(random() % 5);
-  if (kind == 0) {
-    if (check_flip(mesh, h) != Refusal::granted) return {};
-    patch = {StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))};
+void operation_at(StripLocator& locator, StripMesh& mesh, Halfedge h, std::mt19937& random, bool grow) {
+  const DrawnOperation drawn = draw_at(mesh, h, random, splits_collapses_flips, trend_of(grow));
+  if (check(mesh, drawn) != Refusal::granted) return;
+  const bool splits = drawn.kind == OperationKind::split;
+  const auto triangles_at = [&mesh](bool fan, Halfedge at) {
+    std::vector<Triangle> patch;
+    fan ? fan_triangles(mesh, at, patch) : edge_triangles(mesh, at, patch);
+    return patch;
+  };
+  if (drawn.kind == OperationKind::flip) {
+    const std::vector<Triangle> patch{StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))};
     locator.before_patch(mesh, patch);
-    flip(mesh, h);
+    perform(mesh, drawn);
     locator.after_patch(mesh, patch);
-  } else if (!grow) {
-    if (check_collapse(mesh, h) != Refusal::granted) return {};
-    edge_triangles(mesh, h, patch);
-    locator.before_patch(mesh, patch);
-    const auto done = collapse(mesh, h);
-    fan_triangles(mesh, done.halfedge, patch);
-    locator.after_patch(mesh, patch);
-  } else {
-    const VertexSplit<Halfedge> where = random_split(mesh, h, random);
-    if (check_split(mesh, where) != Refusal::granted) return {};
-    fan_triangles(mesh, h, patch);
-    locator.before_patch(mesh, patch);
-    const auto done = split(mesh, where);
-    edge_triangles(mesh, done.halfedge, patch);
-    locator.after_patch(mesh, patch);
-    return done.halfedge;
+    return;
   }
-  return {};
+  locator.before_patch(mesh, triangles_at(splits, h));
+  const Checked done = perform(mesh, drawn);
+  locator.after_patch(mesh, triangles_at(!splits, done.rewrite.halfedge));
 }
 
 void random_operation(StripLocator& locator, StripMesh& mesh, std::mt19937& random, bool grow) {

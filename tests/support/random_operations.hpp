@@ -1,0 +1,159 @@
+// Random operations, legal or not, for all tests that need many: the kinds, how often each is drawn, and where. A test
+// performs what was drawn on a mesh, on a keeper or on a LiveMesh, or on two of them in step.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+#include "restrip/operations/checked.hpp"
+#include "restrip/operations/refine.hpp"
+
+namespace restrip {
+
+enum class OperationKind : std::uint8_t { split, collapse, flip, split_face, join_faces, bisect, merge };
+
+/// How often a kind is drawn, relative to the other rows of a list.
+struct OperationShare {
+  OperationKind kind;
+  unsigned share = 1;
+};
+inline constexpr auto all_operations = std::to_array<OperationShare>({{OperationKind::split, 3},
+                                                                      {OperationKind::collapse, 3},
+                                                                      {OperationKind::flip, 2},
+                                                                      {OperationKind::split_face},
+                                                                      {OperationKind::join_faces},
+                                                                      {OperationKind::bisect},
+                                                                      {OperationKind::merge}});
+inline constexpr auto splits_collapses_flips =
+    std::to_array<OperationShare>({{OperationKind::flip}, {OperationKind::split, 5}, {OperationKind::collapse, 5}});
+inline constexpr auto refinements = std::to_array<OperationShare>(
+    {{OperationKind::split_face}, {OperationKind::join_faces}, {OperationKind::bisect}, {OperationKind::merge}});
+
+/// What happens to the number of triangles: no operation drawn removes any (grow) or adds any (shrink).
+enum class Trend : std::uint8_t { any, grow, shrink };
+constexpr Trend trend_of(bool grow) noexcept { return grow ? Trend::grow : Trend::shrink; }
+/// Keeps a number of triangles about between `low` and `high`.
+constexpr Trend trend_between(std::size_t low, std::size_t high, std::size_t triangles) noexcept {
+  return triangles > high ? Trend::shrink : triangles < low ? Trend::grow : Trend::any;
+}
+constexpr bool follows(OperationKind kind, Trend trend) noexcept {
+  using enum OperationKind;
+  if (trend == Trend::any || kind == flip) return true;
+  return (kind == split || kind == split_face || kind == bisect) == (trend == Trend::grow);
+}
+
+/// The numbers that kind_at() maps to kinds are below this one.
+template <std::size_t N>
+constexpr unsigned sum_of_shares(const std::array<OperationShare, N>& list, Trend trend = Trend::any) noexcept {
+  unsigned sum = 0;
+  for (const auto& [kind, share] : list) sum += follows(kind, trend) ? share : 0;
+  return sum;
+}
+template <std::size_t N>
+constexpr OperationKind kind_at(const std::array<OperationShare, N>& list, unsigned number,
+                                Trend trend = Trend::any) noexcept {
+  for (const auto& [kind, share] : list) {
+    if (!follows(kind, trend)) continue;
+    if (number < share) return kind;
+    number -= share;
+  }
+  return list.back().kind;
+}
+
+struct DrawnOperation {
+  using Halfedge = StripMesh::Halfedge;
+  OperationKind kind{};
+  Halfedge h;                   ///< all but splits
+  VertexSplit<Halfedge> where;  ///< splits
+};
+
+/// A side of a triangle.
+inline StripMesh::Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& random) {
+  for (;;) {
+    const StripMesh::Halfedge h{(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
+                                static_cast<std::uint32_t>(random() % 3)};
+    if (mesh.alive(h)) return h;
+  }
+}
+/// A halfedge, also of the boundary.
+inline StripMesh::Halfedge random_side(const StripMesh& mesh, std::mt19937& random) {
+  const StripMesh::Halfedge h = random_halfedge(mesh, random);
+  return random() % 4 == 0 ? mesh.opposite(h) : h;
+}
+
+/// A split at this spoke; a spoke that does not count is not to be looked at.
+inline VertexSplit<StripMesh::Halfedge> random_split(const StripMesh& mesh, StripMesh::Halfedge h,
+                                                     std::mt19937& random) {
+  using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+  VertexSplit<StripMesh::Halfedge> where{h, h, Spokes::both};
+  for (auto turns = 1 + random() % 4; turns > 0 && !StripMesh::on_boundary(where.right); --turns)
+    where.right = turn_ccw(mesh, where.right);
+  if (mesh.leaves_boundary(h) && random() % 2 == 0) {
+    where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+    (where.spokes == Spokes::left_only ? where.right : where.left) = {};
+  }
+  return where;
+}
+
+/// An operation of the list at h.
+template <std::size_t N>
+DrawnOperation draw_at(const StripMesh& mesh, StripMesh::Halfedge h, std::mt19937& random,
+                       const std::array<OperationShare, N>& list, Trend trend = Trend::any) {
+  DrawnOperation drawn{kind_at(list, static_cast<unsigned>(random() % sum_of_shares(list, trend)), trend), h, {}};
+  if (drawn.kind == OperationKind::split) drawn.where = random_split(mesh, h, random);
+  return drawn;
+}
+template <std::size_t N>
+DrawnOperation draw(const StripMesh& mesh, std::mt19937& random, const std::array<OperationShare, N>& list,
+                    Trend trend = Trend::any) {
+  return draw_at(mesh, random_halfedge(mesh, random), random, list, trend);
+}
+
+inline Refusal check(const StripMesh& mesh, const DrawnOperation& drawn) {
+  switch (drawn.kind) {
+    case OperationKind::split:
+      return check_split(mesh, drawn.where);
+    case OperationKind::collapse:
+      return check_collapse(mesh, drawn.h);
+    case OperationKind::flip:
+      return check_flip(mesh, drawn.h);
+    case OperationKind::split_face:
+      return check_split_face(mesh, drawn.h);
+    case OperationKind::join_faces:
+      return check_join_faces(mesh, drawn.h);
+    case OperationKind::bisect:
+      return check_bisect(mesh, drawn.h);
+    case OperationKind::merge:
+      return check_merge(mesh, drawn.h);
+  }
+  return Refusal::no_such_edge;
+}
+
+/// By a StripMesh, its keeper or a LiveMesh; refused if it is not legal. `name`: the vertex of a split.
+template <class Target>
+Checked perform(Target& target, const DrawnOperation& drawn, Vertex name = none) {
+  const auto& [kind, h, where] = drawn;
+  using enum OperationKind;
+  if constexpr (requires {
+                  { target.flip(h) } -> std::same_as<Checked>;
+                }) {
+    if (kind == split) return target.split(where, name);
+    if (kind == collapse) return target.collapse(h);
+    if (kind == flip) return target.flip(h);
+    if (kind == split_face) return target.split_face(h);
+    if (kind == join_faces) return target.join_faces(h);
+    return kind == bisect ? target.bisect(h) : target.merge(h);
+  } else {
+    if (kind == split) return checked_split(target, where, name);
+    if (kind == collapse) return checked_collapse(target, h);
+    if (kind == flip) return checked_flip(target, h);
+    if (kind == split_face) return checked_split_face(target, h);
+    if (kind == join_faces) return checked_join_faces(target, h);
+    return kind == bisect ? checked_bisect(target, h) : checked_merge(target, h);
+  }
+}
+
+}  // namespace restrip
