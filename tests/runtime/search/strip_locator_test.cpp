@@ -36,8 +36,11 @@ void random_cut_or_link(StripLocator& locator, StripMesh& mesh, std::mt19937& ra
   if (locator.position(a).strip != locator.position(b).strip) locator.link(mesh, h);
 }
 
+constexpr auto mostly_splits =
+    std::to_array<OperationShare>({{OperationKind::flip}, {OperationKind::split, 4}, {OperationKind::collapse, 4}});
+
 void operation_at(StripLocator& locator, StripMesh& mesh, Halfedge h, std::mt19937& random, bool grow) {
-  const DrawnOperation drawn = draw_at(mesh, h, random, splits_collapses_flips, trend_of(grow));
+  const DrawnOperation drawn = draw_at(mesh, h, random, mostly_splits, trend_of(grow));
   if (check(mesh, drawn) != Refusal::granted) return;
   const bool splits = drawn.kind == OperationKind::split;
   const auto triangles_at = [&mesh](bool fan, Halfedge at) {
