@@ -73,7 +73,7 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips);
 
-/// The same as strip_indices(mesh, extract_strips(mesh)); for a StripMesh in half the time. The colouring must be
+/// The same as strip_indices(mesh, extract_strips(mesh)), without the list of strips. The colouring must be
 /// valid; debug builds check that.
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh);

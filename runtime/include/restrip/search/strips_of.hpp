@@ -35,11 +35,16 @@ template <class Triangles>
 
 namespace detail {
 
-/// Colours and corners of a list, for SidedWriter, which goes over solid sides alone.
+/// Colours and corners of a list. Solid sides alone have an opposite.
 template <class Element>
 struct ListedStrips : ColoringCopy {
   TriangleList<Element> list;
 
+  [[nodiscard]] static Triangle triangle(Halfedge h) noexcept { return StripMesh::triangle(h); }
+  [[nodiscard]] static Halfedge halfedge(Triangle t) noexcept { return StripMesh::halfedge(t); }
+  [[nodiscard]] static Halfedge next(Halfedge h) noexcept { return StripMesh::next(h); }
+  [[nodiscard]] static bool on_boundary(Halfedge h) noexcept { return StripMesh::on_boundary(h); }
+  [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept { return {across(h.id)}; }
   [[nodiscard]] Vertex from(Halfedge h) const noexcept { return list.corner(h.id); }
 };
@@ -50,7 +55,7 @@ std::vector<std::uint32_t> strips_of_list(const TriangleList<Element>& list, std
   Annealing annealing(ColoringCopy(list, vertex_count), cost, 1);
   color_from_scratch(annealing, effort, cost, 0, 1);
   const ListedStrips<Element> strips{std::move(annealing.colors()), list};
-  return SidedWriter(strips).run();
+  return strip_indices(strips);
 }
 
 }  // namespace detail

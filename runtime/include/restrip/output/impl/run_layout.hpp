@@ -42,15 +42,13 @@ void BasicStripBuffer<Index>::order_runs() {
     runs.push_back(places_.run(p));
     place.push_back(p);
   }
-  detail::RunOrder<Index> order(cells_, runs, cache_);
-  order.run();
   std::vector<Index> cells(cells_.size(), filling());
   std::vector<std::uint32_t> new_place(runs.size() + 1);  // by old place: without gaps they are 1 … runs
   detail::RunPlaces places;
   places.make_room(runs.size());
   places.set_length(places_.length());
   std::uint32_t end = 0;
-  for (const std::uint32_t r : order.order) {
+  for (const std::uint32_t r : detail::order_of_runs(cells_, runs, cache_)) {
     detail::Run run = runs[r];
     std::copy_n(cells_.data() + run.first, run.length, cells.data() + end);
     run.first = std::exchange(end, end + run.length);

@@ -29,8 +29,8 @@
 #include <utility>
 #include <vector>
 
+#include "restrip/output/impl/drawing_cache.hpp"
 #include "restrip/output/impl/strip_row.hpp"
-#include "restrip/output/impl/undrawn.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/precondition.hpp"
 
@@ -49,14 +49,16 @@ class CacheOrder {
       : row_(row),
         cache_(static_cast<std::uint32_t>((std::min<std::size_t>)(cache.size, largest_cache))),
         longest_((std::min)(cache_ + cache_ / 2, longest_run)),
-        drawn_(row.size(), false),
-        tried_(row.size(), 0) {
-    const double indices = weigh_cuts();
+        drawing_(cache_, vertices_of(row), row.size(), [&row](auto&& use) {
+          for (std::size_t i = 0; i < row.corners.size(); ++i) use(row.corners[i], static_cast<std::uint32_t>(i / 3));
+        }) {
+    const double indices = read_row();
     miss_ = static_cast<Cost>(std::llround(weight_of(cache, indices / (std::max)(row.size(), 1U)) * unit));
-    list_triangles();
-    // An empty cache, and numbers of misses that are never 0.
-    misses_ = cache_;
-    missed_.assign(misses_ + std::size_t{1}, StripRow::none);
+    first_miss_ = first_miss_share * miss_ / 100;
+    later_miss_ = later_miss_share * miss_ / 100;
+    harm_ = harm_share * miss_ / 100;
+    for (int link = 2; link < 5; ++link)
+      cost_of_end_[static_cast<std::size_t>(link)] = (link - 1) * unit * end_share / 100;
     spent_ = miss_ * window * 4 / 5;
     adapt(0, 0);
   }
@@ -70,7 +72,7 @@ class CacheOrder {
       try_cached();
       if (best_.triangles == 0) try_left_behind();
       if (best_.triangles == 0) {
-        while (drawn_[first]) ++first;
+        while (drawing_.is_drawn(first)) ++first;
         try_both(first);
       }
       draw(best_);
@@ -91,7 +93,7 @@ class CacheOrder {
 
   // Percentages.
   static constexpr Cost first_miss_share = 95;
-  static constexpr Cost second_miss_share = 40;
+  static constexpr Cost later_miss_share = 40;
   static constexpr Cost harm_share = 20;
   static constexpr Cost join_share = 70;
   static constexpr Cost end_share = 80;
@@ -99,11 +101,11 @@ class CacheOrder {
 
   enum Turn : std::int8_t { no_turn, left, right };
 
-  struct Vertex {
-    std::uint32_t came_in = 0;  // number of its last miss; 0: never
-    std::uint32_t trial = 0;    // that met it last
-    std::uint32_t came_in_by_trial = 0;
-    std::uint32_t left_to_draw = 0;  // triangles
+  struct Place {
+    // The vertices that it adds when it is entered backwards or forwards.
+    std::array<std::uint32_t, 2> apex{};
+    // What cutting before it saves and costs, in indices and one more; 0: it is not joined to its predecessor.
+    std::uint8_t link = 0;
   };
   struct Run {
     Cost gain = 0;
@@ -135,15 +137,10 @@ class CacheOrder {
   [[nodiscard]] std::uint32_t corner(std::uint32_t place, int side) const noexcept {
     return row_.corners[3 * std::size_t{place} + static_cast<unsigned>(side % 3)];
   }
-  [[nodiscard]] bool is_cached(const Vertex& v) const noexcept {
-    return v.came_in != 0 && misses_ - v.came_in < cache_;
-  }
-
   // ---- the row, seen in one direction or the other
 
-  // What cutting before a place saves and costs, in indices and one more; 0: it is no longer joined to its predecessor.
   [[nodiscard]] std::uint8_t link(std::uint32_t place, bool after) const noexcept {
-    return links_[place + std::uint32_t{after}];
+    return places_[place + std::uint32_t{after}].link;
   }
   [[nodiscard]] Cost cost_of_cut(std::uint32_t place, bool after) const noexcept {
     return (link(place, after) - 1) * unit;
@@ -160,9 +157,9 @@ class CacheOrder {
   }
 
   // Returns the number of indices of the strips; a first one that turns the wrong way is not counted.
-  double weigh_cuts() {
+  double read_row() {
     double indices = row_.size();
-    links_.assign(row_.size() + std::size_t{1}, 0);
+    places_.resize(row_.size() + std::size_t{1});
     const auto turn_at = [this](std::uint32_t place) { return turn(row_.previous[place], row_.next[place]); };
     for (std::uint32_t p = 1; p < row_.size(); ++p) {
       if (row_.previous[p] == StripRow::no_side) {
@@ -174,56 +171,37 @@ class CacheOrder {
       indices += swaps;
       if (row_.previous[p - 1] != StripRow::no_side && is_swap(turn_at(p - 2), turn_at(p - 1))) ++swaps;
       if (row_.next[p] != StripRow::no_side && is_swap(turn_at(p), turn_at(p + 1))) ++swaps;
-      links_[p] = static_cast<std::uint8_t>(4 - swaps);
+      places_[p].link = static_cast<std::uint8_t>(4 - swaps);
     }
+    for (std::uint32_t p = 0; p < row_.size(); ++p)
+      places_[p].apex = {corner(p, row_.next[p] + 2), corner(p, row_.previous[p] + 2)};
     return indices;
   }
-  void list_triangles() {
-    std::uint32_t bound = 0;
-    for (const std::uint32_t v : row_.corners) bound = (std::max)(bound, v + 1);
-    vertices_.resize(bound);
-    for (const std::uint32_t v : row_.corners) ++vertices_[v].left_to_draw;
-    places_at_.list(bound, [this](auto&& use) {
-      for (std::size_t i = 0; i < row_.corners.size(); ++i) use(row_.corners[i], static_cast<std::uint32_t>(i / 3));
-    });
+  static std::size_t vertices_of(const StripRow& row) noexcept {
+    return row.corners.empty() ? 0 : *std::max_element(row.corners.begin(), row.corners.end()) + std::size_t{1};
   }
 
   // ---- candidates
 
   // Beginnings around cached vertices. A run that could begin one triangle earlier, at a cached vertex too, does.
   void try_cached() {
-    ++round_;
-    unsigned tried = 0;
-    unsigned met = 0;
-    for (std::uint32_t miss = misses_; miss > misses_ - cache_; --miss) {
-      const std::uint32_t v = missed_[miss];
-      if (v == StripRow::none) return;
-      if (vertices_[v].came_in != miss) continue;
-      places_at_.for_each(v, drawn_, [&](std::uint32_t place) {
-        ++met;
-        if (tried_[place] != round_) {
-          tried_[place] = round_;
-          for (const bool forward : {true, false}) {
-            if (could_begin_earlier(place, forward)) continue;
-            try_run(place, forward);
-            ++tried;
-          }
-        }
-        return tried < most_tried && met < most_met;
-      });
-      if (tried >= most_tried || met >= most_met) return;
-    }
+    drawing_.for_each_near(most_tried, most_met, [this](std::uint32_t place) {
+      unsigned tried = 0;
+      for (const bool forward : {true, false}) {
+        if (could_begin_earlier(place, forward)) continue;
+        try_run(place, forward);
+        ++tried;
+      }
+      return tried;
+    });
   }
   [[nodiscard]] bool could_begin_earlier(std::uint32_t place, bool forward) const noexcept {
     if (link(place, !forward) == 0) return false;
-    const std::uint32_t earlier = step(place, !forward);
-    return is_cached(vertices_[corner(earlier, side_in(earlier, !forward) + 2)]);
+    return drawing_.is_cached(places_[step(place, !forward)].apex[forward ? 0 : 1]);
   }
   void try_left_behind() {
-    while (!recent_.empty() && vertices_[recent_.back()].left_to_draw == 0) recent_.pop_back();
-    if (recent_.empty()) return;
     unsigned met = 0;
-    places_at_.for_each(recent_.back(), drawn_, [&](std::uint32_t place) {
+    drawing_.for_each_left_behind([&](std::uint32_t place) {
       try_both(place);
       return ++met < most_tried;
     });
@@ -234,23 +212,13 @@ class CacheOrder {
   }
 
   void try_run(std::uint32_t place, bool forward) {
-    ++trial_;
-    std::uint32_t misses = misses_;
+    std::uint32_t misses = drawing_.try_from_here();
     Cost cost = 0;
-    const auto look_up = [&](std::uint32_t number) {
-      Vertex& v = vertices_[number];
-      const std::uint32_t came_in = v.trial == trial_ ? v.came_in_by_trial : v.came_in;
-      v.trial = trial_;
-      v.came_in_by_trial = came_in;
-      if (came_in != 0 && misses - came_in < cache_) return;
-      v.came_in_by_trial = ++misses;
-      cost += (came_in == 0 ? first_miss_share : second_miss_share) * miss_ / 100;
-      if (misses - cache_ > misses_) return;
-      const std::uint32_t leaving = missed_[misses - cache_];
-      if (leaving == StripRow::none) return;
-      const Vertex& lost = vertices_[leaving];
-      if (lost.left_to_draw != 0 && lost.came_in == misses - cache_ && lost.trial != trial_)
-        cost += harm_share * miss_ / 100;
+    const auto look_up = [&](std::uint32_t v) {
+      const auto found = drawing_.try_look_up(v, misses);
+      if (found == DrawingCache::Lookup::hit) return;
+      cost += found == DrawingCache::Lookup::first_miss ? first_miss_ : later_miss_;
+      if (drawing_.harms(misses)) cost += harm_;
     };
     Cost indices = 0;
     if (const auto [join, saved] = best_join(place, forward); join != nullptr)
@@ -264,13 +232,13 @@ class CacheOrder {
     for (int side = 0; side < 3; ++side) look_up(corner(place, side));
     for (std::uint32_t triangles = 1;; ++triangles) {
       const bool ends = link(place, forward) == 0;
-      const Cost all = cost + indices + (ends ? 0 : cost_of_cut(place, forward) * end_share / 100);
+      const Cost all = cost + indices + cost_of_end_[link(place, forward)];
       const Cost gain = worth_ * Cost{triangles} - all;
       if (best_.triangles == 0 || gain > best_.gain) best_ = {gain, all, first, triangles, forward};
       highest = triangles == 1 ? gain : (std::max)(highest, gain);
       if (ends || triangles >= longest_ || gain < highest - give_up) return;
       place = step(place, forward);
-      look_up(corner(place, side_in(place, forward) + 2));
+      look_up(places_[place].apex[forward ? 1 : 0]);
     }
   }
   // A strip that turns right first takes one more index.
@@ -288,7 +256,7 @@ class CacheOrder {
     const std::uint32_t last = order.back();
     for (std::int8_t side = 0; side < 3; ++side) {
       const std::uint32_t other = row_.across[3 * std::size_t{last} + static_cast<std::size_t>(side)];
-      if (side == last_in_ || other == StripRow::none || drawn_[other / 3]) continue;
+      if (side == last_in_ || other == StripRow::none || drawing_.is_drawn(other / 3)) continue;
       join_[joins_here_++] = {other / 3, side, static_cast<std::int8_t>(other % 3)};
     }
   }
@@ -301,8 +269,9 @@ class CacheOrder {
     BestJoin best;
     for (unsigned i = 0; i < joins_here_; ++i) {
       const Join& join = join_[i];
+      if (join.place != place) continue;
       const std::int8_t out = side_out(place, forward);
-      if (join.place != place || join.into == out) continue;
+      if (join.into == out) continue;
       const Turn before = turn(last_in_, join.from);
       const Turn here = turn(join.into, out);
       Cost saved = restart_cost;
@@ -331,9 +300,9 @@ class CacheOrder {
       last_in_ = StripRow::no_side;
     }
     for (std::uint32_t p = run.first;; p = step(p, run.forward)) {
-      drawn_[p] = true;
+      drawing_.draw(p);
       order.push_back(p);
-      for (int side = 0; side < 3; ++side) look_up(corner(p, side));
+      for (int side = 0; side < 3; ++side) drawing_.look_up(corner(p, side));
       if (p == last) break;
       turn_before_last_ = turn(last_in_, side_out(p, run.forward));
       last_in_ = side_in(step(p, run.forward), run.forward);
@@ -342,18 +311,8 @@ class CacheOrder {
     cut((std::max)(run.first, last) + 1);
     adapt(run.cost, run.triangles);
   }
-  void look_up(std::uint32_t number) {
-    Vertex& v = vertices_[number];
-    --v.left_to_draw;
-    if (is_cached(v)) return;
-    v.came_in = ++misses_;
-    missed_.push_back(number);
-    recent_.push_back(number);
-  }
   void cut(std::uint32_t place) {
-    if (links_[place] == 0) return;
-    links_[place] = 0;
-    cuts.push_back(place);
+    if (std::exchange(places_[place].link, std::uint8_t{0}) != 0) cuts.push_back(place);
   }
   void adapt(Cost cost, Cost triangles) noexcept {
     spent_ += cost - spent_ * (std::min)(triangles, window) / window;
@@ -364,18 +323,14 @@ class CacheOrder {
   std::uint32_t cache_;
   std::uint32_t longest_;
   Cost miss_ = 0;
-  Cost spent_ = 0;  // for the last `window` triangles
+  Cost first_miss_ = 0;
+  Cost later_miss_ = 0;
+  Cost harm_ = 0;
+  std::array<Cost, 5> cost_of_end_{};  // by link
+  Cost spent_ = 0;                     // for the last `window` triangles
   Cost worth_ = 1;
-  std::vector<std::uint8_t> links_;
-  std::vector<bool> drawn_;
-  std::vector<Vertex> vertices_;
-  UndrawnAt places_at_;
-  std::uint32_t misses_ = 0;
-  std::vector<std::uint32_t> missed_;  // by the number of the miss
-  std::vector<std::uint32_t> recent_;  // the same, without vertices that have no triangle left
-  std::vector<std::uint32_t> tried_;   // by place: in which round
-  std::uint32_t round_ = 0;
-  std::uint32_t trial_ = 0;
+  std::vector<Place> places_;  // and one after the last
+  DrawingCache drawing_;       // of places
   Run best_;
   std::array<Join, 3> join_{};
   unsigned joins_here_ = 0;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -77,25 +76,27 @@ bool are_strips_of(const Mesh& mesh, const Strips& strips) {
   return true;
 }
 
-// Writes all strips, as strip_indices() promises, of a mesh that returns turns as StripMesh::other_solid_sides does.
-// Branch-free: turns are unpredictable.
-template <class Mesh>
-class SidedWriter {
+// Writes strips one after the other, as strip_indices() promises. Equal turns in a row cost a swap each, in either
+// direction. A strip starts on an even place and is then free to turn left first; seen from its other end, its last
+// turn is the first and has changed sides. Strips turn at random, so no turn is a branch.
+template <NumberedMesh Mesh>
+class StripWriter {
  public:
-  explicit SidedWriter(const Mesh& mesh) noexcept : mesh_(mesh) {}
+  explicit StripWriter(const Mesh& mesh) : mesh_(mesh) {
+    indices_.reserve(mesh.triangle_bound() + mesh.triangle_bound() / 2 + most_at_once);
+  }
 
-  std::vector<std::uint32_t> run() {
-    indices_.reserve(mesh_.triangle_count() + mesh_.triangle_count() / 2 + most_at_once);
-    std::vector<bool> written(mesh_.triangle_bound(), false);
-    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) {
-      if (!mesh_.alive(t) || (one_side_at_most >> mesh_.solid_sides(t) & 1U) == 0 || written[t]) continue;
-      const std::size_t begin = size_;
-      const WrittenStrip strip = write_from(t);
-      written[strip.other_end] = true;
-      if (!strip.wrong || strip.wrong_backwards) continue;
+  /// Writes the strip that has an end at t, and returns its other end.
+  Triangle write(Triangle t) {
+    const std::size_t begin = size_;
+    const WrittenStrip strip = write_from(t);
+    if (strip.wrong && !strip.wrong_backwards) {
       size_ = begin;
       write_from(strip.other_end);
     }
+    return strip.other_end;
+  }
+  std::vector<std::uint32_t> take() {
     indices_.resize(size_);
     return std::move(indices_);
   }
@@ -108,16 +109,10 @@ class SidedWriter {
     bool wrong;  // it began with a turn to the right
     bool wrong_backwards;
   };
-  static constexpr std::size_t most_at_once = 4;              // a restart and a triangle
-  static constexpr unsigned one_side_at_most = 0b0001'0111U;  // bit m: m has one bit or none
-  static constexpr unsigned right = 1;                        // turns
+  static constexpr std::size_t most_at_once = 4;  // a restart and a triangle
+  static constexpr unsigned right = 1;            // turns
   static constexpr unsigned left = 2;
 
-  // `side`: up to 5.
-  static Halfedge side_of(Triangle t, unsigned side) noexcept {
-    return StripMesh::halfedge(t, side >= 3 ? side - 3 : side);
-  }
-  [[nodiscard]] std::uint32_t corner(Triangle t, unsigned side) const noexcept { return mesh_.from(side_of(t, side)); }
   // With room for what is written at once.
   std::uint32_t* indices(std::size_t size) {
     if (indices_.size() - size < most_at_once)
@@ -129,33 +124,40 @@ class SidedWriter {
     std::size_t size = size_;
     std::uint32_t* written = indices(size);
     if (size != 0) written[size++] = restart_index;
-    const unsigned solid = mesh_.solid_sides(t);
+    Halfedge h = mesh_.halfedge(t);
+    Halfedge exit = mesh_.next(h);
+    bool joined = false;
+    for (int side = 0; side < 3; ++side, h = mesh_.next(h)) {
+      if (!mesh_.solid(h)) continue;
+      exit = h;
+      joined = true;
+    }
     // The first triangle ends in the edge over which it is left.
-    const unsigned first = solid == 0 ? 1 : static_cast<unsigned>(std::countr_zero(solid));
-    for (const unsigned beyond : {2U, 0U, 1U}) written[size++] = corner(t, first + beyond);
+    for (const std::uint32_t v : corners_from(mesh_, mesh_.next(mesh_.next(exit)))) written[size++] = v;
     unsigned first_turn = 0;
     unsigned last_turn = 0;
-    unsigned free_turn = left;
-    Halfedge entry = solid == 0 ? Halfedge{} : mesh_.opposite(side_of(t, first));
-    unsigned turn = solid;  // not 0 as long as the strip continues
-    while (turn != 0) {
+    for (unsigned free_turn = left; joined;) {
       written = indices(size);
-      t = StripMesh::triangle(entry);
-      const unsigned side = StripMesh::side(entry);
-      turn = mesh_.other_solid_sides(entry);
+      // A triangle entered over the halfedge `entry` is left over next(entry), a turn to the right, or over the third
+      // side, a turn to the left. (Seen from outside, the strip comes in across `entry` from the right of its direction
+      // to its left.)
+      const Halfedge entry = mesh_.opposite(exit);
+      const Halfedge after = mesh_.next(entry);
+      const Halfedge before = mesh_.next(after);
+      const unsigned turn = other_solid_sides(mesh_, entry);
       // The corner opposite the entry comes next; for a swap, the last but one comes again before it.
-      const std::uint32_t third = corner(t, side + 2);
       if (turn == 0) {
-        written[size++] = third;
+        t = triangle_of(mesh_, entry);
+        written[size++] = from_of(mesh_, before);
         break;
       }
       written[size] = written[size - 2];
       size += static_cast<std::size_t>(turn != free_turn);
-      written[size++] = third;
+      written[size++] = from_of(mesh_, before);
       free_turn = left + right - turn;
       first_turn = first_turn == 0 ? turn : first_turn;
       last_turn = turn;
-      entry = mesh_.opposite(side_of(t, side + turn));
+      exit = turn == right ? after : before;
     }
     size_ = size;
     return {t, first_turn == right, last_turn == left};
@@ -202,26 +204,16 @@ ColoringReport check_coloring(const Mesh& mesh) {
 
 template <NumberedMesh Mesh>
 std::size_t count_strips(const Mesh& mesh) {
-  std::size_t left = 0;  // triangles of no strip so far
+  std::size_t triangles = 0;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.has_triangle(t)) continue;
     if (detail::solid_degree(mesh, mesh.halfedge(t)) > 2) detail::throw_three_solid_edges();
-    ++left;
+    ++triangles;
   }
-  std::vector<bool> met(mesh.triangle_bound(), false);
-  std::size_t strips = 0;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.has_triangle(t) || met[t] || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
-    ++strips;
-    for (StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)}; at.continues;
-         at = strip_step(mesh, at.in)) {
-      met[detail::triangle_of(mesh, at.in)] = true;
-      --left;
-    }
-  }
+  const Strips strips = extract_strips(mesh);
   // If no triangle has three solid edges, a strip without an end is a cycle.
-  if (left != 0) detail::throw_solid_cycle();
-  return strips;
+  if (strips.order.size() != triangles) detail::throw_solid_cycle();
+  return strips.size();
 }
 
 template <NumberedMesh Mesh>
@@ -262,55 +254,20 @@ std::size_t strip_index_count(const Mesh& mesh, const Strips& strips) {
 template <NumberedMesh Mesh>
 std::vector<std::uint32_t> strip_indices(const Mesh& mesh) {
   RESTRIP_ASSERT(check_coloring(mesh).valid, "strip_indices", "the colouring is not valid");
-  if constexpr (std::same_as<Mesh, StripMesh>)
-    return detail::SidedWriter(mesh).run();
-  else
-    return strip_indices(mesh, extract_strips(mesh));
+  detail::StripWriter<Mesh> writer(mesh);
+  std::vector<bool> written(mesh.triangle_bound(), false);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.has_triangle(t) && !written[t] && detail::solid_degree(mesh, mesh.halfedge(t)) <= 1)
+      written[writer.write(t)] = true;
+  return writer.take();
 }
 
 template <NumberedMesh Mesh>
 std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips) {
   RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "strip_indices", detail::not_strips);
-  std::vector<std::uint32_t> indices;
-  indices.reserve(strips.order.size() + strips.order.size() / 2);
-  for (std::size_t s = 0; s < strips.size(); ++s) {
-    if (s != 0) indices.push_back(restart_index);
-    const std::span<const Triangle> strip = strips[s];
-    const std::size_t n = strip.size();
-    // Equal turns in a row cost a swap each, in either direction. A strip starts on an even place and is then free to
-    // turn left first; seen from its other end, its last turn is the first and has changed sides.
-    const auto turns_right = [&](std::size_t i) {
-      return mesh.next(mesh.opposite(detail::exit_to(mesh, strip[i - 1], strip[i]))) ==
-             detail::exit_to(mesh, strip[i], strip[i + 1]);
-    };
-    const bool backwards = n >= 3 && turns_right(1) && turns_right(n - 2);
-    const auto exit_of = [&](std::size_t i) {
-      return backwards ? detail::exit_to(mesh, strip[n - 1 - i], strip[n - 2 - i])
-                       : detail::exit_to(mesh, strip[i], strip[i + 1]);
-    };
-    // The first triangle ends in the edge over which it is left.
-    auto exit = n == 1 ? mesh.next(mesh.halfedge(strip[0])) : exit_of(0);
-    const auto corners = detail::corners_from(mesh, mesh.next(mesh.next(exit)));
-    indices.insert(indices.end(), corners.begin(), corners.end());
-    if (n == 1) continue;
-    // Each further triangle has the last two indices a, b and adds its third corner c, which leads over the edge (b,
-    // c). To leave over (a, c), a is repeated before c. A triangle entered over the halfedge `entry` is left over
-    // next(entry), a turn to the right, or over the third side, a turn to the left. (Seen from outside, the strip comes
-    // in across `entry` from the right of its direction to its left.)
-    auto entry = mesh.opposite(exit);
-    bool free_turn_left = true;
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      exit = exit_of(i);
-      const bool left = !(mesh.next(entry) == exit);
-      const std::uint32_t a = indices[indices.size() - 2];
-      if (left != free_turn_left) indices.push_back(a);
-      indices.push_back(detail::from_of(mesh, left ? exit : mesh.next(exit)));
-      free_turn_left = !left;
-      entry = mesh.opposite(exit);
-    }
-    indices.push_back(detail::from_of(mesh, mesh.next(mesh.next(entry))));
-  }
-  return indices;
+  detail::StripWriter<Mesh> writer(mesh);
+  for (std::size_t s = 0; s < strips.size(); ++s) writer.write(strips[s].front());
+  return writer.take();
 }
 
 }  // namespace restrip
