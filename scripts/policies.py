@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the copies of the table of policies (runtime/include/restrip/search/policy.hpp), or compares them with it (--check).
 
-The copies: README's table, the codes in restrip.h, the types of JavaScript, the names in Python.
+The copies: README's table, the codes in restrip.h, the types of JavaScript, the names in Python, the menus of the viewer.
 """
 import argparse
 import re
@@ -56,14 +56,22 @@ def quoted(listed, quote, between):
     return between.join(quote + row.name + quote for row in listed)
 
 
+def menu(listed):
+    """Of the policies that search after a rule; the default is selected."""
+    default = re.search(r"default_policy = Policy::(\w+);", (SEARCH / "effort.hpp").read_text())[1]
+    return "".join(f'            <option value="{row.name}"{" selected" * (row.name == default)}>{row.name}: {row.for_indices}</option>\n'
+                   for row in listed if row.for_indices not in ("nothing", "the same"))
+
+
 COPIES = [  # a file, what is before the copy, what is after it, and the copy
     ("README.md", r"<!-- tested: cross\.policies -->\n\|[^\n]*\n\|[^\n]*\n", r"<!-- /tested -->", readme),
     ("bindings/c/include/restrip.h", r"enum \{\n(?=  RESTRIP_POLICY_)", r"\};\n", c),
     ("bindings/js/restrip.d.ts", r"export type Policy = ", r" \| 'baked';", lambda listed: quoted(listed, "'", " | ")),
     ("bindings/python/src/restrip/__init__.py", r"\n_POLICIES = \{", r"\}\n", lambda listed: ", ".join(f'"{row.name}": {row.code}' for row in listed)),
     ("bindings/python/src/restrip/__init__.py", r"\nPolicy = Literal\[", r"\]\n", lambda listed: quoted(listed, '"', ", ")),
-    ("bindings/python/src/restrip/__init__.py", r"\nPolicy = Literal\[", r"\]\n", lambda listed: quoted(listed, '"', ", ")),
     ("bindings/python/src/restrip/__init__.py", r"    `policy` \(", r": docs/reference/policies\.md", lambda listed: quoted(listed, '"', ", ")),
+    ("web/viewer/viewer.html", r'<select id="policy">\n', r' *<option value="baked">', menu),
+    ("web/viewer/race.html", r'<select id="race-policy">\n', r" *</select>", menu),
 ]
 
 
