@@ -9,6 +9,7 @@ namespace restrip {
 class StripMesh;
 class LiveMesh;
 struct LiveOptions;
+struct BakedFile;
 class LiveBuffer;
 template <class Mesh>
 class Keeper;

@@ -16,7 +16,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +42,8 @@ struct LiveOptions {
   StripFormat format = {.width = IndexWidth::bits32};
   /// How strips in the buffer stay short and in order for a vertex cache.
   LayoutOptions layout = {};
+  /// Buffer and history begin with the first update(), as after begin_buffer(): for meshes that are not drawn yet.
+  bool deferred = false;
 };
 
 /// Can be moved, not copied; an object that was moved from can only be destroyed or assigned to. Each call throws what
@@ -58,6 +62,9 @@ class LiveMesh {
   /// Takes a mesh with its colours.
   explicit LiveMesh(StripMesh mesh, const LiveOptions& options = {})
       : LiveMesh(std::move(mesh), options, Colors::of_mesh) {}
+  /// Plays a progressive mesh with precomputed strips (formats/baked_file.hpp), from its base on. Policy, cost and
+  /// effort of the options are not used: operations of your own are done under Policy::local for fewest strips.
+  explicit LiveMesh(std::shared_ptr<const BakedFile> file, const LiveOptions& options = {});
   LiveMesh(LiveMesh&& other) noexcept;
   LiveMesh& operator=(LiveMesh&& other) noexcept;
   ~LiveMesh();
@@ -80,7 +87,29 @@ class LiveMesh {
   /// The same in the first orientation that fits, with this triangle as the first of the operation (places()).
   template <class Table>
   Checked apply_anywhere(const Table& table, Triangle triangle);
-  /// For idle time: see Keeper::improve. Returns the cost saved.
+
+  /// Another policy and cost for all later operations. Undo does not restore them. Linear time.
+  void keep(Policy policy, const Cost& cost);
+  /// Strips from scratch for the present mesh (stripify.hpp), for this cost; returns their number. The next update()
+  /// writes the whole buffer. A recolouring can be undone like an operation, and counts every triangle. Handles stay.
+  /// Like operations of your own, it leaves the levels of baked strips. Needs memory for a second mesh.
+  std::size_t recolor(Effort effort, const Cost& cost, std::uint64_t limit = 0);
+  /// The same with given colours: bit s of solid_sides[t] for side s of triangle t below triangle_bound(). Returns
+  /// false, and changes nothing, if they are not a valid colouring with 0 for numbers that are not triangles.
+  bool recolor(std::span<const std::uint8_t> solid_sides);
+
+  /// Baked strips: the file, or null.
+  [[nodiscard]] const BakedFile* baked() const noexcept;
+  /// The number of records that are played; none when the mesh has left its levels.
+  [[nodiscard]] std::optional<std::size_t> level() const noexcept;
+  /// Plays at most `most` records towards a level, which must exist, and returns their number: 0 if the mesh has left
+  /// its levels. A frame of them can be undone, and is in step again.
+  std::size_t move_to_level(std::size_t level, std::size_t most = (std::numeric_limits<std::size_t>::max)());
+  /// Goes back to level 0 from any state; the mesh must be baked. The next update() writes the whole buffer, and the
+  /// history begins again. Linear time.
+  void restart();
+
+  /// For idle time: see Keeper::improve. Returns the cost saved. Leaves the levels of baked strips.
   std::size_t improve(std::size_t budget);
   /// For idle time: moves strips in the buffer to places where a vertex cache misses less often, and returns the number
   /// of indices that this writes, at most some `budget`. Changes since the last update() count as a frame. Call
@@ -91,7 +120,8 @@ class LiveMesh {
   /// Upload::outgrown says that the buffer on the device is too small.
   Upload update(const RangeOptions& ranges = {});
   /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
-  /// restored exactly, and so are the indices of strips and their width. False when there is nothing to undo or redo.
+  /// restored exactly, and so are the indices of strips, their width and the level of baked strips: every later result
+  /// is the same as without the frame. False when there is nothing to undo or redo.
   /// Call update() next, which returns the ranges to upload. Your data of vertices is not restored, and the numbers of
   /// removed vertices are used again: save the data of a vertex before an operation that changes it. Time linear in
   /// what the frame changed; under the cost of strips and a policy that tunnels, linear in the mesh.
@@ -112,6 +142,10 @@ class LiveMesh {
   [[nodiscard]] std::size_t undoable() const noexcept;
   [[nodiscard]] std::size_t redoable() const noexcept;
 
+  /// Begins buffer and history again, in another format: the next update() writes and returns everything.
+  void begin_buffer(const StripFormat& format, const LayoutOptions& layout = {}, std::size_t history = 0);
+  /// Makes room for a mesh of this size, so that growing to it does not allocate (LiveBuffer::reserve).
+  void reserve(std::size_t triangles, std::size_t vertices);
   /// The buffer: see live_buffer.hpp. `indices` are empty when they have 16 bits.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept;
   [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept;
@@ -122,7 +156,9 @@ class LiveMesh {
 
   [[nodiscard]] const StripMesh& mesh() const noexcept;
   [[nodiscard]] std::size_t strips() const noexcept;
-  /// Counts of rules used and not used in all operations so far.
+  /// The triangles that have changed since the last update(), some more than once.
+  [[nodiscard]] std::span<const Triangle> changed() const noexcept;
+  /// Counts of rules used and not used in all operations so far, undone ones included.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept;
   /// The parts, for members that are not repeated here: include search/keeper.hpp, output/live_buffer.hpp.
   [[nodiscard]] Keeper<StripMesh>& keeper() noexcept;

@@ -7,76 +7,97 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "restrip/formats/baked_file.hpp"
 #include "restrip/impl/live_state.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/history.hpp"
+#include "restrip/mesh/split_record.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/buffer_history.hpp"
 #include "restrip/output/live_buffer.hpp"
+#include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip {
 
 struct LiveMesh::Parts {
-  using Totals = Keeper<StripMesh>::Totals;
+  using State = Keeper<StripMesh>::State;
   /// Of the mesh, its buffer and its keeper, which have the same frames.
   struct Histories {
-    Histories(const StripMesh& now, LiveBuffer& buffer_now, const Totals& totals_now, std::size_t most)
-        : mesh(now, most), buffer(buffer_now), totals{totals_now} {}
-    /// After the frame of the mesh, which could undo `undoable` frames before it.
-    void frame(const Totals& totals_now, std::size_t undoable) {
-      totals.resize(undoable + 1);
-      totals.push_back(totals_now);
-      while (totals.size() > mesh.undoable() + 1) totals.pop_front();
+    Histories(const StripMesh& now, LiveBuffer& buffer_now, const State& state, std::size_t most)
+        : mesh(now, most), buffer(buffer_now), states{state} {}
+    void frame(const StripMesh& now, LiveBuffer& buffer_now, std::span<const Triangle> changed, const State& state) {
+      const std::size_t undoable = mesh.undoable();
+      const bool is_frame = mesh.frame(now, changed);
+      buffer.frame(buffer_now, changed, is_frame, mesh.undoable());
+      if (!is_frame) {
+        states[undoable] = state;
+        return;
+      }
+      states.resize(undoable + 1);
+      states.push_back(state);
+      while (states.size() > mesh.undoable() + 1) states.pop_front();
     }
     History mesh;
     LiveHistory buffer;
-    std::deque<Totals> totals;  // at the beginning of the first frame and at the end of each
+    std::deque<State> states;  // at the beginning of the first frame and at the end of each
   };
 
-  Parts(StripMesh own, const LiveOptions& options)
-      : mesh(std::move(own)),
-        keeper(mesh, options.policy, options.cost),
+  Parts(StripMesh own, const LiveOptions& options, std::shared_ptr<const BakedFile> from = nullptr)
+      : file(std::move(from)),
+        mesh(std::move(own)),
+        keeper(file ? Keeper<StripMesh>(mesh, file->records) : Keeper<StripMesh>(mesh, options.policy, options.cost)),
         buffer(options.format, options.layout),
         most_history(options.history) {
-    mesh.watch(&changed);
+    if (options.deferred) return;
+    begin();
     buffer.rebuild(mesh);
-    if (most_history != 0) history.emplace(mesh, buffer, keeper.totals(), most_history);
+    begin_history();
   }
   Parts(StripMesh own, const LiveOptions& options, detail::LiveState::Reader& in)
       : mesh(std::move(own)),
         keeper(mesh, options.policy, options.cost),
         buffer(options.format, options.layout),
         most_history(options.history) {
-    mesh.watch(&changed);
+    begin();
     detail::LiveState::read_buffer(in, mesh, buffer);
     keeper.visit_state(in);
     in.expect_end();
-    if (most_history != 0) history.emplace(mesh, buffer, keeper.totals(), most_history);
+    begin_history();
+  }
+  /// The base of a baked mesh, with room for all levels.
+  static StripMesh base_of(const BakedFile& file) {
+    StripMesh base = file.mesh;
+    base.reserve(file.base.size() + 2 * file.splits.size(), file.points.size());
+    return base;
   }
 
+  void begin() noexcept { mesh.watch(&changed); }
+  void begin_history() {
+    if (most_history != 0) history.emplace(mesh, buffer, keeper.state(), most_history);
+    interrupted = false;
+  }
   [[nodiscard]] bool can_step() const noexcept { return history && !interrupted; }
   Upload end_frame(const RangeOptions& ranges) {
+    begin();
     if (std::exchange(undelivered, true)) buffer.keep_upload();
     if (interrupted) buffer.forget();
+    if (can_step() && !changed.empty()) history->buffer.before_update(buffer);
     const Upload upload = buffer.update(mesh, changed, ranges);
-    if (most_history != 0) {
-      if (std::exchange(interrupted, true)) {
-        history.emplace(mesh, buffer, keeper.totals(), most_history);
-      } else {
-        const std::size_t undoable = history->mesh.undoable();
-        const bool is_frame = history->mesh.frame(mesh, changed);
-        history->buffer.frame(buffer, changed, is_frame, history->mesh.undoable());
-        if (is_frame) history->frame(keeper.totals(), undoable);
-      }
+    if (std::exchange(interrupted, true)) {
+      begin_history();
+    } else {
+      if (history) history->frame(mesh, buffer, changed, keeper.state());
       interrupted = false;
     }
     changed.clear();
@@ -85,28 +106,63 @@ struct LiveMesh::Parts {
   std::size_t compact(std::size_t budget) {
     end_frame({});
     buffer.keep_upload();
-    return buffer.compact(mesh, budget);
+    interrupted = true;
+    const std::size_t written = buffer.compact(mesh, budget);
+    if (history) history->buffer.frame(buffer, changed, false, history->mesh.undoable());
+    interrupted = false;
+    return written;
   }
   bool step(bool forward) {
     if (most_history == 0) return false;
-    end_frame({});
+    end_frame({});  // which begins a history if there is none
     if ((forward ? history->mesh.redoable() : history->mesh.undoable()) == 0) return false;
     interrupted = true;
     const bool exact = forward ? history->buffer.redo(buffer) : history->buffer.undo(buffer);
     forward ? history->mesh.redo(mesh) : history->mesh.undo(mesh);
     if (exact) changed.clear();  // the buffer is up to date already
     interrupted = false;
-    keeper.return_to(history->totals[history->mesh.undoable()]);
+    keeper.return_to(history->states[history->mesh.undoable()]);
     return true;
   }
+  /// If memory runs out for the keeper, it reads the mesh before its next operation.
+  void recolor(std::span<const std::uint8_t> solid_sides) {
+    mesh.set_colors(solid_sides);
+    buffer.forget();
+    if (keeper.baked() != nullptr) keeper.baked()->leave_step();
+    keeper.rebuild();
+  }
+  std::size_t move_to_level(std::size_t level, std::size_t most) {
+    const auto* const player = keeper.baked();
+    if (player == nullptr || !player->in_step()) return 0;
+    RESTRIP_ASSERT(level <= file->splits.size(), "LiveMesh::move_to_level", "the level does not exist");
+    std::size_t played = 0;
+    for (; player->level() != level && played < most; ++played) {
+      const std::size_t at = player->level();
+      const SplitRecord& split = file->splits[at < level ? at : at - 1];
+      if (at < level)
+        keeper.split_record(at, spokes_of(mesh, split), split.v_t);
+      else
+        keeper.collapse_record(at - 1, mesh.spoke(split.v_s, split.v_t));
+    }
+    return played;
+  }
+  void restart() {
+    RESTRIP_ASSERT(file != nullptr, "LiveMesh::restart", "the mesh has no baked strips");
+    StripMesh base = base_of(*file);
+    interrupted = true;
+    mesh = std::move(base);
+    keeper.rebuild();  // also if no memory is left for the next line
+    keeper = Keeper<StripMesh>(mesh, file->records);
+  }
 
+  std::shared_ptr<const BakedFile> file;  // of a baked mesh
   StripMesh mesh;
   Keeper<StripMesh> keeper;
   std::vector<Triangle> changed;
   LiveBuffer buffer;
   std::size_t most_history;
   std::optional<Histories> history;
-  bool interrupted = false;  // by an exception, so that mesh, buffer and histories may be out of step
+  bool interrupted = true;   // mesh, buffer and histories may be out of step: not begun, or after an exception
   bool undelivered = false;  // the last frame has ended, but nothing was returned
 };
 
@@ -114,6 +170,8 @@ RESTRIP_INLINE LiveMesh::LiveMesh(StripMesh mesh, const LiveOptions& options, Co
   if (colors == Colors::from_scratch) stripify(mesh, options.effort, options.cost);
   parts_ = std::make_unique<Parts>(std::move(mesh), options);
 }
+RESTRIP_INLINE LiveMesh::LiveMesh(std::shared_ptr<const BakedFile> file, const LiveOptions& options)
+    : parts_(std::make_unique<Parts>(Parts::base_of(*file), options, file)) {}
 RESTRIP_INLINE LiveMesh::LiveMesh(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
 RESTRIP_INLINE LiveMesh::LiveMesh(LiveMesh&& other) noexcept = default;
 RESTRIP_INLINE LiveMesh& LiveMesh::operator=(LiveMesh&& other) noexcept = default;
@@ -132,6 +190,44 @@ RESTRIP_INLINE Checked LiveMesh::split_face(Halfedge h) { return checked_split_f
 RESTRIP_INLINE Checked LiveMesh::join_faces(Halfedge chord) { return checked_join_faces(parts_->keeper, chord); }
 RESTRIP_INLINE Checked LiveMesh::bisect(Halfedge h) { return checked_bisect(parts_->keeper, h); }
 RESTRIP_INLINE Checked LiveMesh::merge(Halfedge chord) { return checked_merge(parts_->keeper, chord); }
+RESTRIP_INLINE void LiveMesh::keep(Policy policy, const Cost& cost) { parts_->keeper.keep(policy, cost); }
+RESTRIP_INLINE std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit) {
+  StripMesh other = mesh();
+  const std::size_t strips = stripify(other, effort, cost, limit);
+  std::vector<std::uint8_t> solid_sides(other.triangle_bound(), 0);
+  for (Triangle t = 0; t < solid_sides.size(); ++t)
+    if (other.alive(t)) solid_sides[t] = static_cast<std::uint8_t>(other.solid_sides(t));
+  parts_->recolor(solid_sides);
+  return strips;
+}
+RESTRIP_INLINE bool LiveMesh::recolor(std::span<const std::uint8_t> solid_sides) {
+  if (solid_sides.size() != mesh().triangle_bound()) return false;
+  for (Triangle t = 0; t < solid_sides.size(); ++t)
+    for (unsigned side = 0; side < 8; ++side) {
+      if ((solid_sides[t] >> side & 1U) == 0) continue;
+      if (side > 2 || !mesh().alive(t)) return false;
+      const Halfedge across = mesh().opposite(StripMesh::halfedge(t, side));
+      if (StripMesh::on_boundary(across) ||
+          (std::uint32_t{solid_sides[StripMesh::triangle(across)]} >> StripMesh::side(across) & 1U) == 0)
+        return false;
+    }
+  StripMesh other = mesh();
+  other.set_colors(solid_sides);
+  if (!check_coloring(other).valid) return false;
+  parts_->recolor(solid_sides);
+  return true;
+}
+
+RESTRIP_INLINE const BakedFile* LiveMesh::baked() const noexcept { return parts_->file.get(); }
+RESTRIP_INLINE std::optional<std::size_t> LiveMesh::level() const noexcept {
+  const auto* const player = parts_->keeper.baked();
+  return player != nullptr && player->in_step() ? std::optional(player->level()) : std::nullopt;
+}
+RESTRIP_INLINE std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
+  return parts_->move_to_level(level, most);
+}
+RESTRIP_INLINE void LiveMesh::restart() { parts_->restart(); }
+
 RESTRIP_INLINE std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
 RESTRIP_INLINE std::size_t LiveMesh::compact(std::size_t budget) { return parts_->compact(budget); }
 
@@ -169,6 +265,23 @@ RESTRIP_INLINE std::size_t LiveMesh::redoable() const noexcept {
   return parts_->can_step() ? parts_->history->mesh.redoable() : 0;
 }
 
+RESTRIP_INLINE void LiveMesh::begin_buffer(const StripFormat& format, const LayoutOptions& layout,
+                                           std::size_t history) {
+  LiveBuffer buffer(format, layout);
+  parts_->mesh.watch(nullptr);
+  parts_->changed.clear();
+  parts_->history.reset();
+  parts_->most_history = history;
+  parts_->buffer = std::move(buffer);
+  parts_->interrupted = true;
+  parts_->undelivered = false;
+}
+RESTRIP_INLINE void LiveMesh::reserve(std::size_t triangles, std::size_t vertices) {
+  parts_->mesh.reserve(triangles, vertices);
+  parts_->buffer.reserve(triangles);
+  parts_->keeper.reserve(triangles);
+}
+
 RESTRIP_INLINE std::span<const std::uint32_t> LiveMesh::indices() const noexcept { return parts_->buffer.indices(); }
 RESTRIP_INLINE std::span<const std::uint16_t> LiveMesh::indices16() const noexcept {
   return parts_->buffer.indices16();
@@ -178,6 +291,7 @@ RESTRIP_INLINE std::size_t LiveMesh::index_bytes() const noexcept { return parts
 RESTRIP_INLINE std::size_t LiveMesh::room() const noexcept { return parts_->buffer.room(); }
 RESTRIP_INLINE const StripMesh& LiveMesh::mesh() const noexcept { return parts_->mesh; }
 RESTRIP_INLINE std::size_t LiveMesh::strips() const noexcept { return parts_->keeper.strips(); }
+RESTRIP_INLINE std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
 RESTRIP_INLINE const RuleCounts& LiveMesh::rule_counts() const noexcept { return parts_->keeper.rule_counts(); }
 RESTRIP_INLINE Keeper<StripMesh>& LiveMesh::keeper() noexcept { return parts_->keeper; }
 RESTRIP_INLINE const LiveBuffer& LiveMesh::buffer() const noexcept { return parts_->buffer; }

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -84,14 +85,27 @@ class BasicBufferHistory {
     if (buffer.rebuilt_) return note_all(buffer);
     for (const auto& [first, count] : buffer.written_)
       for (std::size_t i = first; i < first + count; ++i) cells_.push_back(static_cast<std::uint32_t>(i));
+    if (cells_.size() > 2 * buffer.cells_.size()) detail::sort_unique(cells_);  // however long no frame ends
     triangles_.insert(triangles_.end(), changed.begin(), changed.end());
     for (std::uint32_t i = 0; i < buffer.links_; ++i) triangles_.push_back(buffer.strip_[i].triangle);
+  }
+  /// Call it before the update of a frame: what was noted since the last frame, by compact() for example, then does not
+  /// belong to it. Its undo leaves that as it is.
+  void before_update(Buffer& buffer) {
+    if (cells_.empty() && triangles_.empty() && buffer.places_.changed_.empty() &&
+        buffer.places_.cursor() == last_.places_.cursor())
+      return;
+    Change change = take(buffer);
+    if (!change.empty()) between_.push_back(std::move(change));
   }
   /// Ends a frame, which contains all updates since the previous frame. Frames that were undone and not redone are
   /// dropped, and so are the oldest beyond `most`.
   void frame(Buffer& buffer, std::size_t most) {
     drop_undone();
-    frames_.push_back(take(buffer));
+    if (done_ != 0) std::move(between_.begin(), between_.end(), std::back_inserter(frames_.back()));
+    between_.clear();
+    frames_.emplace_back();
+    frames_.back().push_back(take(buffer));
     done_ = frames_.size();
     limit(most);
   }
@@ -110,13 +124,15 @@ class BasicBufferHistory {
   bool undo(Buffer& buffer) {
     forget_unframed(buffer);
     if (done_ == 0) return false;
-    put(frames_[--done_], buffer);
+    --done_;
+    std::for_each(frames_[done_].rbegin(), frames_[done_].rend(), [&](Change& change) { put(change, buffer); });
     return true;
   }
   bool redo(Buffer& buffer) {
     forget_unframed(buffer);
     if (done_ == frames_.size()) return false;
-    put(frames_[done_++], buffer);
+    for (Change& change : frames_[done_]) put(change, buffer);
+    ++done_;
     return true;
   }
   [[nodiscard]] std::size_t undoable() const noexcept { return done_; }
@@ -125,11 +141,12 @@ class BasicBufferHistory {
   [[nodiscard]] const Buffer& last() const noexcept { return last_; }
 
  private:
-  struct Frame {
+  struct Change {
     detail::Values<Index> cells;
     detail::Values<std::uint32_t> run_of;
     detail::Values<detail::RunPlaces::Place> places;
     detail::RunPlaces::Totals totals;
+    [[nodiscard]] bool empty() const noexcept { return cells.at.empty() && run_of.at.empty() && places.at.empty(); }
   };
 
   void note_all(const Buffer& buffer) {
@@ -145,40 +162,42 @@ class BasicBufferHistory {
     for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
     places.changed_.clear();
   }
-  Frame take(Buffer& buffer) {
+  Change take(Buffer& buffer) {
     const detail::RunPlaces& places = buffer.places_;
     read_places(buffer);
-    Frame frame;
-    frame.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
-    frame.run_of.take(triangles_, last_.run_of_, buffer.run_of_, Buffer::nothing);
-    frame.places.take(places_, last_.places_.places_, places.places_, {});
-    frame.totals = std::exchange(last_.places_.totals_, places.totals_);
-    return frame;
+    Change change;
+    change.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
+    change.run_of.take(triangles_, last_.run_of_, buffer.run_of_, Buffer::nothing);
+    change.places.take(places_, last_.places_.places_, places.places_, {});
+    change.totals = std::exchange(last_.places_.totals_, places.totals_);
+    return change;
   }
-  static void exchange(Frame& frame, Buffer& buffer) {
-    frame.cells.exchange_with(buffer.cells_, buffer.filling());
-    frame.run_of.exchange_with(buffer.run_of_, Buffer::nothing);
-    frame.places.exchange_with(buffer.places_.places_, {});
-    std::swap(frame.totals, buffer.places_.totals_);
+  static void exchange(Change& change, Buffer& buffer) {
+    change.cells.exchange_with(buffer.cells_, buffer.filling());
+    change.run_of.exchange_with(buffer.run_of_, Buffer::nothing);
+    change.places.exchange_with(buffer.places_.places_, {});
+    std::swap(change.totals, buffer.places_.totals_);
   }
-  // Writes a frame to the buffer and the copy; the next update returns its ranges.
-  void put(Frame& frame, Buffer& buffer) {
-    detail::make_room(buffer.written_, frame.cells.at.size() + 1);
-    buffer.mark((std::min)(frame.cells.size, buffer.cells_.size()), (std::max)(frame.cells.size, buffer.cells_.size()));
-    for (const std::uint32_t i : frame.cells.at) buffer.mark(i, i + std::size_t{1});
+  // Writes a change to the buffer and the copy; the next update returns its ranges.
+  void put(Change& change, Buffer& buffer) {
+    detail::make_room(buffer.written_, change.cells.at.size() + 1);
+    buffer.mark((std::min)(change.cells.size, buffer.cells_.size()),
+                (std::max)(change.cells.size, buffer.cells_.size()));
+    for (const std::uint32_t i : change.cells.at) buffer.mark(i, i + std::size_t{1});
     buffer.keep_ranges();
-    Frame copy = frame;
+    Change copy = change;
     exchange(copy, last_);
     const bool stale = std::exchange(buffer.stale_, true);  // in case memory runs out
-    exchange(frame, buffer);
+    exchange(change, buffer);
     buffer.stale_ = stale;
   }
   void forget_unframed(Buffer& buffer) {
-    Frame unframed = take(buffer);
-    put(unframed, buffer);
+    before_update(buffer);
+    for (; !between_.empty(); between_.pop_back()) put(between_.back(), buffer);
   }
 
-  std::deque<Frame> frames_;
+  std::deque<std::vector<Change>> frames_;
+  std::vector<Change> between_;       // since the last frame that is not undone
   std::size_t done_ = 0;              // frames that are not undone
   std::vector<std::uint32_t> cells_;  // that updates since may have changed
   std::vector<std::uint32_t> triangles_;
@@ -200,6 +219,13 @@ class LiveHistory {
     widened_ = wide_.has_value();
   }
 
+  /// As BufferHistory::before_update.
+  void before_update(LiveBuffer& buffer) {
+    if (widened_)
+      wide_->before_update(std::get<StripBuffer>(buffer.buffer()));
+    else if (narrow_)
+      narrow_->before_update(std::get<StripBuffer16>(buffer.buffer()));
+  }
   /// Ends a frame, after one update with `changed`. `is_frame`: whether the mesh has changed; `most`: frames that the
   /// history of the mesh can undo.
   void frame(LiveBuffer& buffer, std::span<const std::uint32_t> changed, bool is_frame, std::size_t most) {

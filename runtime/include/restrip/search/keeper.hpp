@@ -32,6 +32,7 @@
 // throw: searches try colours and undo them.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +66,9 @@ namespace detail {
 template <class Mesh>
 struct PlayerOf {
   void leave_step() const noexcept {}
+  void restart(std::size_t /*level*/) const noexcept {}
+  [[nodiscard]] bool in_step() const noexcept { return false; }
+  [[nodiscard]] std::size_t level() const noexcept { return 0; }
   using type = PlayerOf;
 };
 template <class Mesh>
@@ -158,20 +162,26 @@ class Keeper {
   /// Reads the mesh again. Linear time. Throws std::invalid_argument if its colouring is not valid; the keeper must
   /// then not be used until rebuild() succeeds.
   void rebuild();
-  /// What a keeper without a locator knows of its mesh.
-  struct Totals {
-    bool known = false;
+  /// What later results depend on besides the mesh, its colours, policy and cost.
+  struct State {
+    bool known = false;  ///< the counts
     std::size_t strips = 0;
     std::size_t swaps = 0;
     std::size_t isolated = 0;
+    Cost cost;
+    std::array<std::uint64_t, 11> searches{};
+    std::optional<std::size_t> level;  ///< of baked strips, in step
   };
-  [[nodiscard]] Totals totals() const noexcept { return {up_to_date_, strips_, swaps_, isolated_}; }
-  /// The same as rebuild() for a mesh that is again as it was when totals() returned these. Constant time for a keeper
-  /// without a locator, if they are known.
-  void return_to(const Totals& totals);
+  [[nodiscard]] State state() noexcept;
+  /// For a mesh that is again as it was when state() returned this: later results are the same as they were then.
+  /// Constant time for a keeper without a locator, if the cost is the same.
+  void return_to(const State& state);
+  /// Another policy and cost, from the next operation on; background work continues where it was, and baked strips are
+  /// no longer played. Linear time. Throws as the constructor does; nothing has changed then.
+  void keep(Policy policy, const Cost& cost);
   void reserve(std::size_t triangles) { locator_.reserve(triangles); }
-  /// Visits the numbers on which later results depend besides the mesh, its colours, policy and cost, and the counts of
-  /// rules, as std::uint64_t: for keepers that are saved and resumed. Rebuilds a keeper that is not up to date.
+  /// Visits the state and the counts of rules as std::uint64_t: for keepers that are saved and resumed. Rebuilds a
+  /// keeper that is not up to date.
   template <class Visit>
   void visit_state(Visit&& visit);
 
@@ -201,6 +211,8 @@ class Keeper {
   [[nodiscard]] std::uint64_t spent_by_improve() const noexcept { return descent_.counts().priced + windows_.spent(); }
 
  private:
+  template <class Visit>
+  void visit_searches(Visit&& visit);
   /// Whether the cost weighs swaps or isolated triangles.
   [[nodiscard]] bool weighs() const noexcept { return descent_.cost().swap != 0 || descent_.cost().isolated != 0; }
   [[nodiscard]] bool tunnels() const noexcept { return !weighs() && search_.states != 0; }

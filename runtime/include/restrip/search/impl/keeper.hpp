@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "restrip/search/keeper.hpp"
 
@@ -291,20 +292,43 @@ void Keeper<Mesh>::rebuild() {
 }
 
 template <class Mesh>
-void Keeper<Mesh>::return_to(const Totals& totals) {
-  if (tunnels() || !totals.known) return rebuild();
-  rounds_.restart();
-  unsettled_ = (std::numeric_limits<std::size_t>::max)();
-  strips_ = totals.strips;
-  swaps_ = totals.swaps;
-  isolated_ = totals.isolated;
-  up_to_date_ = true;
+typename Keeper<Mesh>::State Keeper<Mesh>::state() noexcept {
+  State state{up_to_date_, strips_, swaps_, isolated_, weights(), {}, {}};
+  auto next = state.searches.begin();
+  visit_searches([&](std::uint64_t& number) { *next++ = number; });
+  if (baked_ && baked_->in_step()) state.level = baked_->level();
+  return state;
+}
+template <class Mesh>
+void Keeper<Mesh>::return_to(const State& state) {
+  const bool same_cost = state.cost == weights();
+  if (tunnels() || !state.known || !same_cost) {
+    rebuild();
+  } else {
+    strips_ = state.strips;
+    swaps_ = state.swaps;
+    isolated_ = state.isolated;
+    up_to_date_ = true;
+  }
+  auto next = state.searches.begin();
+  visit_searches([&](std::uint64_t& number) { number = *next++; });
+  if (!same_cost) {
+    rounds_.restart();
+    unsettled_ = (std::numeric_limits<std::size_t>::max)();
+  }
+  if (baked_) state.level ? baked_->restart(*state.level) : baked_->leave_step();
+}
+template <class Mesh>
+void Keeper<Mesh>::keep(Policy policy, const Cost& cost) {
+  Keeper other(*mesh_, policy, cost);
+  other.return_to(state());
+  other.choice_.counts() = choice_.counts();
+  *this = std::move(other);
 }
 
 template <class Mesh>
 template <class Visit>
-void Keeper<Mesh>::visit_state(Visit&& visit) {
-  if (!up_to_date_) rebuild();
+void Keeper<Mesh>::visit_searches(Visit&& visit) {
   std::uint64_t next = next_;
   std::uint64_t unsettled = (std::min)(unsettled_, mesh_->triangle_bound());
   visit(next);
@@ -314,6 +338,12 @@ void Keeper<Mesh>::visit_state(Visit&& visit) {
   rounds_.visit_state(visit);
   windows_.visit_state(visit);
   window_.visit_state(visit);
+}
+template <class Mesh>
+template <class Visit>
+void Keeper<Mesh>::visit_state(Visit&& visit) {
+  if (!up_to_date_) rebuild();
+  visit_searches(visit);
   RuleCounts& counts = choice_.counts();
   for (std::uint64_t* const count : {&counts.asked, &counts.taken, &counts.kept, &counts.improved}) visit(*count);
 }
