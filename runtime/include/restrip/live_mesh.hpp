@@ -119,6 +119,8 @@ class LiveMesh {
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
   /// Upload::outgrown says that the buffer on the device is too small.
   Upload update(const RangeOptions& ranges = {});
+  /// Makes the next update() also return the ranges of the last one, for a caller that could not upload them.
+  void keep_upload() noexcept;
   /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
   /// restored exactly, and so are the indices of strips, their width and the level of baked strips: every later result
   /// is the same as without the frame. False when there is nothing to undo or redo.
@@ -162,6 +164,7 @@ class LiveMesh {
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept;
   /// The parts, for members that are not repeated here: include search/keeper.hpp, output/live_buffer.hpp.
   [[nodiscard]] Keeper<StripMesh>& keeper() noexcept;
+  [[nodiscard]] const Keeper<StripMesh>& keeper() const noexcept;
   [[nodiscard]] const LiveBuffer& buffer() const noexcept;
 
  private:

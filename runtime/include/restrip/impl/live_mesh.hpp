@@ -236,6 +236,7 @@ RESTRIP_INLINE Upload LiveMesh::update(const RangeOptions& ranges) {
   parts_->undelivered = false;
   return upload;
 }
+RESTRIP_INLINE void LiveMesh::keep_upload() noexcept { parts_->undelivered = true; }
 RESTRIP_INLINE bool LiveMesh::undo() { return parts_->step(false); }
 RESTRIP_INLINE bool LiveMesh::redo() { return parts_->step(true); }
 RESTRIP_INLINE std::vector<std::byte> LiveMesh::save() {
@@ -294,6 +295,7 @@ RESTRIP_INLINE std::size_t LiveMesh::strips() const noexcept { return parts_->ke
 RESTRIP_INLINE std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
 RESTRIP_INLINE const RuleCounts& LiveMesh::rule_counts() const noexcept { return parts_->keeper.rule_counts(); }
 RESTRIP_INLINE Keeper<StripMesh>& LiveMesh::keeper() noexcept { return parts_->keeper; }
+RESTRIP_INLINE const Keeper<StripMesh>& LiveMesh::keeper() const noexcept { return parts_->keeper; }
 RESTRIP_INLINE const LiveBuffer& LiveMesh::buffer() const noexcept { return parts_->buffer; }
 
 }  // namespace restrip

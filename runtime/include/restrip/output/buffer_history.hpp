@@ -221,10 +221,9 @@ class LiveHistory {
 
   /// As BufferHistory::before_update.
   void before_update(LiveBuffer& buffer) {
-    if (widened_)
-      wide_->before_update(std::get<StripBuffer>(buffer.buffer()));
-    else if (narrow_)
-      narrow_->before_update(std::get<StripBuffer16>(buffer.buffer()));
+    if (auto* strips = std::get_if<StripBuffer16>(&buffer.buffer())) narrow_->before_update(*strips);
+    if (auto* strips = std::get_if<StripBuffer>(&buffer.buffer()); strips != nullptr && widened_)
+      wide_->before_update(*strips);
   }
   /// Ends a frame, after one update with `changed`. `is_frame`: whether the mesh has changed; `most`: frames that the
   /// history of the mesh can undo.
