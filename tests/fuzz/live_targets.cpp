@@ -17,6 +17,7 @@
 #include "restrip/live_mesh.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/search/policy.hpp"
+#include "runtime/form_reader.hpp"
 #include "support/failing_new.hpp"
 #include "support/random_operations.hpp"
 #include "target.hpp"
@@ -25,7 +26,7 @@ namespace restrip::fuzz {
 namespace {
 
 using Halfedge = LiveMesh::Halfedge;
-using Corners = std::array<std::uint32_t, 3>;
+using sample::Corners;
 
 /// The bytes of the input one after the other, then zeros.
 class Input {
@@ -53,32 +54,6 @@ class Input {
 
 // ---- what is drawn
 
-Corners from_lowest(Corners corners) {
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
-
-/// Adds the triangles of one strip, without the degenerate ones. `restart` ends a strip.
-void add_strip(std::span<const std::uint32_t> indices, std::uint32_t restart, std::vector<Corners>& drawn) {
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] == restart) {
-      first = i + 1;
-      continue;
-    }
-    if (i < first + 2) continue;
-    Corners corners{indices[i - 2], indices[i - 1], indices[i]};
-    if ((i - first) % 2 != 0) std::swap(corners[0], corners[1]);
-    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
-      drawn.push_back(from_lowest(corners));
-  }
-}
-
-std::vector<Corners> sorted(std::vector<Corners> triangles) {
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
 /// The buffer on the device: written only by uploads, made again only when it is outgrown.
 struct Device {
   std::vector<std::byte> bytes;
@@ -101,33 +76,27 @@ struct Device {
     return narrow;
   }
   [[nodiscard]] std::vector<Corners> drawn(StripForm form, std::span<const IndexRange> draws) const {
-    std::vector<Corners> triangles;
-    for (const IndexRange& draw : draws) {
-      promise(draw.count <= room && draw.first <= room - draw.count, "draws lie within the buffer");
-      std::vector<std::uint32_t> indices(draw.count);
-      for (std::size_t i = 0; i < draw.count; ++i) indices[i] = index(draw.first + i);
-      const std::uint32_t restart = width == 4 ? 0xFFFFFFFF : 0xFFFF;
-      promise(form == StripForm::restart || std::count(indices.begin(), indices.end(), restart) == 0,
-              "only the form with restarts has the restart index");
-      if (form != StripForm::list) {
-        add_strip(indices, restart, triangles);
-        continue;
-      }
-      for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-        add_strip(std::span(indices).subspan(i, 3), restart, triangles);
+    const std::uint32_t restart = width == 4 ? 0xFFFFFFFF : 0xFFFF;
+    form_reader::Reader reader(bytes, width);
+    for (const auto& [first, count] : draws) {
+      promise(count <= room && first <= room - count, "draws lie within the buffer");
+      for (std::size_t i = first; form != StripForm::restart && i < first + count; ++i)
+        promise(index(i) != restart, "only the form with restarts has the restart index");
+      if (form == StripForm::list)
+        reader.list(first, count);
+      else
+        reader.strip(first, count, form == StripForm::restart);
     }
-    return sorted(std::move(triangles));
+    return std::move(reader).triangles();
   }
 };
 
 // ---- what the mesh is
 
 std::vector<Corners> triangles_of(const StripMesh& mesh) {
-  std::vector<Corners> triangles;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.has_triangle(t)) triangles.push_back(from_lowest(mesh.corners(t)));
+  std::vector<Corners> triangles = sample::triangles_of(mesh);
   promise(triangles.size() == mesh.triangle_count(), "triangles are counted");
-  return sorted(std::move(triangles));
+  return triangles;
 }
 
 /// Triangles by number with their corners, neighbours and colours, and the first spokes of the vertices.

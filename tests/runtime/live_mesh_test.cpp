@@ -8,18 +8,13 @@
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
+#include "sheets.hpp"
 
 namespace restrip {
 namespace {
 
-std::vector<std::uint32_t> list_of(const StripMesh& mesh) {
-  std::vector<std::uint32_t> list;
-  for (const DrawnTriangle& t : triangles_of(mesh)) list.insert(list.end(), t.begin(), t.end());
-  return list;
-}
-
 TEST(LiveMesh, RefinesAndCoarsensWithTheNumbersOfNewVertices) {
-  LiveMesh live(list_of(sample::torus(8, 8)), 64, {.history = 100'000});
+  LiveMesh live(sample::torus(8, 8), {.history = 100'000});
   const std::size_t before = live.mesh().triangle_count();
   const auto h = StripMesh::halfedge(5);
   const Vertex from = live.mesh().from(h);
@@ -54,15 +49,13 @@ TEST(LiveMesh, RefinesAndCoarsensWithTheNumbersOfNewVertices) {
 
 /// A sheet whose triangles are there twice, with opposite windings: few strips, and every operation is refused.
 TEST(LiveMesh, RefusesOperationsInATwoSidedSheet) {
-  std::vector<std::uint32_t> list = list_of(sample::rectangle(12, 12));
-  for (std::size_t i = 0, size = list.size(); i < size; i += 3)
-    list.insert(list.end(), {list[i + 1], list[i], list[i + 2]});
+  const sample::Triangles list = sample::with_backs(sample::triangles_of(sample::rectangle(12, 12)));
   BuildReport report;
   LiveMesh live(list, 13 * 13, {}, &report);
   EXPECT_GT(report.non_manifold_edges, 0U);
-  EXPECT_EQ(triangles_of_strips(live.indices()).size(), list.size() / 3);
-  EXPECT_LE(live.indices().size(), 14 * list.size() / 30);
-  for (Triangle t = 0; t < list.size() / 3; ++t)
+  EXPECT_EQ(triangles_of_strips(live.indices()).size(), list.size());
+  EXPECT_LE(live.indices().size(), 14 * list.size() / 10);
+  for (Triangle t = 0; t < list.size(); ++t)
     for (unsigned side = 0; side < 3; ++side) {
       const auto h = StripMesh::halfedge(t, side);
       for (const Checked& done : {live.collapse(h), live.flip(h), live.bisect(h)})
@@ -71,7 +64,7 @@ TEST(LiveMesh, RefusesOperationsInATwoSidedSheet) {
 }
 
 TEST(LiveMesh, OperationsByVerticesAndRefusals) {
-  LiveMesh live(list_of(sample::octahedron()), 6, {.history = 1000});
+  LiveMesh live(sample::octahedron(), {.history = 1000});
   const std::size_t before = live.mesh().triangle_count();
   EXPECT_EQ(live.collapse(live.edge(0, 77)).refusal, Refusal::no_such_edge);
   EXPECT_EQ(live.flip(live.edge(0, 1)).refusal, Refusal::no_such_edge);  // opposite vertices
@@ -83,13 +76,15 @@ TEST(LiveMesh, OperationsByVerticesAndRefusals) {
   EXPECT_FALSE(live.undo());
   EXPECT_TRUE(live.redo());
   EXPECT_EQ(live.mesh().triangle_count(), before + 2);
-  LiveMesh without(list_of(sample::octahedron()), 6);
+  LiveMesh without(sample::octahedron());
   EXPECT_FALSE(without.undo());
 }
 
 // The lines that the viewer's page prints for C++, as they are printed there.
 TEST(LiveMesh, LinesOfThePageKeepTheBufferInStep) {
-  const std::vector<std::uint32_t> triangles = list_of(sample::torus(20, 20));
+  std::vector<std::uint32_t> triangles;
+  for (const sample::Corners& c : sample::grid(20, 20, true, true, 1))
+    triangles.insert(triangles.end(), c.begin(), c.end());
   const std::size_t vertex_count = 400;
   const Vertex v = triangles[0];
   const Vertex w = triangles[1];

@@ -23,13 +23,6 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-std::vector<std::uint32_t> indices_of(const StripMesh& mesh) {
-  std::vector<std::uint32_t> list;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (const Vertex v : mesh.corners(t)) list.push_back(v);
-  return list;
-}
-
 /// Handles, corners, neighbours, colours and the next numbers; what is drawn; what has been counted.
 void expect_equal(LiveMesh& one, LiveMesh& other) {
   ASSERT_EQ(look_at(one.mesh()), look_at(other.mesh()));
@@ -70,7 +63,7 @@ void expect_same_results(const std::vector<Checked>& one, const std::vector<Chec
 void live_on(const LiveOptions& options, unsigned seed, int frames) {
   std::mt19937 random(seed);
   const StripMesh start = random() % 2 == 0 ? sample::torus(12, 10) : sample::rectangle(12, 9);
-  LiveMesh live(indices_of(start), start.vertex_bound(), options);
+  LiveMesh live(start, options);
   for (int i = 0; i < 20; ++i) {
     std::vector<Checked> results;
     frame(live, random, results);
@@ -118,7 +111,7 @@ TEST(LiveSave, ContinuesAsIfItHadNotBeenSaved) {
 }
 
 TEST(LiveSave, SavesInTheMiddleOfAFrameAndAfterUndo) {
-  LiveMesh live(indices_of(sample::torus(8, 8)), 64, {.history = 1000});
+  LiveMesh live(sample::torus(8, 8), {.history = 1000});
   ASSERT_TRUE(live.collapse(live.edge(0, 1)));
   LiveMesh loaded = LiveMesh::load(live.save());
   expect_equal(live, loaded);
@@ -184,7 +177,7 @@ Bytes sealed(Bytes bytes) {
 TEST(LiveSave, DamagedBytesAreRefused) {
   std::mt19937 random(7);
   for (const StripForm form : {StripForm::restart, StripForm::stitched, StripForm::list}) {
-    LiveMesh live(indices_of(sample::rectangle(4, 3)), 20, {.format = {.form = form}});
+    LiveMesh live(sample::rectangle(4, 3), {.format = {.form = form}});
     for (int i = 0; i < 30; ++i) operate_once(live, random);
     const Bytes bytes = live.save();
     ASSERT_EQ(refusal_of(bytes), "");
@@ -206,7 +199,7 @@ TEST(LiveSave, DamagedBytesAreRefused) {
 }
 
 TEST(LiveSave, RefusalsSayWhatIsWrong) {
-  LiveMesh live(indices_of(sample::rectangle(2, 2)), 9);
+  LiveMesh live(sample::rectangle(2, 2));
   const Bytes bytes = live.save();
   EXPECT_NE(refusal_of(Bytes(100)).find("not a saved LiveMesh"), std::string::npos);
   EXPECT_NE(refusal_of(std::span(bytes).first(11)).find("truncated"), std::string::npos);

@@ -149,17 +149,6 @@ TEST(Replay, FindsMissingAndTurnedTrianglesAndASplitThatDoesNotFit) {
   EXPECT_FALSE(report.valid());
 }
 
-TEST(Replay, LargeFansUnderEveryPolicy) {
-  const std::uint32_t spokes = test::large(1000);
-  const Soup soup = double_cone(spokes);
-  const Simplification simplification = simplify(soup);
-  for (const char* method : {"local", "quick", "full"}) {
-    const ReplayReport report = replay(PreparedMethod(method, simplification.mesh), soup.triangles, {10, 0, 1});
-    EXPECT_TRUE(report.valid());
-    EXPECT_EQ(report.triangles, 2 * spokes);
-  }
-}
-
 struct Real {
   const char* file;
   double least_per_strip;  ///< triangles per strip that policy `local` keeps at the finest level

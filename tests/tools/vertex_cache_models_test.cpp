@@ -96,28 +96,17 @@ TEST(VertexCacheModels, StripsBeatMeshoptimizersOnMadeMeshes) {
   expect_better_than_meshoptimizer(sample::rectangle(120, 80), "rectangle", margins);
 }
 
-void expect_better_than_meshoptimizer(const std::filesystem::path& file) {
+class RealVertexCaches : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealVertexCaches, StripsBeatMeshoptimizers) {
+  const auto file = REAL_MESH(GetParam());
   const Soup soup = read_mesh(file);
   expect_better_than_meshoptimizer(StripMesh::build(soup.triangles, soup.points.size()), file.string(),
                                    {{16, 100, 85, 107, 95}, {32, 95, 95, 106, 100}});
 }
 
-TEST(VertexCacheModels, StripsBeatMeshoptimizersOnTheBunny) {
-  const auto file = REAL_MESH("bunny.obj");
-  expect_better_than_meshoptimizer(file);
-}
-TEST(VertexCacheModels, StripsBeatMeshoptimizersOnNefertiti) {
-  const auto file = REAL_MESH("nefertiti.obj");
-  expect_better_than_meshoptimizer(file);
-}
-TEST(VertexCacheModels, StripsBeatMeshoptimizersOnTheFandisk) {
-  const auto file = REAL_MESH("fandisk.obj");
-  expect_better_than_meshoptimizer(file);
-}
-TEST(VertexCacheModels, StripsBeatMeshoptimizersOnTheRockerArm) {
-  const auto file = REAL_MESH("rocker-arm.obj");
-  expect_better_than_meshoptimizer(file);
-}
+INSTANTIATE_TEST_SUITE_P(VertexCacheModels, RealVertexCaches,
+                         testing::Values("bunny.obj", "nefertiti.obj", "fandisk.obj", "rocker-arm.obj"));
 
 }  // namespace
 }  // namespace restrip::tools

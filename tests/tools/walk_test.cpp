@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "common/shrink.hpp"
@@ -36,16 +37,6 @@ struct Operations : Maintainer {
 template <class Faulty>
 std::unique_ptr<Maintainer> begin(StripMesh& mesh) {
   return std::make_unique<Faulty>(mesh);
-}
-
-TEST(Walk, ClosedMesh) {
-  StripMesh mesh = stripified(make_mesh(2000));
-  const WalkReport report = walk(mesh, {20'000, 1, 2'000}, by("local"));
-  EXPECT_EQ(report.fault, "");
-  EXPECT_EQ(report.isolating, 0U);
-  EXPECT_GT(report.splits, 1000U);
-  EXPECT_GT(report.collapses, 1000U);
-  EXPECT_GT(report.flips, 1000U);
 }
 
 TEST(Walk, MeasuresLiveBuffers) {
@@ -92,6 +83,9 @@ TEST(Walk, EveryWay) {
         });
         EXPECT_EQ(report.fault, "") << method.name;
         EXPECT_GT(report.splits + report.collapses + report.flips + report.refused, 1'900U);
+        if (report.refused < 1'000) {
+          EXPECT_GT(std::min({report.splits, report.collapses, report.flips}), 100U) << method.name;
+        }
         if (report.refused < 1'000 && method.kind == Method::Kind::ours && cost == Cost::strips()) {
           EXPECT_EQ(report.isolating, 0U) << method.name;
         }
@@ -118,11 +112,6 @@ TEST(Walk, FindsCountersThatAreWrong) {
   };
   StripMesh mesh = stripified(make_mesh(500));
   EXPECT_NE(walk(mesh, {200, 2, 100}, begin<Meddles>).fault.find("but the keeper says"), std::string::npos);
-}
-
-TEST(Walk, MeshWithBoundary) {
-  StripMesh mesh = stripified(sheet(20));
-  EXPECT_EQ(walk(mesh, {20'000, 2, 2'000}, by("local")).fault, "");
 }
 
 TEST(Walk, TinyMeshes) {

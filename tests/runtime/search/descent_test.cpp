@@ -99,18 +99,6 @@ TEST(Descent, ChainsFindWhatSingleMovesDoNot) {
   EXPECT_GT(gained, 20);
 }
 
-TEST(Descent, DependsOnItsInputAlone) {
-  const auto outcome = [](Descent& descent) {
-    StripMesh mesh = sample::torus(20, 15);
-    stripify_fast(mesh);
-    descent.run(mesh, all_triangles(mesh), {.tries = 3, .worse = 1});
-    return strip_indices(mesh, extract_strips(mesh));
-  };
-  Descent descent;
-  const auto first = outcome(descent);
-  EXPECT_EQ(first, outcome(descent));  // after other work
-}
-
 TEST(Descent, KeepsToItsLimits) {
   constexpr std::uint64_t most_of_a_look = 5 * 18;  // a chain looks at four more triangles, once for each of its tries
   for (const std::uint32_t tries : {0U, 3U}) {

@@ -151,17 +151,5 @@ TEST(EndSearch, ReportsMovesToWatchers) {
   EXPECT_GT(quiet, 50U);
 }
 
-TEST(EndSearch, DependsOnItsInputAlone) {
-  const auto outcome = [](EndSearch& search) {
-    StripMesh mesh = sample::torus(20, 15);
-    stripify_fast(mesh);
-    run_everywhere(mesh, search, {.looks = 50, .length = 4, .worse = 1});
-    return strip_indices(mesh);
-  };
-  EndSearch search;
-  const auto first = outcome(search);
-  EXPECT_EQ(first, outcome(search));  // after other work
-}
-
 }  // namespace
 }  // namespace restrip

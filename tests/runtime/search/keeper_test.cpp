@@ -148,6 +148,14 @@ TEST(KeeperByCost, ContinuesInTheBackground) {
   EXPECT_LT(keeper.cost(), local_minimum - local_minimum / 20);
 }
 
+TEST(Keeper, OfAnEmptyMeshHasNothingToImprove) {
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const PolicyRow& row : policies) {
+      StripMesh mesh;
+      EXPECT_EQ(Keeper(mesh, row.policy, cost).improve(100'000), 0U) << row.name;
+    }
+}
+
 TEST(KeeperByCost, SameOperationsSameColours) {
   const auto outcome = [](Policy policy) {
     std::mt19937 random(23);

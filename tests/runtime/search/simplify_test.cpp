@@ -13,6 +13,8 @@
 #include <string>
 #include <utility>
 
+#include "sample_meshes.hpp"
+
 namespace restrip {
 namespace {
 
@@ -290,17 +292,6 @@ class Oracle {
   std::vector<Face> now_;
 };
 
-std::vector<Corners> corners_of(const StripMesh& mesh) {
-  std::vector<Corners> all;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) all.push_back(mesh.corners(t));
-  return all;
-}
-std::vector<Corners> sorted(std::vector<Corners> triangles) {
-  for (Corners& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
 StripMesh mesh_of(const Model& model) { return StripMesh::build(model.triangles, model.points.size()); }
 
 /// Simplifies and lets the oracle replay; `at_each` is called with the oracle after each collapse.
@@ -315,7 +306,7 @@ Simplifier expect_right(const Model& model, std::size_t wanted, BoundaryPolicy p
     if (!fault.empty()) break;
     at_each(oracle);
   }
-  EXPECT_EQ(sorted(oracle.triangles()), sorted(corners_of(simplifier.mesh())));
+  EXPECT_EQ(sample::sorted(oracle.triangles()), sample::triangles_of(simplifier.mesh()));
   const bool is_short = simplifier.mesh().triangle_count() > wanted;
   if (is_short) {
     const auto obstacles = simplifier.obstacles();
@@ -396,7 +387,7 @@ TEST(Simplify, CornersOfTheOutlineStayUntilNothingElseIsLeft) {
   const Model model = field(16, [&](unsigned, unsigned) { return 30 * random.unit(); });
   const Simplifier simplifier = expect_right(model, 12);
   std::set<Vertex> left;
-  for (const Corners& t : corners_of(simplifier.mesh())) left.insert(t.begin(), t.end());
+  for (const Corners& t : sample::triangles_of(simplifier.mesh())) left.insert(t.begin(), t.end());
   for (Vertex v = 0; v < model.points.size(); ++v) {
     const auto& [x, y, z] = model.points[v];
     if ((x == 0 || x == 16) && (y == 0 || y == 16)) {
@@ -410,7 +401,7 @@ TEST(Simplify, FlatRegionsGetNoNeedles) {
   const Model model = field(32, [](unsigned, unsigned) { return 0.0; });
   const Simplifier simplifier = expect_right(model, 300);
   double worst = 1;
-  for (const Corners& t : corners_of(simplifier.mesh())) {
+  for (const Corners& t : sample::triangles_of(simplifier.mesh())) {
     double longest = 0;
     for (unsigned i = 0; i < 3; ++i) {
       const Point& a = model.points[t[i]];

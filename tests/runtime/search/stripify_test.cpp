@@ -1,4 +1,4 @@
-// Strips from scratch by search are valid, the same every time, and the fewest possible; and no change of the searches
+// Strips from scratch are valid, the same every time, and the fewest possible; and no change of the searches
 // alters strips made for the cost of strips.
 #include "restrip/search/stripify.hpp"
 
@@ -22,17 +22,36 @@ TEST(StripifyFull, ReachesOneStripOnClosedMeshes) {
   EXPECT_TRUE(check_coloring(torus).valid);
 }
 
-TEST(StripifyFull, IsValidAndTheSameEveryTime) {
-  for (StripMesh& mesh : sample::meshes()) {
-    const std::size_t strips = stripify(mesh, Effort::full, Cost::strips(), 5000);
-    const ColoringReport report = check_coloring(mesh);
-    EXPECT_TRUE(report.valid);
-    EXPECT_EQ(report.strips, strips);
-    EXPECT_GE(strips, connected_components(mesh));
-    const Strips first = extract_strips(mesh);
-    EXPECT_EQ(stripify(mesh, Effort::full, Cost::strips(), 5000), strips);
-    EXPECT_EQ(extract_strips(mesh).order, first.order);
-  }
+// Deterministic: the earlier colours do not matter, the seed does.
+TEST(StripifyFull, EveryEffortIsValidCountedAndTheSameEveryTime) {
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const Effort effort : {Effort::fast, Effort::full, Effort::best}) {
+      for (StripMesh& mesh : sample::meshes()) {
+        const std::size_t strips = stripify(mesh, effort, cost, 5000);
+        const ColoringReport report = check_coloring(mesh);
+        EXPECT_TRUE(report.valid);
+        EXPECT_EQ(report.strips, strips);
+        EXPECT_GE(strips, connected_components(mesh));
+        const Strips first = extract_strips(mesh);
+        EXPECT_EQ(stripify(mesh, effort, cost, 5000), strips);
+        EXPECT_EQ(extract_strips(mesh).order, first.order);
+      }
+      StripMesh empty;
+      EXPECT_EQ(stripify(empty, effort, cost), 0U);
+    }
+  const auto order = [](std::uint64_t seed) {
+    StripMesh mesh = sample::torus(30, 20);
+    stripify(mesh, Effort::full, Cost::indices(), 0, seed);
+    return extract_strips(mesh).order;
+  };
+  EXPECT_NE(order(1), order(2));
+}
+
+TEST(StripifyFast, LeavesFewStrips) {
+  StripMesh sphere = sample::sphere(6);  // 32,768 triangles
+  EXPECT_LE(stripify(sphere, Effort::fast, Cost::strips()), 32768U / 200);
+  StripMesh torus = sample::torus(120, 100);  // 24,000 triangles, irregular
+  EXPECT_LE(stripify(torus, Effort::fast, Cost::strips()), 24000U / 100);
 }
 
 // A digest of the colours that no change of the searches may alter while strips alone have a weight.

@@ -1,5 +1,5 @@
-// Rounds of windows lower the cost and report the change, continue where they stopped, keep to their budget, are
-// deterministic, and end on a mesh without triangles. The reports are compared with the strips as they are written.
+// Rounds of windows lower the cost and report the change, continue where they stopped, and keep to their budget. The
+// reports are compared with the strips as they are written.
 #include "restrip/search/impl/window_rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -55,25 +55,6 @@ TEST(WindowRounds, KeepToTheirBudgetAndGoOnWhereTheyStopped) {
   }
   EXPECT_EQ(extract_strips(in_steps).order, extract_strips(at_once).order);
   EXPECT_EQ(steps.counts().tried, one_round.counts().tried);
-}
-
-TEST(WindowRounds, DependOnTheirArgumentsAlone) {
-  const auto order = [](std::uint64_t seed) {
-    StripMesh mesh = sample::torus(30, 20);
-    stripify(mesh, Effort::fast, Cost::indices());
-    WindowRounds rounds(Cost::indices(), seed);
-    rounds.run(mesh, 100'000);
-    return extract_strips(mesh).order;
-  };
-  EXPECT_EQ(order(1), order(1));
-  EXPECT_NE(order(1), order(2));
-}
-
-TEST(WindowRounds, EndOnAMeshWithoutTriangles) {
-  StripMesh mesh;
-  WindowRounds rounds;
-  rounds.run(mesh, WindowRounds::no_limit);
-  EXPECT_EQ(rounds.spent(), 0U);
 }
 
 }  // namespace
