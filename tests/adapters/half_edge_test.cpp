@@ -161,7 +161,8 @@ TEST(HalfEdgeMesh, HasCheckedOperations) {
   half_edge::Mesh mesh = copy_of(sample::rectangle(6, 5));
   stripify(mesh);
   expect_checked(mesh, mesh);
-  Keeper keeper(mesh, Policy::quick, Cost::indices());
+  Watched watched(mesh);
+  Keeper keeper(watched, Policy::quick, Cost::indices());
   expect_checked(mesh, keeper);
 }
 
@@ -265,7 +266,8 @@ TEST(HalfEdgeMesh, ChecksTrianglesBeforeItsOwnChecks) {
        {std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, {0, 1, 2}, {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}}) {
     half_edge::CheckedMesh mesh(corners);
     Watched watched(mesh);
-    Keeper keeper(watched, Policy::quick);
+    Watched<decltype(watched)> twice(watched);
+    Keeper keeper(twice, Policy::quick);
     std::size_t size = triangles_in(mesh);
     for (bool collapsed = true; collapsed;) {
       collapsed = false;

@@ -26,7 +26,7 @@ run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${
     -DCMAKE_CXX_COMPILER=${COMPILER} ${arguments})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
-if(WAY MATCHES "package|subdirectory")
+if(WAY STREQUAL "subdirectory")
   run(${SCRATCH}/build/header_only_consumer)
 endif()
 if(WAY STREQUAL "package")

@@ -261,55 +261,5 @@ TEST(Operations, GoingDownAndUpGivesTheSameHandles) {
   EXPECT_EQ(corners(), up);
 }
 
-// A vertex that was removed is used again, unless the caller has named it in the meantime.
-TEST(Operations, AFreeVertexIsGivenOutOnce) {
-  StripMesh mesh = sample::sphere(2);
-  const auto vertices = mesh.vertex_bound();
-  const auto split_at = [&](Vertex v, auto... name) {
-    const StripMesh::Halfedge h = mesh.spoke(v);
-    return split(mesh, Where{h, turn_ccw(mesh, turn_ccw(mesh, h)), Where::Spokes::both}, name...).halfedge;
-  };
-  const StripMesh::Halfedge chord = split_at(0);
-  const Vertex first = mesh.to(chord);
-  EXPECT_EQ(first, vertices);
-  collapse(mesh, chord);
-  EXPECT_EQ(mesh.spoke(first).id, none);
-  EXPECT_EQ(mesh.to(split_at(1, first)), first);
-  const StripMesh::Halfedge second = split_at(2);
-  EXPECT_EQ(mesh.to(second), vertices + 1);
-  collapse(mesh, second);
-  EXPECT_EQ(mesh.to(split_at(3)), vertices + 1);
-}
-
-TEST(Operations, RefusedOperationsSayWhy) {
-  StripMesh mesh = sample::octahedron();
-  const Halfedge h = StripMesh::halfedge(0, 0);
-  EXPECT_EQ(check_split(mesh, Where{h, h, Where::Spokes::both}), Refusal::same_spoke);
-  EXPECT_EQ(check_split(mesh, Where{h, mesh.opposite(h), Where::Spokes::both}), Refusal::different_vertices);
-  EXPECT_EQ(check_split(mesh, Where{h, h, Where::Spokes::left_only}), Refusal::spoke_on_boundary);
-  EXPECT_EQ(check_split(mesh, Where{}), Refusal::no_such_edge);
-  const StripMesh tetrahedron = sample::tetrahedron();
-  EXPECT_EQ(check_collapse(tetrahedron, h), Refusal::too_few_triangles);
-  EXPECT_EQ(check_flip(tetrahedron, h), Refusal::edge_exists);
-  const StripMesh pair = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}}, 4);
-  EXPECT_EQ(check_collapse(pair, pair.spoke(0, 2)), Refusal::joins_boundaries);
-  EXPECT_EQ(check_flip(pair, pair.spoke(0, 1)), Refusal::boundary_edge);
-  const StripMesh bow_tie = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 3, 4}}, 5);
-  EXPECT_EQ(check_collapse(bow_tie, bow_tie.spoke(0)), Refusal::non_manifold_vertex);
-  const StripMesh one = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}}, 3);
-  EXPECT_EQ(check_collapse(one, StripMesh::halfedge(0, 0)), Refusal::dangling_edge);
-  // Two adjacent hubs, 0 and 1, amid a ring of 80 that begins at vertex 2: 2 ... 42 are around 0, 42 ... 81 and 2
-  // around 1. Then one vertex of the ring stands for two, so that both hubs have it.
-  for (const Vertex both : {none, Vertex{22}}) {
-    std::vector<sample::Corners> fans{{0, 1, 2}, {1, 0, 42}};
-    const auto ring = [both](Vertex i) { return i == 60 && both != none ? both : i % 80 + 2; };
-    for (Vertex i = 0; i < 80; ++i) fans.push_back({i < 40 ? 0U : 1U, ring(i), ring(i + 1)});
-    const StripMesh hubs = StripMesh::build(fans, 82);
-    const Refusal expected = both == none ? Refusal::granted : Refusal::link_condition;
-    EXPECT_EQ(check_collapse(hubs, hubs.spoke(0, 1)), expected);
-    EXPECT_EQ(check_collapse(hubs, hubs.spoke(1, 0)), expected);
-  }
-}
-
 }  // namespace
 }  // namespace restrip
