@@ -12,7 +12,8 @@ int main(int argc, char** argv) {
       "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:Apply.Takes*:Apply.Refuses*:Apply.In*:KeptApply.KeepsPairs*:"
       "Checked.*:Checks.Handles*:Checks.AgreeOnEveryListOver*:Checks.AgreeOnRandom*:StripBuffer.AnUpdate*:Strips.*:"
       "ChunkLists.*:StripTrees.*:MarkedWords.*:*StripLocatorOf.AgreesAfterCuts*",
-      "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesW*:Absorb.Leaves*:Operations.LargeFans*:"
+      "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesW*:Checks.AgreeBetween*:Absorb.Leaves*:Operations."
+      "LargeFans*:"
       "Baked.OutOfOrder*:Baked.RoundTrips*",
       "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:Keeper.Changes*:"
       "InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:Keeper.IsRight*:"
