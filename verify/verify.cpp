@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <fstream>
 #include <map>
 #include <utility>
 
@@ -117,7 +117,7 @@ class Verification {
   void check_manifest() const {
     const double start = thread_seconds();
     const std::string file = options_.tables_dir + "/MANIFEST";
-    if (!std::filesystem::exists(file))
+    if (!std::ifstream(file))
       throw InputError(file, 0, "no such file: the tables are incomplete; generate them again");
     const std::vector<ManifestLine> manifest = parse_manifest(file, read_file(file));
     const auto report = [&](const char* claim, const char* method, const std::vector<std::string>& faults,
