@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <utility>
 
@@ -117,9 +116,15 @@ class Verification {
   void check_manifest() const {
     const double start = thread_seconds();
     const std::string file = options_.tables_dir + "/MANIFEST";
-    if (!std::ifstream(file))
-      throw InputError(file, 0, "no such file: the tables are incomplete; generate them again");
-    const std::vector<ManifestLine> manifest = parse_manifest(file, read_file(file));
+    const std::string text = [&file] {
+      try {
+        return read_file(file);
+      } catch (const files::FileError& fault) {
+        throw files::FileError(
+            fmt::format("{}. Without it the tables are incomplete; generate them again", fault.what()));
+      }
+    }();
+    const std::vector<ManifestLine> manifest = parse_manifest(file, text);
     const auto report = [&](const char* claim, const char* method, const std::vector<std::string>& faults,
                             double seconds) {
       Failures failures;
