@@ -36,10 +36,10 @@ struct LiveMesh::Parts {
   struct Histories {
     Histories(const StripMesh& now, LiveBuffer& buffer_now, const State& state, std::size_t most)
         : mesh(now, most), buffer(buffer_now), states{state} {}
-    void frame(const StripMesh& now, LiveBuffer& buffer_now, std::span<const Triangle> changed, const State& state) {
+    void frame(const StripMesh& now, LiveBuffer& buffer_now, std::span<const Triangle> triangles, const State& state) {
       const std::size_t undoable = mesh.undoable();
-      const bool is_frame = mesh.frame(now, changed);
-      buffer.frame(buffer_now, changed, is_frame, mesh.undoable());
+      const bool is_frame = mesh.frame(now, triangles);
+      buffer.frame(buffer_now, triangles, is_frame, mesh.undoable());
       if (!is_frame) {
         states[undoable] = state;
         return;
