@@ -29,17 +29,21 @@ static restrip_mesh* sheet(void) {
 
 static void print(const restrip_mesh* mesh) {
   restrip_coloring found;
-  size_t indices;
+  restrip_buffer* buffer;
+  restrip_buffer_view view;
+  const restrip_format format = {RESTRIP_FORM_RESTART, 16, 0, 0, 1};
   check(restrip_mesh_check(mesh, &found));
-  check(restrip_mesh_strip_indices_u16(mesh, NULL, 0,
-                                       &indices)); /* how many there are; a second call would fill an array */
-  printf("%d triangles, %d strips, %d indices\n", (int)found.triangles, (int)found.strips, (int)indices);
+  check(restrip_mesh_buffer(mesh, NULL, &format, &buffer));
+  check(restrip_buffer_read(buffer, &view));
+  printf("%d triangles, %d strips, %d indices\n", (int)found.triangles, (int)found.strips, (int)view.index_count);
+  restrip_buffer_free(buffer);
 }
 
 int main(void) {
+  const restrip_format format = {RESTRIP_FORM_RESTART, 16, 0, 0, 1};
   const restrip_range* ranges;
-  const void* indices;
-  size_t range_count, index_count, i, written = 0;
+  restrip_buffer_view view;
+  size_t range_count, i, written = 0;
   uint32_t v;
   int strips = 0;
   restrip_mesh* mesh = sheet();
@@ -50,8 +54,8 @@ int main(void) {
   print(mesh);
 
   check(restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, NULL));
-  check(restrip_live_begin(mesh, RESTRIP_STRIPS_U16));
-  check(restrip_live_update(mesh, &ranges, &range_count));
+  check(restrip_live_begin(mesh, &format, NULL, 0));
+  check(restrip_live_update(mesh, 2, 4, &ranges, &range_count, NULL));
   for (v = 0; restrip_mesh_triangle_count(mesh) > N * N; ++v) {
     restrip_change change;
     const restrip_halfedge spoke = restrip_mesh_spoke(mesh, v);
@@ -60,10 +64,10 @@ int main(void) {
   printf("collapses changed the number of strips by %+d\n", strips);
   print(mesh);
 
-  check(restrip_live_update(mesh, &ranges, &range_count)); /* what is to be copied to the device */
+  check(restrip_live_update(mesh, 2, 4, &ranges, &range_count, NULL)); /* what is to be copied to the device */
   for (i = 0; i < range_count; ++i) written += ranges[i].count;
-  check(restrip_live_indices(mesh, &indices, &index_count));
-  printf("live buffer: %s\n", written <= index_count && indices != NULL ? "in step" : "wrong");
+  check(restrip_live_buffer(mesh, &view, NULL));
+  printf("live buffer: %s\n", written <= view.index_count && view.indices != NULL ? "in step" : "wrong");
 
   v = (uint32_t)restrip_mesh_vertex_bound(mesh) - 1;
   printf("a flip at the corner: %s\n", restrip_describe(restrip_mesh_flip(mesh, restrip_mesh_spoke(mesh, v), NULL)));

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
@@ -28,32 +27,6 @@ inline std::vector<restrip_range> ranges_of(std::span<const IndexRange> ranges) 
   for (const IndexRange& range : ranges) made.push_back({range.first, range.count});
   return made;
 }
-
-/// The live buffer of a mesh.
-struct Live {
-  explicit Live(const StripFormat& format) : buffer(format) {}
-
-  LiveBuffer buffer;
-  std::vector<Triangle> changed;  // the list of changes of the mesh
-  std::vector<restrip_range> ranges;
-  std::vector<restrip_range> draws;
-  std::size_t budget = 0;  // of the history; 0: no history
-  std::optional<History> history;
-
-  /// Ends a frame of the history, or starts the history. After an exception it starts again.
-  void end_frame(const StripMesh& mesh) {
-    if (budget == 0) return;
-    try {
-      if (history)
-        history->frame(mesh, changed);
-      else
-        history.emplace(mesh, budget);
-    } catch (...) {
-      history.reset();
-      throw;
-    }
-  }
-};
 
 }  // namespace restrip::c
 
@@ -79,64 +52,15 @@ struct restrip_levels {
   std::vector<restrip_obstacle> obstacles;
 };
 
-/// A StripMesh, the keeper of its strips, and optional parts.
 struct restrip_mesh {
-  using Keeper = restrip::Keeper<restrip::StripMesh>;
+  explicit restrip_mesh(restrip::LiveMesh made) : live(std::move(made)) {}
+  [[nodiscard]] const restrip::StripMesh& mesh() const noexcept { return live.mesh(); }
 
-  // In this order: a keeper points to the mesh and the file, so a restrip_mesh stays where it is.
-  const std::unique_ptr<const restrip::BakedFile> file;  // of a baked mesh
-  restrip::StripMesh mesh;
-  std::unique_ptr<restrip::c::Live> live;
-  std::int32_t policy;
-  Keeper keeper;
-
-  explicit restrip_mesh(restrip::StripMesh built)
-      : mesh(std::move(built)), policy(static_cast<std::int32_t>(restrip::default_policy)), keeper(mesh) {}
-  explicit restrip_mesh(std::unique_ptr<const restrip::BakedFile> baked)
-      : file(std::move(baked)), mesh(base_of(*file)), policy(RESTRIP_POLICY_BAKED), keeper(mesh, file->records) {}
-  /// With room for all levels.
-  static restrip::StripMesh base_of(const restrip::BakedFile& file) {
-    restrip::StripMesh base = file.mesh;
-    base.reserve(file.base.size() + 2 * file.splits.size(), file.points.size());
-    return base;
-  }
-  restrip_mesh(const restrip_mesh&) = delete;
-  restrip_mesh& operator=(const restrip_mesh&) = delete;
-  ~restrip_mesh() = default;
-
-  /// Whether the mesh is at a baked level; false for meshes that are not baked, and under another policy.
-  [[nodiscard]] bool in_step() const noexcept { return keeper.baked() != nullptr && keeper.baked()->in_step(); }
-
-  /// Changes colours or the whole mesh without the keeper; keeper and live buffer are updated even after an exception.
-  /// The history starts again.
-  template <class Work>
-  void recolor(Work&& work) {
-    if (live) live->history.reset();
-    replace(work);
-  }
-  /// The same, but the history stays.
-  template <class Work>
-  void replace(Work&& work) {
-    struct Afterwards {
-      restrip_mesh* self;
-      ~Afterwards() {
-        if (self->live) self->mesh.watch(&self->live->changed);
-        // If memory runs out, the keeper reads the mesh before its next operation.
-        try {
-          self->keeper.rebuild();
-        } catch (...) {
-        }
-      }
-    };
-    const Afterwards afterwards{this};
-    mesh.watch(nullptr);
-    if (live) {
-      live->changed.clear();
-      live->buffer.forget();
-    }
-    if (keeper.baked() != nullptr) keeper.baked()->leave_step();
-    work(mesh);
-  }
+  restrip::LiveMesh live;
+  // What functions return until they are called again.
+  std::vector<restrip_range> ranges;
+  std::vector<restrip_range> draws;
+  std::vector<std::byte> saved;
 };
 
 namespace {
@@ -241,8 +165,9 @@ restrip_status build(const Index* indices, std::size_t index_count, std::size_t 
   return guarded([&] {
     BuildReport found;
     std::vector<std::uint32_t> places;
-    *out = new restrip_mesh(StripMesh::build(std::span<const Index>(indices, index_count), vertex_count, &found,
-                                             origin != nullptr ? &places : nullptr));
+    *out = new restrip_mesh(LiveMesh(StripMesh::build(std::span<const Index>(indices, index_count), vertex_count,
+                                                      &found, origin != nullptr ? &places : nullptr),
+                                     {.format = {}, .deferred = true}));
     if (report != nullptr) *report = report_of(found);
     std::copy(places.begin(), places.end(), origin);
     return RESTRIP_OK;
@@ -368,31 +293,30 @@ restrip_status simplify(const Index* indices, std::size_t index_count, const dou
   });
 }
 
-/// Ends the frame and undoes or redoes one, if any is left.
-restrip_status step(restrip_mesh* mesh, bool forward, std::int32_t* done) {
-  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->live) return RESTRIP_NOT_LIVE;
-  return guarded([&] {
-    restrip::c::Live& live = *mesh->live;
-    live.end_frame(mesh->mesh);
-    const auto& history = live.history;
-    const bool left = history && (forward ? history->redoable() : history->undoable()) != 0;
-    if (left) {
-      try {
-        mesh->replace([&](StripMesh& own) { forward ? live.history->redo(own) : live.history->undo(own); });
-      } catch (...) {
-        live.history.reset();
-        throw;
-      }
+/// Makes a mesh of bytes, or reports with what is wrong with them.
+template <class Read>
+restrip_status read_bytes(const void* bytes, std::size_t size, char* text, std::size_t text_size, restrip_mesh** out,
+                          Read&& read) {
+  if (out != nullptr) *out = nullptr;
+  if (out == nullptr || (bytes == nullptr && size != 0) || (text == nullptr && text_size != 0))
+    return RESTRIP_NULL_ARGUMENT;
+  tell({}, text, text_size);
+  return guarded([&]() -> restrip_status {
+    try {
+      *out = new restrip_mesh(read(std::span(static_cast<const std::byte*>(bytes), size)));
+    } catch (const std::invalid_argument& error) {
+      constexpr std::string_view prefix = "restrip: ";
+      const std::string_view what = error.what();
+      tell(what.starts_with(prefix) ? what.substr(prefix.size()) : what, text, text_size);
+      return RESTRIP_BAD_FILE;
     }
-    *done = left ? 1 : 0;
     return RESTRIP_OK;
   });
 }
 
 /// Whether h is a halfedge of the mesh.
 bool known(const restrip_mesh* mesh, restrip_halfedge h) noexcept {
-  return mesh != nullptr && mesh->mesh.alive(StripMesh::Halfedge{h});
+  return mesh != nullptr && mesh->mesh().alive(StripMesh::Halfedge{h});
 }
 
 // ---- operations
@@ -409,8 +333,8 @@ VertexSplit<StripMesh::Halfedge> where_of(restrip_halfedge left, restrip_halfedg
 /// buffer always have 16 bits and cannot name it.
 restrip_status indexable(const restrip_mesh& mesh, Refusal refusal, Vertex v_t = none) noexcept {
   if (refusal != Refusal::granted) return status_of(refusal);
-  if (!mesh.live || mesh.live->buffer.format().width != IndexWidth::bits16) return RESTRIP_OK;
-  return (v_t == none ? mesh.mesh.next_vertex() : v_t) > highest_index16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
+  if (mesh.live.buffer().format().width != IndexWidth::bits16) return RESTRIP_OK;
+  return (v_t == none ? mesh.mesh().next_vertex() : v_t) > highest_index16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
 }
 
 /// Does an operation if its check `allowed` it, and reports the change.
@@ -419,7 +343,7 @@ restrip_status done(restrip_mesh* mesh, restrip_status allowed, restrip_change* 
                     Operation&& operation) noexcept {
   if (allowed != RESTRIP_OK) return allowed;
   return guarded([&] {
-    const auto rewrite = operation(mesh->keeper);
+    const auto rewrite = operation(mesh->live.keeper());
     if (change != nullptr) *change = {rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
     return RESTRIP_OK;
   });
@@ -436,36 +360,30 @@ restrip_status fill(const std::vector<From>& all, Element* out, std::size_t capa
   return RESTRIP_OK;
 }
 
-template <class Index>
-restrip_status indices_of(const restrip_mesh* mesh, Index* out, std::size_t capacity, std::size_t* count) {
-  if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&]() -> restrip_status {
-    const std::vector<std::uint32_t> indices = strip_indices(mesh->mesh);
-    // Only the restart index does not fit; it is cut to all bits set.
-    constexpr std::uint32_t restart = std::numeric_limits<Index>::max();
-    if (std::any_of(indices.begin(), indices.end(), [](std::uint32_t i) { return i >= restart && i != restart_index; }))
-      return RESTRIP_TOO_LARGE;
-    return fill(indices, out, capacity, count);
-  });
-}
-
 // ---- rules
 
-/// The answer of rule_of() in a position that is `there`. `ports` remain.
-template <class RuleOf>
-restrip_status answered(bool there, std::uint64_t ports, restrip_answer* answer, RuleOf&& rule_of) noexcept {
-  if (answer == nullptr) return RESTRIP_NULL_ARGUMENT;
-  if (!there) return RESTRIP_BAD_ARGUMENT;
-  const Rule rule = rule_of();
-  if (!rule.valid) return RESTRIP_BAD_COLORING;
-  *answer = {rule.colors, ports, rule.strips};
-  return RESTRIP_OK;
+/// Whether the rule has this position.
+constexpr bool has_position(std::int32_t rule, std::uint32_t k, std::uint32_t i, std::uint32_t j) noexcept {
+  if (rule == RESTRIP_RULE_FLIP) return true;
+  if (rule < RESTRIP_RULE_SPLIT || rule > RESTRIP_RULE_FLIP || k > RESTRIP_LARGEST_FAN) return false;
+  if (rule <= RESTRIP_RULE_COLLAPSE) return 3 <= k && 1 <= i && i < k;
+  return 1 <= k && i <= k && (rule >= RESTRIP_RULE_BOUNDARY_SPLIT || (i < j && j <= k));
 }
-constexpr bool closed_place(std::uint32_t k, std::uint32_t a) noexcept {
-  return 3 <= k && k <= RESTRIP_LARGEST_FAN && 1 <= a && a < k;
-}
-constexpr bool open_place(std::uint32_t k, std::uint32_t i, std::uint32_t j) noexcept {
-  return 1 <= k && k <= RESTRIP_LARGEST_FAN && i <= j && j <= k;
+Rule rule_of(std::int32_t rule, std::uint32_t k, std::uint32_t i, std::uint32_t j, Word colors, Word ports) noexcept {
+  switch (rule) {
+    case RESTRIP_RULE_SPLIT:
+      return split_rule({k, i}, colors, ports);
+    case RESTRIP_RULE_COLLAPSE:
+      return collapse_rule({k, i}, colors, ports);
+    case RESTRIP_RULE_OPEN_SPLIT:
+      return open_split_rule({k, i, j}, colors, ports);
+    case RESTRIP_RULE_OPEN_COLLAPSE:
+      return open_collapse_rule({k, i, j}, colors, ports);
+    case RESTRIP_RULE_BOUNDARY_SPLIT:
+      return boundary_split_rule({k, i}, colors, ports);
+    default:
+      return boundary_collapse_rule({k, i}, colors, ports);
+  }
 }
 
 static_assert(RESTRIP_LARGEST_FAN == max_word_valence);
@@ -488,10 +406,9 @@ const char* restrip_describe(restrip_status status) {
       {RESTRIP_BAD_COLORING, "the colours are not a valid colouring"},
       {RESTRIP_TOO_LARGE, "there are more triangles or vertices than a mesh or its indices can hold"},
       {RESTRIP_TOO_SMALL, "the array is too short for the result"},
-      {RESTRIP_BAD_FILE, "the bytes are not a baked mesh, or are damaged"},
+      {RESTRIP_BAD_FILE, "the bytes are not a mesh that was saved or baked, or are damaged"},
       {RESTRIP_NOT_BAKED, "the mesh was not read from a baked mesh"},
       {RESTRIP_OUT_OF_STEP, "the mesh has left its baked levels: restart it"},
-      {RESTRIP_NOT_LIVE, "the mesh has no live buffer: call restrip_live_begin first"},
       {RESTRIP_OUT_OF_MEMORY, "there is not enough memory"},
       {RESTRIP_UNEXPECTED, "an error in restrip"},
   };
@@ -513,18 +430,18 @@ restrip_status restrip_mesh_build_u16(const std::uint16_t* indices, std::size_t 
 void restrip_mesh_free(restrip_mesh* mesh) { delete mesh; }
 
 std::size_t restrip_mesh_triangle_count(const restrip_mesh* mesh) {
-  return mesh == nullptr ? 0 : mesh->mesh.triangle_count();
+  return mesh == nullptr ? 0 : mesh->mesh().triangle_count();
 }
 std::size_t restrip_mesh_triangle_bound(const restrip_mesh* mesh) {
-  return mesh == nullptr ? 0 : mesh->mesh.triangle_bound();
+  return mesh == nullptr ? 0 : mesh->mesh().triangle_bound();
 }
 std::size_t restrip_mesh_vertex_bound(const restrip_mesh* mesh) {
-  return mesh == nullptr ? 0 : mesh->mesh.vertex_bound();
+  return mesh == nullptr ? 0 : mesh->mesh().vertex_bound();
 }
 restrip_status restrip_mesh_corners(const restrip_mesh* mesh, std::uint32_t t, std::uint32_t corners[3]) {
   if (any_null(mesh, corners)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->mesh.alive(t)) return RESTRIP_BAD_ARGUMENT;
-  const auto found = mesh->mesh.corners(t);
+  if (!mesh->mesh().alive(t)) return RESTRIP_BAD_ARGUMENT;
+  const auto found = mesh->mesh().corners(t);
   std::copy(found.begin(), found.end(), corners);
   return RESTRIP_OK;
 }
@@ -533,64 +450,48 @@ restrip_status restrip_mesh_corners(const restrip_mesh* mesh, std::uint32_t t, s
 
 restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, std::uint32_t v, std::uint32_t w) {
   const restrip_halfedge first = restrip_mesh_spoke(mesh, v);
-  return first == RESTRIP_NONE ? RESTRIP_NONE : mesh->mesh.spoke(v, w).id;
+  return first == RESTRIP_NONE ? RESTRIP_NONE : mesh->mesh().spoke(v, w).id;
 }
 restrip_halfedge restrip_mesh_spoke(const restrip_mesh* mesh, std::uint32_t v) {
-  return mesh == nullptr || v >= mesh->mesh.vertex_bound() ? RESTRIP_NONE : mesh->mesh.spoke(v).id;
+  return mesh == nullptr || v >= mesh->mesh().vertex_bound() ? RESTRIP_NONE : mesh->mesh().spoke(v).id;
 }
 restrip_halfedge restrip_mesh_next(const restrip_mesh* mesh, restrip_halfedge h) {
   return known(mesh, h) && !StripMesh::on_boundary({h}) ? StripMesh::next({h}).id : RESTRIP_NONE;
 }
 restrip_halfedge restrip_mesh_opposite(const restrip_mesh* mesh, restrip_halfedge h) {
-  return known(mesh, h) ? mesh->mesh.opposite({h}).id : RESTRIP_NONE;
+  return known(mesh, h) ? mesh->mesh().opposite({h}).id : RESTRIP_NONE;
 }
 std::uint32_t restrip_mesh_from(const restrip_mesh* mesh, restrip_halfedge h) {
-  return known(mesh, h) ? mesh->mesh.from({h}) : RESTRIP_NONE;
+  return known(mesh, h) ? mesh->mesh().from({h}) : RESTRIP_NONE;
 }
 std::uint32_t restrip_mesh_to(const restrip_mesh* mesh, restrip_halfedge h) {
-  return known(mesh, h) ? mesh->mesh.to({h}) : RESTRIP_NONE;
+  return known(mesh, h) ? mesh->mesh().to({h}) : RESTRIP_NONE;
 }
 std::uint32_t restrip_mesh_triangle(const restrip_mesh* mesh, restrip_halfedge h) {
   return known(mesh, h) && !StripMesh::on_boundary({h}) ? StripMesh::triangle({h}) : RESTRIP_NONE;
 }
 int restrip_mesh_solid(const restrip_mesh* mesh, restrip_halfedge h) {
-  return known(mesh, h) && mesh->mesh.solid({h}) ? 1 : 0;
+  return known(mesh, h) && mesh->mesh().solid({h}) ? 1 : 0;
 }
 
 // ---- colours
 
 restrip_status restrip_mesh_get_colors(const restrip_mesh* mesh, std::uint8_t* solid_sides, std::size_t size) {
   if (any_null(mesh, solid_sides)) return RESTRIP_NULL_ARGUMENT;
-  if (size < mesh->mesh.triangle_bound()) return RESTRIP_TOO_SMALL;
-  for (Triangle t = 0; t < mesh->mesh.triangle_bound(); ++t)
-    solid_sides[t] = mesh->mesh.alive(t) ? static_cast<std::uint8_t>(mesh->mesh.solid_sides(t)) : std::uint8_t{0};
+  if (size < mesh->mesh().triangle_bound()) return RESTRIP_TOO_SMALL;
+  for (Triangle t = 0; t < mesh->mesh().triangle_bound(); ++t)
+    solid_sides[t] = mesh->mesh().alive(t) ? static_cast<std::uint8_t>(mesh->mesh().solid_sides(t)) : std::uint8_t{0};
   return RESTRIP_OK;
 }
 restrip_status restrip_mesh_set_colors(restrip_mesh* mesh, const std::uint8_t* solid_sides, std::size_t size) {
   if (any_null(mesh, solid_sides)) return RESTRIP_NULL_ARGUMENT;
-  if (size != mesh->mesh.triangle_bound()) return RESTRIP_BAD_ARGUMENT;
-  return guarded([&]() -> restrip_status {
-    const StripMesh& now = mesh->mesh;
-    for (Triangle t = 0; t < size; ++t)
-      for (unsigned side = 0; side < 8; ++side) {
-        if ((solid_sides[t] >> side & 1U) == 0) continue;
-        if (side > 2 || !now.alive(t)) return RESTRIP_BAD_COLORING;
-        const auto across = now.opposite(StripMesh::halfedge(t, side));
-        if (StripMesh::on_boundary(across) ||
-            (std::uint32_t{solid_sides[StripMesh::triangle(across)]} >> StripMesh::side(across) & 1U) == 0)
-          return RESTRIP_BAD_COLORING;
-      }
-    StripMesh trial = now;  // not watched, so that colours go from one to the other without a report
-    trial.set_colors({solid_sides, size});
-    if (!check_coloring(trial).valid) return RESTRIP_BAD_COLORING;
-    mesh->recolor([&](StripMesh& own) { own.set_colors({solid_sides, size}); });
-    return RESTRIP_OK;
-  });
+  if (size != mesh->mesh().triangle_bound()) return RESTRIP_BAD_ARGUMENT;
+  return guarded([&] { return mesh->live.recolor({solid_sides, size}) ? RESTRIP_OK : RESTRIP_BAD_COLORING; });
 }
 restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* coloring) {
   if (any_null(mesh, coloring)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&] {
-    const ColoringReport report = check_coloring(mesh->mesh);
+    const ColoringReport report = check_coloring(mesh->mesh());
     *coloring = {report.triangles, report.strips, report.isolated, report.valid ? 1 : 0};
     return RESTRIP_OK;
   });
@@ -598,7 +499,7 @@ restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* co
 restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, std::size_t* strips) {
   if (any_null(mesh, strips)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&] {
-    *strips = mesh->keeper.up_to_date() ? mesh->keeper.strips() : count_strips(mesh->mesh);
+    *strips = mesh->live.keeper().up_to_date() ? mesh->live.strips() : count_strips(mesh->mesh());
     return RESTRIP_OK;
   });
 }
@@ -609,8 +510,7 @@ restrip_status restrip_mesh_stripify(restrip_mesh* mesh, std::int32_t effort, co
   Cost what;
   if (!named(effort, Effort::best, how) || !cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    std::size_t made = 0;
-    mesh->recolor([&](StripMesh& own) { made = stripify(own, how, what, limit); });
+    const std::size_t made = mesh->live.recolor(how, what, limit);
     if (strips != nullptr) *strips = made;
     return RESTRIP_OK;
   });
@@ -625,13 +525,14 @@ restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const 
   if (!named(policy, static_cast<Policy>(policies.size() - 1), how) || !cost_of(cost, what))
     return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    mesh->keeper = restrip_mesh::Keeper(mesh->mesh, how, what);
-    mesh->policy = policy;
+    mesh->live.keep(how, what);
     return RESTRIP_OK;
   });
 }
 std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
-  return mesh == nullptr ? RESTRIP_POLICY_BARE : mesh->policy;
+  if (mesh == nullptr) return RESTRIP_POLICY_BARE;
+  const auto& keeper = mesh->live.keeper();
+  return keeper.baked() != nullptr ? RESTRIP_POLICY_BAKED : static_cast<std::int32_t>(keeper.policy());
 }
 
 restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right, std::uint32_t v_t,
@@ -662,36 +563,36 @@ restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restri
 restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                         std::uint32_t v_t) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return indexable(*mesh, check_split(mesh->mesh, where_of(left, right), v_t), v_t);
+  return indexable(*mesh, check_split(mesh->mesh(), where_of(left, right), v_t), v_t);
 }
 restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return status_of(check_collapse(mesh->mesh, {h})); });  // allocates around large vertices
+  return guarded([&] { return status_of(check_collapse(mesh->mesh(), {h})); });  // allocates around large vertices
 }
 restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_flip(mesh->mesh, {h}));
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_flip(mesh->mesh(), {h}));
 }
 
 restrip_status restrip_mesh_check_split_face(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_split_face(mesh->mesh, {h}));
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_split_face(mesh->mesh(), {h}));
 }
 restrip_status restrip_mesh_check_join_faces(const restrip_mesh* mesh, restrip_halfedge h) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return status_of(check_join_faces(mesh->mesh, {h})); });  // as check_collapse
+  return guarded([&] { return status_of(check_join_faces(mesh->mesh(), {h})); });  // as check_collapse
 }
 restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_bisect(mesh->mesh, {h}));
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_bisect(mesh->mesh(), {h}));
 }
 restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return status_of(check_merge(mesh->mesh, {h})); });  // as check_collapse
+  return guarded([&] { return status_of(check_merge(mesh->mesh(), {h})); });  // as check_collapse
 }
 
 restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  if (mesh->in_step()) return RESTRIP_BAD_ARGUMENT;
+  if (mesh->live.level()) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    const std::size_t less = mesh->keeper.improve(budget);
+    const std::size_t less = mesh->live.improve(budget);
     if (saved != nullptr) *saved = less;
     return RESTRIP_OK;
   });
@@ -702,20 +603,12 @@ restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std:
 restrip_status restrip_mesh_strip_triangles(const restrip_mesh* mesh, std::uint32_t* triangles, std::size_t capacity,
                                             std::size_t* count) {
   if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return fill(extract_strips(mesh->mesh).order, triangles, capacity, count); });
+  return guarded([&] { return fill(extract_strips(mesh->mesh()).order, triangles, capacity, count); });
 }
 restrip_status restrip_mesh_strip_starts(const restrip_mesh* mesh, std::size_t* starts, std::size_t capacity,
                                          std::size_t* count) {
   if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return fill(extract_strips(mesh->mesh).start, starts, capacity, count); });
-}
-restrip_status restrip_mesh_strip_indices_u32(const restrip_mesh* mesh, std::uint32_t* indices, std::size_t capacity,
-                                              std::size_t* count) {
-  return indices_of(mesh, indices, capacity, count);
-}
-restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, std::uint16_t* indices, std::size_t capacity,
-                                              std::size_t* count) {
-  return indices_of(mesh, indices, capacity, count);
+  return guarded([&] { return fill(extract_strips(mesh->mesh()).start, starts, capacity, count); });
 }
 
 // ---- buffers in any form
@@ -739,8 +632,8 @@ restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_cache
   if (!format_of(format, wanted) || !cache_of(cache, target)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     const auto ordered = [&target](StripMesh own) { return strip_indices(own, strips_for_vertex_cache(own, target)); };
-    *buffer =
-        new restrip_buffer(format_strips(target.size == 0 ? strip_indices(mesh->mesh) : ordered(mesh->mesh), wanted));
+    *buffer = new restrip_buffer(
+        format_strips(target.size == 0 ? strip_indices(mesh->mesh()) : ordered(mesh->mesh()), wanted));
     return RESTRIP_OK;
   });
 }
@@ -760,181 +653,154 @@ void restrip_buffer_free(restrip_buffer* buffer) { delete buffer; }
 
 // ---- the live buffer
 
-restrip_status restrip_live_begin(restrip_mesh* mesh, std::int32_t form) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  if (form < RESTRIP_STRIPS_U32 || form > RESTRIP_LIST_U16) return RESTRIP_BAD_ARGUMENT;
-  const bool wide = form == RESTRIP_STRIPS_U32 || form == RESTRIP_LIST_U32;
-  const restrip_format format{form < RESTRIP_LIST_U32 ? RESTRIP_FORM_RESTART : RESTRIP_FORM_LIST, wide ? 32 : 16, 0, 0,
-                              0};
-  return restrip_live_begin_format(mesh, &format);
-}
-restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format) {
+restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_format* format, const restrip_layout* layout,
+                                  std::size_t history) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   StripFormat wanted;
-  if (!format_of(format, wanted) || wanted.most_vertices != 0 || wanted.most_indices != 0) return RESTRIP_BAD_ARGUMENT;
+  LayoutOptions how;
+  if (layout != nullptr) how = {layout->cache, layout->waste, layout->work};
+  if (!format_of(format, wanted) || wanted.most_vertices != 0 || wanted.most_indices != 0 || !how.in_range())
+    return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    mesh->live = std::make_unique<restrip::c::Live>(wanted);
-    mesh->mesh.watch(&mesh->live->changed);
+    mesh->live.begin_buffer(wanted, how, history);
     return RESTRIP_OK;
   });
 }
-restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, std::size_t* range_count) {
-  return restrip_live_update_with(mesh, RangeOptions().merge_gap, RangeOptions().align, ranges, range_count, nullptr);
-}
-restrip_status restrip_live_update_with(restrip_mesh* mesh, std::size_t merge_gap, std::size_t align,
-                                        const restrip_range** ranges, std::size_t* range_count,
-                                        std::int32_t* outgrown) {
+restrip_status restrip_live_update(restrip_mesh* mesh, std::size_t merge_gap, std::size_t align,
+                                   const restrip_range** ranges, std::size_t* range_count, std::int32_t* outgrown) {
   if (any_null(mesh, ranges, range_count)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->live) return RESTRIP_NOT_LIVE;
   if (align == 0 || (align != 2 && align % 4 != 0)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    restrip::c::Live& live = *mesh->live;
-    const Upload upload = live.buffer.update(mesh->mesh, live.changed, {merge_gap, align});
+    const Upload upload = mesh->live.update({merge_gap, align});
     try {
-      live.ranges = restrip::c::ranges_of(upload);
-      live.end_frame(mesh->mesh);
+      mesh->ranges = restrip::c::ranges_of(upload);
     } catch (...) {
-      live.buffer.keep_upload();  // the next update returns them
+      mesh->live.keep_upload();
       throw;
     }
-    live.changed.clear();
-    *ranges = live.ranges.data();
-    *range_count = live.ranges.size();
+    *ranges = mesh->ranges.data();
+    *range_count = mesh->ranges.size();
     if (outgrown != nullptr) *outgrown = upload.outgrown ? 1 : 0;
     return RESTRIP_OK;
   });
 }
 restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, std::size_t* room) {
   if (any_null(mesh, view)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->live) return RESTRIP_NOT_LIVE;
   return guarded([&] {
-    restrip::c::Live& live = *mesh->live;
+    const LiveBuffer& buffer = mesh->live.buffer();
     std::vector<IndexRange> draws;
-    live.buffer.draws(draws);
-    live.draws = restrip::c::ranges_of(draws);
-    *view = {live.buffer.bytes().data(),
-             live.buffer.size(),
-             static_cast<std::int32_t>(8 * live.buffer.index_bytes()),
-             static_cast<std::int32_t>(live.buffer.format().form),
-             live.draws.data(),
-             live.draws.size(),
-             mesh->mesh.triangle_count()};
-    if (room != nullptr) *room = live.buffer.room();
+    buffer.draws(draws);
+    mesh->draws = restrip::c::ranges_of(draws);
+    *view = {buffer.bytes().data(),
+             buffer.size(),
+             static_cast<std::int32_t>(8 * buffer.index_bytes()),
+             static_cast<std::int32_t>(buffer.format().form),
+             mesh->draws.data(),
+             mesh->draws.size(),
+             mesh->mesh().triangle_count()};
+    if (room != nullptr) *room = buffer.room();
     return RESTRIP_OK;
   });
 }
-restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, std::size_t* count) {
-  if (any_null(mesh, indices, count)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->live) return RESTRIP_NOT_LIVE;
-  *indices = mesh->live->buffer.bytes().data();
-  *count = mesh->live->buffer.size();
-  return RESTRIP_OK;
-}
-restrip_status restrip_live_history(restrip_mesh* mesh, std::size_t budget) {
+restrip_status restrip_live_compact(restrip_mesh* mesh, std::size_t budget, std::size_t* written) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->live) return RESTRIP_NOT_LIVE;
-  mesh->live->budget = budget;
-  mesh->live->history.reset();
-  return RESTRIP_OK;
+  return guarded([&] {
+    const std::size_t moved = mesh->live.compact(budget);
+    if (written != nullptr) *written = moved;
+    return RESTRIP_OK;
+  });
 }
-restrip_status restrip_live_undo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, false, done); }
-restrip_status restrip_live_redo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, true, done); }
+restrip_status restrip_live_undo(restrip_mesh* mesh, std::int32_t* done) {
+  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] { return *done = mesh->live.undo() ? 1 : 0, RESTRIP_OK; });
+}
+restrip_status restrip_live_redo(restrip_mesh* mesh, std::int32_t* done) {
+  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] { return *done = mesh->live.redo() ? 1 : 0, RESTRIP_OK; });
+}
 restrip_status restrip_live_history_size(const restrip_mesh* mesh, std::size_t* undoable, std::size_t* redoable) {
   if (any_null(mesh, undoable, redoable)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->live) return RESTRIP_NOT_LIVE;
-  const auto& history = mesh->live->history;
-  *undoable = history ? history->undoable() : 0;
-  *redoable = history ? history->redoable() : 0;
+  *undoable = mesh->live.undoable();
+  *redoable = mesh->live.redoable();
   return RESTRIP_OK;
 }
-restrip_status restrip_live_end(restrip_mesh* mesh) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  mesh->mesh.watch(nullptr);
-  mesh->live.reset();
-  return RESTRIP_OK;
+
+restrip_status restrip_mesh_save(restrip_mesh* mesh, const void** bytes, std::size_t* size) {
+  if (any_null(mesh, bytes, size)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    mesh->saved = mesh->live.save();
+    *bytes = mesh->saved.data();
+    *size = mesh->saved.size();
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_mesh_load(const void* bytes, std::size_t size, std::size_t history, char* text,
+                                 std::size_t text_size, restrip_mesh** mesh) {
+  return read_bytes(bytes, size, text, text_size, mesh,
+                    [history](std::span<const std::byte> all) { return LiveMesh::load(all, history); });
 }
 
 // ---- baked meshes
 
 restrip_status restrip_baked_read(const void* bytes, std::size_t size, char* text, std::size_t text_size,
                                   restrip_mesh** mesh) {
-  if (mesh != nullptr) *mesh = nullptr;
-  if (mesh == nullptr || (bytes == nullptr && size != 0) || (text == nullptr && text_size != 0))
-    return RESTRIP_NULL_ARGUMENT;
-  tell({}, text, text_size);
-  return guarded([&]() -> restrip_status {
-    auto file = std::make_unique<BakedFile>();
-    const std::string fault = read_baked({static_cast<const std::byte*>(bytes), size}, *file);
-    if (!fault.empty()) {
-      tell(fault, text, text_size);
-      return RESTRIP_BAD_FILE;
-    }
-    *mesh = new restrip_mesh(std::move(file));
-    return RESTRIP_OK;
+  return read_bytes(bytes, size, text, text_size, mesh, [](std::span<const std::byte> all) {
+    auto file = std::make_shared<BakedFile>();
+    const std::string fault = read_baked(all, *file);
+    if (!fault.empty()) throw std::invalid_argument(fault);
+    return LiveMesh(std::move(file), {.format = {}, .deferred = true});
   });
 }
 std::size_t restrip_baked_levels(const restrip_mesh* mesh) {
-  return mesh == nullptr || !mesh->file ? 0 : mesh->file->splits.size();
+  return mesh == nullptr || mesh->live.baked() == nullptr ? 0 : mesh->live.baked()->splits.size();
 }
 restrip_status restrip_baked_level(const restrip_mesh* mesh, std::size_t* level) {
   if (any_null(mesh, level)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->file) return RESTRIP_NOT_BAKED;
-  if (!mesh->in_step()) return RESTRIP_OUT_OF_STEP;
-  *level = mesh->keeper.baked()->level();
+  if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
+  if (!mesh->live.level()) return RESTRIP_OUT_OF_STEP;
+  *level = *mesh->live.level();
   return RESTRIP_OK;
 }
 restrip_status restrip_baked_move(restrip_mesh* mesh, std::size_t level, std::size_t most, std::size_t* done) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->file) return RESTRIP_NOT_BAKED;
-  if (level > mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
-  if (!mesh->in_step()) return RESTRIP_OUT_OF_STEP;
+  std::size_t now = 0;
+  if (const restrip_status status = restrip_baked_level(mesh, &now); status != RESTRIP_OK) return status;
+  if (level > mesh->live.baked()->splits.size()) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    std::size_t played = 0;
-    auto& keeper = mesh->keeper;
-    for (std::size_t at = keeper.baked()->level(); at != level && played < most; at = keeper.baked()->level()) {
-      ++played;
-      const SplitRecord& split = mesh->file->splits[at < level ? at : at - 1];
-      if (at < level)
-        keeper.split_record(at, spokes_of(mesh->mesh, split), split.v_t);
-      else
-        keeper.collapse_record(at - 1, mesh->mesh.spoke(split.v_s, split.v_t));
-    }
+    const std::size_t played = mesh->live.move_to_level(level, most);
     if (done != nullptr) *done = played;
     return RESTRIP_OK;
   });
 }
 restrip_status restrip_baked_restart(restrip_mesh* mesh) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->file) return RESTRIP_NOT_BAKED;
+  if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
   return guarded([&] {
-    StripMesh base = restrip_mesh::base_of(*mesh->file);
-    mesh->recolor([&](StripMesh& own) { own = std::move(base); });
-    mesh->keeper = restrip_mesh::Keeper(mesh->mesh, mesh->file->records);
-    mesh->policy = RESTRIP_POLICY_BAKED;
+    mesh->live.restart();
     return RESTRIP_OK;
   });
 }
 restrip_status restrip_baked_record(const restrip_mesh* mesh, std::size_t i, restrip_record* record) {
   if (any_null(mesh, record)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->file) return RESTRIP_NOT_BAKED;
-  if (i >= mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
-  *record = record_of(mesh->file->splits[i]);
+  if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
+  if (i >= restrip_baked_levels(mesh)) return RESTRIP_BAD_ARGUMENT;
+  *record = record_of(mesh->live.baked()->splits[i]);
   return RESTRIP_OK;
 }
 restrip_status restrip_baked_payload(const restrip_mesh* mesh, std::size_t i, const void** bytes, std::size_t* size) {
   if (any_null(mesh, bytes, size)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->file) return RESTRIP_NOT_BAKED;
-  if (i >= mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
-  const auto payload = mesh->file->payload[i];
+  if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
+  if (i >= restrip_baked_levels(mesh)) return RESTRIP_BAD_ARGUMENT;
+  const auto payload = mesh->live.baked()->payload[i];
   *bytes = payload.data();
   *size = payload.size();
   return RESTRIP_OK;
 }
 restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates, std::size_t* vertex_count) {
   if (any_null(mesh, coordinates, vertex_count)) return RESTRIP_NULL_ARGUMENT;
-  if (!mesh->file) return RESTRIP_NOT_BAKED;
-  *coordinates = mesh->file->points.empty() ? nullptr : mesh->file->points.front().data();
-  *vertex_count = mesh->file->points.size();
+  if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
+  const auto& points = mesh->live.baked()->points;
+  *coordinates = points.empty() ? nullptr : points.front().data();
+  *vertex_count = points.size();
   return RESTRIP_OK;
 }
 
@@ -962,39 +828,19 @@ void restrip_levels_free(restrip_levels* levels) { delete levels; }
 
 // ---- the rules by themselves
 
-restrip_status restrip_lookup_split(std::uint32_t k, std::uint32_t a, std::uint64_t loop, std::uint64_t ports,
-                                    restrip_answer* answer) {
-  return answered(closed_place(k, a), ports, answer, [=] { return split_rule({k, a}, loop, ports); });
-}
-restrip_status restrip_lookup_collapse(std::uint32_t k, std::uint32_t a, std::uint64_t inner, std::uint64_t ports,
-                                       restrip_answer* answer) {
-  return answered(closed_place(k, a), ports, answer, [=] { return collapse_rule({k, a}, inner, ports); });
-}
-restrip_status restrip_lookup_open_split(std::uint32_t k, std::uint32_t i, std::uint32_t j, std::uint64_t loop,
-                                         std::uint64_t ports, restrip_answer* answer) {
-  return answered(open_place(k, i, j) && i != j, ports, answer, [=] {
-    return open_split_rule({k, i, j}, loop, ports);
-  });
-}
-restrip_status restrip_lookup_open_collapse(std::uint32_t k, std::uint32_t i, std::uint32_t j, std::uint64_t inner,
-                                            std::uint64_t ports, restrip_answer* answer) {
-  return answered(open_place(k, i, j) && i != j, ports, answer, [=] {
-    return open_collapse_rule({k, i, j}, inner, ports);
-  });
-}
-restrip_status restrip_lookup_boundary_split(std::uint32_t k, std::uint32_t i, std::uint64_t loop, std::uint64_t ports,
-                                             restrip_answer* answer) {
-  return answered(open_place(k, i, i), ports, answer, [=] { return boundary_split_rule({k, i}, loop, ports); });
-}
-restrip_status restrip_lookup_boundary_collapse(std::uint32_t k, std::uint32_t i, std::uint64_t inner,
-                                                std::uint64_t ports, restrip_answer* answer) {
-  return answered(open_place(k, i, i), ports, answer, [=] { return boundary_collapse_rule({k, i}, inner, ports); });
-}
-restrip_status restrip_lookup_flip(std::uint64_t inner, std::uint64_t ports, restrip_answer* answer) {
+restrip_status restrip_lookup(std::int32_t rule, std::uint32_t k, std::uint32_t i, std::uint32_t j,
+                              std::uint64_t colors, std::uint64_t ports, restrip_answer* answer) {
   if (answer == nullptr) return RESTRIP_NULL_ARGUMENT;
-  if (inner > 1 || ports > 15) return RESTRIP_BAD_COLORING;
-  const FlipRule rule = flip_rule(inner != 0, static_cast<unsigned>(ports));
-  if (!rule.valid) return RESTRIP_BAD_COLORING;
-  *answer = {rule.inner ? Word{1} : Word{0}, rule.ports, rule.strips};
+  if (!has_position(rule, k, i, j)) return RESTRIP_BAD_ARGUMENT;
+  if (rule != RESTRIP_RULE_FLIP) {
+    const Rule found = rule_of(rule, k, i, j, colors, ports);
+    if (!found.valid) return RESTRIP_BAD_COLORING;
+    *answer = {found.colors, ports, found.strips};
+    return RESTRIP_OK;
+  }
+  if (colors > 1 || ports > 15) return RESTRIP_BAD_COLORING;
+  const FlipRule found = flip_rule(colors != 0, static_cast<unsigned>(ports));
+  if (!found.valid) return RESTRIP_BAD_COLORING;
+  *answer = {found.inner ? Word{1} : Word{0}, found.ports, found.strips};
   return RESTRIP_OK;
 }

@@ -123,7 +123,7 @@ TEST(CBaked, ACustomOperationLeavesTheLevels) {
   const Handle mesh = read(bytes);
   restrip_mesh* const m = mesh.get();
   const auto base = colors_of(m);
-  ASSERT_EQ(restrip_live_begin(m, RESTRIP_LIST_U32), RESTRIP_OK);
+  ASSERT_EQ(begin_live(m, RESTRIP_FORM_LIST, 32), RESTRIP_OK);
   for (const Leave& leave : ways) {
     ASSERT_EQ(restrip_baked_move(m, 50, SIZE_MAX, nullptr), RESTRIP_OK);
     // A refused operation leaves nothing.
@@ -201,7 +201,7 @@ TEST(CBaked, MemoryMayRunOut) {
   ASSERT_EQ(status, RESTRIP_OK);
   const Handle mesh(made);
   // Room for all levels was taken when it was read; a watch takes more.
-  ASSERT_EQ(restrip_live_begin(made, RESTRIP_STRIPS_U32), RESTRIP_OK);
+  ASSERT_EQ(begin_live(made, RESTRIP_FORM_RESTART, 32), RESTRIP_OK);
   std::size_t failures = 0;
   for_each_allocation([&] { status = restrip_baked_move(made, restrip_baked_levels(made), SIZE_MAX, nullptr); },
                       [&] {
@@ -210,7 +210,7 @@ TEST(CBaked, MemoryMayRunOut) {
                         ASSERT_EQ(restrip_baked_move(made, 0, SIZE_MAX, nullptr), RESTRIP_OUT_OF_STEP);
                         ASSERT_EQ(strip_count(made), counted(made).strips);
                         ASSERT_EQ(restrip_baked_restart(made), RESTRIP_OK);
-                        ASSERT_EQ(restrip_live_begin(made, RESTRIP_STRIPS_U32), RESTRIP_OK);
+                        ASSERT_EQ(begin_live(made, RESTRIP_FORM_RESTART, 32), RESTRIP_OK);
                         updated(made);
                       });
   ASSERT_EQ(status, RESTRIP_OK);

@@ -71,12 +71,34 @@ inline std::size_t strip_count(const restrip_mesh* mesh) {
   EXPECT_EQ(restrip_mesh_strip_count(mesh, &strips), RESTRIP_OK);
   return strips;
 }
+inline restrip_status begin_live(restrip_mesh* mesh, std::int32_t form, std::int32_t bits, std::size_t history = 0) {
+  const restrip_format format{form, bits, 0, 0, 1};
+  return restrip_live_begin(mesh, &format, nullptr, history);
+}
 /// Updates the live buffer.
 inline std::span<const restrip_range> updated(restrip_mesh* mesh) {
   const restrip_range* ranges = nullptr;
   std::size_t count = 0;
-  EXPECT_EQ(restrip_live_update(mesh, &ranges, &count), RESTRIP_OK);
+  EXPECT_EQ(restrip_live_update(mesh, 2, 4, &ranges, &count, nullptr), RESTRIP_OK);
   return {ranges, count};
+}
+/// As it is after the last update.
+inline restrip_buffer_view live_view(restrip_mesh* mesh) {
+  restrip_buffer_view view{};
+  EXPECT_EQ(restrip_live_buffer(mesh, &view, nullptr), RESTRIP_OK);
+  return view;
+}
+/// The strips with restarts, of 32 bits.
+inline std::vector<std::uint32_t> strips_of(const restrip_mesh* mesh) {
+  const restrip_format format{RESTRIP_FORM_RESTART, 32, 0, 0, 1};
+  restrip_buffer* buffer = nullptr;
+  restrip_buffer_view view{};
+  EXPECT_EQ(restrip_mesh_buffer(mesh, nullptr, &format, &buffer), RESTRIP_OK);
+  EXPECT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
+  const auto* const first = static_cast<const std::uint32_t*>(view.indices);
+  std::vector<std::uint32_t> indices(first, first + view.index_count);
+  restrip_buffer_free(buffer);
+  return indices;
 }
 
 }  // namespace restrip::c_test

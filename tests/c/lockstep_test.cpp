@@ -129,15 +129,6 @@ std::pair<Refusal, Rewrite<Halfedge>> apply(Keeper& keeper, const Move& move) {
   return {refusal, move.kind == Move::Kind::collapse ? keeper.collapse({move.a}) : refine(keeper, move)};
 }
 
-std::vector<std::uint32_t> indices_of(const restrip_mesh* mesh) {
-  std::size_t count = 0;
-  EXPECT_EQ(restrip_mesh_strip_indices_u32(mesh, nullptr, 0, &count), RESTRIP_OK);
-  std::vector<std::uint32_t> indices(count + 1);
-  EXPECT_EQ(restrip_mesh_strip_indices_u32(mesh, indices.data(), indices.size(), &count), RESTRIP_OK);
-  indices.resize(count);
-  return indices;
-}
-
 struct Tally {
   std::size_t done = 0;
   std::set<Move::Kind> kinds;  ///< of which some were done
@@ -196,7 +187,7 @@ void play_beside(restrip_mesh* mesh, Keeper& keeper, std::mt19937& random, Tally
     ASSERT_EQ(restrip_mesh_improve(mesh, 500, &saved), RESTRIP_OK);
     ASSERT_EQ(saved, keeper.improve(500));
     ASSERT_EQ(corners_of(mesh), corners_of(keeper.mesh()));
-    ASSERT_EQ(indices_of(mesh), strip_indices(keeper.mesh()));
+    ASSERT_EQ(strips_of(mesh), strip_indices(keeper.mesh()));
   });
 }
 
@@ -241,24 +232,23 @@ void upload(const void* indices, std::span<const restrip_range> ranges, std::siz
   }
 }
 
-void follow_live_buffer(int form, std::size_t width, bool list, std::mt19937& random) {
+void follow_live_buffer(std::int32_t form, std::int32_t bits, std::mt19937& random) {
   const Handle mesh = handle_of(sample::tube(9, 12));
+  const auto width = static_cast<std::size_t>(bits) / 8;
   std::vector<std::byte> device;
   const auto expect_drawn = [&] {
     const auto ranges = updated(mesh.get());
-    const void* indices = nullptr;
-    std::size_t size = 0;
-    ASSERT_EQ(restrip_live_indices(mesh.get(), &indices, &size), RESTRIP_OK);
-    device.resize(size * width);
-    upload(indices, ranges, width, device);
+    const restrip_buffer_view view = live_view(mesh.get());
+    device.resize(view.index_count * width);
+    upload(view.indices, ranges, width, device);
     form_reader::Reader reader(device, width);
-    if (list)
-      reader.list(0, size);
+    if (form == RESTRIP_FORM_LIST)
+      reader.list(0, view.index_count);
     else
-      reader.strip(0, size, true);
+      reader.strip(0, view.index_count, true);
     ASSERT_EQ(std::move(reader).triangles(), sorted_triangles(mesh.get()));
   };
-  ASSERT_EQ(restrip_live_begin(mesh.get(), form), RESTRIP_OK);
+  ASSERT_EQ(begin_live(mesh.get(), form, bits), RESTRIP_OK);
   for (int round = 0; round < 12; ++round) {
     expect_drawn();
     if (round == 4) {
@@ -271,17 +261,15 @@ void follow_live_buffer(int form, std::size_t width, bool list, std::mt19937& ra
     if (testing::Test::HasFatalFailure()) return;
   }
   device.clear();  // begun again in the middle
-  ASSERT_EQ(restrip_live_begin(mesh.get(), form), RESTRIP_OK);
+  ASSERT_EQ(begin_live(mesh.get(), form, bits), RESTRIP_OK);
   expect_drawn();
 }
 
 TEST(CInterface, ReportedRangesCoverAllChanges) {
   std::mt19937 random(18);
   for (int round = 0; round < 3; ++round) {
-    follow_live_buffer(RESTRIP_STRIPS_U32, 4, false, random);
-    follow_live_buffer(RESTRIP_STRIPS_U16, 2, false, random);
-    follow_live_buffer(RESTRIP_LIST_U32, 4, true, random);
-    follow_live_buffer(RESTRIP_LIST_U16, 2, true, random);
+    for (const std::int32_t form : {RESTRIP_FORM_RESTART, RESTRIP_FORM_LIST})
+      for (const std::int32_t bits : {16, 32}) follow_live_buffer(form, bits, random);
   }
 }
 
@@ -297,28 +285,23 @@ form_reader::Triangles read_view(const void* indices, std::size_t bytes, const r
   return std::move(reader).triangles();
 }
 
-/// Undo and redo restore triangles, numbers and colours exactly, and the buffer draws them. Strips from scratch start
-/// the history again.
+/// Undo and redo restore triangles, numbers, colours and indices exactly, also of strips from scratch.
 TEST(CInterface, FramesAreUndone) {
   std::mt19937 random(37);
   const Handle mesh = handle_of(sample::tube(9, 12));
   std::size_t undoable = 9;
   std::size_t redoable = 9;
   std::int32_t done = 9;
-  EXPECT_EQ(restrip_live_history(mesh.get(), 1000), RESTRIP_NOT_LIVE);
-  EXPECT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_NOT_LIVE);
-  EXPECT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_NOT_LIVE);
+  ASSERT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_OK);
+  EXPECT_EQ(undoable + redoable, 0U);
   ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
-  const restrip_format format{RESTRIP_FORM_RESTART, 32, 0, 0, 1};
-  ASSERT_EQ(restrip_live_begin_format(mesh.get(), &format), RESTRIP_OK);
   EXPECT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
   EXPECT_EQ(done, 0);
-  EXPECT_EQ(restrip_live_undo(mesh.get(), nullptr), RESTRIP_NULL_ARGUMENT);
-  ASSERT_EQ(restrip_live_history(mesh.get(), 1'000'000), RESTRIP_OK);
+  ASSERT_EQ(begin_live(mesh.get(), RESTRIP_FORM_RESTART, 32, 1'000'000), RESTRIP_OK);
+  EXPECT_EQ(live_view(mesh.get()).index_count, 0U);
   const auto end_frame = [&] {
     updated(mesh.get());
-    restrip_buffer_view view{};
-    ASSERT_EQ(restrip_live_buffer(mesh.get(), &view, nullptr), RESTRIP_OK);
+    const restrip_buffer_view view = live_view(mesh.get());
     ASSERT_EQ(read_view(view.indices, 4 * view.index_count, view), sorted_triangles(mesh.get()));
   };
   struct State {
@@ -362,10 +345,133 @@ TEST(CInterface, FramesAreUndone) {
     if (random() % 2 == 0) end_frame();
   }
   EXPECT_GT(states.size(), 5U);
-  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
+  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
   ASSERT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
-  EXPECT_EQ(done, 0);
+  EXPECT_EQ(done, 1);
+  EXPECT_EQ(state(), states[at]);
   end_frame();
+}
+
+/// What can be seen of a mesh and its buffer, in its place.
+struct Sight {
+  std::vector<Corners> corners;
+  std::vector<std::uint8_t> colors;
+  std::vector<std::byte> indices;
+  std::size_t strips;
+  explicit Sight(restrip_mesh* mesh) : corners(corners_of(mesh)), colors(colors_of(mesh)), strips(strip_count(mesh)) {
+    const restrip_buffer_view view = live_view(mesh);
+    const auto* const first = static_cast<const std::byte*>(view.indices);
+    indices.assign(first, first + view.index_count * static_cast<std::size_t>(view.index_bits) / 8);
+  }
+  bool operator==(const Sight&) const = default;
+};
+
+/// A frame of everything that changes a mesh. Returns what was reported.
+std::vector<std::int64_t> frame(restrip_mesh* mesh, std::mt19937& random) {
+  std::vector<std::int64_t> reported;
+  for (auto n = 1 + random() % 9; n > 0; --n) {
+    restrip_change change{};
+    const restrip_status status = apply(mesh, draw(mesh, random), &change);
+    reported.insert(reported.end(), {status, change.halfedge, change.strips, change.isolated});
+  }
+  std::size_t number = 0;
+  if (random() % 3 == 0) {
+    EXPECT_EQ(restrip_mesh_improve(mesh, random() % 2000, &number), RESTRIP_OK);
+  }
+  if (random() % 4 == 0) {
+    EXPECT_EQ(restrip_mesh_stripify(mesh, random() % 2, nullptr, 0, nullptr), RESTRIP_OK);
+  }
+  if (random() % 4 == 0) {
+    EXPECT_EQ(restrip_live_compact(mesh, random() % 300, &number), RESTRIP_OK);
+  }
+  updated(mesh);
+  reported.push_back(static_cast<std::int64_t>(number));
+  return reported;
+}
+
+/// Two meshes cannot be told apart when one has done and undone frames, or was saved and loaded, and the other was not.
+TEST(CInterface, UndoAndSavingLeaveNoTrace) {
+  std::mt19937 random(41);
+  for (int policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_FULL; ++policy)
+    for (const restrip_cost* cost : {&fewest_strips, &fewest_indices}) {
+      std::array<Handle, 2> twins{handle_of(sample::tube(9, 12)), handle_of(sample::tube(9, 12))};
+      for (const Handle& mesh : twins) {
+        ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, cost, 0, nullptr), RESTRIP_OK);
+        ASSERT_EQ(restrip_mesh_keep(mesh.get(), policy, cost), RESTRIP_OK);
+        ASSERT_EQ(begin_live(mesh.get(), policy % 3, 0, 1'000'000), RESTRIP_OK);
+        updated(mesh.get());
+      }
+      for (int round = 0; round < 12; ++round) {
+        restrip_mesh* const one = twins[0].get();
+        std::size_t before = 0;
+        std::size_t undoable = 0;
+        std::size_t redoable = 0;
+        ASSERT_EQ(restrip_live_history_size(one, &before, &redoable), RESTRIP_OK);
+        for (auto n = random() % 3; n > 0; --n) {
+          const Sight start(one);
+          std::uint32_t v = 0;  // a change, so that there is a frame
+          while (restrip_mesh_bisect(one, restrip_mesh_spoke(one, v), nullptr) != RESTRIP_OK) ++v;
+          frame(one, random);
+          ASSERT_EQ(restrip_live_history_size(one, &undoable, &redoable), RESTRIP_OK);
+          ASSERT_GT(undoable, before);
+          for (; undoable > before; --undoable) {
+            std::int32_t done = 0;
+            ASSERT_EQ(restrip_live_undo(one, &done), RESTRIP_OK);
+            ASSERT_EQ(done, 1);
+          }
+          ASSERT_EQ(Sight(one), start);
+        }
+        std::mt19937 same = random;
+        ASSERT_EQ(frame(one, random), frame(twins[1].get(), same));
+        ASSERT_EQ(Sight(one), Sight(twins[1].get())) << "policy " << policy;
+        if (round % 4 != 3) continue;
+        const void* bytes = nullptr;
+        std::size_t size = 0;
+        restrip_mesh* loaded = nullptr;
+        ASSERT_EQ(restrip_mesh_save(one, &bytes, &size), RESTRIP_OK);
+        ASSERT_EQ(restrip_mesh_load(bytes, size, 1'000'000, nullptr, 0, &loaded), RESTRIP_OK);
+        twins[1].reset(loaded);
+        ASSERT_EQ(restrip_mesh_policy(loaded), policy);
+        ASSERT_EQ(Sight(one), Sight(loaded));
+      }
+    }
+}
+
+TEST(CInterface, DamagedSavesAreRefused) {
+  const Handle mesh = handle_of(sample::octahedron());
+  const void* bytes = nullptr;
+  std::size_t size = 0;
+  ASSERT_EQ(restrip_mesh_save(mesh.get(), &bytes, &size), RESTRIP_OK);
+  std::string saved(static_cast<const char*>(bytes), size);
+  restrip_mesh* loaded = mesh.get();
+  char text[100];
+  EXPECT_EQ(restrip_mesh_load(saved.data(), size - 1, 0, text, sizeof text, &loaded), RESTRIP_BAD_FILE);
+  EXPECT_EQ(loaded, nullptr);
+  EXPECT_NE(std::string(text).find("truncated"), std::string::npos);
+  saved[size / 2] = static_cast<char>(saved[size / 2] ^ 1);
+  EXPECT_EQ(restrip_mesh_load(saved.data(), size, 0, nullptr, 0, &loaded), RESTRIP_BAD_FILE);
+  EXPECT_EQ(restrip_mesh_load("ply", 3, 0, text, sizeof text, &loaded), RESTRIP_BAD_FILE);
+  EXPECT_NE(std::string(text).find("not a saved"), std::string::npos);
+}
+
+/// Settings of the layout reach the buffer: without tolerance it is shorter, and a small cache gives another order.
+TEST(CInterface, LayoutsAreSettings) {
+  const auto length = [](const restrip_layout* layout) {
+    std::mt19937 random(43);
+    const Handle mesh = handle_of(sample::torus(30, 30));
+    EXPECT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, nullptr, 0, nullptr), RESTRIP_OK);
+    EXPECT_EQ(restrip_live_begin(mesh.get(), nullptr, layout, 0), RESTRIP_OK);
+    for (int round = 0; round < 30; ++round) {
+      updated(mesh.get());
+      play(mesh.get(), random, 10);
+    }
+    updated(mesh.get());
+    return live_view(mesh.get()).index_count;
+  };
+  const restrip_layout tight{0, 0, 100};
+  const restrip_layout loose{32, 500, 0};
+  EXPECT_LT(length(&tight), length(nullptr));
+  EXPECT_LT(length(nullptr), length(&loose));
 }
 
 /// Every form and width: live after random operations, of a mesh as it is, and of a list.
@@ -374,8 +480,7 @@ TEST(CInterface, BuffersInEveryForm) {
   for (std::int32_t form = RESTRIP_FORM_RESTART; form <= RESTRIP_FORM_LIST; ++form)
     for (const std::int32_t bits : {0, 16, 32}) {
       const Handle mesh = handle_of(sample::tube(9, 12));
-      const restrip_format format{form, bits, 0, 0, 1};
-      ASSERT_EQ(restrip_live_begin_format(mesh.get(), &format), RESTRIP_OK);
+      ASSERT_EQ(begin_live(mesh.get(), form, bits), RESTRIP_OK);
       std::vector<std::byte> device;
       restrip_buffer_view view{};
       for (int round = 0; round < 20; ++round) {
@@ -383,7 +488,7 @@ TEST(CInterface, BuffersInEveryForm) {
         std::size_t count = 0;
         std::int32_t outgrown = 0;
         std::size_t room = 0;
-        ASSERT_EQ(restrip_live_update_with(mesh.get(), 9, 16, &ranges, &count, &outgrown), RESTRIP_OK);
+        ASSERT_EQ(restrip_live_update(mesh.get(), 9, 16, &ranges, &count, &outgrown), RESTRIP_OK);
         ASSERT_EQ(restrip_live_buffer(mesh.get(), &view, &room), RESTRIP_OK);
         const auto width = static_cast<std::size_t>(view.index_bits) / 8;
         ASSERT_EQ(width, bits == 32 ? 4U : 2U);
@@ -482,16 +587,16 @@ TEST(CInterface, FormatsAreChecked) {
        {restrip_format{4, 0, 0, 0, 0}, {-1, 0, 0, 0, 0}, {0, 8, 0, 0, 0}, {0, 0, 2, 0, 0}, {0, 0, 0, 3, 0}})
     EXPECT_EQ(status_of(bad), RESTRIP_BAD_ARGUMENT);
   const restrip_format batches{RESTRIP_FORM_RESTART, 0, 64, 0, 0};
-  EXPECT_EQ(restrip_live_begin_format(mesh.get(), &batches), RESTRIP_BAD_ARGUMENT);
+  EXPECT_EQ(restrip_live_begin(mesh.get(), &batches, nullptr, 0), RESTRIP_BAD_ARGUMENT);
   for (const std::size_t most : {std::size_t{3}, SIZE_MAX / 2 + 1, SIZE_MAX - 3}) {  // whose sum is 0, among others
     const restrip_format opposite{RESTRIP_FORM_RESTART, 32, most, 0 - most, 0};
-    EXPECT_EQ(restrip_live_begin_format(mesh.get(), &opposite), RESTRIP_BAD_ARGUMENT);
+    EXPECT_EQ(restrip_live_begin(mesh.get(), &opposite, nullptr, 0), RESTRIP_BAD_ARGUMENT);
   }
-  ASSERT_EQ(restrip_live_begin_format(mesh.get(), nullptr), RESTRIP_OK);
+  ASSERT_EQ(restrip_live_begin(mesh.get(), nullptr, nullptr, 0), RESTRIP_OK);
   const restrip_range* ranges = nullptr;
   std::size_t count = 0;
   for (const std::size_t align : {0U, 3U, 6U})
-    EXPECT_EQ(restrip_live_update_with(mesh.get(), 0, align, &ranges, &count, nullptr), RESTRIP_BAD_ARGUMENT);
+    EXPECT_EQ(restrip_live_update(mesh.get(), 0, align, &ranges, &count, nullptr), RESTRIP_BAD_ARGUMENT);
   for (const double weight : {-1.0, 1000.5, std::nan("")}) {
     const restrip_cache cache{16, weight};
     EXPECT_EQ(restrip_mesh_buffer(mesh.get(), &cache, nullptr, &buffer), RESTRIP_BAD_ARGUMENT);
@@ -501,6 +606,8 @@ TEST(CInterface, FormatsAreChecked) {
   EXPECT_EQ(restrip_mesh_buffer(nullptr, nullptr, nullptr, &buffer), RESTRIP_NULL_ARGUMENT);
   EXPECT_EQ(restrip_buffer_read(nullptr, nullptr), RESTRIP_NULL_ARGUMENT);
   restrip_buffer_free(nullptr);
+  for (const restrip_layout bad : {restrip_layout{65, 95, 5}, {32, 1'000'001, 5}, {32, 95, 101}})
+    EXPECT_EQ(restrip_live_begin(mesh.get(), nullptr, &bad, 0), RESTRIP_BAD_ARGUMENT);
 }
 
 // A live buffer of 16 bits names vertices up to 65,534: an operation that would add the next one is refused, whether it
@@ -516,8 +623,7 @@ TEST(CInterface, OperationsKeepToSixteenBits) {
       mesh.get(), restrip_mesh_next(mesh.get(), restrip_mesh_next(mesh.get(), right)));  // turned counter-clockwise
   for (const std::int32_t bits : {16, 0}) {
     const restrip_status expected = bits == 16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
-    const restrip_format format{RESTRIP_FORM_RESTART, bits, 0, 0, 0};
-    ASSERT_EQ(restrip_live_begin_format(mesh.get(), &format), RESTRIP_OK);
+    ASSERT_EQ(begin_live(mesh.get(), RESTRIP_FORM_RESTART, bits), RESTRIP_OK);
     updated(mesh.get());
     const auto before = corners_of(mesh.get());
     EXPECT_EQ(restrip_mesh_check_split(mesh.get(), left, right, 65'536), expected);
@@ -537,13 +643,7 @@ TEST(CInterface, OperationsKeepToSixteenBits) {
 TEST(CInterface, BuffersOutDrawTheMesh) {
   const Handle mesh = handle_of(sample::sphere(2));
   ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_indices, 0, nullptr), RESTRIP_OK);
-  std::vector<std::uint16_t> small(restrip_mesh_triangle_count(mesh.get()) * 4);
   std::size_t count = 0;
-  ASSERT_EQ(restrip_mesh_strip_indices_u16(mesh.get(), small.data(), small.size(), &count), RESTRIP_OK);
-  small.resize(count);
-  form_reader::Reader reader(std::as_bytes(std::span(small)), 2);
-  reader.strip(0, small.size(), true);
-  EXPECT_EQ(std::move(reader).triangles(), form_reader::read_strips(indices_of(mesh.get())));
   std::vector<std::uint32_t> triangles(restrip_mesh_triangle_count(mesh.get()));
   std::vector<std::size_t> starts(strip_count(mesh.get()) + 1);
   ASSERT_EQ(restrip_mesh_strip_triangles(mesh.get(), triangles.data(), triangles.size(), &count), RESTRIP_OK);
@@ -566,24 +666,25 @@ TEST(CInterface, BuffersOutDrawTheMesh) {
 }
 
 /// Every place and every pair of masks, one bit too many included, against a rule of the library.
-template <class Valid, class Look, class RuleOf>
-std::size_t compare_rules(unsigned edges, unsigned ports, Valid&& expected_place, Look&& look, RuleOf&& rule_of) {
+template <class RuleOf>
+std::size_t compare_rules(std::int32_t rule, std::uint32_t k, std::uint32_t i, std::uint32_t j, unsigned edges,
+                          bool expected_place, RuleOf&& rule_of) {
   std::size_t answered = 0;
   for (std::uint64_t colors = 0; colors < std::uint64_t{2} << edges; ++colors)
-    for (std::uint64_t p = 0; p < std::uint64_t{2} << ports; ++p) {
+    for (std::uint64_t ports = 0; ports < std::uint64_t{2} << k; ++ports) {
       restrip_answer answer{};
-      const restrip_status status = look(colors, p, &answer);
+      const restrip_status status = restrip_lookup(rule, k, i, j, colors, ports, &answer);
       if (!expected_place) {
         EXPECT_EQ(status, RESTRIP_BAD_ARGUMENT);
         return 0;
       }
-      const Rule rule = rule_of(colors, p);
-      EXPECT_EQ(status, rule.valid ? RESTRIP_OK : RESTRIP_BAD_COLORING);
-      if (!rule.valid) continue;
+      const Rule expected = rule_of(colors, ports);
+      EXPECT_EQ(status, expected.valid ? RESTRIP_OK : RESTRIP_BAD_COLORING);
+      if (!expected.valid) continue;
       ++answered;
-      EXPECT_EQ(answer.colors, rule.colors);
-      EXPECT_EQ(answer.ports, p);
-      EXPECT_EQ(answer.strips, rule.strips);
+      EXPECT_EQ(answer.colors, expected.colors);
+      EXPECT_EQ(answer.ports, ports);
+      EXPECT_EQ(answer.strips, expected.strips);
     }
   return answered;
 }
@@ -594,48 +695,38 @@ TEST(CInterface, LookUpsAnswerAsTheRules) {
     for (std::uint32_t i = 0; i <= k + 1; ++i) {
       const bool closed = k >= 3 && i >= 1 && i < k;
       const SplitPosition at{k, i};
-      answered += compare_rules(
-          k, k, closed, [&](auto c, auto p, auto* a) { return restrip_lookup_split(k, i, c, p, a); },
-          [&](auto c, auto p) { return split_rule(at, c, p); });
-      answered += compare_rules(
-          k + 3, k, closed, [&](auto c, auto p, auto* a) { return restrip_lookup_collapse(k, i, c, p, a); },
-          [&](auto c, auto p) { return collapse_rule(at, c, p); });
-      const bool gap = k >= 1 && i <= k;
-      answered += compare_rules(
-          k, k, gap, [&](auto c, auto p, auto* a) { return restrip_lookup_boundary_split(k, i, c, p, a); },
-          [&](auto c, auto p) {
-            return boundary_split_rule({k, i}, c, p);
-          });
-      answered += compare_rules(
-          k, k, gap, [&](auto c, auto p, auto* a) { return restrip_lookup_boundary_collapse(k, i, c, p, a); },
-          [&](auto c, auto p) {
-            return boundary_collapse_rule({k, i}, c, p);
-          });
+      const Gap gap{k, i};
+      answered +=
+          compare_rules(RESTRIP_RULE_SPLIT, k, i, 0, k, closed, [&](auto c, auto p) { return split_rule(at, c, p); });
+      answered += compare_rules(RESTRIP_RULE_COLLAPSE, k, i, 0, k + 3, closed,
+                                [&](auto c, auto p) { return collapse_rule(at, c, p); });
+      answered += compare_rules(RESTRIP_RULE_BOUNDARY_SPLIT, k, i, 0, k, k >= 1 && i <= k,
+                                [&](auto c, auto p) { return boundary_split_rule(gap, c, p); });
+      answered += compare_rules(RESTRIP_RULE_BOUNDARY_COLLAPSE, k, i, 0, k, k >= 1 && i <= k,
+                                [&](auto c, auto p) { return boundary_collapse_rule(gap, c, p); });
       for (std::uint32_t j = 0; j <= k + 1; ++j) {
         const bool gaps = k >= 1 && i < j && j <= k;
-        answered += compare_rules(
-            k, k, gaps, [&](auto c, auto p, auto* a) { return restrip_lookup_open_split(k, i, j, c, p, a); },
-            [&](auto c, auto p) {
-              return open_split_rule({k, i, j}, c, p);
-            });
-        answered += compare_rules(
-            k + 2, k, gaps, [&](auto c, auto p, auto* a) { return restrip_lookup_open_collapse(k, i, j, c, p, a); },
-            [&](auto c, auto p) {
-              return open_collapse_rule({k, i, j}, c, p);
-            });
+        const GapPair both{k, i, j};
+        answered += compare_rules(RESTRIP_RULE_OPEN_SPLIT, k, i, j, k, gaps,
+                                  [&](auto c, auto p) { return open_split_rule(both, c, p); });
+        answered += compare_rules(RESTRIP_RULE_OPEN_COLLAPSE, k, i, j, k + 2, gaps,
+                                  [&](auto c, auto p) { return open_collapse_rule(both, c, p); });
       }
     }
   EXPECT_GT(answered, 10'000U);
   restrip_answer answer{};
-  EXPECT_EQ(restrip_lookup_split(62, 3, 0, 0, &answer), RESTRIP_BAD_ARGUMENT);
-  ASSERT_EQ(restrip_lookup_split(61, 3, 0, 0, &answer), RESTRIP_OK);
+  for (const std::int32_t wrong : {-1, 7})
+    EXPECT_EQ(restrip_lookup(wrong, 4, 1, 2, 0, 0, &answer), RESTRIP_BAD_ARGUMENT);
+  EXPECT_EQ(restrip_lookup(RESTRIP_RULE_SPLIT, 62, 3, 0, 0, 0, &answer), RESTRIP_BAD_ARGUMENT);
+  ASSERT_EQ(restrip_lookup(RESTRIP_RULE_SPLIT, 61, 3, 0, 0, 0, &answer), RESTRIP_OK);
   EXPECT_EQ(answer.colors, split_rule({61, 3}, 0, 0).colors);
-  EXPECT_EQ(restrip_lookup_flip(2, 0, &answer), RESTRIP_BAD_COLORING);
-  EXPECT_EQ(restrip_lookup_flip(0, 16, &answer), RESTRIP_BAD_COLORING);
+  EXPECT_EQ(restrip_lookup(RESTRIP_RULE_FLIP, 0, 0, 0, 2, 0, &answer), RESTRIP_BAD_COLORING);
+  EXPECT_EQ(restrip_lookup(RESTRIP_RULE_FLIP, 0, 0, 0, 0, 16, &answer), RESTRIP_BAD_COLORING);
   for (unsigned inner = 0; inner < 2; ++inner)
     for (unsigned ports = 0; ports < 16; ++ports) {
       const FlipRule rule = flip_rule(inner != 0, ports);
-      ASSERT_EQ(restrip_lookup_flip(inner, ports, &answer), rule.valid ? RESTRIP_OK : RESTRIP_BAD_COLORING);
+      ASSERT_EQ(restrip_lookup(RESTRIP_RULE_FLIP, 0, 0, 0, inner, ports, &answer),
+                rule.valid ? RESTRIP_OK : RESTRIP_BAD_COLORING);
       if (!rule.valid) continue;
       EXPECT_EQ(answer.colors, rule.inner ? 1U : 0U);
       EXPECT_EQ(answer.ports, rule.ports);

@@ -46,9 +46,9 @@ extern "C" {
 
 /* ---- Version ----------------------------------------------------------------------------------- */
 
-/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.3) and increases when a
+/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.4) and increases when a
  * program compiled with an older header can no longer use the library. New functions and new codes do not change it. */
-#define RESTRIP_ABI_VERSION 3
+#define RESTRIP_ABI_VERSION 4
 
 /* RESTRIP_ABI_VERSION of the compiled library: for programs that load it at run time. */
 RESTRIP_API uint32_t restrip_abi_version(void);
@@ -83,12 +83,11 @@ enum {
   RESTRIP_BAD_COLORING = 102,  /* the colours given are not a valid colouring */
   RESTRIP_TOO_LARGE = 103,     /* more than a mesh can hold, or a vertex that 16-bit indices cannot name */
   RESTRIP_TOO_SMALL = 104,     /* the array given is too short; the size needed has been written */
-  RESTRIP_BAD_FILE = 105,      /* the bytes are not a baked mesh, or a damaged one */
+  RESTRIP_BAD_FILE = 105,      /* the bytes are not a saved or baked mesh, or a damaged one */
   RESTRIP_NOT_BAKED = 106,     /* the mesh was not read from a baked mesh */
   RESTRIP_OUT_OF_STEP = 107,   /* the mesh has left its baked levels; see restrip_baked_restart */
-  RESTRIP_NOT_LIVE = 108,      /* the mesh has no live buffer; see restrip_live_begin */
-  RESTRIP_OUT_OF_MEMORY = 109,
-  RESTRIP_UNEXPECTED = 110 /* an error in the library */
+  RESTRIP_OUT_OF_MEMORY = 108,
+  RESTRIP_UNEXPECTED = 109 /* an error in the library */
 };
 
 /* One human-readable sentence, in English. Never null, for any number. The text is constant. */
@@ -125,6 +124,18 @@ RESTRIP_API restrip_status restrip_mesh_build_u16(const uint16_t* indices, size_
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
 /* Frees the mesh and all arrays that it returned. Null is allowed. */
 RESTRIP_API void restrip_mesh_free(restrip_mesh* mesh);
+
+/* Save and load: everything that later calls depend on, as bytes, the same on every machine. Numbers, halfedges,
+ * indices and the results of all later operations are the same with the loaded mesh. The history is not saved, nor the
+ * levels of a baked mesh. Saving ends a frame of the live buffer, whose ranges the next update returns. *bytes is valid
+ * until the mesh is saved again. O(T), some 40 bytes a triangle. */
+RESTRIP_API restrip_status restrip_mesh_save(restrip_mesh* mesh, const void** bytes, size_t* size);
+/* RESTRIP_BAD_FILE for bytes that are truncated, altered, of another version, or that describe what no mesh can be;
+ * then `text` receives which, cut off after text_size - 1 bytes; it may be null with text_size 0. Bytes from an
+ * untrusted source are safe. `history` is as in restrip_live_begin. Copy the whole restrip_live_buffer to the device.
+ * After an error *mesh is null. Linear in the bytes. */
+RESTRIP_API restrip_status restrip_mesh_load(const void* bytes, size_t size, size_t history, char* text,
+                                             size_t text_size, restrip_mesh** mesh);
 
 /* Triangles; 0 for a null mesh. */
 RESTRIP_API size_t restrip_mesh_triangle_count(const restrip_mesh* mesh);
@@ -200,8 +211,8 @@ enum {
 };
 /* Strips from scratch. The result depends only on the mesh and the arguments. `limit` bounds the work of the slower
  * efforts, in searched states of a few hundred nanoseconds (fewest strips) or tried moves of some 80 ns; 0: 40 or 100
- * for each triangle. `strips` may be null, or receives their number. The next update of a live buffer rewrites it.
- * After RESTRIP_OUT_OF_MEMORY the colours are valid, but may have changed. */
+ * for each triangle. `strips` may be null, or receives their number. The next update of the live buffer rewrites it;
+ * undo restores the colours. After RESTRIP_OUT_OF_MEMORY the colours are valid, but may have changed. */
 RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t effort, const restrip_cost* cost,
                                                  uint64_t limit, size_t* strips);
 
@@ -296,13 +307,6 @@ RESTRIP_API restrip_status restrip_mesh_strip_triangles(const restrip_mesh* mesh
 /* Strip s of that list is from place starts[s] to starts[s + 1] - 1: one more number than strips. */
 RESTRIP_API restrip_status restrip_mesh_strip_starts(const restrip_mesh* mesh, size_t* starts, size_t capacity,
                                                      size_t* count);
-/* The index buffer of all strips, to be drawn as a triangle strip with primitive restart; the restart index, all bits
- * set, lies between two strips. RESTRIP_TOO_LARGE when a vertex is above 65,534 and indices have 16 bits. */
-RESTRIP_API restrip_status restrip_mesh_strip_indices_u32(const restrip_mesh* mesh, uint32_t* indices, size_t capacity,
-                                                          size_t* count);
-RESTRIP_API restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, uint16_t* indices, size_t capacity,
-                                                          size_t* count);
-
 /* ---- Index buffers in any form ---------------------------------------------------------------- */
 
 /* Forms of an index buffer. */
@@ -367,56 +371,54 @@ RESTRIP_API void restrip_buffer_free(restrip_buffer* buffer);
 
 /* ---- The live buffer --------------------------------------------------------------------------- */
 
-/* An index buffer kept in step with the mesh; an update writes only the changes. A mesh has one at a time. */
+/* An index buffer kept in step with the mesh; an update writes only the changes. It begins with the first update; a
+ * mesh that is never updated has none. */
 
-/* Forms of the buffer. Draw strips as a triangle strip with primitive restart. They usually take at most 1.10 times the
- * indices that the strips need, and after many scattered operations, or in a grid, up to 1.2 times (stitched: 1.25).
- * Draw a list as a triangle list: an update writes less, and the buffer is about twice as long. */
-enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RESTRIP_LIST_U16 = 3 };
-/* Starts a live buffer, and ends a previous one; the first update writes it. O(1). */
-RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
-/* The same for any format, without limits of a batch (else RESTRIP_BAD_ARGUMENT). A live buffer stays strips. With 0
- * for index_bits it has 16 bits until a vertex needs 32. With 16, single operations that would add a vertex above
- * 65,534 are refused: RESTRIP_TOO_LARGE. If a draw call is limited to N indices, N even, draw a stitched buffer in
- * windows [(N - 2) i, (N - 2) i + N), cut off at its end: they overlap by two indices and begin at even places, so they
- * draw each triangle once, with its winding. */
-RESTRIP_API restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format);
-/* Brings the buffer in step with the mesh. *ranges receives the ranges that may have changed, ascending and disjoint,
- * to be copied to the device, and *range_count their number; the buffer may have become longer or shorter
- * (restrip_live_indices). The ranges are valid until the next non-const call for this mesh. Linear in the changes; O(T)
- * the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and restrip_baked_restart. RESTRIP_TOO_LARGE
- * when 16 bits cannot name a vertex; after that and after RESTRIP_OUT_OF_MEMORY the next update writes the whole
- * buffer. */
-RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, size_t* range_count);
-/* The same with ranges that are joined when they are at most merge_gap indices apart, and begin and end at multiples of
- * `align` bytes: 2, or a multiple of 4. restrip_live_update has 2 and 4. The last may end with the buffer, whose length
- * is a multiple of four bytes. `outgrown` may be null, or receives 1 when the buffer has become longer than `room` of
- * restrip_live_buffer was, or its indices wider: make a new one on the device. The only range is then the whole
- * buffer. */
-RESTRIP_API restrip_status restrip_live_update_with(restrip_mesh* mesh, size_t merge_gap, size_t align,
-                                                    const restrip_range** ranges, size_t* range_count,
-                                                    int32_t* outgrown);
-/* The buffer after the last update. `room` may be null, or receives the number of indices that the device should have
- * room for. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
+/* How it stays short, and in an order that a vertex cache likes; for strips. */
+typedef struct restrip_layout {
+  uint32_t cache; /* vertices of the cache, up to 64; 0: no order; default 32 */
+  uint32_t
+      waste; /* per mille of the indices needed that cuts and gaps may add; above it updates close gaps; default 95 */
+  uint32_t work; /* indices that an update may move for each changed one, up to 100; default 5 */
+} restrip_layout;
+/* Begins the buffer again, in another format; the next update writes it. `format` may be null: 16 bits until a vertex
+ * needs 32; limits of batches are not supported (RESTRIP_BAD_ARGUMENT), and strips stay strips. With 16 bits,
+ * operations that would add a vertex above 65,534 are refused: RESTRIP_TOO_LARGE. `layout` may be null.
+ *
+ * Strips usually take at most 1.10 times the indices needed, and after many scattered operations, or in a grid, up to
+ * 1.2 times (stitched: 1.25). A list is about twice as long, but an update of it writes less. If a draw call is limited
+ * to N indices, N even, draw a stitched buffer in windows [(N - 2) i, (N - 2) i + N), cut off at its end: they overlap
+ * by two indices and begin at even places, so they draw each triangle once, with its winding.
+ *
+ * `history` is the budget of undo, 0 for none: a frame counts the triangles that changed in it, some 100 bytes each;
+ * when all frames together count more, the oldest are dropped, except the last one. O(1). */
+RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_format* format,
+                                              const restrip_layout* layout, size_t history);
+/* Brings the buffer in step with the mesh, and ends a frame of the history. *ranges receives the ranges that may have
+ * changed, ascending and disjoint, to be copied to the device, and *range_count their number. They are joined when at
+ * most merge_gap indices apart (2 is a good value), and begin and end at multiples of `align` bytes: 2, or a multiple
+ * of 4, as WebGPU requires. The last may end with the buffer, whose length is a multiple of four bytes. `outgrown` may
+ * be null, or receives 1 when the buffer has become longer than `room` of restrip_live_buffer was, or its indices
+ * wider: make a new one on the device. The only range is then the whole buffer. The ranges are valid until the next
+ * update. Linear in the changes; O(T) the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and
+ * restrip_baked_restart. RESTRIP_TOO_LARGE when 16 bits cannot name a vertex; after that and after
+ * RESTRIP_OUT_OF_MEMORY the next update writes the whole buffer. */
+RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, size_t merge_gap, size_t align,
+                                               const restrip_range** ranges, size_t* range_count, int32_t* outgrown);
+/* The buffer after the last update; empty before the first. `room` may be null, or receives the number of indices that
+ * the device should have room for. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
 RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
-/* Only the indices, after the last update: *count indices of 16 or 32 bits. Valid until the next non-const call for
- * this mesh. */
-RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, size_t* count);
-/* Undo and redo. From the next update on, each update ends a frame of a history. Undo restores triangles, their
- * numbers, halfedges and colours exactly. `budget`: a frame counts the triangles that changed in it, some 100 bytes
- * each; when all frames together count more, the oldest are dropped, except the last one. 0 ends the history. It starts
- * again after restrip_mesh_stripify, restrip_mesh_set_colors, restrip_baked_restart and an error. O(1); the
- * next update is O(T). */
-RESTRIP_API restrip_status restrip_live_history(restrip_mesh* mesh, size_t budget);
+/* For idle frames: moves strips in the buffer to places where a vertex cache misses less often. `written` may be null,
+ * or receives the number of indices written, at most some `budget`; the next update returns their ranges. */
+RESTRIP_API restrip_status restrip_live_compact(restrip_mesh* mesh, size_t budget, size_t* written);
 /* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when
- * no frame is left. The history has no index buffers, so the next update writes the whole buffer. A baked mesh leaves
- * its levels. O(T). */
+ * no frame is left. Triangles, numbers, halfedges, colours, indices of strips and baked levels are restored: every
+ * later result is the same as without the frame. The history begins again after restrip_baked_restart and some errors.
+ * Linear in the frame; O(T) under policies that search for fewest strips. */
 RESTRIP_API restrip_status restrip_live_undo(restrip_mesh* mesh, int32_t* done);
 RESTRIP_API restrip_status restrip_live_redo(restrip_mesh* mesh, int32_t* done);
 /* The number of frames that can be undone, and redone. O(1). */
 RESTRIP_API restrip_status restrip_live_history_size(const restrip_mesh* mesh, size_t* undoable, size_t* redoable);
-/* Ends the live buffer, if any, and its history. */
-RESTRIP_API restrip_status restrip_live_end(restrip_mesh* mesh);
 
 /* ---- Baked meshes ------------------------------------------------------------------------------ */
 
@@ -510,36 +512,29 @@ RESTRIP_API void restrip_levels_free(restrip_levels* levels);
 /* ---- Rules ------------------------------------------------------------------------------------- */
 
 /* The rules by themselves, for a custom mesh: from the colours of a patch before an operation to the colours after it.
- * Masks are numbered as in docs/reference/notation.md: bit i of `loop` or `inner` is inner edge i, bit i of `ports`
- * port i. k is 3 (closed fans) or 1 (open fans) to 61. RESTRIP_BAD_ARGUMENT for a position out of range,
- * RESTRIP_BAD_COLORING for colours that no valid colouring has. Constant time up to k = 8, two steps a triangle above.
- */
+ * Masks are numbered as in docs/reference/notation.md: bit i of `colors` is inner edge i, bit i of `ports` port i. */
+enum {
+  /* A closed fan of k triangles, 3 <= k, is split before triangles 0 and i, 1 <= i < k: k colours become k + 3. */
+  RESTRIP_RULE_SPLIT = 0,
+  RESTRIP_RULE_COLLAPSE = 1, /* the inverse: k + 3 become k */
+  /* An open fan, 1 <= k, two triangles in gaps i < j <= k: k - 1 colours become k + 2. */
+  RESTRIP_RULE_OPEN_SPLIT = 2,
+  RESTRIP_RULE_OPEN_COLLAPSE = 3,
+  RESTRIP_RULE_BOUNDARY_SPLIT = 4, /* one triangle in gap i <= k: k - 1 become k */
+  RESTRIP_RULE_BOUNDARY_COLLAPSE = 5,
+  RESTRIP_RULE_FLIP = 6 /* two triangles, four ports counter-clockwise, the first two of one triangle: one colour */
+};
 typedef struct restrip_answer {
   uint64_t colors; /* the inner edges after the operation */
   uint64_t ports;  /* the ports after it: unchanged, except that a flip may clear some */
   int32_t strips;  /* change in the number of strips */
 } restrip_answer;
 #define RESTRIP_LARGEST_FAN 61
-
-/* A closed fan of k triangles is split before triangles 0 and a, 1 <= a < k: `loop` has k bits, the answer k + 3. */
-RESTRIP_API restrip_status restrip_lookup_split(uint32_t k, uint32_t a, uint64_t loop, uint64_t ports,
-                                                restrip_answer* answer);
-/* The inverse: `inner` has k + 3 bits, the answer k. */
-RESTRIP_API restrip_status restrip_lookup_collapse(uint32_t k, uint32_t a, uint64_t inner, uint64_t ports,
-                                                   restrip_answer* answer);
-/* An open fan of k triangles, two triangles in gaps i < j <= k: `loop` has k - 1 bits, the answer k + 2. */
-RESTRIP_API restrip_status restrip_lookup_open_split(uint32_t k, uint32_t i, uint32_t j, uint64_t loop, uint64_t ports,
-                                                     restrip_answer* answer);
-RESTRIP_API restrip_status restrip_lookup_open_collapse(uint32_t k, uint32_t i, uint32_t j, uint64_t inner,
-                                                        uint64_t ports, restrip_answer* answer);
-/* One triangle in gap i <= k: `loop` has k - 1 bits, the answer k. */
-RESTRIP_API restrip_status restrip_lookup_boundary_split(uint32_t k, uint32_t i, uint64_t loop, uint64_t ports,
-                                                         restrip_answer* answer);
-RESTRIP_API restrip_status restrip_lookup_boundary_collapse(uint32_t k, uint32_t i, uint64_t inner, uint64_t ports,
-                                                            restrip_answer* answer);
-/* Two triangles, four ports counter-clockwise, the first two of one triangle: `inner` is 0 or 1, and so is the answer.
- */
-RESTRIP_API restrip_status restrip_lookup_flip(uint64_t inner, uint64_t ports, restrip_answer* answer);
+/* k is at most RESTRIP_LARGEST_FAN; numbers that a rule does not have are ignored. RESTRIP_BAD_ARGUMENT for a position
+ * out of range, RESTRIP_BAD_COLORING for colours that no valid colouring has. Constant time up to k = 8, two steps a
+ * triangle above. */
+RESTRIP_API restrip_status restrip_lookup(int32_t rule, uint32_t k, uint32_t i, uint32_t j, uint64_t colors,
+                                          uint64_t ports, restrip_answer* answer);
 
 #ifdef __cplusplus
 } /* extern "C" */

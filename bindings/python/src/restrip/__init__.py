@@ -186,6 +186,17 @@ def _fitted(index: Optional[Index], name: str, *arguments) -> None:
         raise RestripError(error.code, f"{lib.shown(name)}: {_NEEDS_32}") from None
 
 
+def _explained(name: str, *arguments) -> None:
+    """lib.call, whose last arguments but one receive a text that says what is wrong."""
+    text = ctypes.create_string_buffer(200)
+    try:
+        lib.call(name, *arguments[:-1], text, len(text), arguments[-1])
+    except RestripError as error:
+        if not text.value:
+            raise
+        raise RestripError(error.code, f"{lib.shown(name)}: {text.value.decode()}") from None
+
+
 def _address(array: np.ndarray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
 
@@ -271,7 +282,26 @@ class LiveMesh:
         return f"<restrip.LiveMesh of {self.triangle_count} triangles in {self.strip_count} strips>"
 
     def __reduce__(self):
-        raise TypeError("a LiveMesh cannot be copied or pickled; build another from mesh.faces()")
+        return type(self).load, (self.save(),), {"report": self.report, "_index": self._index}
+
+    def save(self) -> bytes:
+        """Everything that later calls depend on, the same on every machine, about 40 bytes a face: with load(data) all numbers,
+        indices and later results are the same. Frames of undo() are not saved. Copies and pickles are made of these bytes."""
+        data, size = ctypes.c_void_p(), ctypes.c_size_t()
+        lib.call("mesh_save", self._mesh, data, size)
+        return ctypes.string_at(data, size.value)
+
+    @classmethod
+    def load(cls, data: bytes, history: int = 0) -> LiveMesh:
+        """The mesh that save() has written; copy buffer() to a device with `room` indices. `history` is as in begin_buffer().
+        RestripError for bytes that are truncated or altered; bytes from an untrusted source are safe."""
+        data, mesh, view, room = bytes(data), ctypes.c_void_p(), lib.BufferView(), ctypes.c_size_t()
+        _explained("mesh_load", data, len(data), _number("history", history, _MOST), mesh)
+        self = cls.__new__(cls)
+        self._handle, self.report, self._index = mesh.value, Report(0, 0, 0, 0, 0, 0), None
+        lib.call("live_buffer", self._mesh, view, room)
+        self.outgrown, self.room = False, room.value
+        return self
 
     # ---- size and counts
 
@@ -455,20 +485,30 @@ class LiveMesh:
 
     # ---- the index buffer that follows the mesh
 
-    def begin_buffer(self, form: Form = "restart", index: Index = "auto", history: int = 0) -> None:
-        """Starts the index buffer of the mesh, instead of a previous one, in a form of `indices`. An update of "list"
+    def begin_buffer(self, form: Form = "restart", index: Index = "auto", history: int = 0, *, cache_size: int = 32, waste: int = 95,
+                     work: int = 5) -> None:
+        """Starts the index buffer of the mesh, instead of a previous one, in a form of `indices`; without this call the first
+        update starts it in the form "restart". An update of "list"
         writes less than an update of strips. With "auto" it has 16 bits until a vertex needs 32; with 16, operations that would
         add such a vertex are refused. With a `history` each update, from the next one on,
-        ends a frame that can be undone; all frames together keep about that many changed triangles, 100 bytes each."""
+        ends a frame that can be undone; all frames together keep about that many changed triangles, 100 bytes each. Strips are
+        put in order for a cache of `cache_size` vertices, up to 64 (0: no order); gaps and cuts may add `waste` per mille of the
+        indices, and an update moves up to `work` indices for each changed one to keep it so."""
         history = _number("history", history, _MOST)
-        lib.call("live_begin_format", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1))
+        layout = lib.Layout(_number("cache_size", cache_size, 64), _number("waste", waste, 1_000_000), _number("work", work, 100))
+        lib.call("live_begin", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1), layout, history)
         self._index = index
-        lib.call("live_history", self._mesh, history)
+
+    def compact(self, budget: int) -> int:
+        """For idle time: moves strips in the buffer to places where a vertex cache misses less often. Returns the number of
+        indices written, at most some `budget`; the next update returns them."""
+        written = ctypes.c_size_t()
+        lib.call("live_compact", self._mesh, _number("budget", budget, _MOST), written)
+        return written.value
 
     def undo(self) -> bool:
-        """Undoes the last frame; changes since the last update are a frame. Restores faces, numbers and strips exactly.
-        False if no frame is left. The history has no index buffers, so the next update returns the whole buffer. Linear in the
-        mesh."""
+        """Undoes the last frame; changes since the last update are a frame. Faces, numbers, strips, indices and all later
+        results are the same as without it. False if no frame is left. The next update returns what to copy. Linear in the frame."""
         return self._stepped("live_undo")
 
     def redo(self) -> bool:
@@ -491,7 +531,7 @@ class LiveMesh:
         if align != 2 and (align == 0 or align % 4 != 0):
             raise ValueError(f"align {align}: expected 2 or a multiple of 4")
         ranges, count, outgrown = ctypes.POINTER(lib.Range)(), ctypes.c_size_t(), ctypes.c_int32()
-        _fitted(self._index, "live_update_with", self._mesh, merge_gap, align, ranges, count, outgrown)
+        _fitted(self._index, "live_update", self._mesh, merge_gap, align, ranges, count, outgrown)
         view, room = lib.BufferView(), ctypes.c_size_t()
         lib.call("live_buffer", self._mesh, view, room)
         self.outgrown, self.room = bool(outgrown.value), room.value
@@ -637,13 +677,8 @@ def simplify(points, faces, share: Optional[float] = None, *, count: Optional[in
     else:
         raise ValueError(f"share {share!r}: expected a number from 0 to 1")
     places = np.ascontiguousarray(places, np.float64)
-    report, levels, view, text = lib.BuildReport(), ctypes.c_void_p(), lib.LevelsView(), ctypes.create_string_buffer(200)
-    try:
-        lib.call("simplify_u32", _address(corners), corners.size, _address(places), len(places), wanted, policy, report, text, len(text), levels)
-    except RestripError as error:
-        if not text.value:
-            raise
-        raise RestripError(error.code, f"simplify: {text.value.decode()}") from None
+    report, levels, view = lib.BuildReport(), ctypes.c_void_p(), lib.LevelsView()
+    _explained("simplify_u32", _address(corners), corners.size, _address(places), len(places), wanted, policy, report, levels)
     try:
         lib.call("levels_read", levels, view)
         base = _numbers(view.base, view.base_count, np.uint32).reshape(-1, 3).copy()

@@ -6,8 +6,8 @@ import os
 import pathlib
 
 NONE = 0xFFFFFFFF
-NOT_LIVE = 108  # RESTRIP_NOT_LIVE
-ABI = 3  # RESTRIP_ABI_VERSION
+OUT_OF_MEMORY = 108  # RESTRIP_OUT_OF_MEMORY
+ABI = 4  # RESTRIP_ABI_VERSION
 
 _u32, _size, _mesh, _int = c.c_uint32, c.c_size_t, c.c_void_p, c.c_int32
 
@@ -35,6 +35,10 @@ class Range(c.Structure):
 
 class Format(c.Structure):
     _fields_ = [("form", _int), ("index_bits", _int), ("most_vertices", _size), ("most_indices", _size), ("keep_strips", _int)]
+
+
+class Layout(c.Structure):
+    _fields_ = [("cache", _u32), ("waste", _u32), ("work", _u32)]
 
 
 class Cache(c.Structure):
@@ -73,10 +77,12 @@ _checked = {
     **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts")},
     "mesh_buffer": [_mesh, c.POINTER(Cache), c.POINTER(Format), c.POINTER(c.c_void_p)],
     "buffer_read": [c.c_void_p, c.POINTER(BufferView)],
-    "live_begin_format": [_mesh, c.POINTER(Format)],
-    "live_update_with": [_mesh, _size, _size, c.POINTER(c.POINTER(Range)), c.POINTER(_size), c.POINTER(_int)],
+    "live_begin": [_mesh, c.POINTER(Format), c.POINTER(Layout), _size],
+    "live_update": [_mesh, _size, _size, c.POINTER(c.POINTER(Range)), c.POINTER(_size), c.POINTER(_int)],
     "live_buffer": [_mesh, c.POINTER(BufferView), c.POINTER(_size)],
-    "live_history": [_mesh, _size],
+    "live_compact": [_mesh, _size, c.POINTER(_size)],
+    "mesh_save": [_mesh, c.POINTER(c.c_void_p), c.POINTER(_size)],
+    "mesh_load": [c.c_char_p, _size, _size, c.c_char_p, _size, c.POINTER(_mesh)],
     **{f"live_{name}": [_mesh, c.POINTER(_int)] for name in ("undo", "redo")},
     "simplify_u32": [c.c_void_p, _size, c.c_void_p, _size, _size, _int, c.POINTER(BuildReport), c.c_char_p, _size, c.POINTER(c.c_void_p)],
     "levels_read": [c.c_void_p, c.POINTER(LevelsView)],
@@ -131,20 +137,18 @@ def plain(name: str, *arguments):
 
 
 def describe(code: int) -> str:
-    if code == NOT_LIVE:
-        return "the mesh has no live buffer: call begin_buffer() first"
     return plain("describe", code).decode()
 
 
 def shown(name: str) -> str:
     """A function by its name in this package."""
-    return {"live_update_with": "update", "live_begin_format": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "simplify_u32": "simplify"}.get(name, name.split("_", 1)[1])
+    return {"live_begin": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "simplify_u32": "simplify"}.get(name, name.split("_", 1)[1])
 
 
 def call(name: str, *arguments) -> None:
     """Calls a function that returns a status. RestripError unless it succeeds; MemoryError if memory runs out."""
     code = getattr(_library, "restrip_" + name)(*arguments)
-    if code == 109:
+    if code == OUT_OF_MEMORY:
         raise MemoryError(describe(code))
     if code != 0:
         raise RestripError(code, f"{shown(name)}: {describe(code)}")
