@@ -5,7 +5,8 @@
 // return, makes a new one only when an update reports that it was outgrown, and draws it with a decoder of its own. The
 // claims, after every update: the device holds the bytes of the LiveMesh and draws the triangles of the mesh, each once
 // with its winding; ranges are as the options ask; no alarm is false. After every undo and redo: triangles, handles and
-// colours are those of that frame, and so are the bytes of strips. At the end all frames are undone and redone.
+// colours are those of that frame, and so are the bytes of strips, as they were before the next frame began. At the end
+// all frames are undone and redone.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -142,6 +143,7 @@ class Caller {
     std::copy(live_.bytes().begin(), live_.bytes().end(), device_.bytes.begin());
     compare();
     frames_.push_back(frame_now());
+    note_bytes();
   }
 
   void run() {
@@ -238,7 +240,9 @@ class Caller {
     undo,
     redo,
     move,
-    compact
+    compact,
+    recolor,
+    keep
   };
   static constexpr std::array attentions{Attention::improve,
                                          Attention::exhaust_memory,
@@ -249,7 +253,9 @@ class Caller {
                                          Attention::redo,
                                          Attention::move,
                                          Attention::compact,
-                                         Attention::compact};
+                                         Attention::compact,
+                                         Attention::recolor,
+                                         Attention::keep};
   void attend(Attention choice) {
     if (choice == Attention::improve) {
       const std::uint32_t budget = 1 + 16 * input_.byte();
@@ -266,6 +272,15 @@ class Caller {
       if (input_.byte() % 4 != 0) update();
     if (choice == Attention::move) move(input_.byte() % 2 == 0);
     if (choice == Attention::compact) compact();
+    const Cost cost = input_.one_of(std::array{Cost::indices(), Cost::strips()});
+    if (choice == Attention::recolor) {
+      changed_ = true;
+      done([&] { live_.recolor(Effort::fast, cost); });
+    }
+    if (choice == Attention::keep) {
+      const Policy policy = policies[input_.byte() % (policies.size() - 1)].policy;  // the best takes too long
+      done([&] { live_.keep(policy, cost); });
+    }
   }
 
   void compact() {
@@ -276,6 +291,7 @@ class Caller {
     std::size_t written = 0;
     if (!done([&] { written = live_.compact(budget); }) || ends_a_frame) lose_track();
     promise(ends_a_frame || written <= std::min(budget, size) + 300, "compact() keeps to its budget");
+    note_bytes();
     if (input_.byte() % 4 != 0) update();
   }
 
@@ -299,6 +315,7 @@ class Caller {
                   device_.bytes.data() + first * device_.width);
     compare();
     note_frame();
+    note_bytes();
   }
   void check_ranges(const Upload& upload, const RangeOptions& options) const {
     const std::size_t width = live_.index_bytes();
@@ -351,6 +368,7 @@ class Caller {
     if (now.mesh != frames_[at_].mesh) {
       promise(may_have_changed, "refused operations change nothing");
       promise(live_.undoable() > 0 && live_.redoable() == 0, "a change is a frame");
+      begin_frame();
       frames_.resize(++at_);
       frames_.push_back(std::move(now));
       any_after_ = false;
@@ -376,6 +394,7 @@ class Caller {
             "frames that are left can be undone and redone");
     if (ends_a_frame) {
       promise(moved != forward, "a change is undone first, and nothing is redone after it");
+      begin_frame();
       frames_.resize(at_ + 1);
       frames_.push_back({std::move(before), {}});
       any_after_ = false;
@@ -388,7 +407,13 @@ class Caller {
     }
     changed_ = false;
     if (moved && !forward && ends_a_frame) expect_restored();
+    note_bytes();
     return moved;
+  }
+  void note_bytes() { bytes_.assign(live_.bytes().begin(), live_.bytes().end()); }
+  /// The next frame begins with what compact() has made of the last one.
+  void begin_frame() {
+    if (!frames_[at_].bytes.empty()) frames_[at_].bytes = bytes_;
   }
   void step(bool forward) {
     if (forward ? at_ + 1 < frames_.size() : at_ > 0) {
@@ -416,6 +441,7 @@ class Caller {
   std::size_t at_ = 0;         // the one that the mesh is at
   bool any_before_ = false;    // perhaps frames before these can be undone, or after these redone
   bool any_after_ = false;
+  std::vector<std::byte> bytes_;    // of the buffer after the last update, undo, redo or compact()
   bool changed_ = false;            // perhaps, since the last update
   std::uint32_t memory_fails_ = 0;  // in the next call: twice the number of the allocation, plus one for good
 };

@@ -102,16 +102,16 @@ class BasicBufferHistory {
   /// dropped, and so are the oldest beyond `most`.
   void frame(Buffer& buffer, std::size_t most) {
     drop_undone();
-    if (done_ != 0) std::move(between_.begin(), between_.end(), std::back_inserter(frames_.back()));
-    between_.clear();
     frames_.emplace_back();
     frames_.back().push_back(take(buffer));
     done_ = frames_.size();
     limit(most);
   }
   /// Drops the frames that can be redone.
-  void drop_undone() noexcept {
+  void drop_undone() {
     while (frames_.size() > done_) frames_.pop_back();
+    if (done_ != 0) std::move(between_.begin(), between_.end(), std::back_inserter(frames_.back()));
+    between_.clear();
   }
   /// Drops the oldest frames that can be undone, beyond `most`.
   void limit(std::size_t most) noexcept {
