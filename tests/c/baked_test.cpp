@@ -202,6 +202,7 @@ TEST(CBaked, MemoryMayRunOut) {
   const Handle mesh(made);
   // Room for all levels was taken when it was read; a watch takes more.
   ASSERT_EQ(begin_live(made, RESTRIP_FORM_RESTART, 32), RESTRIP_OK);
+  updated(made);
   std::size_t failures = 0;
   for_each_allocation([&] { status = restrip_baked_move(made, restrip_baked_levels(made), SIZE_MAX, nullptr); },
                       [&] {

@@ -18,9 +18,11 @@ several: list[np.ndarray] = restrip.strips_of(faces, format="strips")
 with restrip.LiveMesh(faces, policy="quick", cost=(3, 1, 0)) as mesh:
     mesh.begin_buffer("list", 16)
     print(len(mesh), mesh.indices(index="auto"), one, several)
+    saved: bytes = mesh.save()
+    again: restrip.LiveMesh = restrip.LiveMesh.load(saved, history=100)
 """
 BAD = ['restrip.LiveMesh(faces, policy="quikc")', 'restrip.LiveMesh(faces, cost="turns")', 'restrip.LiveMesh(faces, effort="most")', 'mesh.begin_buffer("lists")',
-       'mesh.indices(index=8)', 'mesh.keep("quikc")', 'restrip.strips_of(faces, format="fans")', 'wrong: np.ndarray = restrip.strips_of(faces, format="strips")']
+       'mesh.indices(index=8)', 'mesh.keep("quikc")', 'restrip.LiveMesh.load("saved")', 'restrip.strips_of(faces, format="fans")', 'wrong: np.ndarray = restrip.strips_of(faces, format="strips")']
 
 
 def lines_with_faults(text):
