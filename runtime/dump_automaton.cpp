@@ -44,15 +44,15 @@ template <class Visit>
 void for_each_position_of(std::size_t k, Visit&& visit) {
   constexpr std::size_t nowhere = 0;
   for (std::size_t a = 1; a < k && k >= 3; ++a)
-    visit(0U, a, nowhere, [=](Word ports, Word joined) { return exact::best_split(k, a, ports, joined); });
+    visit(0U, a, nowhere, [=](Word ports, Word joined) { return exact::best(ring_with_chord(k, a), ports, joined); });
   if (k >= 3)
-    visit(1U, nowhere, nowhere, [=](Word ports, Word joined) { return exact::best_collapse(k, ports, joined); });
+    visit(1U, nowhere, nowhere, [=](Word ports, Word joined) { return exact::best(closed_fan(k), ports, joined); });
   for (std::size_t i = 0; i < k; ++i)
     for (std::size_t j = i + 1; j <= k; ++j)
-      visit(2U, i, j, [=](Word ports, Word joined) { return exact::best_open_split(k, i, j, ports, joined); });
-  visit(3U, nowhere, nowhere, [=](Word ports, Word joined) { return exact::best_fan_collapse(k, ports, joined); });
+      visit(2U, i, j, [=](Word ports, Word joined) { return exact::best(path_with_chord(k, i, j), ports, joined); });
+  visit(3U, nowhere, nowhere, [=](Word ports, Word joined) { return exact::best(open_fan(k), ports, joined); });
   for (std::size_t i = 0; i <= k; ++i)
-    visit(4U, i, nowhere, [=](Word ports, Word joined) { return exact::best_boundary_split(k, i, ports, joined); });
+    visit(4U, i, nowhere, [=](Word ports, Word joined) { return exact::best(path(k, i), ports, joined); });
 }
 
 }  // namespace

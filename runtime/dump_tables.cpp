@@ -30,8 +30,8 @@ void all_tables(Output& out, std::size_t max_k) {
         out.line(std::string("table ") + families[operation] + " k " + to_string(k) + places[operation / 2] +
                  to_string(p) + (operation / 2 == 1 ? ' ' + to_string(q) : ""));
         const bool collapse = operation % 2 != 0;
-        const auto fan = detail::open_fan(k);
-        const auto path = operation / 2 == 1 ? detail::path_with_chord(k, p, q) : detail::path(k, p);
+        const auto fan = open_fan(k);
+        const auto path = operation / 2 == 1 ? path_with_chord(k, p, q) : restrip::path(k, p);
         // The change in isolated triangles. Closed fans have separate code, which split() and collapse() use.
         const auto isolated_by = [&](Word before, Word ports, const Rule& rule) {
           if (operation >= 2)

@@ -113,7 +113,7 @@ std::string served_header(const Description& family) {
   if (family.gives_all_up) refuse(family, "it may give ports up");
   const bool closed = fan_of(family) == Fan::closed;
   const Sum size = triangles_after(family);
-  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
+  const std::string call = fmt::format("best({}_fan({}), ", closed ? "closed" : "open", text_of(size));
   // The call uses those on which the number of ports depends.
   std::string parameters;
   for (std::size_t i = 0; i < family.numbers.size(); ++i)

@@ -65,13 +65,13 @@ HEADERS = {
         ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers give"),
     ],
     "questions": [
-        ("what open splits ask the automaton", f"{RULES}/rules.hpp", token("exact::best_open_split(k, i, j,", "exact::best_open_split(k, i, k,"), "open-split", "table open-split k "),
-        ("what collapses onto open fans ask it", f"{RULES}/rules.hpp", token("joined_path(k, i, inner", "joined_path(k, 0, inner"), "fan-collapse", "table boundary-collapse k "),
+        ("what open splits ask the automaton", f"{RULES}/rules.hpp", token("rule(open_fan(at.k), path_with_chord(at.k, at.i, at.j)", "rule(open_fan(at.k), path_with_chord(at.k, at.i, at.k)"), "open-split", "table open-split k "),
+        ("what collapses onto open fans ask it", f"{RULES}/rules.hpp", token("rule(path(at.k, at.i)", "rule(path(at.k, 0)"), "fan-collapse", "table boundary-collapse k "),
     ],
     "stated": [
-        ("the strips that a rule states", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table states "),
+        ("the strips that a rule states", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, inner)", "nodes + count_difference(colors, inner)"), "open-split", "the table states "),
         ("the isolated triangles that a flip states", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, but there are"),
-        ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), isolated", "count_bits(ports), isolated"), "automaton", "the certificate's answers give"),
+        ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), detail", "count_bits(ports), detail"), "automaton", "the certificate's answers give"),
     ],
 }
 # For a single operation, by the command of docs/tutorials/custom-operation.md.

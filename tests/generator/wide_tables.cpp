@@ -41,10 +41,10 @@ Word cell(const Table& table, const Rows& rows, unsigned place, Word ports, Word
 void closed_families(Word ports, Word joined) {
   for (unsigned a = 1; 2 * a <= k; ++a) {
     const naive::Patch ring = naive::ring_with_chord(k, a);
-    const Value best = restrip::exact::best_split(k, a, ports, joined).value;
+    const Value best = restrip::exact::best(restrip::ring_with_chord(k, a), ports, joined).value;
     expect(value_of(ring, cell(tables::split, tables::closed_rows, a - 1, ports, joined), ports), best);
   }
-  const Value best = restrip::exact::best_collapse(k, ports, joined).value;
+  const Value best = restrip::exact::best(restrip::closed_fan(k), ports, joined).value;
   const naive::Patch fan = naive::closed_fan(k);
   expect(value_of(fan, cell(tables::collapse, tables::closed_rows, 0, ports, joined), ports), best);
 }
@@ -55,7 +55,8 @@ int main() {
   std::set<std::pair<Word, Word>> closed_keys;
   for (Word loop = 0; loop < Word{1} << k; ++loop)
     for (Word ports = 0; ports < Word{1} << k; ++ports)
-      if (restrip::valid_closed(k, loop, ports)) closed_keys.emplace(ports, restrip::joined_closed(k, loop, ports));
+      if (const auto fan = restrip::closed_fan(k); fan.valid(loop, ports))
+        closed_keys.emplace(ports, fan.joined(loop, ports));
   for (const auto& [ports, joined] : closed_keys) closed_families(ports, joined);
   std::printf("%zu keys of k = %u: %d rules, %d wrong\n", closed_keys.size(), k, checked, wrong);
   return wrong == 0 && checked > 0 ? 0 : 1;

@@ -33,31 +33,13 @@ struct FanOperation {
   // Of a split.
   FanOperation inverse() const { return {family == 0 ? 1 : 4, k, 0, 0}; }
 
-  // Of masks or of bit strings.
-  template <class... Key>
-  auto best(const Key&... key) const {
-    if (family == 0) return best_split(k, i, key...);
-    if (family == 1) return best_collapse(k, key...);
-    if (family == 2) return best_open_split(k, i, j, key...);
-    if (family == 3) return best_boundary_split(k, i, key...);
-    return best_fan_collapse(k, key...);
-  }
-
-  template <class... Colors>
-  auto joined(const Colors&... colors) const {
-    if (family == 0) return joined_ring(k, i, colors...);
-    if (family == 1) return joined_closed(k, colors...);
-    if (family == 2) return joined_path_with_chord(k, i, j, colors...);
-    if (family == 3) return joined_path(k, i, colors...);
-    return joined_open(k, colors...);
-  }
-  template <class... Colors>
-  bool valid(const Colors&... colors) const {
-    if (family == 0) return valid_ring(k, i, colors...);
-    if (family == 1) return valid_closed(k, colors...);
-    if (family == 2) return valid_path_with_chord(k, i, j, colors...);
-    if (family == 3) return valid_path(k, i, colors...);
-    return valid_open(k, colors...);
+  // The patch that it leaves.
+  restrip::Patch after() const {
+    if (family == 0) return ring_with_chord(k, i);
+    if (family == 1) return closed_fan(k);
+    if (family == 2) return path_with_chord(k, i, j);
+    if (family == 3) return path(k, i);
+    return open_fan(k);
   }
 
   std::string text() const {

@@ -231,38 +231,29 @@ TEST(PreconditionDeathTest, EveryLookUp) {
     EXPECT_FAILED((void)split_rule(at, 0, 0), "restrip: split_rule: " + split_position);
     EXPECT_FAILED((void)collapse_rule(at, 0, 0), "restrip: collapse_rule: " + split_position);
   }
-  for (const GapPair at : {GapPair{4, 2, 2}, {4, 3, 5}, {62, 1, 2}}) {
-    EXPECT_FAILED((void)open_split_rule(at, 0, 0), "open_split_rule: the position is out of range: i < j <= k");
-    EXPECT_FAILED((void)open_collapse_rule(at, 0, 0), "open_collapse_rule: the position is out of range: i < j <= k");
+  for (const GapPair at : {GapPair{4, 2, 2}, {4, 3, 5}}) {
+    EXPECT_FAILED((void)open_split_rule(at, 0, 0), "path_with_chord: the position is out of range: i < j <= k");
+    EXPECT_FAILED((void)open_collapse_rule(at, 0, 0), "path_with_chord: the position is out of range: i < j <= k");
   }
-  for (const Gap at : {Gap{0, 0}, {4, 5}, {62, 1}}) {
-    EXPECT_FAILED((void)boundary_split_rule(at, 0, 0), "boundary_split_rule: the position is out of range");
-    EXPECT_FAILED((void)boundary_collapse_rule(at, 0, 0), "boundary_collapse_rule: the position is out of range");
-  }
-  EXPECT_FAILED((void)exact::best_split(4, 4, 0, 0), "exact::best_split: the position is out of range: 1 <= a < k");
-  EXPECT_FAILED((void)exact::best_collapse(0, 0, 0), "exact::best_collapse: k is out of range: 1 <= k");
-  EXPECT_FAILED((void)exact::best_open_split(4, 3, 3, 0, 0), "exact::best_open_split: the position is out of range");
-  EXPECT_FAILED((void)exact::best_boundary_split(4, 5, 0, 0), "exact::best_boundary_split: the position is out");
-  EXPECT_FAILED((void)exact::best_fan_collapse(62, 0, 0), "exact::best_fan_collapse: k is out of range");
-  Word word = 0;
-  const BitSpan none_solid = BitSpan::of(word);
-  Word out = 0;
-  const MutableBitSpan result = MutableBitSpan::of(out);
-  EXPECT_FAILED(exact::best_split(4, 4, none_solid, none_solid, result), "exact::best_split: the position is out");
-  EXPECT_FAILED(exact::best_collapse(0, none_solid, none_solid, result), "exact::best_collapse: k is out of range");
-  EXPECT_FAILED((void)valid_closed(2, 0, 0), "valid_closed: k is out of range: 3 <= k");
-  EXPECT_FAILED((void)joined_closed(62, 0, 0), "joined_closed: k is out of range: 3 <= k");
-  EXPECT_FAILED((void)valid_open(0, 0, 0), "valid_open: k is out of range: 1 <= k");
-  EXPECT_FAILED((void)joined_ring(4, 0, 0, 0), "joined_ring: the position is out of range: 1 <= a < k");
-  EXPECT_FAILED((void)valid_path(4, 5, 0, 0), "valid_path: the position is out of range");
-  EXPECT_FAILED((void)valid_path_with_chord(4, 2, 2, none_solid, none_solid), "valid_path_with_chord: the position");
+  EXPECT_FAILED((void)open_split_rule({62, 1, 2}, 0, 0), "Patch::valid: k is out of range");
+  EXPECT_FAILED((void)boundary_split_rule({4, 5}, 0, 0), "path: the position is out of range");
+  EXPECT_FAILED((void)boundary_collapse_rule({4, 5}, 0, 0), "path: the position is out of range");
+  EXPECT_FAILED((void)boundary_collapse_rule({62, 1}, 0, 0), "Patch::valid: k is out of range");
+  EXPECT_FAILED((void)ring_with_chord(4, 0), "ring_with_chord: the position is out of range: 1 <= a < k");
+  EXPECT_FAILED((void)ring_with_chord(4, 4), "ring_with_chord: the position is out of range: 1 <= a < k");
+  EXPECT_FAILED((void)path(0, 0), "path: the position is out of range");
+  EXPECT_FAILED((void)closed_fan(0), "closed_fan: k is out of range: 1 <= k");
+  EXPECT_FAILED((void)open_fan(0), "open_fan: k is out of range: 1 <= k");
+  EXPECT_FAILED((void)exact::best(closed_fan(62), 0, 0), "exact::best: k is out of range");
+  EXPECT_FAILED((void)closed_fan(62).joined(0, 0), "Patch::joined: k is out of range");
 }
 
 // With the checks, the look-ups still keep their promises.
 static_assert(noexcept(split_rule({4, 2}, 0, 0)) && split_rule({4, 2}, 0, 0).valid);
 static_assert(noexcept(flip_rule(false, 0)) && flip_rule(false, 0).valid);
-static_assert(noexcept(exact::best_split(12, 5, 0, 0)) && exact::best_split(12, 5, 0, 0).value.solid == 13);
-static_assert(noexcept(valid_closed(5, 0, 0)) && valid_closed(5, 0, 0));
+static_assert(noexcept(exact::best(ring_with_chord(12, 5), 0, 0)) &&
+              exact::best(ring_with_chord(12, 5), 0, 0).value.solid == 13);
+static_assert(noexcept(closed_fan(5).valid(0, 0)) && closed_fan(5).valid(0, 0));
 
 // A mesh with only the members of the concepts.
 class Plain {

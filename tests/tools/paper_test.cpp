@@ -139,12 +139,12 @@ TEST(PaperRules, LonelyConfigurations) {
     std::size_t lonely = 0;
     for (Word loop = 0; loop < bit(at.k); ++loop) {
       for (Word ports = 0; ports < bit(at.k); ++ports) {
-        if (!valid_closed(at.k, loop, ports)) continue;
+        if (!closed_fan(at.k).valid(loop, ports)) continue;
         ++valid;
-        const Word joined = canonical_joined(ports, joined_closed(at.k, loop, ports));
+        const Word joined = canonical_joined(ports, closed_fan(at.k).joined(loop, ports));
         const auto keeps = [&](Word inner) {
-          return valid_ring(at.k, at.a, inner, ports) &&
-                 canonical_joined(ports, joined_ring(at.k, at.a, inner, ports)) == joined;
+          return ring_with_chord(at.k, at.a).valid(inner, ports) &&
+                 canonical_joined(ports, ring_with_chord(at.k, at.a).joined(inner, ports)) == joined;
         };
         const auto change = [&](Word inner) {
           return count_bits(detail::isolated_ring(at.k, at.a, inner, ports)) -

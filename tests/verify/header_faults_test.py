@@ -21,16 +21,16 @@ MAX_K = "5"
 # File, what stands before the expression, the expression, the faulty ones, and in which table the first must show.
 KEY, RULES = "rules/key.hpp", "rules/rules.hpp"
 SITES = [
-    (KEY, "if (!", "has(inner, k + 2)", ["true", "false"], "collapse"),
+    (KEY, "if (!patch.has_chord() || !", "has(inner, patch.chord())", ["true", "false"], "collapse"),
     (RULES, "return turned_down(inner & low_bits(k + 2), exchange ? ", "arc + 1", ["arc", "a + 1"], "split"),
     (RULES, "const std::size_t by = exchange ? ", "a", ["k - a"], "split"),
     (RULES, "turned_down(ports, by, k), turned_down(joined, ", "by", ["0"], "split"),
-    (RULES, "return {0, count_bits(inner) - 2, false};\n  const Word joined = joined_ring(k, ", "a", ["k - a"], "collapse"),
-    (RULES, "exact::best_open_split(k, i, j, ports, joined_open(k, ", "loop", ["loop >> 1"], "open-split"),
-    (RULES, "exact::best_open_split(k, i, ", "j", ["k"], "open-split"),
-    (RULES, "exact::best_boundary_split(k, ", "i", ["k - i"], "boundary-split"),
-    (RULES, "exact::best_fan_collapse(k, ports, joined_path_with_chord(k, i, ", "j", ["k"], "open-collapse"),
-    (RULES, "exact::best_fan_collapse(k, ports, joined_path(k, ", "i", ["k - i"], "boundary-collapse"),
+    (RULES, "rule(ring_with_chord(at.k, ", "at.a", ["at.k - at.a"], "collapse"),
+    (RULES, "before.joined(", "inner", ["inner >> 1"], "split"),
+    (RULES, "rule(open_fan(at.k), path_with_chord(at.k, at.i, ", "at.j", ["at.k"], "open-split"),
+    (RULES, "rule(open_fan(at.k), path(at.k, ", "at.i", ["at.k - at.i"], "boundary-split"),
+    (RULES, "rule(path_with_chord(at.k, at.i, ", "at.j", ["at.k"], "open-collapse"),
+    (RULES, "rule(path(at.k, ", "at.i", ["at.k - at.i"], "boundary-collapse"),
     (RULES, "tables::flip[static_cast<std::size_t>(", "inner", ["!inner"], "flip"),
 ]
 SWITCH = """#include <cstdlib>

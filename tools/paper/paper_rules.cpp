@@ -125,7 +125,7 @@ std::vector<RuleOfOrbit> reduced_rules(SplitPosition at) {
   std::vector<RuleOfOrbit> rules;
   for (Word loop = 0; loop < bit(at.k); ++loop)
     for (Word ports = 0; ports < bit(at.k); ++ports)
-      if (valid_closed(at.k, loop, ports) && orbit_of(at, loop, ports).front() == Colors(loop, ports))
+      if (closed_fan(at.k).valid(loop, ports) && orbit_of(at, loop, ports).front() == Colors(loop, ports))
         rules.push_back(rule_of(at, loop, ports));
   return rules;
 }
@@ -169,7 +169,7 @@ LonelyCount lonely_configurations(SplitPosition at) {
       known->second = std::min(known->second, here);
     }
     for (Word loop = 0; loop < bit(at.k); ++loop) {
-      if (!valid_closed(at.k, loop, ports)) continue;
+      if (!closed_fan(at.k).valid(loop, ports)) continue;
       ++result.valid;
       ColoredPatch patch = ColoredPatch::fan(at.k, loop, ports);
       const Best& whole = best.at(patch.pairs());

@@ -22,13 +22,14 @@ int main() {
       for (restrip::Word loop = 0; loop < restrip::bit(k); ++loop)
         for (restrip::Word ports = 0; ports < restrip::bit(k); ++ports) {
           const restrip::Rule rule = restrip::split_rule({k, a}, loop, ports);
-          if (rule.valid != restrip::valid_closed(k, loop, ports)) return 1;
+          if (rule.valid != restrip::closed_fan(k).valid(loop, ports)) return 1;
           if (!rule.valid) continue;
           const restrip_rule in_c = restrip_split(static_cast<unsigned>(k), static_cast<unsigned>(a),
                                                   static_cast<unsigned>(loop), static_cast<unsigned>(ports));
           if ((in_c.valid != 0) != (k <= 4)) return 1;
           if (k <= 4 && in_c.colors != rule.colors) return 1;
-          const auto best = restrip::exact::best_split(k, a, ports, restrip::joined_closed(k, loop, ports));
+          const auto best =
+              restrip::exact::best(restrip::ring_with_chord(k, a), ports, restrip::closed_fan(k).joined(loop, ports));
           if (std::popcount(rule.colors) != best.value.solid) return 1;
           ++compared;
         }

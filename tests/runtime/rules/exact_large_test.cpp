@@ -22,7 +22,8 @@ void check(const FanOperation& operation, const RandomKey& key) {
   const std::vector<Word> joined = naive::words_of(key.joined);
   std::vector<Word> out(words_for(colors), ~Word{0});
   const std::size_t allocated = testing_support::allocations();
-  const Value value = operation.best(BitSpan{ports.data()}, BitSpan{joined.data()}, MutableBitSpan{out.data()});
+  const Value value =
+      best(operation.after(), BitSpan{ports.data()}, BitSpan{joined.data()}, MutableBitSpan{out.data()});
   EXPECT_LE(testing_support::allocations(), allocated + (operation.k <= 64 ? 0 : 1));
   for (std::size_t e = colors; e < out.size() * word_bits; ++e) EXPECT_FALSE(BitSpan{out.data()}[e]);
 
@@ -33,7 +34,7 @@ void check(const FanOperation& operation, const RandomKey& key) {
   EXPECT_EQ(truth.value(), naive::best_for_key(patch, key.ports, key.joined));
 
   if (operation.k > max_word_valence) return;
-  const Recoloring word = operation.best(naive::mask_of(key.ports), naive::mask_of(key.joined));
+  const Recoloring word = best(operation.after(), naive::mask_of(key.ports), naive::mask_of(key.joined));
   EXPECT_EQ(word.value, value);
   EXPECT_EQ(naive::bits_of(word.colors, colors), naive::bits_from(out, colors));
 }

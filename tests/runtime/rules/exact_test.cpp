@@ -22,11 +22,11 @@ namespace restrip::exact {
 namespace {
 
 // Answers at compile time. A square without ports becomes one strand of six triangles.
-static_assert(best_split(4, 2, 0, 0).value == Value{5, 0});
-static_assert(best_collapse(4, 0b1111, 0b0101).value == Value{2, 0});
-static_assert(best_collapse(3, 0, 0).value == Value{2, 0});
-static_assert(best_fan_collapse(1, 0, 0).value == Value{0, 1});
-static_assert(noexcept(best_split(4, 2, Word{0}, Word{0})));
+static_assert(best(ring_with_chord(4, 2), 0, 0).value == Value{5, 0});
+static_assert(best(closed_fan(4), 0b1111, 0b0101).value == Value{2, 0});
+static_assert(best(closed_fan(3), 0, 0).value == Value{2, 0});
+static_assert(best(open_fan(1), 0, 0).value == Value{0, 1});
+static_assert(noexcept(best(ring_with_chord(4, 2), Word{0}, Word{0})));
 
 long number_of(const Value& value) { return value.solid * 1'000'000L - value.isolated; }
 
@@ -78,7 +78,8 @@ TEST(Exact, EveryKeyAtEveryPosition) {
     for (std::size_t k = smallest[family]; k <= largest(); ++k)
       for (const FanOperation& operation : fan_operations(family, k)) {
         SCOPED_TRACE(operation.text());
-        check_all_keys(operation.patch(), [&](Word ports, Word joined) { return operation.best(ports, joined); });
+        check_all_keys(operation.patch(),
+                       [&](Word ports, Word joined) { return best(operation.after(), ports, joined); });
       }
 }
 
@@ -100,7 +101,7 @@ void check_all_configurations(const FanOperation& operation_before, const FanOpe
       long best = std::numeric_limits<long>::min();
       for (const naive::Analysis& next : recolorings)
         if (next.valid && naive::subset(next.joined, now.joined)) best = std::max(best, next.value());
-      const Recoloring found = operation.best(ports, operation_before.joined(inner, ports));
+      const Recoloring found = exact::best(operation.after(), ports, operation_before.after().joined(inner, ports));
       const naive::Analysis& next = recolorings.at(found.colors);
       ASSERT_TRUE(next.valid && naive::subset(next.joined, now.joined)) << "inner " << inner << " ports " << ports;
       ASSERT_EQ(number_of(found.value), next.value()) << "inner " << inner << " ports " << ports;

@@ -17,12 +17,13 @@ namespace restrip {
 namespace {
 
 // t_3 enters through its port, runs e_3 (round to t_0), e_0, and leaves at t_1.
-static_assert(joined_closed(4, 0b1001, 0b1010) == 0b0010);
+static_assert(closed_fan(4).joined(0b1001, 0b1010) == 0b0010);
 static_assert(canonical_joined(0b1010, 0b0010) == 0b1010);
-static_assert(joined_open(4, 0b011, 0b0101) == 0b0100);
-static_assert(valid_closed(4, 0b0111, 0b1001) && !valid_closed(4, 0b1111, 0) && !valid_closed(4, 0b0011, 0b0010));
-static_assert(!valid_closed(4, 0b10000, 0) && !valid_closed(4, 0, 0b10000));
-static_assert(valid_open(4, 0b111, 0b1001) && !valid_open(4, 0b1000, 0));
+static_assert(open_fan(4).joined(0b011, 0b0101) == 0b0100);
+static_assert(closed_fan(4).valid(0b0111, 0b1001) && !closed_fan(4).valid(0b1111, 0) &&
+              !closed_fan(4).valid(0b0011, 0b0010));
+static_assert(!closed_fan(4).valid(0b10000, 0) && !closed_fan(4).valid(0, 0b10000));
+static_assert(open_fan(4).valid(0b111, 0b1001) && !open_fan(4).valid(0b1000, 0));
 
 // Counts the valid configurations of the patch that an operation leaves, after comparing each with the naive answer.
 int compare_all(const exact::FanOperation& operation) {
@@ -36,16 +37,17 @@ int compare_all(const exact::FanOperation& operation) {
       const std::vector<Word> port_words = naive::words_of(port_bits);
       const std::vector<Word> inner_words = naive::words_of(inner_bits);
       Word joined_word = ~Word{0};
-      operation.joined(BitSpan{inner_words.data()}, BitSpan{port_words.data()}, MutableBitSpan::of(joined_word));
+      operation.after().joined(BitSpan{inner_words.data()}, BitSpan{port_words.data()},
+                               MutableBitSpan::of(joined_word));
       EXPECT_EQ(joined_word & ~ports, 0U);
-      EXPECT_EQ(operation.joined(inner, ports) & ~ports, 0U);
-      EXPECT_EQ(operation.valid(inner, ports), truth.valid) << "inner " << inner << " ports " << ports;
-      EXPECT_EQ(operation.valid(BitSpan{inner_words.data()}, BitSpan{port_words.data()}), truth.valid);
+      EXPECT_EQ(operation.after().joined(inner, ports) & ~ports, 0U);
+      EXPECT_EQ(operation.after().valid(inner, ports), truth.valid) << "inner " << inner << " ports " << ports;
+      EXPECT_EQ(operation.after().valid(BitSpan{inner_words.data()}, BitSpan{port_words.data()}), truth.valid);
       if (!truth.valid) continue;
       ++valid;
       const Word expected = naive::mask_of(naive::key_of(patch, port_bits, truth.joined));
       const auto canonical = [&](Word joined) { return patch.cyclic ? canonical_joined(ports, joined) : joined; };
-      EXPECT_EQ(canonical(operation.joined(inner, ports)), expected) << "inner " << inner << " ports " << ports;
+      EXPECT_EQ(canonical(operation.after().joined(inner, ports)), expected) << "inner " << inner << " ports " << ports;
       EXPECT_EQ(canonical(joined_word), expected) << "inner " << inner << " ports " << ports;
     }
   }
@@ -120,14 +122,14 @@ TEST(Key, RandomLargeConfigurations) {
     const BitSpan in{inner_words.data()};
     const BitSpan p{port_words.data()};
     std::vector<Word> out(words_for(k), ~Word{0});
-    operation.joined(in, p, MutableBitSpan{out.data()});
-    EXPECT_TRUE(operation.valid(in, p));
+    operation.after().joined(in, p, MutableBitSpan{out.data()});
+    EXPECT_TRUE(operation.after().valid(in, p));
     EXPECT_EQ(naive::pairs_of(patch, ports, naive::bits_from(out, k)), expected);
     if (k > max_word_valence) continue;
     const Word m = naive::mask_of(inner);
     const Word q = naive::mask_of(ports);
-    EXPECT_TRUE(operation.valid(m, q));
-    EXPECT_EQ(naive::pairs_of(patch, ports, naive::bits_of(operation.joined(m, q), k)), expected);
+    EXPECT_TRUE(operation.after().valid(m, q));
+    EXPECT_EQ(naive::pairs_of(patch, ports, naive::bits_of(operation.after().joined(m, q), k)), expected);
   }
 }
 

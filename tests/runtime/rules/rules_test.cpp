@@ -49,14 +49,14 @@ std::size_t compare_all(const exact::FanOperation& split, bool splits) {
   for (Word colors = 0; colors < bit(before.patch().edges.size()); ++colors)
     for (Word ports = 0; ports < bit(split.k); ++ports) {
       const Rule rule = rule_of(split, splits, colors, ports);
-      EXPECT_EQ(rule.valid, before.valid(colors, ports));
+      EXPECT_EQ(rule.valid, before.after().valid(colors, ports));
       if (!rule.valid) continue;
       ++compared;
       const auto canonical = [&](Word joined) { return patch.cyclic ? canonical_joined(ports, joined) : joined; };
-      const Word joined = before.joined(colors, ports);
-      const exact::Value best = after.best(ports, joined).value;
-      EXPECT_TRUE(after.valid(rule.colors, ports));
-      EXPECT_EQ(canonical(after.joined(rule.colors, ports)) & ~canonical(joined), 0U);
+      const Word joined = before.after().joined(colors, ports);
+      const exact::Value best = exact::best(after.after(), ports, joined).value;
+      EXPECT_TRUE(after.after().valid(rule.colors, ports));
+      EXPECT_EQ(canonical(after.after().joined(rule.colors, ports)) & ~canonical(joined), 0U);
       EXPECT_EQ(count_bits(rule.colors), best.solid);
       EXPECT_EQ(naive::analyze(patch, naive::bits_of(rule.colors, patch.edges.size()), naive::bits_of(ports, split.k))
                     .isolated,

@@ -24,8 +24,31 @@
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/impl/arc_walk.hpp"
-#include "restrip/rules/impl/layout.hpp"
 #include "restrip/rules/key.hpp"
+
+namespace restrip::detail {
+
+/// Isolated triangles of a patch with these colours.
+constexpr int isolated(const Patch& patch, Word inner, Word ports) noexcept {
+  const Word edges = inner & low_bits(patch.edges());
+  const Word wrap = edges >> (patch.size() - 1);  // of a ring; a path lacks this edge
+  Word touched = edges | edges << 1 | wrap | patch.spread(ports);
+  if (patch.has_chord() && has(inner, patch.chord())) touched |= bit(patch.inserted) | bit(patch.opposite);
+  return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));
+}
+
+constexpr int isolated(const Patch& patch, BitSpan inner, BitSpan ports) noexcept {
+  int n = 0;
+  for (std::size_t m = 0; m < patch.size(); ++m) {
+    const bool above = (patch.ring || m + 1 < patch.size()) && inner[m];
+    const bool below = m > 0 ? inner[m - 1] : patch.ring && inner[patch.size() - 1];
+    const bool third = patch.is_fan(m) ? ports[patch.port(m)] : patch.has_chord() && inner[patch.chord()];
+    n += above || below || third ? 0 : 1;
+  }
+  return n;
+}
+
+}  // namespace restrip::detail
 
 namespace restrip::exact {
 
@@ -43,110 +66,38 @@ struct Recoloring {
   Value value;
 };
 
-}  // namespace restrip::exact
-
-namespace restrip::detail {
-
-/// The functions below, for the patch after the operation.
-constexpr exact::Recoloring best_recoloring(const Layout& patch, Word ports, Word joined) noexcept {
-  ArcEntry room[max_word_valence + 2];
-  exact::Recoloring result;
-  walk_arcs(patch, WordLetters(patch, ports, joined), room,
-            [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });
-  result.value = {count_bits(result.colors), isolated(patch, result.colors, ports)};
+/// For the patch after the operation, on words: k <= max_word_valence. `colors` has patch.colors() bits.
+constexpr Recoloring best(const Patch& patch, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(patch.k <= max_word_valence, "exact::best", detail::no_such_fan);
+  detail::ArcEntry room[max_word_valence + 2];
+  Recoloring result;
+  detail::walk_arcs(patch, detail::WordLetters(patch, ports, joined), room,
+                    [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });
+  result.value = {count_bits(result.colors), detail::isolated(patch, result.colors, ports)};
   return result;
 }
 
-inline exact::Value best_recoloring(const Layout& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) {
-  const auto write = [&](ArcEntry* room) {
-    exact::Value value;
+/// On bit strings: any k. The colours go to the last argument; the words that hold them are overwritten and must not be
+/// the words of the key.
+inline Value best(const Patch& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) {
+  const auto write = [&](detail::ArcEntry* room) {
+    Value value;
     colors.clear(patch.colors());
-    walk_arcs(patch, LongLetters(patch, ports, joined), room, [&](std::size_t edge, bool solid) {
+    detail::walk_arcs(patch, detail::LongLetters(patch, ports, joined), room, [&](std::size_t edge, bool solid) {
       if (!solid) return;
       colors.set(edge);
       ++value.solid;
     });
-    value.isolated = isolated(patch, colors, ports);
+    value.isolated = detail::isolated(patch, colors, ports);
     return value;
   };
   constexpr std::size_t max_stack_valence = 64;
   if (patch.k <= max_stack_valence) {
-    ArcEntry room[max_stack_valence + 2];
+    detail::ArcEntry room[max_stack_valence + 2];
     return write(room);
   }
-  std::vector<ArcEntry> room(patch.k + 2);
+  std::vector<detail::ArcEntry> room(patch.k + 2);
   return write(room.data());
-}
-
-}  // namespace restrip::detail
-
-namespace restrip::exact {
-
-// ---- Words: k <= max_word_valence, constexpr, noexcept ----
-
-/// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
-constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "exact::best_split", detail::no_such_arc);
-  return detail::best_recoloring(detail::ring_with_chord(k, a), ports, joined);
-}
-
-/// Ring with chord to closed fan, k >= 1, at any position: `colors` is `loop`, k bits.
-constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", detail::no_such_fan);
-  return detail::best_recoloring(detail::closed_fan(k), ports, joined);
-}
-
-/// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
-constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "exact::best_open_split", detail::no_such_gaps);
-  return detail::best_recoloring(detail::path_with_chord(k, i, j), ports, joined);
-}
-
-/// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
-constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "exact::best_boundary_split", detail::no_such_gap);
-  return detail::best_recoloring(detail::path(k, i), ports, joined);
-}
-
-/// Path, with chord or without, to open fan, k >= 1, at any position: `colors` is `loop`, k - 1 bits.
-constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) noexcept {
-  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", detail::no_such_fan);
-  return detail::best_recoloring(detail::open_fan(k), ports, joined);
-}
-
-// ---- Bit strings: any k ----
-//
-// The colours go to the last argument; the words that hold them are overwritten and must not be the words of the key.
-
-/// `inner` has k + 3 bits.
-inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
-  RESTRIP_ASSERT(1 <= a && a < k, "exact::best_split", detail::no_such_arc);
-  return detail::best_recoloring(detail::ring_with_chord(k, a), ports, joined, inner);
-}
-
-/// `loop` has k bits.
-inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
-  RESTRIP_ASSERT(k >= 1, "exact::best_collapse", detail::no_such_fan);
-  return detail::best_recoloring(detail::closed_fan(k), ports, joined, loop);
-}
-
-/// `inner` has k + 2 bits.
-inline Value best_open_split(std::size_t k, std::size_t i, std::size_t j, BitSpan ports, BitSpan joined,
-                             MutableBitSpan inner) {
-  RESTRIP_ASSERT(i < j && j <= k, "exact::best_open_split", detail::no_such_gaps);
-  return detail::best_recoloring(detail::path_with_chord(k, i, j), ports, joined, inner);
-}
-
-/// `inner` has k bits.
-inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
-  RESTRIP_ASSERT(k >= 1 && i <= k, "exact::best_boundary_split", detail::no_such_gap);
-  return detail::best_recoloring(detail::path(k, i), ports, joined, inner);
-}
-
-/// `loop` has k - 1 bits; nothing is written when k = 1.
-inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
-  RESTRIP_ASSERT(k >= 1, "exact::best_fan_collapse", detail::no_such_fan);
-  return detail::best_recoloring(detail::open_fan(k), ports, joined, loop);
 }
 
 }  // namespace restrip::exact

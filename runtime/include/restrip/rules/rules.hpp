@@ -72,6 +72,15 @@ constexpr Word turned_down(Word mask, std::size_t by, std::size_t n) noexcept {
   return (mask >> by | mask << (n - by)) & low_bits(n);
 }
 
+constexpr bool in_closed_fan(SplitPosition at) noexcept {
+  return at.k >= 3 && 1 <= at.a && at.a < at.k && at.k <= max_word_valence;
+}
+
+/// Ports of a ring with chord as a mask over its elements: A is element 0, D is element a + 1.
+constexpr Word ring_ports(std::size_t a, Word ports) noexcept {
+  return (ports & low_bits(a)) << 1 | (ports >> a) << (a + 2);
+}
+
 /// The isolated triangles of a closed fan, and of a ring with chord (by element).
 constexpr Word isolated_closed(std::size_t k, Word loop, Word ports) noexcept {
   return low_bits(k) & ~(loop | loop << 1 | loop >> (k - 1) | ports);
@@ -104,10 +113,6 @@ constexpr Word cell(const Table& table, std::size_t k, std::size_t place, Word p
   return table.rules[table.first[k] + place * table.cells[k] + row + static_cast<std::size_t>(joined)];
 }
 
-constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
-  return {colors, nodes - count_difference(colors, before), true};
-}
-
 /// The table's answer to a key of a closed fan of at most table_max_k triangles.
 constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
   // The tables begin with the shorter arc. If the first arc is longer, A and D are exchanged and the ring is turned
@@ -121,60 +126,45 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
 
 }  // namespace detail
 
-/// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
+/// The rule from `inner`, the colours of a patch before an operation, to the colours after it. One of the patches is a
+/// fan, the other one is made of it by a split at any position; k <= max_word_valence. The functions below are this one
+/// for the operations by name.
+[[gnu::always_inline, nodiscard]] constexpr Rule rule(const Patch& before, const Patch& after, Word inner,
+                                                      Word ports) noexcept {
+  const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());
+  if (!before.valid(inner, ports)) return {0, nodes + count_bits(inner), false};
+  const Word joined = before.joined(inner, ports);
+  const Word colors = !after.ring || after.k < 3 || after.k > table_max_k ? exact::best(after, ports, joined).colors
+                      : after.has_chord() ? detail::split_cell(after.k, after.opposite - 1, ports, joined)
+                                          : detail::cell(tables::collapse, after.k, 0, ports, joined);
+  return {colors, nodes - count_difference(colors, inner), true};
+}
+
+/// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3.
 [[nodiscard]] constexpr Rule split_rule(SplitPosition at, Word loop, Word ports) noexcept {
-  const auto [k, a] = at;
-  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "split_rule", detail::no_such_split);
-  if (!valid_closed(k, loop, ports)) return {0, 2 + count_bits(loop), false};
-  const Word joined = joined_closed(k, loop, ports);
-  return detail::rule(
-      k > table_max_k ? exact::best_split(k, a, ports, joined).colors : detail::split_cell(k, a, ports, joined), loop,
-      2);
+  RESTRIP_ASSERT(detail::in_closed_fan(at), "split_rule", detail::no_such_split);
+  return rule(closed_fan(at.k), ring_with_chord(at.k, at.a), loop, ports);
 }
-
-/// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k. k <= max_word_valence.
+/// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k.
 [[nodiscard]] constexpr Rule collapse_rule(SplitPosition at, Word inner, Word ports) noexcept {
-  const auto [k, a] = at;
-  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "collapse_rule", detail::no_such_split);
-  if (!valid_ring(k, a, inner, ports)) return {0, count_bits(inner) - 2, false};
-  const Word joined = joined_ring(k, a, inner, ports);
-  const Word loop = k > table_max_k ? exact::best_collapse(k, ports, joined).colors
-                                    : detail::cell(tables::collapse, k, 0, ports, joined);
-  return detail::rule(loop, inner, -2);
+  RESTRIP_ASSERT(detail::in_closed_fan(at), "collapse_rule", detail::no_such_split);
+  return rule(ring_with_chord(at.k, at.a), closed_fan(at.k), inner, ports);
 }
-
-/// Split of an open fan, two triangles: `loop` has k - 1 bits, `ports` k, the answer k + 2. k <= max_word_valence.
+/// Split of an open fan, two triangles: `loop` has k - 1 bits, `ports` k, the answer k + 2.
 [[nodiscard]] constexpr Rule open_split_rule(GapPair at, Word loop, Word ports) noexcept {
-  const auto [k, i, j] = at;
-  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_split_rule", detail::no_such_gaps);
-  if (!valid_open(k, loop, ports)) return {0, 2 + count_bits(loop), false};
-  return detail::rule(exact::best_open_split(k, i, j, ports, joined_open(k, loop, ports)).colors, loop, 2);
+  return rule(open_fan(at.k), path_with_chord(at.k, at.i, at.j), loop, ports);
 }
-
-/// Split of an open fan along its boundary, one triangle: `loop` has k - 1 bits, `ports` k, the answer k. k <=
-/// max_word_valence.
+/// Split of an open fan along its boundary, one triangle: `loop` has k - 1 bits, `ports` k, the answer k.
 [[nodiscard]] constexpr Rule boundary_split_rule(Gap at, Word loop, Word ports) noexcept {
-  const auto [k, i] = at;
-  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_split_rule", detail::no_such_gap);
-  if (!valid_open(k, loop, ports)) return {0, 1 + count_bits(loop), false};
-  return detail::rule(exact::best_boundary_split(k, i, ports, joined_open(k, loop, ports)).colors, loop, 1);
+  return rule(open_fan(at.k), path(at.k, at.i), loop, ports);
 }
-
 /// Collapse onto an open fan, two triangles removed: `inner` has k + 2 bits, `ports` k, the answer k - 1.
 [[nodiscard]] constexpr Rule open_collapse_rule(GapPair at, Word inner, Word ports) noexcept {
-  const auto [k, i, j] = at;
-  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_collapse_rule", detail::no_such_gaps);
-  if (!valid_path_with_chord(k, i, j, inner, ports)) return {0, count_bits(inner) - 2, false};
-  return detail::rule(exact::best_fan_collapse(k, ports, joined_path_with_chord(k, i, j, inner, ports)).colors, inner,
-                      -2);
+  return rule(path_with_chord(at.k, at.i, at.j), open_fan(at.k), inner, ports);
 }
-
 /// Collapse onto an open fan, one triangle removed: `inner` and `ports` have k bits, the answer k - 1.
 [[nodiscard]] constexpr Rule boundary_collapse_rule(Gap at, Word inner, Word ports) noexcept {
-  const auto [k, i] = at;
-  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_collapse_rule", detail::no_such_gap);
-  if (!valid_path(k, i, inner, ports)) return {0, count_bits(inner) - 1, false};
-  return detail::rule(exact::best_fan_collapse(k, ports, joined_path(k, i, inner, ports)).colors, inner, -1);
+  return rule(path(at.k, at.i), open_fan(at.k), inner, ports);
 }
 
 /// Flip: four ports, counter-clockwise; p_0 and p_1 belong to one triangle before, p_1 and p_2 after.

@@ -23,25 +23,13 @@ struct Answer {
   ColoringChange change;
 };
 
-/// The rule of rules.hpp for these layouts.
-inline Rule rule_between(const Layout& before, Word colors, const Layout& after, Word ports) noexcept {
-  const std::size_t k = after.k;
-  if (after.ring)
-    return after.has_chord() ? split_rule({k, after.opposite - 1}, colors, ports)
-                             : collapse_rule({k, before.opposite - 1}, colors, ports);
-  if (after.has_chord()) return open_split_rule({k, after.inserted, after.opposite - 1}, colors, ports);
-  if (before.has_chord()) return open_collapse_rule({k, before.inserted, before.opposite - 1}, colors, ports);
-  return after.inserted != nowhere ? boundary_split_rule({k, after.inserted}, colors, ports)
-                                   : boundary_collapse_rule({k, before.inserted}, colors, ports);
-}
-
 /// For colours that no valid stripification has, all edges are dashed, as in Rule.
 inline Answer answer_by_rule(SeenPatch& patch) {
-  const Layout before = patch.before;
-  const Layout after = patch.after;
+  const Patch before = patch.before;
+  const Patch after = patch.after;
   if (before.k <= max_word_valence) {
     const Word ports = patch.ports.word();
-    const Rule rule = rule_between(before, patch.inner.word(), after, ports);
+    const Rule rule = restrip::rule(before, after, patch.inner.word(), ports);
     const int isolated_now = isolated(after, rule.colors, ports);
     return {FanBits(rule.colors), {rule.strips, 0, isolated_now - isolated(before, patch.inner.word(), ports)}};
   }
@@ -52,7 +40,7 @@ inline Answer answer_by_rule(SeenPatch& patch) {
   if (const Walker walker{before, inner, ports}; walker.valid()) {
     FanBits joined;
     walker.joined(joined.span(before.k));
-    best_recoloring(after, ports, joined.span(before.k), result.colors.span(after.colors()));
+    exact::best(after, ports, joined.span(before.k), result.colors.span(after.colors()));
   }
   const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());
   result.change.strips = nodes - (result.colors.count() - patch.inner.count());
@@ -90,7 +78,7 @@ struct FanChange {
   InteriorFan<Halfedge> fan;
   Word before = 0;      ///< interior: colours of the loop before a split, of the inner edges before a collapse
   FanBits colors;       ///< of the inner edges after a split, of the loop after a collapse
-  Layout layout;        ///< elsewhere: of the fan
+  Patch layout;         ///< elsewhere: of the fan
   std::size_t gap = 0;  ///< elsewhere: see SeenPatch
   ColoringChange counts;
 
@@ -101,7 +89,7 @@ struct FanChange {
     counts = {rule.strips, 0, count_difference(isolated_after, isolated_before)};
   }
   /// Takes the rule of another patch, whose layout without the inserted triangles is `at`.
-  void take(Answer&& rule, const Layout& at, std::size_t gap_of_spoke) {
+  void take(Answer&& rule, const Patch& at, std::size_t gap_of_spoke) {
     fan.k = at.k;
     colors = std::move(rule.colors);
     layout = at;
@@ -204,7 +192,7 @@ FanChange<typename Mesh::Halfedge> begin_collapse(Rules&& rules, Mesh& mesh, typ
     return change;
   }
   SeenPatch patch = read_patch(mesh, chord);
-  const Layout& before = patch.before;
+  const Patch& before = patch.before;
   change.take(rules.answer(std::as_const(mesh), patch,
                            [&](VisitEdge<Halfedge> port) {
                              walk_patch(

@@ -235,8 +235,8 @@ Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const FanChan
                 }));
   const auto& fan = change.fan;
   const Word colors = change.colors.word();
-  const Word parted = parted_ports(fan.k, fan.ports, {joined_closed(fan.k, change.before, fan.ports), 0},
-                                   ring_pairs(fan.k, fan.a, colors, fan.ports));
+  const Word parted = parted_ports(fan.k, fan.ports, {closed_fan(fan.k).joined(change.before, fan.ports), 0},
+                                   inner_pairs(ring_with_chord(fan.k, fan.a), colors, fan.ports));
   return join_in_fan<Mesh>(mesh, done, ends_ring(fan.k, fan.a, colors, fan.ports), ring_ports(fan.a, parted),
                            low_bits(fan.k + 2),
                            [&](Word elements, Visit<Mesh> each) { visit_ring(mesh, fan, chord, elements, each); });
@@ -249,8 +249,9 @@ Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const FanC
     return with(done, join_and_absorb<Mesh>(mesh, [&](Visit<Mesh> visit) { for_each_around(mesh, left, visit); }));
   const auto& fan = change.fan;
   const Word colors = change.colors.word();
-  const Word parted = parted_ports(fan.k, fan.ports, ring_pairs(fan.k, fan.a, change.before, fan.ports),
-                                   {joined_closed(fan.k, colors, fan.ports), 0});
+  const Word parted =
+      parted_ports(fan.k, fan.ports, inner_pairs(ring_with_chord(fan.k, fan.a), change.before, fan.ports),
+                   {closed_fan(fan.k).joined(colors, fan.ports), 0});
   return join_in_fan<Mesh>(mesh, done, ends_closed(fan.k, colors, fan.ports), parted, low_bits(fan.k),
                            [&](Word triangles, Visit<Mesh> each) { visit_fan(mesh, fan, left, triangles, each); });
 }

@@ -149,8 +149,8 @@ class FanBits {
 
 /// The colours that an operation finds in its patch, and the layouts before and after it.
 struct SeenPatch {
-  Layout before;
-  Layout after;
+  Patch before;
+  Patch after;
   /// In an open fan: before a split the gap of the left spoke, or of the right one if it is alone; before a collapse
   /// the gap of the spoke to v_l, or if v_l does not exist to v_r.
   std::size_t gap = 0;
@@ -276,9 +276,9 @@ bool leaves_boundary(const Mesh& mesh, typename Mesh::Halfedge h) {
 ///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
 /// Returns its layout and SeenPatch::gap. The mesh is not changed by the walk; edge() may change colours.
 template <ColoredMesh Mesh>
-std::pair<Layout, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord,
-                                          VisitEdge<typename Mesh::Halfedge> edge,
-                                          VisitEdge<typename Mesh::Halfedge> port) {
+std::pair<Patch, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord,
+                                         VisitEdge<typename Mesh::Halfedge> edge,
+                                         VisitEdge<typename Mesh::Halfedge> port) {
   const auto back = mesh.opposite(chord);
   if (mesh.on_boundary(chord) || mesh.on_boundary(back)) {
     const auto inward = mesh.on_boundary(chord) ? back : chord;  // the triangle lies to its left
@@ -308,7 +308,7 @@ std::pair<Layout, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfe
 /// edge of h. Closed: edge k - 1 crosses `spoke`, edges count up from there. Open: `spoke` lies in gap `gap`, which
 /// carries edge gap - 1. The mesh is not changed by the walk; edge() may change colours.
 template <ColoredMesh Mesh>
-void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, const Layout& fan, std::size_t gap,
+void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, const Patch& fan, std::size_t gap,
               VisitEdge<typename Mesh::Halfedge> edge) {
   const std::size_t k = fan.k;
   if (fan.ring) {

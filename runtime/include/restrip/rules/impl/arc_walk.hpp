@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "restrip/rules/bits.hpp"
-#include "restrip/rules/impl/layout.hpp"
+#include "restrip/rules/key.hpp"
 #include "restrip/tables/automaton.hpp"
 
 namespace restrip::detail {
@@ -17,7 +17,7 @@ struct WordLetters {
   Word ports;
   Word joined;  ///< of solid ports
 
-  constexpr WordLetters(const Layout& patch, Word solid, Word may_join) noexcept
+  constexpr WordLetters(const Patch& patch, Word solid, Word may_join) noexcept
       : ports(solid), joined(may_join & solid) {
     const Word but_one = ports & (ports - 1);
     if (!patch.ring)
@@ -37,8 +37,7 @@ struct LongLetters {
   bool pair = false;            ///< exactly two solid ports, which are joined
   std::size_t first = nowhere;  ///< in an open fan, the first solid port
 
-  constexpr LongLetters(const Layout& patch, BitSpan solid, BitSpan may_join) noexcept
-      : ports(solid), joined(may_join) {
+  constexpr LongLetters(const Patch& patch, BitSpan solid, BitSpan may_join) noexcept : ports(solid), joined(may_join) {
     const std::size_t one = ports.first_set(0, patch.k);
     if (!patch.ring) {
       first = one;
@@ -97,7 +96,7 @@ class ArcWalk {
 /// The best recolouring of a patch after an operation: color(edge, solid) is called once for every inner edge. `room`
 /// has two more entries than the fan has triangles. Two table reads for each triangle; letters are read once.
 template <class Letters, class Color>
-constexpr void walk_arcs(const Layout& patch, const Letters& letters, ArcEntry* room, Color&& color) noexcept {
+constexpr void walk_arcs(const Patch& patch, const Letters& letters, ArcEntry* room, Color&& color) noexcept {
   constexpr const auto& automaton = tables::automaton;
   const std::size_t k = patch.k;
   if (patch.has_chord()) {

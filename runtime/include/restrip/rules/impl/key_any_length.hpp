@@ -1,16 +1,16 @@
-// The functions of restrip/rules/key.hpp for bit strings of any length: a walk, one step an element.
+// The functions of key.hpp for bit strings of any length: a walk, one step an element. Included by key.hpp.
 #pragma once
 
 #include <cstddef>
 #include <initializer_list>
 
 #include "restrip/rules/bits.hpp"
-#include "restrip/rules/impl/layout.hpp"
+#include "restrip/rules/key.hpp"
 
 namespace restrip::detail {
 
 struct Walker {
-  Layout patch;
+  Patch patch;
   BitSpan inner;
   BitSpan ports;
 
@@ -85,3 +85,14 @@ struct Walker {
 };
 
 }  // namespace restrip::detail
+
+namespace restrip {
+
+inline bool Patch::valid(BitSpan inner, BitSpan ports) const noexcept {
+  return detail::Walker{*this, inner, ports}.valid();
+}
+inline void Patch::joined(BitSpan inner, BitSpan ports, MutableBitSpan result) const noexcept {
+  detail::Walker{*this, inner, ports}.joined(result);
+}
+
+}  // namespace restrip

@@ -60,9 +60,9 @@ constexpr Word passed_to_fan(std::size_t k, std::size_t a, Word ring) noexcept {
 }
 
 /// The same between a layout without inserted elements and one with them, in either direction.
-inline FanBits passed_on(const Layout& before, const FanBits& colors, const Layout& after) {
+inline FanBits passed_on(const Patch& before, const FanBits& colors, const Patch& after) {
   const bool inserts = before.size() < after.size();
-  const Layout& with = inserts ? after : before;
+  const Patch& with = inserts ? after : before;
   FanBits passed;
   for (std::size_t i = 0; i < (with.ring ? with.k : with.k - 1); ++i) {
     const std::size_t first = with.element(i);
@@ -81,7 +81,7 @@ inline FanBits passed_on(const Layout& before, const FanBits& colors, const Layo
 /// Triangles minus solid inner edges, swaps and isolated triangles of a patch, including swaps at its ports.
 /// `outside(i)` is how the strip turns outside solid port i. Linear time.
 template <class Outside>
-ColoringChange tally(const Layout& at, const FanBits& colors, const FanBits& ports, Outside&& outside) {
+ColoringChange tally(const Patch& at, const FanBits& colors, const FanBits& ports, Outside&& outside) {
   const std::size_t n = at.size();
   const bool chord = at.has_chord() && colors.get(at.chord());
   // Sides counter-clockwise: of a fan triangle the edge before it, its port, the edge after it; of an inserted one the
