@@ -16,7 +16,7 @@ matching() { printf '%s\n' "${changed[@]}" | grep -E "$1" || true; }
 format=$(style_tool clang-format)
 if [ -n "$format" ]; then
   say "format"
-  matching '\.(cpp|hpp|c|h)$' | { grep -vE '^tables/include/|^generator/languages/templates/|^tests/generator/languages/' || true; } | xargs -r "$format" --dry-run --Werror
+  matching '\.(cpp|hpp|c|h)$' | { grep -vE '^tables/include/|^generator/emit/templates/|^tests/generator/languages/' || true; } | xargs -r "$format" --dry-run --Werror
 else
   leave_out "the format of the sources: clang-format $style_version is not there, and other versions disagree"
 fi

@@ -28,14 +28,27 @@ def sizes_in(text):
     return {family: (int(rules), int(size)) for family, rules, size in LINE.findall(text)}
 
 
+def described(generate, family, k, a):
+    """The operation file of a family at one position, with the default cost."""
+    printed = json.loads(subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)]))
+    return {name: value for name, value in printed.items() if name != "cost"}
+
+
 def print_counts(generate):
-    counts = json.loads(subprocess.check_output([generate, "count", "--json", "-"]))
     header("operation", "k", "configurations", "valid, by a", "orbits of all, by a", "orbits of valid, by a",
            "valid whose rule adds a strip, by a")
-    for operation in ("split", "collapse"):
-        for row in counts[operation]:
-            line([operation, str(row["k"]), f"{row['configurations']:,}"] +
-                 ["; ".join(f"{number:,}" for number in row[what]) for what in ("valid", "orbits", "valid_orbits", "costing")])
+    with tempfile.TemporaryDirectory() as out:
+        for family in ("split", "collapse"):
+            for k in range(3, 9):
+                figures = []
+                for a in range(1, k // 2 + 1):
+                    file = os.path.join(out, "operation.json")
+                    with open(file, "w", encoding="utf-8") as written:
+                        json.dump(described(generate, family, k, a), written)
+                    printed = subprocess.check_output([generate, "rules", "--operation", file, "--language", "json", "--out", out, "--json", "-"])
+                    figures += json.loads(printed)["operations"]
+                line([family, str(k), f"{figures[0]['configurations']:,}"] +
+                     ["; ".join(f"{one[what]:,}" for one in figures) for what in ("valid", "orbits", "valid_orbits", "costing")])
 
 
 class Positions:
@@ -43,8 +56,7 @@ class Positions:
 
     def __init__(self, generate, family, k, a):
         self.keeping, self.giving = {}, {}  # solid edges after the operation, ports included, by (P, J) of docs/reference/operation-file.md
-        printed = subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)])
-        operation = {**json.loads(printed), "cost": [[{"count": "strips"}]]}
+        operation = {**described(generate, family, k, a), "cost": [[{"count": "strips"}]]}
         for give_up, solid in (("none", self.keeping), ("all", self.giving)):
             with tempfile.TemporaryDirectory() as out:
                 file = os.path.join(out, "operation.json")

@@ -82,7 +82,7 @@ if [ -n "$all" ]; then
   cmake --preset sanitize "${options[@]}" >"$logs/configure-sanitize"
   # Other versions of these tools disagree.
   format=$(style_tool clang-format) tidy=$(style_tool clang-tidy)
-  check_format() { git ls-files '*.cpp' '*.hpp' '*.c' '*.h' ':!tables/include' ':!generator/languages/templates' ':!tests/generator/languages' | xargs "$format" --dry-run --Werror; }
+  check_format() { git ls-files '*.cpp' '*.hpp' '*.c' '*.h' ':!tables/include' ':!generator/emit/templates' ':!tests/generator/languages' | xargs "$format" --dry-run --Werror; }
   if [ -n "$format" ]; then
     part "checking the format of the sources" check_format
   else

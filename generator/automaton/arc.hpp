@@ -41,7 +41,6 @@ inline constexpr Case both_dashed = 0;
 inline constexpr Case through_case = case_of(Reach::through, Reach::through);
 [[nodiscard]] constexpr Reach left_of(Case c) { return static_cast<Reach>(c / 4); }
 [[nodiscard]] constexpr Reach right_of(Case c) { return static_cast<Reach>(c % 4); }
-[[nodiscard]] constexpr bool right_is_solid(Case c) { return right_of(c) != Reach::dashed; }
 
 /// The codes that are cases, ascending: either both links go through, or neither.
 inline constexpr std::array<Case, 10> all_cases{0, 1, 2, 4, 5, 6, 8, 9, 10, through_case};

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "describe/operation.hpp"
 
 namespace restrip::generator {
 

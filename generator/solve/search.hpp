@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "describe/operation.hpp"
 #include "solve/coloring.hpp"
 
 namespace restrip::generator {

@@ -148,13 +148,21 @@ void make_claims(Section& section) {
   }
 }
 
-/// Throws std::runtime_error if the rows are not valid for this position.
+/// Throws std::runtime_error if the rows are not valid for this position, or a user's is too large for a table.
 void expect_served(const Position& position, const Position& rows) {
   const Description& family = *position.family;
   const Description& first = *rows.family;
-  if (make_patch(position).after != patch_of_rows(rows).after || family.constraint != first.constraint ||
-      family.gives_all_up != first.gives_all_up || family.may_give_up != first.may_give_up ||
-      family.preference != first.preference)
+  const Patch patch = make_patch(position);
+  for (const Side* side : {&patch.before, &patch.after})
+    if (family.author == Author::user &&
+        (side->nodes > most_nodes || side->owner.empty() || side->ports() > most_ports ||
+         side->edges.size() + side->owner.size() > most_edges_and_ports))
+      throw std::runtime_error(fmt::format(
+          "{}{}: expected 1 to {} triangles, 1 to {} ports, and at most {} edges and ports together on each "
+          "side; a smaller --max-k leaves large positions out",
+          family.in_file, name_of(position), most_nodes, most_ports, most_edges_and_ports));
+  if (patch.after != patch_of_rows(rows).after || family.constraint != first.constraint ||
+      family.may_give_up != first.may_give_up || family.preference != first.preference)
     throw std::runtime_error(
         fmt::format("{}section {} cannot serve {}: its positions differ after the operation, or in what is "
                     "best; name more numbers in \"section\"",
@@ -219,9 +227,10 @@ Section solve(Patches patches, Watched watched) {
   return section;
 }
 
-std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads, Watched watched) {
+std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads) {
   std::vector<Section> sections(patches.size());
-  share_sections(patches, threads, watched, "solving", [&](std::size_t i) { sections[i] = solve(patches[i]); });
+  share_sections(patches, threads, "solving",
+                 [&](std::size_t i, Watched watched) { sections[i] = solve(patches[i], watched); });
   return sections;
 }
 
@@ -229,7 +238,26 @@ std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsi
   std::vector<Patches> patches = patches_of(families(), max_k);
   std::erase_if(patches, [&](const Patches& one) { return one.certificate != certificate; });
   if (patches.empty()) throw std::invalid_argument("unknown certificate " + certificate);
-  return solve_all(patches, threads, Watched::no);
+  return solve_all(patches, threads);
+}
+
+Answers answers_of(const Description& description, const std::vector<Section>& known, unsigned max_k) {
+  std::vector<Description> every{description};
+  every[0].listed.clear();
+  every[0].section = description.place.empty() ? description.name : description.place;
+  const std::vector<Patches> patches = patches_of(every, max_k);
+  Answers answers;
+  answers.images.reserve(patches.size());
+  for (const Patches& one : patches) {
+    const PositionNumbers numbers = one.serves[0].numbers();
+    const Position position{&description, numbers[0], numbers[1], numbers[2]};
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Section& other) {
+      return std::find(other.serves.begin(), other.serves.end(), position) != other.serves.end();
+    });
+    if (found == known.end()) answers.images.push_back(solve(one, Watched::yes));
+    answers.positions.push_back({position, found == known.end() ? &answers.images.back() : &*found});
+  }
+  return answers;
 }
 
 const Row& row_of(const Section& section, Mask ports, const PortPairs& joined) {

@@ -1,5 +1,5 @@
-// The stages `patches` and `solve` of the generator's pipeline (tables/table_files.hpp). A section has all rules of one
-// position, or of all positions that share them. It is the unit of work for threads and machines.
+// The stage `solve` of the generator's pipeline. A section has all rules of one position, or of all positions that
+// share them. It is the unit of work for threads.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "common/progress.hpp"
 #include "common/share.hpp"
-#include "operations/tie_break.hpp"
+#include "describe/tie_break.hpp"
 #include "solve/search.hpp"
 #include "solve/symmetry.hpp"
 
@@ -53,18 +53,18 @@ struct Section : Patches {
   std::vector<Claims> claims;       ///< for each position served
 };
 
-/// Calls work(i) once for each section i, the largest valences first, which take longest. A terminal shows `label` with
-/// the completed share.
+/// Calls work(i, watched) once for each section i, the largest valences first, which take longest. A terminal shows
+/// `label` with the completed share; the work on an only section is watched instead.
 template <class Any, class Work>
-void share_sections(const std::vector<Any>& sections, unsigned threads, Watched watched, const char* label,
-                    Work&& work) {
+void share_sections(const std::vector<Any>& sections, unsigned threads, const char* label, Work&& work) {
+  const bool only = sections.size() == 1;
   std::vector<std::size_t> places(sections.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t x, std::size_t y) { return sections[x].position.k > sections[y].position.k; });
-  Progress progress(label, places.size(), watched);
+  Progress progress(label, places.size(), only ? Watched::no : Watched::yes);
   share(places.size(), threads, [&](std::size_t i) {
-    work(places[i]);
+    work(places[i], only ? Watched::yes : Watched::no);
     progress.step();
   });
 }
@@ -73,7 +73,8 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, Watched 
 [[nodiscard]] std::vector<std::string> certificates_of(const std::vector<Description>& descriptions);
 
 /// The sections of these certificates in order, for valences up to max_k (at most 13, so that a recolouring has 16
-/// bits).
+/// bits). Throws std::runtime_error, with place and remedy, if positions cannot share a section, or if one of a user is
+/// too large for a table.
 [[nodiscard]] std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k);
 
 /// Rows and claims, by exhaustive search, reduced by symmetry. Threads may solve different sections at the same time.
@@ -81,10 +82,24 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, Watched 
 [[nodiscard]] Section solve(Patches patches, Watched watched = Watched::no);
 
 /// All sections in order; `threads` share the work, and the result does not depend on their number.
-[[nodiscard]] std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads, Watched watched);
+[[nodiscard]] std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads);
 
 /// The sections of one certificate of the shipped families.
 [[nodiscard]] std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads);
+
+/// A position and the section whose rows answer its configurations.
+struct AnsweredPosition {
+  Position position;
+  const Section* section = nullptr;
+};
+
+/// All positions of a description up to max_k, by the sections of its certificate. Positions that it does not list,
+/// because they are images of others, are solved. The sections must outlive the answers.
+struct Answers {
+  std::vector<Section> images;
+  std::vector<AnsweredPosition> positions;
+};
+[[nodiscard]] Answers answers_of(const Description& description, const std::vector<Section>& known, unsigned max_k);
 
 /// The row that answers a valid configuration with these solid ports and joined pairs.
 [[nodiscard]] const Row& row_of(const Section& section, Mask ports, const PortPairs& joined);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "describe/operation.hpp"
 
 namespace restrip::generator {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "operations/operation_layout.hpp"
+#include "tables/operation_layout.hpp"
 
 namespace restrip::generator {
 

@@ -1,4 +1,4 @@
-// The rule tables as plain arrays, from which the files of all languages are written (languages/languages.hpp).
+// The rule tables as plain arrays, from which the files of all languages are written (emit/languages.hpp).
 // tables/include/restrip/tables/format.hpp explains the numbers.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tables/emit.hpp"
+#include "tables/packing.hpp"
 
 namespace restrip::generator {
 

@@ -1,10 +1,10 @@
-// The stage `pack` of the generator's pipeline: packs the keys of each valence into few cells by row displacement (see
+// The stage `tables` for fans: packs the keys of each valence into few cells by row displacement (see
 // tables/include/restrip/tables/format.hpp).
 #pragma once
 
 #include <vector>
 
-#include "tables/certificate_text.hpp"
+#include "certify/certificate.hpp"
 
 namespace restrip::generator {
 

@@ -32,7 +32,6 @@ def without_times(report):
 
 run(["restrip", "make-mesh", "--triangles", "200", "-o", mesh])
 commands = {
-    "count": (["restrip-generate", "count", "--max-k", "3"], "split"),
     "automaton": (["restrip-generate", "automaton", "--out", scratch / "automaton"], "classes"),
     "rules": (["restrip-generate", "rules", "--operation", bisect, "--out", scratch / "rules"], "operations"),
     "tables": (["restrip-generate", "tables", "--max-k", "3", "--out", scratch / "tables"], "files"),

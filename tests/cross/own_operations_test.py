@@ -393,7 +393,7 @@ def check_automaton():
                                 "before": row + [late], "after": hub + [late], "give_up": "none"}))
     done = run(GENERATOR, "automaton", "--operation", file, "--out", SCRATCH)
     expect(done.returncode == 2 and "its ranges as a sum give" in done.stderr, f"a range that ends before it begins: {done.stderr}")
-    both = run(GENERATOR, "automaton", "--operation", file, "--classes", SCRATCH / "classes.json", "--out", SCRATCH)
+    both = run(GENERATOR, "automaton", "--operation", file, "--json", SCRATCH / "classes.json", "--out", SCRATCH)
     expect(both.returncode == 2 and "excludes" in both.stderr, both.stderr)
 
 

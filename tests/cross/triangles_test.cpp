@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-#include "operations/triangles.hpp"
+#include "describe/triangles.hpp"
 
 namespace restrip {
 namespace {

@@ -19,7 +19,7 @@ set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
 set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The page "Make a rule": one file is the generator's, one the verifier's; what is below them has neither.
 set(door_maker "\"common/[^\"]*\"|<nlohmann/json.hpp>|<stdio.h>")
-set(door_maker_generator "\"[a-z]+/(changed|write).hpp\"")
+set(door_maker_generator "\"commands/pipeline.hpp\"")
 set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"|\"judge/orbits.hpp\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
@@ -36,6 +36,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of the same floor.
 set(floors_runtime tables precondition.hpp fwd.hpp rules|mesh operations|output search|formats live_mesh.hpp live_apply.hpp restrip.hpp)
+set(floors_generator common describe solve certify tables automaton emit commands)
 set(floors_verify common model definition certificate judge explain automaton)
 set(floors_tools restrip common meshes pictures lod replay paper app)
 
@@ -89,8 +90,9 @@ function(judge room source line out)
   endif()
   if(DEFINED floors_${room})
     string(REGEX REPLACE "^${ROOT}/${room}/(include/restrip/)?" "" path "${source}")
-    # Programs that print the answers of headers are above all floors; a file without a folder is a separate floor.
-    if((path MATCHES "/" AND NOT path MATCHES "^src/") OR path MATCHES "^(restrip|precondition).hpp$")
+    # Programs that print the answers of headers and the text of templates are above all floors; a file without a folder is
+    # a separate floor.
+    if((path MATCHES "/" AND NOT path MATCHES "^(src|emit/templates)/") OR path MATCHES "^(restrip|precondition).hpp$")
       string(REGEX REPLACE "/[^/]*$" "" folder "${path}")
       judge_floor(${room} "${folder}" "${what}" wrong_floor)
       if(wrong_floor)
@@ -104,8 +106,8 @@ function(judge room source line out)
      OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"
      OR source MATCHES "/web/maker/module/(verify|no_nauty/orbits).cpp$" AND what MATCHES "^(${door_maker_verify})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
-     OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
-     OR source MATCHES "/generator/languages/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"
+     OR source MATCHES "/generator/emit/templates/" AND what MATCHES "^(${door_templates})$"
+     OR source MATCHES "/generator/emit/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"
      OR what MATCHES "^(${allowed_in_${room}})$")
     set(${out} FALSE PARENT_SCOPE)
     return()
@@ -151,7 +153,10 @@ endforeach()
 
 # The check itself must be able to fail, for every room and floor: path from the top | a forbidden include.
 foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generator/any.cpp|<restrip/tables/split.hpp>" "generator/any.cpp|<stdint.h>"
-                       "generator/languages/templates/any.h|<stdlib.h>"
+                       "generator/emit/templates/any.h|<stdlib.h>"
+                       "generator/describe/any.cpp|\"solve/search.hpp\"" "generator/solve/any.cpp|\"certify/reason.hpp\""
+                       "generator/certify/any.hpp|\"tables/packing.hpp\"" "generator/tables/any.hpp|\"automaton/automaton.hpp\""
+                       "generator/automaton/any.cpp|\"emit/cpp.hpp\"" "generator/emit/any.cpp|\"commands/pipeline.hpp\""
                        "verify/any.cpp|\"restrip/rules/rules.hpp\"" "verify/any.cpp|\"../generator/patch.hpp\""
                        "runtime/include/restrip/rules/any.hpp|<fmt/format.h>"
                        "runtime/include/restrip/mesh/any.hpp|<boost/graph/graph_traits.hpp>"
@@ -175,7 +180,7 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
                        "tools/paper/any.cpp|\"app/options.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/keeper_steps.hpp\""
                        "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "bindings/js/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
-                       "web/maker/module/generate.cpp|\"verify.hpp\"" "web/maker/module/judge.cpp|\"operations/write.hpp\""
+                       "web/maker/module/generate.cpp|\"verify.hpp\"" "web/maker/module/judge.cpp|\"commands/pipeline.hpp\""
                        "bindings/js/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
                        "bindings/c/any.cpp|\"lod/simplify.hpp\"" "bindings/c/any.cpp|<fmt/format.h>" "bindings/c/any.cpp|\"restrip/search/impl/keeper_steps.hpp\""
                        "examples/any.c|<unistd.h>")

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../runtime/naive_patch.hpp"
-#include "operations/description_file.hpp"
+#include "describe/description_file.hpp"
 #include "solve/section.hpp"
 
 namespace restrip::generator {
@@ -84,7 +84,7 @@ TEST(PortsGivenUp, TheGeneratorFindsBoth) {
   EXPECT_EQ(keeping.recoloring, rule);
   EXPECT_EQ(keeping.kept, ports);
 
-  file.at(0).gives_all_up = true;
+  file.at(0).may_give_up = ~Mask{0};
   file.at(0).preference.resize(1);  // only strips
   const Row giving = row();
   EXPECT_EQ(solid(giving.recoloring, giving.kept), 8);

@@ -1,11 +1,11 @@
 // Reasons as text, and their length. The verifier checks whether they are true.
-#include "solve/reason.hpp"
+#include "certify/reason.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "operations/description_file.hpp"
+#include "describe/description_file.hpp"
 #include "solve/section.hpp"
 
 namespace restrip::generator {
@@ -55,7 +55,7 @@ struct Solved {
   Section section;
 
   explicit Solved(const std::string& file)
-      : descriptions(read_descriptions(file)), section(solve(patches_of(descriptions, most_ports).at(0))) {}
+      : descriptions(read_descriptions({file})), section(solve(patches_of(descriptions, most_ports).at(0))) {}
 };
 
 // One of the red-green refinement takes the most steps of all shipped rules.

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "certify/certificate.hpp"
 #include "common/digest.hpp"
 #include "tables/packing.hpp"
 
@@ -99,7 +100,7 @@ TEST(Sections, CopiesAreImagesOfTheirRepresentatives) {
 }
 
 TEST(Packing, NoTwoKeysShareACell) {
-  const std::vector<Certificate> splits = by_certificate(solved("split", 8, 1));
+  const std::vector<Certificate> splits = certify(solved("split", 8, 1), 1, false);
   const Packing packing = pack(splits, 8);
   for (const Section& section : splits.at(0).sections) {
     std::set<unsigned> taken;

@@ -3,37 +3,28 @@
 //   {files: {PATH: TEXT}, bytes: {PATH: [BYTE, …]}, report: […], text: "…"}
 #include <vector>
 
+#include "commands/pipeline.hpp"
 #include "files.hpp"
 #include "module.hpp"
-#include "operations/write.hpp"
-#include "tables/changed.hpp"
-
-namespace restrip::generator {
-
-std::vector<files::NamedBytes> changed(const std::filesystem::path& /*folder*/, std::vector<files::NamedBytes> files) {
-  return files;
-}
-
-}  // namespace restrip::generator
 
 namespace restrip::maker {
 
 nlohmann::ordered_json generated(const nlohmann::json& request) {
-  generator::RulesOptions options;
-  for (const auto& [name, text] : request.at("files").items()) options.files.push_back(name);
-  if (request.contains("max_k")) options.max_k = request.at("max_k").get<unsigned>();
-  options.languages = request.at("languages").get<std::set<std::string>>();
-  options.json = "-";
-  const std::map<std::string, std::string> given = memory_files();
-  generator::make_rules(options);
+  std::vector<std::string> names;
+  for (const auto& [name, text] : request.at("files").items()) names.push_back(name);
+  std::optional<unsigned> max_k;
+  if (request.contains("max_k")) max_k = request.at("max_k").get<unsigned>();
+  generator::Order order = generator::order_of(names, max_k);
+  order.languages = request.at("languages").get<std::set<std::string>>();
+  const generator::Emitted made = generator::make(order);
   nlohmann::ordered_json out = {{"files", nlohmann::ordered_json::object()},
-                                {"report", nlohmann::ordered_json::parse(last_report().json).at("operations")},
-                                {"text", last_report().text}};
-  for (const auto& [name, text] : memory_files())
-    if (name.ends_with(".bin"))
-      out["bytes"][name] = std::vector<unsigned char>(text.begin(), text.end());
-    else if (!given.contains(name))
-      out["files"][name] = text;
+                                {"report", nlohmann::ordered_json::parse(made.json).at("operations")},
+                                {"text", made.text}};
+  for (const auto& [name, text] : made.files)
+    if (name.extension() == ".bin")
+      out["bytes"][name.string()] = std::vector<unsigned char>(text.begin(), text.end());
+    else
+      out["files"][name.string()] = text;
   return out;
 }
 

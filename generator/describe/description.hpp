@@ -1,0 +1,132 @@
+// Descriptions of operations (docs/reference/operation-file.md). A description with numbers is a family with one
+// operation for each position; others describe a single operation with one position. The shipped families are in
+// tables/families.json; no other code knows their names.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "describe/formula.hpp"
+#include "describe/operation.hpp"
+#include "describe/triangles.hpp"
+
+namespace restrip::generator {
+
+/// Limits for operation files, on either side; families must obey them when tables are made.
+inline constexpr unsigned most_ports = 8;
+inline constexpr unsigned most_nodes = 16;
+/// Edges of one side, including ports.
+inline constexpr unsigned most_edges_and_ports = 20;
+
+/// Who wrote a file. Names of restrip's own tables are reserved for restrip's families, which have no limits.
+enum class Author { user, restrip };
+
+/// Triangles in the order of their ring or path.
+struct Chain {
+  bool ring = false;
+  std::vector<Stretch> elements;
+};
+
+/// A side for all positions. Inner edges: along the chains, then the chords.
+struct SidePattern {
+  std::vector<Chain> chains;
+  std::vector<std::array<Stretch, 2>> chords;
+  std::vector<Stretch> ports;  ///< the owners; if empty, each triangle with an index has one port
+};
+
+/// A side in any of the forms of a file: a graph, the chains of a pattern, or triangles.
+using SideForm = std::variant<Side, SidePattern, TrianglePatterns>;
+
+struct Description {
+  Author author = Author::user;
+  std::string name;  ///< "open-collapse"
+  std::string about;
+  std::string certificate;  ///< the certificate whose rules it shares: "fan-collapse"
+  Constraint constraint;
+  Preference preference;
+  bool own_cost = false;             ///< `preference` is not the default
+  Mask may_give_up = 0;              ///< ports, also beyond the last if all may be given up
+  bool has_table = true;             ///< among the shipped tables; the automaton answers the other families
+  std::vector<std::string> numbers;  ///< of its positions: "k", "i", "j"; empty if there is only one position
+  std::string range;                 ///< `where` as text
+  Conditions where;                  ///< the positions that exist
+  Conditions listed;                 ///< the positions that are not images of others
+  std::string place;                 ///< "k {k} gaps {i} {j}", as dumps write a position; empty if there is only one
+  std::string section;               ///< as certificates write it: "k {k}" if it omits some numbers
+  SideForm before;
+  SideForm after;
+  std::vector<StretchPattern> boundary;  ///< in triangles
+  std::string in_file;                   ///< the place in the file, as errors begin: "f.json:3:18: operations[0]: "
+  std::string before_in_file;            ///< the same for its sides, and for the declared boundary
+  std::string after_in_file;
+  std::string boundary_in_file;
+
+  [[nodiscard]] bool is_pattern() const { return std::holds_alternative<SidePattern>(after); }
+  /// Whether it is a mere graph, so that nothing shows that it is an operation on a mesh.
+  [[nodiscard]] bool is_graph_only() const { return !std::holds_alternative<TrianglePatterns>(after); }
+};
+
+/// A name with underscores, as used in programs and file names.
+[[nodiscard]] std::string identifier(std::string name);
+
+/// The families of the shipped file, in its order.
+[[nodiscard]] const std::vector<Description>& families();
+
+/// The families that the shipped tables answer, in the same order. The automaton answers the others.
+[[nodiscard]] const std::vector<Description>& tabled_families();
+
+/// Throws std::invalid_argument for an unknown name.
+[[nodiscard]] const Description& family_named(const std::string& name);
+
+/// The position of an operation: `k` triangles in the fan; `at` is the arc a of a split, or gap i; `to` is gap j of an
+/// open-split. Unused members are 0; k is the number of ports if there is only one position.
+struct Position {
+  const Description* family = nullptr;
+  unsigned k = 0;
+  unsigned at = 0;
+  unsigned to = 0;
+  [[nodiscard]] PositionNumbers numbers() const { return {k, at, to}; }
+  friend auto operator<=>(const Position&, const Position&) = default;
+};
+
+/// All positions with this valence, one for each class under mirror images and half turns, in ascending order.
+[[nodiscard]] std::vector<Position> positions(const Description& family, unsigned k);
+
+/// The positions of all valences up to this one; the only one of a family without numbers.
+[[nodiscard]] std::vector<Position> positions_up_to(const Description& family, unsigned max_k);
+
+/// The smallest valence of a family.
+[[nodiscard]] unsigned smallest_valence(const Description& family);
+
+/// True if a section of its certificate serves all positions of a valence: its rules do not depend on the position.
+[[nodiscard]] bool serves_every_position(const Description& family);
+
+/// Throws std::runtime_error, naming file, place and position, if a pattern does not make a patch of triangles.
+[[nodiscard]] Patch make_patch(const Position& position);
+
+/// The triangles of a position. Precondition: not is_graph_only().
+[[nodiscard]] Surface surface_at(const Position& position);
+
+/// The position of the rows that serve this one: numbers that its section omits are 0.
+[[nodiscard]] Position position_of_rows(Position position);
+
+/// The patch on which the rows of a position act: its own patch. If the rows serve every position, it has the side
+/// after as both sides, and only the numbers of the section are needed.
+[[nodiscard]] Patch patch_of_rows(const Position& position);
+
+/// The operation at this position, or on the patch of its rows, as described, without a tie-break.
+[[nodiscard]] Operation operation_at(const Position& position, Patch patch);
+[[nodiscard]] inline Operation operation_at(const Position& position) {
+  return operation_at(position, make_patch(position));
+}
+
+/// A position as certificates write it, after the word `section`.
+[[nodiscard]] std::string position_text(const Position& position);
+
+/// The name of an operation in dumps and reports: "open-collapse k 8 gaps 2 5".
+[[nodiscard]] std::string name_of(const Position& position);
+
+}  // namespace restrip::generator

@@ -1,0 +1,27 @@
+// Reads and writes files of descriptions (docs/reference/operation-file.md): one description, or a list.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "describe/description.hpp"
+
+namespace restrip::generator {
+
+inline constexpr std::size_t most_terms = 64;  ///< of a criterion
+
+/// Reads the files of a user, of at most 1 MiB each. Throws files::FileError, or std::runtime_error if descriptions in
+/// two files have the same name or certificate.
+[[nodiscard]] std::vector<Description> read_descriptions(const std::vector<std::string>& files);
+
+/// Reads the text of a file; `file` is only used in errors.
+[[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text,
+                                                          Author author = Author::user);
+
+/// The operation file of a family at one position, with the preference of its shipped rules; its name is "split-k4-a2",
+/// or "flip-own". For another constraint than the family's, the file states no preference and so has the default, and
+/// the name ends in the constraint.
+[[nodiscard]] std::string operation_file_text(const Position& position, Constraint constraint = {});
+
+}  // namespace restrip::generator
