@@ -19,7 +19,7 @@ class Row:
 
 def rows():
     """In the order of the table; the code is the number in the enumeration."""
-    names = re.search(r"enum class Policy[^{]*\{([^}]*)\}", (SEARCH / "effort.hpp").read_text())[1].replace(" ", "").split(",")
+    names = re.search(r"enum class Policy[^{]*\{([^}]*)\}", (SEARCH.parent / "fwd.hpp").read_text())[1].replace(" ", "").split(",")
     text = (SEARCH / "policy.hpp").read_text()
     found = re.findall(r"PolicyRow\{\s*Policy::(\w+),((?:\s*\"[^\"]*\",){5})", text)
     listed = [Row(names.index(policy), *re.findall(r'"([^"]*)"', texts)) for policy, texts in found]
@@ -58,7 +58,7 @@ def quoted(listed, quote, between):
 
 def menu(listed):
     """Of the policies that search after a rule; the default is selected."""
-    default = re.search(r"default_policy = Policy::(\w+);", (SEARCH / "effort.hpp").read_text())[1]
+    default = re.search(r"default_policy = Policy::(\w+);", (SEARCH.parent / "fwd.hpp").read_text())[1]
     return "".join(f'            <option value="{row.name}"{" selected" * (row.name == default)}>{row.name}: {row.for_indices}</option>\n'
                    for row in listed if row.for_indices not in ("nothing", "the same"))
 

@@ -1,7 +1,7 @@
 # With the compiled library, live_mesh.hpp includes these headers of ours and no other: a file with a member of its type must
 # compile about as fast as one that includes the same standard headers.
 set(expected fwd.hpp live_mesh.hpp mesh/cost.hpp mesh/mesh.hpp mesh/refusal.hpp mesh/strip_mesh.hpp mesh/triangle_list.hpp
-             operations/result.hpp output/strip_format.hpp precondition.hpp search/effort.hpp)
+             operations/result.hpp output/strip_format.hpp precondition.hpp)
 # headers_of(FLAGS OUT): the headers of restrip that it reaches.
 function(headers_of flags out)
   file(WRITE ${SCRATCH}.cpp "#include <restrip/live_mesh.hpp>\n")

@@ -37,4 +37,12 @@ TEST(Fwd, IsEnoughForAMember) {
   EXPECT_EQ(Terrain::room(terrain.live->buffer()), terrain.live->room());
 }
 
+// The documented defaults; each effort comes after the ones that do less.
+TEST(Fwd, DefaultsAndOrder) {
+  EXPECT_EQ(restrip::default_policy, restrip::Policy::quick);
+  EXPECT_EQ(restrip::default_effort, restrip::Effort::fast);
+  EXPECT_LT(restrip::Effort::fast, restrip::Effort::full);
+  EXPECT_LT(restrip::Effort::full, restrip::Effort::best);
+}
+
 }  // namespace

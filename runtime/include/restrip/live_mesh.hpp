@@ -27,7 +27,6 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/result.hpp"
 #include "restrip/output/strip_format.hpp"
-#include "restrip/search/effort.hpp"
 
 namespace restrip {
 

@@ -60,7 +60,6 @@
 #include "restrip/rules/exact.hpp"
 #include "restrip/rules/key.hpp"
 #include "restrip/rules/rules.hpp"
-#include "restrip/search/effort.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/sided_mesh.hpp"

@@ -4,6 +4,10 @@
 
 #include "restrip/precondition.hpp"
 
+/// The precondition that a check grants an operation.
+#define RESTRIP_ASSERT_GRANTED(refusal, function) \
+  RESTRIP_ASSERT((refusal) == ::restrip::Refusal::granted, function, ::restrip::describe(refusal))
+
 namespace restrip {
 
 /// Why an operation is refused.

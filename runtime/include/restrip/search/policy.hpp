@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "restrip/search/effort.hpp"
+#include "restrip/fwd.hpp"
 #include "restrip/search/impl/end_search.hpp"
 
 namespace restrip {

@@ -12,10 +12,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "restrip/fwd.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/search/effort.hpp"
 #include "restrip/search/impl/annealing.hpp"
 #include "restrip/search/impl/greedy.hpp"
 #include "restrip/search/impl/rounds.hpp"

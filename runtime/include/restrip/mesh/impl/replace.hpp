@@ -155,8 +155,7 @@ RESTRIP_INLINE Refusal check_replace(const StripMesh& mesh, std::span<const Tria
 
 RESTRIP_INLINE void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in,
                                        std::span<Vertex> vertices, std::span<Triangle> made) {
-  RESTRIP_ASSERT(check_replace(*this, out, in, vertices) == Refusal::granted, "StripMesh::replace",
-                 describe(check_replace(*this, out, in, vertices)));
+  RESTRIP_ASSERT_GRANTED(check_replace(*this, out, in, vertices), "StripMesh::replace");
   RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "`made` must have one element for each new triangle");
   // Everything that may throw comes first.
   const std::size_t taken_over = (std::min)(out.size(), in.size());

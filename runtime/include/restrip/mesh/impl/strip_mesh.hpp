@@ -143,8 +143,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const no
 
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
                                                             std::span<const Halfedge> moved, Vertex wanted) {
-  RESTRIP_ASSERT(check_split(*this, {left, right}, wanted) == Refusal::granted, "StripMesh::insert_vertex",
-                 describe(check_split(*this, {left, right}, wanted)));
+  RESTRIP_ASSERT_GRANTED(check_split(*this, {left, right}, wanted), "StripMesh::insert_vertex");
   expect_touches(moved.size() + most_other_touches);
   return insert_vertex(left, right, moved, take_room(VertexSplit<Halfedge>::Spokes::both, wanted));
 }
@@ -174,8 +173,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfe
 }
 
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
-  RESTRIP_ASSERT(check_split(*this, where, wanted) == Refusal::granted, "StripMesh::insert_vertex",
-                 describe(check_split(*this, where, wanted)));
+  RESTRIP_ASSERT_GRANTED(check_split(*this, where, wanted), "StripMesh::insert_vertex");
   expect_touches_around(from(where.spoke()));
   return insert_vertex(where, take_room(where.spokes, wanted));
 }
@@ -259,8 +257,7 @@ RESTRIP_INLINE void StripMesh::expect_back() {
 }
 
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
-  RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
-                 describe(check_collapse(*this, chord)));
+  RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
   expect_back();
   expect_touches_around(to(chord));
   Room freed;
@@ -298,8 +295,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room
 }
 
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
-  RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
-                 describe(check_collapse(*this, chord)));
+  RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
   expect_back();
   expect_touches(moved.size() + most_other_touches);
   Room freed;
@@ -353,7 +349,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge ba
 }
 
 RESTRIP_INLINE StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
-  RESTRIP_ASSERT(check_flip(*this, h) == Refusal::granted, "StripMesh::turn_edge", describe(check_flip(*this, h)));
+  RESTRIP_ASSERT_GRANTED(check_flip(*this, h), "StripMesh::turn_edge");
   expect_touches(most_other_touches);
   const Halfedge g = opposite(h);
   const Halfedge vl = next(h);

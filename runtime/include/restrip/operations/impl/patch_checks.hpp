@@ -14,10 +14,6 @@
 #include "restrip/mesh/refusal.hpp"
 #include "restrip/precondition.hpp"
 
-/// The precondition that a check grants an operation.
-#define RESTRIP_ASSERT_GRANTED(refusal, function) \
-  RESTRIP_ASSERT((refusal) == ::restrip::Refusal::granted, function, ::restrip::describe(refusal))
-
 namespace restrip {
 class StripMesh;
 }

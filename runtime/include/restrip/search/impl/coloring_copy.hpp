@@ -117,7 +117,7 @@ class ColoringCopy {
     return solid_[h >> 2] * 0b1001U >> ((h & 3U) + 1) & 3U;
   }
   // Whether it is a swap (restrip::is_swap). False where a strip ends.
-  [[nodiscard]] bool is_swap(std::uint32_t h) const noexcept { return (turn(h) ^ turn(across(h))) == 3; }
+  [[nodiscard]] bool is_swap(std::uint32_t h) const noexcept { return detail::is_swap(turn(h), turn(across(h))) != 0; }
 
   // Whether the strip that ends at t, written from there, begins with a turn to the right.
   [[nodiscard]] bool begins_wrong(Triangle t) const noexcept {

@@ -18,60 +18,51 @@ namespace restrip {
 template <class Mesh>
 template <class... Name>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split(const VertexSplit<Halfedge>& where, Name... name) {
-  RESTRIP_ASSERT(detail::refusal_of_split(*mesh_, where, name...) == Refusal::granted, "Keeper::split",
-                 describe(detail::refusal_of_split(*mesh_, where, name...)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(*mesh_, where, name...), "Keeper::split");
   return perform(detail::SplitStep<Mesh, Name...>{where, {name...}});
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse(Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "Keeper::collapse",
-                 describe(detail::refusal_of_collapse(*mesh_, chord)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(*mesh_, chord), "Keeper::collapse");
   return perform(detail::CollapseStep<Mesh>{chord});
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::flip(Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_flip(*mesh_, h) == Refusal::granted, "Keeper::flip",
-                 describe(detail::refusal_of_flip(*mesh_, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_flip(*mesh_, h), "Keeper::flip");
   return perform(detail::FlipStep<Mesh>{{h}});
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_face(Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_face_split(*mesh_, h) == Refusal::granted, "Keeper::split_face",
-                 describe(detail::refusal_of_face_split(*mesh_, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_face_split(*mesh_, h), "Keeper::split_face");
   return perform(detail::InsertStep<Mesh, false>(*mesh_, h));
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::bisect(Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_bisection(*mesh_, h) == Refusal::granted, "Keeper::bisect",
-                 describe(detail::refusal_of_bisection(*mesh_, h)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_bisection(*mesh_, h), "Keeper::bisect");
   return perform(detail::InsertStep<Mesh, true>(*mesh_, h));
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::join_faces(Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_removal(*mesh_, chord, 3, 0) == Refusal::granted, "Keeper::join_faces",
-                 describe(detail::refusal_of_removal(*mesh_, chord, 3, 0)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_removal(*mesh_, chord, 3, 0), "Keeper::join_faces");
   return perform(detail::RemoveStep<Mesh, false>{{chord}});
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::merge(Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_removal(*mesh_, chord, 4, 2) == Refusal::granted, "Keeper::merge",
-                 describe(detail::refusal_of_removal(*mesh_, chord, 4, 2)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_removal(*mesh_, chord, 4, 2), "Keeper::merge");
   return perform(detail::RemoveStep<Mesh, true>{{chord}});
 }
 
 template <class Mesh>
 template <SurfaceTable Table, class Change>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table, Halfedge where, Change&& change) {
-  RESTRIP_ASSERT(detail::refusal_of_apply(*mesh_, table, where) == Refusal::granted, "Keeper::apply",
-                 describe(detail::refusal_of_apply(*mesh_, table, where)));
+  RESTRIP_ASSERT_GRANTED(detail::refusal_of_apply(*mesh_, table, where), "Keeper::apply");
   return perform(detail::ApplyStep<Mesh, Table, std::remove_reference_t<Change>>{table, where, change});
 }
 template <class Mesh>
 template <SurfaceTable Table>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table,
                                                      Halfedge where) requires std::same_as<Mesh, StripMesh> {
-  RESTRIP_ASSERT(check_apply(*mesh_, table, where) == Refusal::granted, "Keeper::apply",
-                 describe(check_apply(*mesh_, table, where)));
+  RESTRIP_ASSERT_GRANTED(check_apply(*mesh_, table, where), "Keeper::apply");
   return apply(table, where, detail::replacing(*mesh_, table));
 }
 
