@@ -39,9 +39,9 @@
 // has 3 indices a triangle. Separating stitched runs takes two and a half indices, other runs one.
 //
 // Time. An update takes time linear in the changed triangles, except for sorting the ranges that it returns: it reads
-// their runs and short adjacent runs, slides at most 60 indices for each run that grows, five for each index that needs
-// another place, and as many to close gaps. Only the growth of arrays is linear in the mesh; reserve() allocates the
-// two largest in advance. Memory: 4 bytes a triangle, the indices, and 40 bytes a run.
+// their runs and short adjacent runs, slides at most 60 indices for each run that grows, 150 and three for each index
+// that needs another place, and moves five for each to close gaps. Only the growth of arrays is linear in the mesh;
+// reserve() allocates the two largest in advance. Memory: 4 bytes a triangle, the indices, and 40 bytes a run.
 #pragma once
 
 #include <array>
@@ -251,6 +251,7 @@ class BasicStripBuffer {
   std::vector<Text> texts_;
   std::vector<std::uint32_t> across_;  // triangles
   std::array<Neighbor, 40> neighbors_;
+  std::uint32_t slack_ = 0;    // indices that it may still slide for its runs, besides their share
   std::uint32_t changed_ = 0;  // indices of the runs read or written, whichever are more
 };
 

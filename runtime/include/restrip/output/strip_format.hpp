@@ -59,8 +59,8 @@ struct LayoutOptions {
   /// The length that cuts and gaps may add, per mille of the indices needed, up to 1,000,000. Above it,
   /// updates close gaps.
   unsigned waste = 95;
-  /// Indices that an update may move for each index of the runs that it rewrites, up to 100: once to put new runs next
-  /// to their neighbours, and once to close gaps.
+  /// Indices that an update may move to close gaps, for each index of the runs that it rewrites, up to 100. To put new
+  /// runs next to their neighbours it may move half as many, and 30 for each unit.
   unsigned work = 5;
   [[nodiscard]] constexpr bool in_range() const noexcept { return cache <= 64 && waste <= 1'000'000 && work <= 100; }
   friend constexpr bool operator==(const LayoutOptions&, const LayoutOptions&) = default;

@@ -25,7 +25,7 @@ struct VertexCache {
   /// Vertices that it holds, first in, first out; 0: none. For hardware that is not known, 16.
   std::size_t size = 0;
   /// Indices that a miss is worth, up to 1000: less means fewer indices, more means fewer misses. 0: the default, which
-  /// follows the strips to begin with. With 1.19 indices a triangle it is 1, or 1.6 for fewer than 24 vertices; half of
+  /// follows the strips to begin with. With 1.19 indices a triangle it is 0.85, or 1.3 for fewer than 24 vertices; half of
   /// that with 1.09 or less, four times that with 1.42 or more.
   double weight = 0;
 };

@@ -50,6 +50,8 @@ template <NumberedMesh Mesh>
 struct Strips {
   std::vector<Triangle> order;
   std::vector<std::size_t> start{0};  ///< size() + 1 offsets into `order`
+  /// Strips are written from their first triangle; else from the end that needs fewer indices.
+  bool directed = false;
 
   [[nodiscard]] std::size_t size() const noexcept { return start.size() - 1; }
   [[nodiscard]] std::span<const Triangle> operator[](std::size_t s) const noexcept {
@@ -67,9 +69,9 @@ template <NumberedMesh Mesh>
 inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 
 /// The index buffer of the strips, in their order, restart_index between them and neither before nor after. It draws
-/// each triangle exactly once, with its winding in the mesh; indices are vertex numbers. Each strip is written from the
-/// end that needs fewer indices: a strip of n triangles takes n + 2 indices and one for each swap. `strips` must be the
-/// strips of the mesh as it is now: debug builds check that triangles that follow each other share a solid dual edge.
+/// each triangle exactly once, with its winding in the mesh; indices are vertex numbers. A strip of n triangles takes
+/// n + 2 indices and one for each swap, and one more if its first turn is to the right. `strips` must be the strips of
+/// the mesh as it is now: debug builds check that triangles that follow each other share a solid dual edge.
 template <NumberedMesh Mesh>
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips);
 

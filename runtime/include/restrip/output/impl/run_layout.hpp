@@ -24,12 +24,12 @@ namespace restrip {
 namespace detail {
 // Chosen by measurement.
 inline constexpr std::uint32_t neighbors_tried = 4;          // those with the most common edges
-inline constexpr std::int64_t miss_price = 8;                // indices moved
+inline constexpr std::int64_t miss_price = 24;               // indices moved
 inline constexpr std::uint32_t indices_after = 36;           // whose misses count
 inline constexpr int least_gain = 3;                         // misses
 inline constexpr std::int64_t least_gain_per_mille = 40;     // of the indices written
 inline constexpr std::uint32_t moved_for_a_better = 100;     // indices that slide, at most
-inline constexpr std::uint32_t looked_at_for_an_index = 10;  // by compact(), in indices
+inline constexpr std::uint32_t looked_at_for_an_index = 30;  // by compact(), in indices
 }  // namespace detail
 
 // ---- from scratch
@@ -140,7 +140,8 @@ std::uint32_t BasicStripBuffer<Index>::price_of_room(std::uint32_t before, std::
 template <class Index>
 bool BasicStripBuffer<Index>::store_near(const Text& text) noexcept {
   const std::span<const Index> run(text_.data() + text.first, text.length);
-  const std::uint32_t most = work_ * text.length;
+  const std::uint32_t share = (work_ + 1) / 2 * text.length;
+  const std::uint32_t most = share + slack_;
   std::uint32_t best = nothing;
   std::int64_t lowest = 0;
   const auto look_at = [&](std::uint32_t before) {
@@ -157,7 +158,10 @@ bool BasicStripBuffer<Index>::store_near(const Text& text) noexcept {
     look_at(places_.previous(neighbor.place));
   }
   if (best == nothing) return false;
-  if (places_.gap(best) < text.length) widen(best, places_.next(best), text.length - places_.gap(best), most);
+  if (const std::uint32_t gap = places_.gap(best); gap < text.length) {
+    const std::uint32_t moved = widen(best, places_.next(best), text.length - gap, most);
+    slack_ -= moved - (std::min)(moved, share);
+  }
   insert(text, best);
   return true;
 }

@@ -19,8 +19,9 @@ inline constexpr std::uint32_t longest_joined_run = 28;  // runs of one strip th
 inline constexpr std::uint32_t cut_window = 4;           // the distance by which a cut may be off
 inline constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
 // Chosen by measurement under all policies; in indices.
-inline constexpr std::uint32_t moved_for_a_run = 60;   // at most, so that a run that grew stays where it is
-inline constexpr std::uint32_t moved_for_a_gap = 400;  // at most, so that the last run fits into it
+inline constexpr std::uint32_t moved_for_a_run = 60;      // at most, so that a run that grew stays where it is
+inline constexpr std::uint32_t moved_for_an_update = 30;  // for each unit of work, to put runs near their neighbours
+inline constexpr std::uint32_t moved_for_a_gap = 400;     // at most, so that the last run fits into it
 inline constexpr std::uint32_t shortest_run = 4;
 
 // A triangle entered over a halfedge; the edge is the exclusive or of its vertices.
@@ -299,7 +300,8 @@ void BasicStripBuffer<Index>::store() {
   changed_ = 0;
   for (const std::uint32_t place : dirty_) changed_ += places_.run(place).length;
   changed_ = (std::max)(changed_, letters_);
-  const std::size_t for_runs = texts_.size() * detail::moved_for_a_run + std::size_t{work_} * letters_;
+  slack_ = detail::moved_for_an_update * work_;
+  const std::size_t for_runs = texts_.size() * detail::moved_for_a_run + std::size_t{work_} * letters_ + slack_;
   const std::size_t for_gaps = detail::moved_for_a_gap + std::size_t{work_} * changed_;
   detail::make_room(cells_, letters_ + 1);
   detail::make_room(written_, dirty_.size() + 3 * (texts_.size() + (for_runs + for_gaps) / detail::shortest_run + 2));

@@ -97,7 +97,8 @@ class CacheOrder {
   static constexpr Cost harm_share = 20;
   static constexpr Cost join_share = 70;
   static constexpr Cost end_share = 80;
-  static constexpr Cost worth_share = 112;
+  static constexpr Cost worth_share = 108;
+  static constexpr Cost give_up_share = 250;  // of a miss, below the highest gain of a run
 
   enum Turn : std::int8_t { no_turn, left, right };
 
@@ -131,7 +132,7 @@ class CacheOrder {
     if (cache.weight != 0) return cache.weight;
     double factor = indices / usual_indices;
     for (int square = 0; square < 3; ++square) factor *= factor;
-    return (cache.size < 24 ? 1.6 : 1) * std::clamp(factor, 0.5, 4.0);
+    return (cache.size < 24 ? 1.3 : 0.85) * std::clamp(factor, 0.5, 4.0);
   }
   static bool is_swap(Turn one, Turn other) noexcept { return one != no_turn && one == other; }
   [[nodiscard]] std::uint32_t corner(std::uint32_t place, int side) const noexcept {
@@ -227,7 +228,7 @@ class CacheOrder {
       indices += unit;
     if (link(place, !forward) != 0) indices += cost_of_cut(place, !forward);
     const std::uint32_t first = place;
-    const Cost give_up = 2 * miss_;
+    const Cost give_up = give_up_share * miss_ / 100;
     Cost highest = -give_up;
     for (int side = 0; side < 3; ++side) look_up(corner(place, side));
     for (std::uint32_t triangles = 1;; ++triangles) {
@@ -359,7 +360,7 @@ Strips strips_for_vertex_cache(Mesh& mesh, const VertexCache& cache) {
   for (const std::uint32_t place : drawing.cuts) set(place, static_cast<unsigned>(row.previous[place]), false);
   for (const std::uint32_t join : drawing.joins) set(join / 3, join % 3, true);
   for (std::uint32_t& place : drawing.order) place = strips.order[place];
-  return {std::move(drawing.order), std::move(drawing.start)};
+  return {std::move(drawing.order), std::move(drawing.start), true};
 }
 
 }  // namespace restrip

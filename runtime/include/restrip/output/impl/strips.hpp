@@ -86,11 +86,11 @@ class StripWriter {
     indices_.reserve(mesh.triangle_bound() + mesh.triangle_bound() / 2 + most_at_once);
   }
 
-  /// Writes the strip that has an end at t, and returns its other end.
-  Triangle write(Triangle t) {
+  /// Writes the strip that has an end at t, from there if it is `directed`, and returns its other end.
+  Triangle write(Triangle t, bool directed) {
     const std::size_t begin = size_;
     const WrittenStrip strip = write_from(t);
-    if (strip.wrong && !strip.wrong_backwards) {
+    if (strip.wrong && !strip.wrong_backwards && !directed) {
       size_ = begin;
       write_from(strip.other_end);
     }
@@ -258,7 +258,7 @@ std::vector<std::uint32_t> strip_indices(const Mesh& mesh) {
   std::vector<bool> written(mesh.triangle_bound(), false);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
     if (mesh.has_triangle(t) && !written[t] && detail::solid_degree(mesh, mesh.halfedge(t)) <= 1)
-      written[writer.write(t)] = true;
+      written[writer.write(t, false)] = true;
   return writer.take();
 }
 
@@ -266,7 +266,7 @@ template <NumberedMesh Mesh>
 std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips) {
   RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "strip_indices", detail::not_strips);
   detail::StripWriter<Mesh> writer(mesh);
-  for (std::size_t s = 0; s < strips.size(); ++s) writer.write(strips[s].front());
+  for (std::size_t s = 0; s < strips.size(); ++s) writer.write(strips[s].front(), strips.directed);
   return writer.take();
 }
 
