@@ -25,14 +25,14 @@ struct VertexCache {
   /// Vertices that it holds, first in, first out; 0: none. For hardware that is not known, 16.
   std::size_t size = 0;
   /// Indices that a miss is worth, up to 1000: less means fewer indices, more means fewer misses. 0: the default, which
-  /// follows the strips to begin with. With 1.19 indices a triangle it is 0.85, or 1.3 for fewer than 24 vertices; half of
-  /// that with 1.09 or less, four times that with 1.42 or more.
+  /// follows the strips to begin with. With 1.19 indices a triangle it is 0.85, or 1.3 for fewer than 24 vertices; 0.62
+  /// of that with 1.12 or less, four times that with 1.42 or more.
   double weight = 0;
 };
 
 /// Cuts and joins the strips of `mesh`, a valid colouring, so that 3 S + W (three indices for each strip, one for each
 /// swap) plus `cache.weight` for each miss of the cache becomes small, and returns the strips in the order and the
-/// direction in which they are to be drawn. The colours of `mesh` become the returned strips. Call
+/// direction in which they are to be drawn (Strips::directed). The colours of `mesh` become the returned strips. Call
 /// stripify() with Cost::indices() first. A size of 0 changes nothing and returns extract_strips(mesh).
 ///
 /// Greedy, linear time: for each strip drawn, at most some 50 beginnings of at most 128 triangles are compared; some

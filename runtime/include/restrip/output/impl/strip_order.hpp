@@ -132,7 +132,7 @@ class CacheOrder {
     if (cache.weight != 0) return cache.weight;
     double factor = indices / usual_indices;
     for (int square = 0; square < 3; ++square) factor *= factor;
-    return (cache.size < 24 ? 1.3 : 0.85) * std::clamp(factor, 0.5, 4.0);
+    return (cache.size < 24 ? 1.3 : 0.85) * std::clamp(factor, 0.62, 4.0);
   }
   static bool is_swap(Turn one, Turn other) noexcept { return one != no_turn && one == other; }
   [[nodiscard]] std::uint32_t corner(std::uint32_t place, int side) const noexcept {
