@@ -44,25 +44,15 @@ struct Twins {
 
 StripMesh::Halfedge random_halfedge_that_flips(const StripMesh& mesh) {
   std::mt19937 random(1);
-  for (;;) {
-    const StripMesh::Halfedge h = random_halfedge(mesh, random);
-    if (check_flip(mesh, h) == Refusal::granted) return h;
-  }
+  StripMesh::Halfedge h;
+  do h = random_halfedge(mesh, random);
+  while (check_flip(mesh, h) != Refusal::granted);
+  return h;
 }
 
 Checked operate(LiveMesh& live, std::mt19937& random) {
-  const StripMesh::Halfedge h = random_halfedge(live.mesh(), random);
-  const bool grow = live.mesh().triangle_count() < 300 || random() % 2 == 0;
-  switch (random() % 6) {
-    case 0:
-      return live.flip(h);
-    case 1:
-      return live.bisect(h);
-    case 2:
-      return grow ? live.split_face(h) : live.merge(h);
-    default:
-      return grow ? live.split(random_split(live.mesh(), h, random)) : live.collapse(h);
-  }
+  const StripMesh& mesh = live.mesh();
+  return perform(live, draw(mesh, random, all_operations, trend_between(0, 300, mesh.triangle_count())));
 }
 
 /// What the results of some work were, so that two can be compared.
