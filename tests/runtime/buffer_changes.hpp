@@ -1,4 +1,4 @@
-// Checks that indices that a buffer does not report have not changed; and a copy of the buffer on a device.
+// Checks that indices that a buffer does not report have not changed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,15 +27,6 @@ inline void expect_only_reported_changes(const std::vector<std::uint32_t>& befor
     if (!reported[i]) {
       ASSERT_TRUE(i < before.size() && before[i] == after[i]) << "index " << i;
     }
-}
-
-/// What a device does with an update.
-inline void upload_ranges(std::span<const std::uint32_t> indices, std::span<const IndexRange> ranges,
-                          std::vector<std::uint32_t>& device) {
-  device.resize(indices.size());
-  for (const auto& [first, count] : ranges)
-    std::copy_n(indices.begin() + static_cast<std::ptrdiff_t>(first), count,
-                device.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 }  // namespace restrip

@@ -27,6 +27,7 @@ inline constexpr auto all_operations = std::to_array<OperationShare>({{Operation
                                                                       {OperationKind::join_faces},
                                                                       {OperationKind::bisect},
                                                                       {OperationKind::merge}});
+static_assert(all_operations.size() == static_cast<std::size_t>(OperationKind::merge) + 1, "a row for each kind");
 inline constexpr auto splits_collapses_flips =
     std::to_array<OperationShare>({{OperationKind::flip}, {OperationKind::split, 5}, {OperationKind::collapse, 5}});
 inline constexpr auto refinements = std::to_array<OperationShare>(
