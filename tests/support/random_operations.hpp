@@ -136,8 +136,10 @@ inline Refusal check(const StripMesh& mesh, const DrawnOperation& drawn) {
 /// By a StripMesh, its keeper or a LiveMesh; refused if it is not legal. `name`: the vertex of a split.
 template <class Target>
 Checked perform(Target& target, const DrawnOperation& drawn, Vertex name = none) {
-  const auto& [kind, h, where] = drawn;
   using enum OperationKind;
+  const OperationKind kind = drawn.kind;
+  const StripMesh::Halfedge h = drawn.h;
+  const VertexSplit<StripMesh::Halfedge>& where = drawn.where;
   if constexpr (requires {
                   { target.flip(h) } -> std::same_as<Checked>;
                 }) {
