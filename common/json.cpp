@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -12,81 +13,106 @@
 
 namespace restrip {
 
+/// A value. Texts, names and tokens are ranges of JsonFile::text, elements and members one range of JsonFile::nodes.
 struct JsonNode {
-  enum class Kind { word, integer, text, list, object };
-  struct Place {
-    unsigned line = 1;
-    unsigned column = 1;
+  enum class Kind : std::uint8_t { word, integer, real, text, list, object };
+  struct Range {
+    std::uint32_t begin = 0;
+    std::uint32_t size = 0;
   };
 
-  Kind kind = Kind::word;  ///< or a number that is not an integer
-  Place place;
-  std::int64_t integer = 0;
-  std::string text;             ///< the content of a text; otherwise as in the file
-  std::vector<JsonNode> items;  ///< of a list or an object
-  std::string name;             ///< of a member
-  Place name_place;
+  double number = 0;         ///< of a number; an integer is at most 2^53
+  std::uint32_t offset = 0;  ///< of its token
+  Range content;             ///< of a text; the elements or members; otherwise the token
+  Range name;                ///< of a member
+  Kind kind = Kind::word;
 };
 
 struct JsonFile {
   std::string name;
-  JsonNode whole;
+  JsonLimits limits;
+  std::size_t size = 0;  ///< in bytes
+  std::string text;      ///< the file, then the content of texts with escapes
+  std::vector<JsonNode> nodes;
+
+  [[nodiscard]] std::string_view of(JsonNode::Range range) const {
+    return std::string_view(text).substr(range.begin, range.size);
+  }
+  /// The place of a member: of its name, unless that has escapes.
+  [[nodiscard]] std::size_t place_of(const JsonNode& member) const {
+    return member.name.begin < size ? member.name.begin - 1 : member.offset;
+  }
 };
 
 namespace {
 
-// Limits of docs/reference/operation-file.md. Without them the paths of a small file would take gigabytes.
-constexpr std::size_t deepest = 8;
-constexpr std::size_t most_members = 64;
-constexpr std::size_t longest_member = 60;
+using Kind = JsonNode::Kind;
 
-[[noreturn]] void refuse_at(const std::string& file, JsonNode::Place place, const std::string& what) {
-  throw files::FileError(fmt::format("{}:{}:{}: {}", file, place.line, place.column, files::printable_ascii(what)));
+constexpr double exact_integers = 9007199254740992;  // 2^53
+
+struct LineAndColumn {
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
+
+LineAndColumn line_and_column(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t line_begin = before.rfind('\n') + 1;  // also if there is none
+  return {static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1, offset - line_begin + 1};
+}
+
+/// The beginning of errors about an offset.
+std::string location(const JsonFile& file, std::size_t offset) {
+  if (!file.limits.has_lines) return fmt::format("{}: byte {} of its JSON: ", file.name, offset);
+  const LineAndColumn place = line_and_column(file.text, offset);
+  return fmt::format("{}:{}:{}: ", file.name, place.line, place.column);
+}
+
+[[noreturn]] void refuse_at(const JsonFile& file, std::size_t offset, const std::string& what) {
+  throw files::FileError(location(file, offset) + files::printable_ascii(what));
 }
 
 /// Builds the tree from the events of nlohmann's parser. The parser reports tokens without places, but it has read
-/// everything before them. So the next token is the first character that is not a space, comma or colon.
+/// everything before them. So the next token is the first character that is not a space, comma or colon. The elements
+/// of an open list or object wait in `pending_`, so that they become one range when it is closed.
 class JsonBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  JsonBuilder(JsonFile& file, std::string_view text) : file_(file), text_(text) {}
+  /// `text`: the text of the file before any is appended.
+  JsonBuilder(JsonFile& file, std::string_view text) : file_(file), text_(text) {
+    if (text.starts_with(byte_order_mark)) end_ = byte_order_mark.size();  // the parser skips it
+    if (file.limits.strict && end_ != 0)
+      refuse(0, "expected no byte order mark before the file; save it as UTF-8 without one");
+  }
 
-  bool null() override { return add_word(JsonNode::Kind::word); }
-  bool boolean(bool /*value*/) override { return add_word(JsonNode::Kind::word); }
-  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override {
-    return add_word(JsonNode::Kind::word);
-  }
-  bool number_integer(number_integer_t value) override { return add_word(JsonNode::Kind::integer, value); }
-  bool number_unsigned(number_unsigned_t value) override {
-    const auto number = static_cast<std::int64_t>(value);
-    return add_word(number < 0 ? JsonNode::Kind::word : JsonNode::Kind::integer, number);
-  }
+  bool null() override { return add_word(Kind::word, 0); }
+  bool boolean(bool /*value*/) override { return add_word(Kind::word, 0); }
+  bool number_float(number_float_t value, const string_t& /*text*/) override { return add_word(Kind::real, value); }
+  bool number_integer(number_integer_t value) override { return add_integer(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return add_integer(static_cast<double>(value)); }
   bool string(string_t& value) override {
-    begin_token();
-    end_string();
-    add(JsonNode::Kind::text).text = std::move(value);
+    const JsonNode::Range content = text_token(value);
+    add(Kind::text, token_, content);
     return true;
   }
   bool binary(binary_t& /*value*/) override { return false; }  // JSON has none
-  bool start_object(std::size_t /*size*/) override { return open(JsonNode::Kind::object); }
-  bool start_array(std::size_t /*size*/) override { return open(JsonNode::Kind::list); }
+  bool start_object(std::size_t /*size*/) override { return open(Kind::object); }
+  bool start_array(std::size_t /*size*/) override { return open(Kind::list); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
-    begin_token();
-    end_string();
-    std::vector<JsonNode>& members = open_.back()->items;
+    next_name_ = text_token(name);
+    if (name.size() > file_.limits.longest_member)
+      refuse(token_, fmt::format("expected names of members of at most {} bytes, found \"{}\"",
+                                 file_.limits.longest_member, name));
+    const std::span<const JsonNode> members = std::span(pending_).subspan(open_.back().first);
+    if (members.size() == file_.limits.most_members)
+      refuse(token_, fmt::format("expected at most {} members of an object", file_.limits.most_members));
+    if (!file_.limits.strict) return true;
     // Otherwise the last of two members of one name would silently win.
     for (const JsonNode& other : members)
-      if (other.name == name)
-        refuse(token_,
-               fmt::format("expected each member once, \"{}\" is in line {} already", name, other.name_place.line));
-    if (name.size() > longest_member)
-      refuse(token_, fmt::format("expected names of members of at most {} bytes, found \"{}\"", longest_member, name));
-    if (members.size() == most_members)
-      refuse(token_, fmt::format("expected at most {} members of an object", most_members));
-    JsonNode& member = members.emplace_back();
-    member.name = std::move(name);
-    member.name_place = place_of(token_);
+      if (file_.of(other.name) == name)
+        refuse(token_, fmt::format("expected each member once, \"{}\" is in line {} already", name,
+                                   line_and_column(text_, file_.place_of(other)).line));
     return true;
   }
   bool parse_error(std::size_t position, const std::string& /*last*/,
@@ -98,150 +124,219 @@ class JsonBuilder final : public nlohmann::json_sax<nlohmann::json> {
     refuse(std::min(position == 0 ? 0 : position - 1, text_.size()), fmt::format("not JSON: {}", what));
   }
 
- private:
-  [[noreturn]] void refuse(std::size_t offset, const std::string& what) {
-    refuse_at(file_.name, place_of(offset), what);
-  }
+  /// Ends the tree; the last node is the whole.
+  void finish() { file_.nodes.push_back(pending_.at(0)); }
 
-  /// Continues from the previous offset, so that a file takes linear time.
-  JsonNode::Place place_of(std::size_t offset) {
-    if (offset < placed_) placed_ = 0, place_ = {};
-    for (const char c : text_.substr(placed_, offset - placed_)) {
-      place_.column = c == '\n' ? 1 : place_.column + 1;
-      place_.line += c == '\n' ? 1 : 0;
-    }
-    placed_ = offset;
-    return place_;
-  }
+ private:
+  struct Open {
+    Kind kind;
+    std::size_t offset;
+    std::size_t first;  ///< of its elements in `pending_`
+    JsonNode::Range name;
+  };
+  static constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+  [[noreturn]] void refuse(std::size_t offset, const std::string& what) const { refuse_at(file_, offset, what); }
 
   void begin_token() {
-    end_ = token_ = std::min(text_.find_first_not_of(" \t\r\n,:", end_), text_.size());
-    ++end_;
+    const auto is_between = [](char c) {
+      return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ',' || c == ':';
+    };
+    while (end_ < text_.size() && is_between(text_[end_])) ++end_;
+    token_ = end_++;
   }
-  void end_string() {
+  /// Passes a text; returns its content.
+  JsonNode::Range text_token(std::string_view value) {
+    begin_token();
     while (text_.at(end_) != '"') end_ += text_[end_] == '\\' ? 2U : 1U;
-    ++end_;
+    const std::size_t begin = token_ + 1;
+    const bool has_escapes = end_++ - begin != value.size();  // each makes it shorter
+    const std::size_t kept = has_escapes ? file_.text.size() : begin;
+    if (has_escapes) file_.text += value;
+    return {static_cast<std::uint32_t>(kept), static_cast<std::uint32_t>(value.size())};
   }
 
-  /// A new element of the innermost open list, or the last member of the innermost open object. Only the innermost one
-  /// grows, so addresses stay valid.
-  JsonNode& add(JsonNode::Kind kind) {
-    JsonNode* outer = open_.empty() ? nullptr : open_.back();
-    if (outer != nullptr && outer->kind == JsonNode::Kind::list) outer->items.emplace_back();
-    JsonNode& node = outer == nullptr ? file_.whole : outer->items.back();
-    node.kind = kind;
-    node.place = place_of(token_);
-    return node;
+  void add(Kind kind, std::size_t offset, JsonNode::Range content, double number = 0) {
+    if (++count_ > file_.limits.most_values)
+      refuse(offset, fmt::format("more than {} values, the limit; keep numbers in a buffer", file_.limits.most_values));
+    pending_.push_back(
+        {number, static_cast<std::uint32_t>(offset), content, std::exchange(next_name_, JsonNode::Range{}), kind});
   }
-  bool add_word(JsonNode::Kind kind, std::int64_t integer = 0) {
+  bool add_word(Kind kind, double number) {
     begin_token();
-    end_ = std::min(text_.find_first_of(" \t\r\n,:]}", token_), text_.size());
-    JsonNode& node = add(kind);
-    node.integer = integer;
-    node.text = text_.substr(token_, end_ - token_);
+    const auto ends = [](char c) {
+      return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ',' || c == ']' || c == '}';
+    };
+    while (end_ < text_.size() && !ends(text_[end_])) ++end_;
+    add(kind, token_, {static_cast<std::uint32_t>(token_), static_cast<std::uint32_t>(end_ - token_)}, number);
     return true;
   }
-  bool open(JsonNode::Kind kind) {
+  bool add_integer(double number) {
+    return add_word(std::abs(number) <= exact_integers ? Kind::integer : Kind::real, number);
+  }
+  bool open(Kind kind) {
     begin_token();
-    if (open_.size() == deepest)
-      refuse(token_, fmt::format("expected lists and objects at most {} deep inside one another", deepest));
-    open_.push_back(&add(kind));
+    if (open_.size() == file_.limits.deepest)
+      refuse(token_, fmt::format("expected lists and objects at most {} deep inside one another", open_.size()));
+    open_.push_back({kind, token_, pending_.size(), std::exchange(next_name_, JsonNode::Range{})});
     return true;
   }
   bool close() {
     begin_token();
+    const Open whole = open_.back();
     open_.pop_back();
+    const auto first = pending_.begin() + static_cast<std::ptrdiff_t>(whole.first);
+    if (whole.kind == Kind::object && !file_.limits.strict)
+      std::stable_sort(first, pending_.end(),
+                       [this](const JsonNode& a, const JsonNode& b) { return file_.of(a.name) < file_.of(b.name); });
+    const JsonNode::Range items{static_cast<std::uint32_t>(file_.nodes.size()),
+                                static_cast<std::uint32_t>(pending_.end() - first)};
+    file_.nodes.insert(file_.nodes.end(), first, pending_.end());
+    pending_.erase(first, pending_.end());
+    if (pending_.size() < pending_.capacity() / 4) pending_.shrink_to_fit();
+    next_name_ = whole.name;
+    add(whole.kind, whole.offset, items);
     return true;
   }
 
   JsonFile& file_;
   std::string_view text_;
-  std::size_t token_ = 0;   ///< start of the last token
-  std::size_t end_ = 0;     ///< end of the last token
-  std::size_t placed_ = 0;  ///< the offset of `place_`
-  JsonNode::Place place_;
-  std::vector<JsonNode*> open_;
+  std::size_t token_ = 0;  ///< start of the last token
+  std::size_t end_ = 0;    ///< end of the last token
+  std::size_t count_ = 0;
+  JsonNode::Range next_name_;
+  std::vector<JsonNode> pending_;
+  std::vector<Open> open_;
 };
 
-bool same(const JsonNode& one, const JsonNode& other) {
-  return one.kind == other.kind && one.text == other.text &&
-         std::equal(one.items.begin(), one.items.end(), other.items.begin(), other.items.end(),
-                    [](const JsonNode& a, const JsonNode& b) { return a.name == b.name && same(a, b); });
+std::span<const JsonNode> items_of(const JsonFile& file, const JsonNode& node) {
+  if (node.kind != Kind::list && node.kind != Kind::object) return {};
+  return std::span(file.nodes).subspan(node.content.begin, node.content.size);
 }
 
-std::string described(const JsonNode& node) {
-  if (node.kind == JsonNode::Kind::list) return fmt::format("a list of {}", node.items.size());
-  if (node.kind == JsonNode::Kind::object) return "an object";
-  return node.kind == JsonNode::Kind::text ? fmt::format("\"{}\"", node.text) : node.text;
+bool same(const JsonFile& one_file, const JsonNode& one, const JsonFile& other_file, const JsonNode& other) {
+  if (one.kind != other.kind) return false;
+  if (one.kind != Kind::list && one.kind != Kind::object)
+    return one_file.of(one.content) == other_file.of(other.content);
+  const auto some = items_of(one_file, one);
+  const auto others = items_of(other_file, other);
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(), [&](const JsonNode& a, const JsonNode& b) {
+    return one_file.of(a.name) == other_file.of(b.name) && same(one_file, a, other_file, b);
+  });
+}
+
+std::string described(const JsonFile& file, const JsonNode& node) {
+  if (node.kind == Kind::list) return fmt::format("a list of {}", node.content.size);
+  if (node.kind == Kind::object) return "an object";
+  const std::string_view content = file.of(node.content).substr(0, 400);
+  return node.kind == Kind::text ? fmt::format("\"{}\"", content) : std::string(content);
+}
+
+std::string path_to(const std::string& path, std::string_view member) {
+  return path.empty() ? std::string(member) : fmt::format("{}.{}", path, member);
 }
 
 }  // namespace
 
-JsonValue parse_json(const std::string& file, std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf"))  // the parser would skip it
-    refuse_at(file, {}, "expected no byte order mark before the file; save it as UTF-8 without one");
-  const auto parsed = std::make_shared<JsonFile>(JsonFile{file, {}});
+JsonValue parse_json(const std::string& file, std::string_view text, const JsonLimits& limits) {
+  const auto parsed = std::make_shared<JsonFile>();
+  parsed->name = file;
+  parsed->limits = limits;
+  // Escapes make texts shorter, so all of them together have at most the size of the file.
+  if (text.size() > std::numeric_limits<std::uint32_t>::max() / 2)
+    refuse_at(*parsed, 0, "expected at most 2 GiB of JSON; keep numbers in a buffer");
+  parsed->size = text.size();
+  parsed->text = text;
   JsonBuilder builder(*parsed, text);
-  if (!nlohmann::json::sax_parse(text, &builder)) refuse_at(file, {}, "not JSON");
-  return {parsed, parsed->whole, {}};
-}
-
-JsonValue::JsonValue(std::shared_ptr<const JsonFile> file, const JsonNode& node, std::string path)
-    : file_(std::move(file)), node_(&node), path_(std::move(path)) {}
-
-std::string JsonValue::path_to(std::string_view member) const {
-  return path_.empty() ? std::string(member) : fmt::format("{}.{}", path_, member);
+  if (!nlohmann::json::sax_parse(text, &builder)) refuse_at(*parsed, 0, "not JSON");
+  builder.finish();
+  return {parsed, parsed->nodes.back(), {}};
 }
 
 std::string JsonValue::where() const {
-  return fmt::format("{}:{}:{}: {}{}", file_->name, node_->place.line, node_->place.column,
-                     files::printable_ascii(path_), path_.empty() ? "" : ": ");
+  return location(*file_, node_->offset) + files::printable_ascii(path_) + (path_.empty() ? "" : ": ");
 }
 
 const std::string& JsonValue::file() const { return file_->name; }
 
 void JsonValue::refuse(const std::string& what) const {
-  refuse_at(file_->name, node_->place, path_.empty() ? what : fmt::format("{}: {}", path_, what));
+  refuse_at(*file_, node().offset, path_.empty() ? what : fmt::format("{}: {}", path_, what));
 }
 
 void JsonValue::expected(const std::string& what) const {
-  refuse(fmt::format("expected {}, found {}", what, described(*node_)));
+  refuse(fmt::format("expected {}, found {}", what, described(*file_, node())));
 }
 
-bool JsonValue::operator==(const JsonValue& other) const { return same(*node_, *other.node_); }
-bool JsonValue::is_text() const { return node_->kind == JsonNode::Kind::text; }
-bool JsonValue::is_list() const { return node_->kind == JsonNode::Kind::list; }
-
-std::optional<JsonValue> JsonValue::member(std::string_view name) const {
-  if (node_->kind == JsonNode::Kind::object)
-    for (const JsonNode& item : node_->items)
-      if (item.name == name) return JsonValue(file_, item, path_to(name));
-  return {};
+const JsonNode& JsonValue::node() const {
+  if (!there_)
+    refuse_at(*file_, node_->offset,
+              fmt::format("{}{}expected a member \"{}\"", path_, path_.empty() ? "" : ": ", missing_));
+  return *node_;
 }
 
-bool JsonValue::has(std::string_view name) const { return member(name).has_value(); }
+std::span<const JsonNode> JsonValue::items() const { return items_of(*file_, node()); }
+bool JsonValue::operator==(const JsonValue& other) const { return same(*file_, node(), *other.file_, other.node()); }
+bool JsonValue::is_text() const { return node().kind == Kind::text; }
+bool JsonValue::is_list() const { return node().kind == Kind::list; }
+
+const JsonNode* JsonValue::find(std::string_view name) const {
+  if (node().kind != Kind::object) return nullptr;
+  const std::span<const JsonNode> all = items();
+  if (file_->limits.strict) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const JsonNode& item) { return file_->of(item.name) == name; });
+    return found == all.end() ? nullptr : &*found;
+  }
+  const auto after =
+      std::upper_bound(all.begin(), all.end(), name,
+                       [this](std::string_view wanted, const JsonNode& item) { return wanted < file_->of(item.name); });
+  return after == all.begin() || file_->of(after[-1].name) != name ? nullptr : &after[-1];
+}
 
 JsonValue JsonValue::operator[](std::string_view name) const {
-  if (std::optional<JsonValue> found = member(name)) return *std::move(found);
-  refuse(fmt::format("expected a member \"{}\"", name));
+  const JsonNode* const found = there_ ? find(name) : nullptr;
+  if (found != nullptr) return {file_, *found, path_to(path_, name)};
+  JsonValue missing = *this;
+  missing.there_ = false;
+  missing.missing_ = path_to(missing_, name);
+  return missing;
+}
+
+bool JsonValue::has(std::string_view name) const { return find(name) != nullptr; }
+
+std::optional<JsonValue> JsonValue::member(std::string_view name) const {
+  return has(name) ? std::optional((*this)[name]) : std::nullopt;
 }
 
 std::vector<std::string> JsonValue::members() const {
   std::vector<std::string> names;
-  for (const JsonNode& item : node_->items) names.push_back(item.name);
+  if (!there_) return names;
+  if (node_->kind != Kind::object) expected("an object");
+  for (const JsonNode& item : items()) names.emplace_back(file_->of(item.name));
   return names;
 }
 
 void JsonValue::expect_members(std::initializer_list<std::string_view> known) const {
-  if (node_->kind != JsonNode::Kind::object) expected("an object");
-  for (const JsonNode& item : node_->items)
-    if (std::find(known.begin(), known.end(), item.name) == known.end())
-      refuse_at(file_->name, item.name_place,
-                fmt::format("{}: unknown member, expected {}", path_to(item.name), fmt::join(known, ", ")));
+  if (node().kind != Kind::object) expected("an object");
+  for (const JsonNode& item : items())
+    if (const std::string_view name = file_->of(item.name); std::find(known.begin(), known.end(), name) == known.end())
+      refuse_at(*file_, file_->place_of(item),
+                fmt::format("{}: unknown member, expected {}", path_to(path_, name), fmt::join(known, ", ")));
+}
+
+std::size_t JsonValue::size() const {
+  if (!there_) return 0;
+  if (!is_list()) expected("a list");
+  return items().size();
+}
+
+JsonValue JsonValue::at(std::uint64_t index) const {
+  if (index >= size()) refuse(fmt::format("has no element {}, only {}", index, size()));
+  return {file_, items()[static_cast<std::size_t>(index)], fmt::format("{}[{}]", path_, index)};
 }
 
 std::vector<JsonValue> JsonValue::elements(std::string_view what, std::size_t least, std::size_t most) const {
-  const std::size_t size = node_->items.size();
+  const std::size_t size = items().size();
   if (!is_list() || size < least || size > most) {
     const std::string sizes = least == 0      ? fmt::format("at most {}", most)
                               : least == most ? fmt::format("{}", most)
@@ -250,40 +345,51 @@ std::vector<JsonValue> JsonValue::elements(std::string_view what, std::size_t le
   }
   std::vector<JsonValue> values;
   values.reserve(size);
-  for (const JsonNode& item : node_->items)
-    values.push_back({file_, item, fmt::format("{}[{}]", path_, values.size())});
+  while (values.size() < size) values.push_back(at(values.size()));
   return values;
 }
 
-std::string JsonValue::text(const std::string& what) const {
+std::string_view JsonValue::view(const std::string& what) const {
   if (!is_text()) expected(what);
-  return node_->text;
+  return file_->of(node_->content);
 }
 
 bool JsonValue::truth() const {
-  const bool is_true = node_->kind == JsonNode::Kind::word && node_->text == "true";
-  if (!is_true && (node_->kind != JsonNode::Kind::word || node_->text != "false")) expected("true or false");
-  return is_true;
+  const std::string_view word = node().kind == Kind::word ? file_->of(node_->content) : "";
+  if (word != "true" && word != "false") expected("true or false");
+  return word == "true";
 }
 
 std::size_t JsonValue::one_of(std::span<const std::string_view> texts) const {
-  const auto found = is_text() ? std::find(texts.begin(), texts.end(), node_->text) : texts.end();
+  const auto found = is_text() ? std::find(texts.begin(), texts.end(), view()) : texts.end();
   if (found == texts.end())
     expected(fmt::format("\"{}\" or \"{}\"", fmt::join(texts.first(texts.size() - 1), "\", \""), texts.back()));
   return static_cast<std::size_t>(found - texts.begin());
 }
 
 std::int64_t JsonValue::number(std::int64_t least, std::int64_t most, std::string_view what) const {
-  if (node_->kind != JsonNode::Kind::integer || node_->integer < least || node_->integer > most)
+  if (node().kind != Kind::integer || node_->number < static_cast<double>(least) ||
+      node_->number > static_cast<double>(most))
     expected(least == most ? fmt::format("{}, {}", least, what) : fmt::format("{} from {} to {}", what, least, most));
-  return node_->integer;
+  return static_cast<std::int64_t>(node_->number);
+}
+
+double JsonValue::real() const {
+  if (node().kind != Kind::integer && node_->kind != Kind::real) expected("a number");
+  return node_->number;
+}
+
+std::uint64_t JsonValue::whole() const {
+  const double value = real();
+  if (!(value >= 0) || value >= exact_integers || value != std::floor(value))
+    expected("a whole number that is not too large");
+  return static_cast<std::uint64_t>(value);
 }
 
 unsigned JsonValue::place(std::size_t count, std::string_view what) const {
-  const auto end = static_cast<std::int64_t>(count);
-  if (node_->kind != JsonNode::Kind::integer || node_->integer < 0 || node_->integer >= end)
-    expected(fmt::format("one of the {}s 0 to {}", what, end - 1));
-  return static_cast<unsigned>(node_->integer);
+  if (node().kind != Kind::integer || node_->number < 0 || node_->number >= static_cast<double>(count))
+    expected(fmt::format("one of the {}s 0 to {}", what, count - 1));
+  return static_cast<unsigned>(node_->number);
 }
 
 std::vector<unsigned> JsonValue::places(std::size_t count, std::string_view what) const {

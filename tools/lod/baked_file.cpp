@@ -145,10 +145,10 @@ std::optional<BakedBytes> parse_baked_gltf(std::string_view bytes, const std::st
   // If the name does not occur, the file has no extension and need not be parsed.
   if (bytes.find(baked_strips_extension) == std::string_view::npos) return std::nullopt;
   GltfFile file(bytes, name, sibling);
-  std::optional<JsonPlace> only;
-  const JsonPlace meshes = file.root()["meshes"];
+  std::optional<JsonValue> only;
+  const JsonValue meshes = file.root()["meshes"];
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const JsonPlace extension = meshes.at(i)["extensions"][baked_strips_extension];
+    const JsonValue extension = meshes.at(i)["extensions"][baked_strips_extension];
     if (!extension.there()) continue;
     if (only) extension.refuse("is the second one; a file has one baked mesh");
     only = extension;

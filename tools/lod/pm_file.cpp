@@ -211,13 +211,13 @@ std::optional<ProgressiveMesh> parse_progressive_gltf(std::string_view bytes, co
   if (bytes.find(progressive_extension) == std::string_view::npos) return std::nullopt;
   GltfFile file(bytes, name, sibling);
   // The extension, which the proposal puts in a primitive and its author's program in the mesh; and the primitive.
-  std::optional<std::pair<JsonPlace, JsonPlace>> found;
-  const JsonPlace meshes = file.root()["meshes"];
+  std::optional<std::pair<JsonValue, JsonValue>> found;
+  const JsonValue meshes = file.root()["meshes"];
   for (std::size_t m = 0; m < meshes.size(); ++m)
     for (std::size_t p = 0; p < meshes.at(m)["primitives"].size(); ++p) {
-      const JsonPlace primitive = meshes.at(m)["primitives"].at(p);
-      for (const JsonPlace& at : {primitive, meshes.at(m)}) {
-        const JsonPlace extension = at["extensions"][progressive_extension];
+      const JsonValue primitive = meshes.at(m)["primitives"].at(p);
+      for (const JsonValue& at : {primitive, meshes.at(m)}) {
+        const JsonValue extension = at["extensions"][progressive_extension];
         if (!extension.there()) continue;
         if (found) extension.refuse("is the second one; a file has one progressive mesh");
         found.emplace(extension, primitive);

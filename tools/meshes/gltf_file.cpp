@@ -9,6 +9,7 @@
 
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
+#include "meshes/text_cursor.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -17,17 +18,20 @@ constexpr std::size_t glb_header_bytes = 12;
 constexpr std::uint32_t json_chunk = 0x4E4F534A;
 constexpr std::uint32_t binary_chunk = 0x004E4942;
 
+/// Members of any number and name: exporters add their own.
+constexpr JsonLimits json_limits{.deepest = 64, .most_values = 20'000'000, .strict = false};
+
 constexpr bool is_index_type(std::uint64_t type) { return type == 5121 || type == 5123 || type == 5125; }
 
 /// The type of the components of an accessor of positions, or of an attribute.
-ComponentType type_of_values(const JsonPlace& accessor, const char* what) {
+ComponentType type_of_values(const JsonValue& accessor, const char* what) {
   const std::uint64_t type = accessor["componentType"].whole();
   if (type < 5120 || type > 5126 || type == 5124 || type == 5125)
     accessor["componentType"].refuse(fmt::format("is {}, which is not a type of {}", type, what));
   return ComponentType{static_cast<unsigned>(type)};
 }
 
-ComponentType type_of_indices(const JsonPlace& accessor) {
+ComponentType type_of_indices(const JsonValue& accessor) {
   const std::uint64_t type = accessor["componentType"].whole();
   if (!is_index_type(type))
     accessor["componentType"].refuse(fmt::format("is {}, which is not a type of an index (5121, 5123 or 5125)", type));
@@ -102,47 +106,21 @@ bool is_below(std::string_view path) {
 }
 
 /// Extensions that change neither what triangles are drawn nor where; their names begin so.
-constexpr std::string_view harmless_extensions[]{"KHR_mesh_primitive_restart",
-                                                 "KHR_mesh_quantization",
-                                                 "EXT_mesh_manifold",
-                                                 "KHR_materials_",
-                                                 "KHR_texture_",
-                                                 "KHR_lights_",
-                                                 "KHR_animation_pointer",
-                                                 "KHR_audio",
-                                                 "KHR_interactivity",
-                                                 "KHR_physics_",
-                                                 "KHR_rigid_bodies",
-                                                 "KHR_implicit_shapes",
-                                                 "KHR_node_selectability",
-                                                 "KHR_node_hoverability",
-                                                 "KHR_techniques_webgl",
-                                                 "KHR_xmp",
-                                                 "KHR_environment_map",
-                                                 "EXT_texture_",
-                                                 "EXT_lights_",
-                                                 "EXT_materials_",
-                                                 "EXT_mesh_features",
-                                                 "EXT_instance_features",
-                                                 "EXT_feature_metadata",
-                                                 "EXT_structural_metadata",
-                                                 "ADOBE_materials_",
-                                                 "AGI_stk_metadata",
-                                                 "CESIUM_primitive_outline",
-                                                 "FB_",
-                                                 "GODOT_single_root",
-                                                 "GRIFFEL_bim_data",
-                                                 "MSFT_audio_",
-                                                 "MSFT_collision_",
-                                                 "MSFT_packing_",
-                                                 "MSFT_physics_",
-                                                 "MSFT_texture_dds",
-                                                 "MPEG_material_",
-                                                 "MPEG_texture_",
-                                                 "NV_materials_",
-                                                 "OMI_",
-                                                 "VRM",
-                                                 "EXT_property_"};
+constexpr std::string_view harmless_extensions =
+    "KHR_mesh_primitive_restart KHR_mesh_quantization EXT_mesh_manifold KHR_materials_ KHR_texture_ KHR_lights_ "
+    "KHR_animation_pointer KHR_audio KHR_interactivity KHR_physics_ KHR_rigid_bodies KHR_implicit_shapes "
+    "KHR_node_selectability KHR_node_hoverability KHR_techniques_webgl KHR_xmp KHR_environment_map EXT_texture_ "
+    "EXT_lights_ EXT_materials_ EXT_mesh_features EXT_instance_features EXT_feature_metadata "
+    "EXT_structural_metadata ADOBE_materials_ AGI_stk_metadata CESIUM_primitive_outline FB_ GODOT_single_root "
+    "GRIFFEL_bim_data MSFT_audio_ MSFT_collision_ MSFT_packing_ MSFT_physics_ MSFT_texture_dds MPEG_material_ "
+    "MPEG_texture_ NV_materials_ OMI_ VRM EXT_property_";
+
+bool is_harmless(std::string_view extension) {
+  TextCursor names(harmless_extensions);
+  std::string_view begin = names.word();
+  while (!begin.empty() && !extension.starts_with(begin)) begin = names.word();
+  return !begin.empty();
+}
 
 }  // namespace
 
@@ -151,8 +129,8 @@ GltfFile::GltfFile(std::string_view bytes, const std::string& name, const ReadSi
   if (bytes.starts_with("glTF"))
     read_container(bytes);
   else
-    json_ = parse_json(bytes, name);
-  const JsonPlace version = root()["asset"]["version"];
+    json_ = parse_json(name, bytes, json_limits);
+  const JsonValue version = root()["asset"]["version"];
   if (!version.text().starts_with("2."))
     version.refuse(fmt::format("is '{}'; only glTF 2 is read", version.text().substr(0, 40)));
   check_extensions();
@@ -177,7 +155,9 @@ void GltfFile::read_container(std::string_view bytes) {
     const std::string_view chunk = bytes.substr(at + 8, length);
     if (!has_json) {
       if (kind != json_chunk) refuse("its first chunk is not JSON");
-      json_ = parse_json(chunk, name_);
+      JsonLimits limits = json_limits;
+      limits.has_lines = false;
+      json_ = parse_json(name_, chunk, limits);
       has_json = true;
     } else if (kind == binary_chunk && !has_binary_) {
       binary_ = chunk;
@@ -189,18 +169,17 @@ void GltfFile::read_container(std::string_view bytes) {
 }
 
 void GltfFile::check_extensions() const {
-  const JsonPlace required = root()["extensionsRequired"];
+  const JsonValue required = root()["extensionsRequired"];
   for (std::size_t i = 0; i < required.size(); ++i) {
     const std::string extension = required.at(i).text();
-    if (std::none_of(std::begin(harmless_extensions), std::end(harmless_extensions),
-                     [&](std::string_view begin) { return extension.starts_with(begin); }))
+    if (!is_harmless(extension))
       required.at(i).refuse(fmt::format("is {}, which may change the triangles and is not read; export without it",
                                         extension.substr(0, 60)));
   }
 }
 
-std::string GltfFile::load(const JsonPlace& uri) const {
-  std::string_view text = uri.text();
+std::string GltfFile::load(const JsonValue& uri) const {
+  const std::string_view text = uri.view();
   if (text.starts_with("data:")) {
     const std::size_t comma = text.find(',');
     const bool base64 = comma != std::string_view::npos && text.substr(0, comma).ends_with(";base64");
@@ -219,7 +198,7 @@ std::string GltfFile::load(const JsonPlace& uri) const {
 }
 
 std::string_view GltfFile::buffer(std::uint64_t number) {
-  const JsonPlace about = root()["buffers"].at(number);
+  const JsonValue about = root()["buffers"].at(number);
   const std::uint64_t length = about["byteLength"].whole();
   std::string_view bytes = binary_;
   if (about["uri"].there()) {
@@ -258,7 +237,7 @@ double GltfFile::Elements::value(std::size_t element, std::size_t component) con
 }
 
 std::string_view GltfFile::view(std::uint64_t number) {
-  const JsonPlace about = root()["bufferViews"].at(number);
+  const JsonValue about = root()["bufferViews"].at(number);
   const std::string_view all = buffer(about["buffer"].whole());
   const std::uint64_t begin = about["byteOffset"].whole_or(0);
   const std::uint64_t length = about["byteLength"].whole();
@@ -267,10 +246,10 @@ std::string_view GltfFile::view(std::uint64_t number) {
   return all.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(length));
 }
 
-GltfFile::Elements GltfFile::elements(const JsonPlace& from, ComponentType type, std::size_t components,
+GltfFile::Elements GltfFile::elements(const JsonValue& from, ComponentType type, std::size_t components,
                                       std::size_t count) {
   const std::uint64_t number = from["bufferView"].whole();
-  const JsonPlace about = root()["bufferViews"].at(number);
+  const JsonValue about = root()["bufferViews"].at(number);
   const std::string_view all = view(number);
   const std::size_t size = components * width_of(type);
   const std::uint64_t stride = about["byteStride"].whole_or(size);
@@ -284,7 +263,7 @@ GltfFile::Elements GltfFile::elements(const JsonPlace& from, ComponentType type,
 }
 
 template <class Value, class Read>
-void GltfFile::fill(const JsonPlace& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
+void GltfFile::fill(const JsonValue& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
                     Read&& read) {
   const std::uint64_t announced = accessor["count"].whole();
   // Elements without a buffer are zero and take no bytes.
@@ -303,12 +282,12 @@ void GltfFile::fill(const JsonPlace& accessor, ComponentType type, std::size_t c
   } else {
     values.resize(count);
   }
-  const JsonPlace sparse = accessor["sparse"];
+  const JsonValue sparse = accessor["sparse"];
   if (!sparse.there()) return;
   if (sparse["count"].whole() > count)
     sparse["count"].refuse(fmt::format("is {}, more than the accessor has", sparse["count"].whole()));
   const auto replaced = static_cast<std::size_t>(sparse["count"].whole());
-  const JsonPlace places = sparse["indices"];
+  const JsonValue places = sparse["indices"];
   const std::uint64_t place_type = places["componentType"].whole();
   if (!is_index_type(place_type)) places["componentType"].refuse("is not a type of an index (5121, 5123 or 5125)");
   const Elements at = elements(places, ComponentType{static_cast<unsigned>(place_type)}, 1, replaced);
@@ -324,11 +303,11 @@ void GltfFile::fill(const JsonPlace& accessor, ComponentType type, std::size_t c
 }
 
 std::vector<Point> GltfFile::positions(std::uint64_t number) {
-  const JsonPlace about = accessor(number);
+  const JsonValue about = accessor(number);
   if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as positions are");
   const ComponentType type = type_of_values(about, "positions");
   // KHR_mesh_quantization: integers, normalised or not.
-  const bool normalized = about["normalized"].boolean_or(false) && type != ComponentType::real;
+  const bool normalized = about["normalized"].truth_or(false) && type != ComponentType::real;
   const Scale scale = scale_of(type, normalized);
   std::vector<Point> points;
   fill(about, type, 3, points, [&](const Elements& from, std::size_t at) {
@@ -339,7 +318,7 @@ std::vector<Point> GltfFile::positions(std::uint64_t number) {
 }
 
 std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::string& name) {
-  const JsonPlace about = accessor(number);
+  const JsonValue about = accessor(number);
   const std::string shape = about["type"].text();
   constexpr std::array<std::string_view, 4> shapes{"SCALAR", "VEC2", "VEC3", "VEC4"};
   const auto found = std::find(shapes.begin(), shapes.end(), shape);
@@ -353,7 +332,7 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
   if (name.starts_with("COLOR_") && components != 3 && components != 4)
     about["type"].refuse("is neither VEC3 nor VEC4, as colours are");
   const ComponentType type = type_of_values(about, "an attribute");
-  const bool normalized = about["normalized"].boolean_or(false) && type != ComponentType::real;
+  const bool normalized = about["normalized"].truth_or(false) && type != ComponentType::real;
   const bool has_fractions = (type == ComponentType::unsigned_byte || type == ComponentType::unsigned_short) &&
                              normalized && name != "NORMAL" && name != "TANGENT";
   const bool as_it_is = type == ComponentType::real || is_own || has_fractions;
@@ -371,7 +350,7 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
 }
 
 std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number, bool restarts) {
-  const JsonPlace about = accessor(number);
+  const JsonValue about = accessor(number);
   if (about["type"].text() != "SCALAR") about["type"].refuse("is not SCALAR, as indices are");
   const ComponentType type = type_of_indices(about);
   const std::uint32_t restart = 0xFFFF'FFFFU >> (32 - 8 * width_of(type));
@@ -384,7 +363,7 @@ std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number, bool restarts
 }
 
 std::vector<Corners> GltfFile::triples(std::uint64_t number) {
-  const JsonPlace about = accessor(number);
+  const JsonValue about = accessor(number);
   if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as three indices are");
   const ComponentType type = type_of_indices(about);
   std::vector<Corners> triples;

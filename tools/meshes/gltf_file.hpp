@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/json.hpp"
 #include "meshes/attributes.hpp"
-#include "meshes/json_tree.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup.hpp"
 
@@ -31,12 +31,10 @@ class GltfFile {
   /// BadInput if the file is damaged, is not glTF 2.0, or requires an unknown extension that changes what it draws.
   GltfFile(std::string_view bytes, const std::string& name, const ReadSibling& sibling);
 
-  [[nodiscard]] JsonPlace root() const { return {json_, name_, remedy_}; }
-  /// From here on the end of every message; must outlive the object.
-  void advise(const char* remedy) { remedy_ = remedy; }
+  [[nodiscard]] const JsonValue& root() const { return json_; }
   /// The bytes of a buffer view. Throws BadInput if it reaches beyond its buffer.
   [[nodiscard]] std::string_view view(std::uint64_t number);
-  [[nodiscard]] JsonPlace accessor(std::uint64_t number) const { return root()["accessors"].at(number); }
+  [[nodiscard]] JsonValue accessor(std::uint64_t number) const { return root()["accessors"].at(number); }
   /// The values of an accessor, which may be sparse or strided. Throws BadInput if it is of another kind or reaches
   /// beyond its buffer.
   [[nodiscard]] std::vector<Point> positions(std::uint64_t accessor);
@@ -64,13 +62,13 @@ class GltfFile {
   void read_container(std::string_view bytes);
   void check_extensions() const;
   [[nodiscard]] std::string_view buffer(std::uint64_t number);
-  [[nodiscard]] std::string load(const JsonPlace& uri) const;
+  [[nodiscard]] std::string load(const JsonValue& uri) const;
   /// `count` elements with this number of components at the place given by `from`: bufferView, byteOffset,
   /// componentType.
-  [[nodiscard]] Elements elements(const JsonPlace& from, ComponentType type, std::size_t components, std::size_t count);
+  [[nodiscard]] Elements elements(const JsonValue& from, ComponentType type, std::size_t components, std::size_t count);
   /// Fills `values` with read(elements, number) for each element of the accessor. Elements without a buffer are zero.
   template <class Value, class Read>
-  void fill(const JsonPlace& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
+  void fill(const JsonValue& accessor, ComponentType type, std::size_t components, std::vector<Value>& values,
             Read&& read);
 
   const std::string& name_;
@@ -79,7 +77,6 @@ class GltfFile {
   std::uint64_t charged_ = 0;
   std::uint64_t limit_ = most_gltf_values;
   bool all_loaded_ = false;
-  const char* remedy_ = "";
   JsonValue json_;
   std::string_view binary_;  // the BIN chunk of a GLB
   bool has_binary_ = false;

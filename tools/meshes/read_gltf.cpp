@@ -13,6 +13,7 @@
 #include <span>
 #include <tuple>
 
+#include "common/bad_input.hpp"
 #include "common/printable.hpp"
 #include "meshes/gltf_file.hpp"
 #include "meshes/mesh_file.hpp"
@@ -80,15 +81,15 @@ Attribute moved(const Attribute& attribute, const Affine& map) {
 }
 
 template <std::size_t Count>
-std::array<double, Count> numbers(const JsonPlace& list, const std::array<double, Count>& other) {
+std::array<double, Count> numbers(const JsonValue& list, const std::array<double, Count>& other) {
   if (!list.there()) return other;
   if (list.size() != Count) list.refuse(fmt::format("has {} numbers, not {}", list.size(), Count));
   std::array<double, Count> found{};
-  for (std::size_t i = 0; i < Count; ++i) found[i] = list.at(i).number();
+  for (std::size_t i = 0; i < Count; ++i) found[i] = list.at(i).real();
   return found;
 }
 
-Affine map_of(const JsonPlace& node) {
+Affine map_of(const JsonValue& node) {
   if (node["matrix"].there()) {
     const auto m = numbers<16>(node["matrix"], {});
     constexpr double rounding = 1e-5;  // of programs that multiply matrices in 32 bits
@@ -113,13 +114,13 @@ class GltfReader {
       : file_(bytes, name, sibling), soup_(name), carry_(attributes == ReadAttributes::yes) {}
 
   Soup read() {
-    const JsonPlace root = file_.root();
-    const JsonPlace nodes = root["nodes"];
+    const JsonValue root = file_.root();
+    const JsonValue nodes = root["nodes"];
     visited_.assign(nodes.size(), false);
     if (nodes.size() == 0) {
       for (std::size_t i = 0; i < root["meshes"].size(); ++i) read_mesh_at(i, identity_map);
     } else if (root["scenes"].size() != 0) {
-      const JsonPlace tops = root["scenes"].at(root["scene"].whole_or(0))["nodes"];
+      const JsonValue tops = root["scenes"].at(root["scene"].whole_or(0))["nodes"];
       for (std::size_t i = 0; i < tops.size(); ++i) read_node(tops.at(i).whole());
     } else {
       std::vector<bool> is_child(nodes.size(), false);
@@ -147,7 +148,7 @@ class GltfReader {
     const bool instances = name.ends_with("_instancing");
     soup_.leave_out(instances ? fmt::format("instances ({})", name) : "extension " + files::printable(name));
   }
-  void leave_out_extensions(const JsonPlace& of) {
+  void leave_out_extensions(const JsonValue& of) {
     for (const std::string& name : of["extensions"].members()) leave_out_extension(name);
   }
 
@@ -161,7 +162,7 @@ class GltfReader {
     while (!open.empty()) {
       const auto [number, outer] = open.back();
       open.pop_back();
-      const JsonPlace node = file_.root()["nodes"].at(number);
+      const JsonValue node = file_.root()["nodes"].at(number);
       const auto index = static_cast<std::size_t>(number);
       if (visited_[index]) node.refuse("is in the scene twice; nodes must form trees");
       visited_[index] = true;
@@ -171,19 +172,19 @@ class GltfReader {
       const bool has_skin = node["skin"].there();
       if (has_skin) soup_.leave_out("skins");
       if (node["mesh"].there()) read_mesh_at(node["mesh"].whole(), has_skin ? identity_map : map);
-      const JsonPlace children = node["children"];
+      const JsonValue children = node["children"];
       for (std::size_t i = children.size(); i-- > 0;) open.push_back({children.at(i).whole(), map});
     }
   }
 
   void read_mesh_at(std::uint64_t number, const Affine& map) {
-    const JsonPlace mesh = file_.root()["meshes"].at(number);
-    const JsonPlace primitives = mesh["primitives"];
+    const JsonValue mesh = file_.root()["meshes"].at(number);
+    const JsonValue primitives = mesh["primitives"];
     std::map<Accessors, First> placed;  // index of their first point
     const bool mirrored = mirrors(map);
     leave_out_extensions(mesh);
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      const JsonPlace primitive = primitives.at(i);
+      const JsonValue primitive = primitives.at(i);
       file_.charge(16);
       const std::uint64_t mode = primitive["mode"].whole_or(4);
       if (mode > 6) primitive["mode"].refuse(fmt::format("is {}; there are 0 to 6", mode));
@@ -226,7 +227,7 @@ class GltfReader {
     }
   };
 
-  Accessors accessors_of(const JsonPlace& attributes) {
+  Accessors accessors_of(const JsonValue& attributes) {
     Accessors found{attributes["POSITION"].whole()};
     constexpr std::size_t most_attributes = 256;
     if (const std::size_t count = attributes.members().size(); count > most_attributes)
@@ -247,7 +248,6 @@ class GltfReader {
   /// Adds the attributes of new points. An attribute is left out if not all vertices have it in the same encoding.
   void add_attributes(const std::map<std::string, std::uint64_t>& accessors, const First& first, const Affine& map) {
     std::vector<Attribute> added;
-    file_.advise("; --no-attributes reads the mesh without it");
     for (const auto& [name, accessor] : accessors) {
       std::optional<Attribute> attribute = file_.attribute(accessor, name);
       if (!attribute) {
@@ -273,7 +273,6 @@ class GltfReader {
       }
       added.push_back(moved(*attribute, map));
     }
-    file_.advise("");
     std::vector<Attribute>& carried = soup_.attributes();
     if (first.point == 0) {
       carried = std::move(added);
@@ -298,7 +297,6 @@ class GltfReader {
 
   First add_points(const Accessors& accessors, const Affine& map) {
     const First first{soup_.point_count(), file_.accessor(accessors.positions)["count"].whole()};
-    if (first.count != 0) add_attributes(accessors.attributes, first, map);
     for (const Point& p : file_.positions(accessors.positions)) {
       const auto coordinate = [&](std::size_t row) {
         const auto& m = map[row];
@@ -306,10 +304,15 @@ class GltfReader {
       };
       soup_.add_point(coordinate(0), coordinate(1), coordinate(2));
     }
+    try {
+      if (first.count != 0) add_attributes(accessors.attributes, first, map);
+    } catch (const BadInput& fault) {
+      throw BadInput(fmt::format("{}; --no-attributes reads the mesh without it", fault.what()));
+    }
     return first;
   }
 
-  void add_primitive(const JsonPlace& primitive, unsigned mode, std::vector<std::uint32_t> indices, const First& first,
+  void add_primitive(const JsonValue& primitive, unsigned mode, std::vector<std::uint32_t> indices, const First& first,
                      bool mirrored) {
     for (std::uint32_t& index : indices) {
       if (index == strip_end) continue;
