@@ -19,10 +19,10 @@ const sum = (ranges) => ranges.reduce((all, { count }) => all + count, 0);
 const ways = {
   'strips kept': { policy: 'quick', follow: (mesh) => [sum(mesh.update()), mesh.indices.length] },
   'strips from scratch': { policy: 'bare', follow: (mesh) => { const { length } = mesh.fromScratch({ cost: 'indices' }); return [length, length]; } },
-  'list with slots': { policy: 'bare', follow: (mesh) => [sum(mesh.updateList()), mesh.listIndices.length] },
+  'list with slots': { policy: 'bare', form: 'list', follow: (mesh) => [sum(mesh.update()), mesh.indices.length] },
 };
-for (const [name, { policy, follow }] of Object.entries(ways)) {
-  const mesh = open().begin({ policy, cost: 'indices' });
+for (const [name, { policy, form, follow }] of Object.entries(ways)) {
+  const mesh = open().begin({ policy, form, cost: 'indices' });
   follow(mesh);
   let [written, drawn] = [0, 0];
   const start = performance.now();

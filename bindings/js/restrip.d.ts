@@ -27,6 +27,13 @@ export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'bo
  * repeated indices; runs to be drawn one by one (`draws`); a triangle list. */
 export type Form = 'restart' | 'stitched' | 'lengths' | 'list';
 
+/** The effort for strips from scratch: one pass; then long searches; then four times as long. */
+export type Effort = 'fast' | 'full' | 'best';
+/** How strips in the buffer stay short and in order. `cache`: vertices of the cache that strips are ordered for, up to 64; 0: no
+ *  order (32). `waste`: what cuts and gaps may add, per mille of the indices needed (95). `work`: indices that an update may move for
+ *  each index that it rewrites, up to 100 (5). */
+export interface Layout { cache?: number; waste?: number; work?: number }
+
 /** Between two strips of an index buffer of 32 bits (0xffff of 16); WebGL 2 and WebGPU restart there. */
 export const restartIndex: 0xffffffff;
 /** No vertex. */
@@ -54,6 +61,10 @@ export class Restrip {
   /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or not a
    *  mesh. */
   baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;
+  /** A mesh from the bytes of StripMesh.save(), or of LiveMesh::save() in C++, with the points of its vertices. It has begun, with the
+   *  policy, cost and form that it had, and every later operation has the same results; it has no records. `history`: see begin().
+   *  Throws when the bytes are truncated, altered, of another version, or not a mesh. */
+  saved(bytes: ArrayBuffer | ArrayBufferView, options: { points: ArrayLike<number>; history?: number }): StripMesh;
   /** The rule of a configuration, numbered as in docs/reference/notation.md: `edges` are the loop or inner edges before. Any k
    * up to 61. `valid` is false for positions out of range and colours that no valid colouring has. */
   rule(configuration: { family: Family; k?: number; a?: number; i?: number; j?: number;
@@ -73,7 +84,7 @@ export interface Rule {
 /** Some consecutive indices. */
 export interface Range { first: number; count: number }
 
-/** Since begin(). */
+/** Since begin(), undone operations included. */
 export interface Figures {
   triangles: number;
   strips: number;
@@ -83,15 +94,14 @@ export interface Figures {
   /** To be drawn, gaps included. Null between an operation and update(): the buffer is then not the one of this mesh. */
   bufferIndices: number | null;
   operations: number;
-  /** Operations that added strips; that added an isolated triangle (not counted while `baked`); that the mesh refused. */
+  /** Operations that added strips; that added an isolated triangle (not counted while `baked`). */
   addingStrip: number;
   isolating: number;
-  refused: number;
   /** By all updates but the first. */
   indicesWritten: number;
   updates: number;
   /** The strips are the baked strips of this level. Under policy 'baked' that ends with the first operation out of order;
-   *  from then on the rules maintain the strips, until begin(). */
+   *  from then on the rules maintain the strips, until begin() or until it is undone. */
   baked: boolean;
 }
 
@@ -112,10 +122,10 @@ export interface LastOperation {
 }
 
 /** Call begin() first. Before it only `points`, `levels`, `splits`, `hasBakedStrips`, `leftOut`, addPoint(), setPoint()
- * and close() do not throw. A view of memory (`indices`, `listIndices`) is valid until the next call of any method of any
+ * and close() do not throw. A view of memory (`indices`) is valid until the next call of any method of any
  * mesh, and while its mesh can be reached. */
 export class StripMesh implements Disposable {
-  /** Replaced when addPoint(), bisect() or splitFace() makes it longer, in constant time on average: read it again.
+  /** Replaced when addPoint(), bisect() or splitFace() makes it longer, in constant time on average, or undo() shorter: read it again.
    * bisect() and splitFace() may reuse the number of a removed vertex; then it keeps its length. */
   readonly points: Float32Array;
   /** Number of records. */
@@ -129,12 +139,24 @@ export class StripMesh implements Disposable {
   /** Goes to the base, makes its strips from scratch, and maintains them with these options. A mesh with records loses
    *  single operations; a mesh without records keeps them: its base is the present mesh. Policy 'baked' begins with the
    *  baked strips instead and ignores the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex number is 65,535
-   *  or above. With 16, addPoint() throws for such a vertex, and bisect() and splitFace() refuse it.
-   *  Defaults: 'quick', 'indices', 'restart', 32. */
-  begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto' }): this;
+   *  or above. With 16, addPoint() throws for such a vertex, and bisect() and splitFace() refuse it. `history`: the budget of undo(),
+   *  in changed triangles of all frames together, some 100 bytes each; beyond it the oldest frames are dropped, but never the last one.
+   *  Defaults: 'quick', 'indices', 'restart', 32, no history. */
+  begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto'; history?: number; layout?: Layout }): this;
+  /** Another policy and cost for all later operations; not 'baked'. Undo does not restore them. Linear time. Defaults: 'quick',
+   *  'indices'. */
+  keep(options?: { policy?: Exclude<Policy, 'baked'>; cost?: Cost }): void;
+  /** Strips from scratch for the present mesh, which stay; returns their number. The next update() writes the whole buffer. Can be
+   *  undone. Defaults: 'fast', 'indices'. */
+  recolor(options?: { effort?: Effort; cost?: Cost }): number;
+  /** For idle time: searches on, by about `budget` steps of some 60 ns, and returns the cost saved. */
+  improve(budget: number): number;
+  /** For idle time: moves strips in the buffer to places where a vertex cache misses less often, and returns the number of indices
+   *  written, at most some `budget`. Ends a frame. */
+  compact(budget: number): number;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
-   * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin(), because
-   * records no longer fit the mesh. */
+   * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin() or
+   * until it is undone, because records no longer fit the mesh. */
   moveTo(level: number, most?: number): number;
   /** The same towards the records marked 1 in `wanted`, a byte each, and the records that they need: a view-dependent
    *  mesh. */
@@ -164,14 +186,20 @@ export class StripMesh implements Disposable {
   /** The number of indices that the buffer on the device should have room for; for a mesh with records 2 a triangle of the
    * finest level, or more. */
   readonly room: number;
-  /** The ranges to draw: the runs of the form 'lengths', else the whole buffer; of a list 3 indices a triangle. */
+  /** The ranges to draw: the runs of the form 'lengths', else the whole buffer; of a list, in which an operation writes only the slots
+   *  of the triangles that it changed, 3 indices a triangle. */
   readonly draws: Range[];
-  /** Instead of update(), for a policy such as 'bare' that does not maintain strips: a triangle list, in which an operation
-   *  writes only the slots of the triangles that it changed; with `whole` the whole list. It has 32 bits and does not
-   *  report `outgrown`; the form 'list' with update() does, and is otherwise the same. */
-  updateList(options?: { whole?: boolean }): Range[];
-  /** That list, 3 indices a triangle. A view, not a copy. */
-  readonly listIndices: Uint32Array;
+  /** Undoes or redoes a frame; update() ends a frame, and changes since then count as one. Triangles, strips, indices and the level are
+   *  restored exactly, and so are the number of points and the points that operations wrote: every later result is the same as without
+   *  the frame. A list has its triangles in another order. What setPoint() moved stays. Call update() next. False when there is no such
+   *  frame. Time linear in the frame, and in the records. */
+  undo(): boolean;
+  redo(): boolean;
+  /** Frames that can be undone and redone. */
+  readonly history: { undoable: number; redoable: number };
+  /** The mesh, its strips, its buffer and what later operations depend on, as bytes for Restrip.saved(): not points, records or
+   *  history. Ends a frame. Linear time. */
+  save(): Uint8Array;
   /** A copy of the index buffer of strips made from scratch, by the fastest way, for the present mesh. The maintained
    *  strips do not change. With `cacheSize` they are cut, joined and ordered for a first-in-first-out vertex cache of that
    *  many vertices (16 for most hardware), in which a miss is worth `cacheWeight` indices (0: default). Linear time. */

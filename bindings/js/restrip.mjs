@@ -3,16 +3,19 @@
 // The library is one WebAssembly module without imports. Lists are copied in as arguments; the index buffer is a view of
 // the module's memory.
 import { compiled } from './module.mjs';
+import { Points } from './points.mjs';
+import { Records } from './records.mjs';
 
 const families = ['split', 'collapse', 'open-split', 'open-collapse', 'boundary-split', 'boundary-collapse', 'flip'];
 const costs = { strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } };
+const efforts = ['fast', 'full', 'best'];
+const layouts = { cache: [32, 64], waste: [95, 1e6], work: [5, 100] };  // of LayoutOptions: the default, and the most
 const forms = ['restart', 'stitched', 'lengths', 'list'];
 export const restartIndex = 0xffffffff;
 export const none = 0xffffffff;
 const refusals = { noSuchEdge: 1, sameSpoke: 3, spokeOnBoundary: 6 };  // of Refusal, restrip/mesh/refusal.hpp
 
-const figureNames = ['triangles', 'strips', 'played', 'inOrder', 'bufferIndices', 'operations', 'addingStrip',
-  'isolating', 'refused', 'indicesWritten', 'updates', 'baked'];
+const figureNames = ['triangles', 'strips', 'bufferIndices', 'operations', 'addingStrip', 'isolating', 'baked', 'lastStrips', 'lastIsolated'];
 
 export const small = new URL('./restrip-small.wasm', import.meta.url);
 
@@ -20,9 +23,19 @@ export const small = new URL('./restrip-small.wasm', import.meta.url);
 export async function load(source = new URL('./restrip.wasm', import.meta.url)) {
   const instance = await WebAssembly.instantiate(await compiled(source), {});
   instance.exports._initialize();
-  // A number of WebAssembly is signed; ours are addresses, some above 2 GB, and counts.
-  const unsigned = (call) => (typeof call === 'function' ? (...values) => call(...values) >>> 0 : call);
-  return new Restrip(Object.fromEntries(Object.entries(instance.exports).map(([name, each]) => [name, unsigned(each)])));
+  const { memory, __stack_pointer: stack, restrip_stopped_because: reason, ...calls } = instance.exports;
+  const top = stack.value;
+  // A number of WebAssembly is signed; ours are addresses, some above 2 GB, and counts. A call that was stopped says why.
+  const called = (call) => (...values) => {
+    try {
+      return call(...values) >>> 0;
+    } catch (error) {
+      stack.value = top;
+      const why = reason() >>> 0;
+      throw why === 0 ? error : new Error(textAt({ memory }, why).replace(/^restrip: /, ''));
+    }
+  };
+  return new Restrip({ memory, ...Object.fromEntries(Object.entries(calls).map(([name, call]) => [name, called(call)])) });
 }
 
 // ---- arguments: checked against the manual; an error has one sentence
@@ -83,17 +96,30 @@ function mask(what, bits) {
 
 // ---- memory of the module
 
-/// What an object here has there: a mesh, marks of its records, a mesh that is being simplified; 0 if it does not.
-function holding(wasm, held) { return { wasm, page: 0, marks: 0, simplifier: 0, ...held }; }
+/// What an object here has there: a mesh, or a mesh that is being simplified; 0 if it does not.
+function holding(wasm, held) { return { wasm, page: 0, simplifier: 0, ...held }; }
 function release(held) {
-  const { wasm, page, marks, simplifier } = held;
-  Object.assign(held, { page: 0, marks: 0, simplifier: 0 });
-  if (marks !== 0) wasm.restrip_give_back(marks);
+  const { wasm, page, simplifier } = held;
+  Object.assign(held, { page: 0, simplifier: 0 });
   if (page !== 0) wasm.restrip_close(page);
   if (simplifier !== 0) wasm.restrip_close(wasm.restrip_simplify_end(simplifier));
 }
 /// Releases what objects held that a program can no longer reach and did not close.
 const unreachable = new FinalizationRegistry(release);
+/// Copies the arrays into the module's memory for the time of the call.
+function withArrays(wasm, arrays, call) {
+  const places = [];
+  try {
+    for (const { byteLength } of arrays) places.push(taken(wasm, byteLength));
+    arrays.forEach((array, n) => new array.constructor(wasm.memory.buffer, places[n], array.length).set(array));
+    return call(...places);
+  } finally {
+    places.forEach((place) => wasm.restrip_give_back(place));
+  }
+}
+function bytesOf(bytes) {
+  return ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
+}
 
 export class Restrip {
   #wasm;
@@ -108,8 +134,8 @@ export class Restrip {
     const count = places.length / 3;
     const corners = vertices('triangle', base, 3, count);
     const records = vertices('record', splits, 4, count, none);
-    return this.#opened(this.#with([places, corners, records],
-      (p, b, s) => this.#wasm.restrip_open(p, count, b, corners.length / 3, s, records.length / 4)), places);
+    return this.#opened(this.#with([corners, records],
+      (b, s) => this.#wasm.restrip_open(count, b, corners.length / 3, s, records.length / 4)), places);
   }
   /// A mesh without records.
   mesh({ points, triangles }) { return this.progressive({ points, base: triangles, splits: [] }); }
@@ -147,14 +173,22 @@ export class Restrip {
 
   /// A baked mesh, from the bytes of its file.
   baked(bytes) {
-    const view = ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
-    const page = this.#with([view], (b) => this.#wasm.restrip_open_baked(b, view.length));
+    const view = bytesOf(bytes);
+    const page = this.#accepted('baked mesh', this.#with([view], (b) => this.#wasm.restrip_open_baked(b, view.length)));
+    return this.#opened(page, this.#list(this.#wasm.restrip_baked_points(page), Float32Array, 3).slice());
+  }
+  /// A mesh that was saved, with the points of its vertices.
+  saved(bytes, options) {
+    const { points, history = 0 } = known('saved', options, ['points', 'history']);
+    const [view, places] = [bytesOf(bytes), coordinates(points)];
+    const page = this.#with([view], (b) => this.#wasm.restrip_open_saved(b, view.length, places.length / 3, whole('history', history)));
+    return new StripMesh(this.#wasm, this.#accepted(`saved mesh with ${places.length / 3} points`, page), places, history);
+  }
+  #accepted(what, page) {
     const damage = textAt(this.#wasm, this.#wasm.restrip_damage(page));
-    if (damage !== '') {
-      this.#wasm.restrip_close(page);
-      throw new Error(`baked mesh: ${damage}`);
-    }
-    return this.#opened(page, this.#list(this.#wasm.restrip_points(page), Float32Array).slice());
+    if (damage === '') return page;
+    this.#wasm.restrip_close(page);
+    throw new Error(`${what}: ${damage}`);
   }
 
   /// The rule of a configuration.
@@ -178,20 +212,8 @@ export class Restrip {
     }
     return mesh;
   }
-  /// Copies the arrays into the module's memory for the time of the call.
-  #with(arrays, call) {
-    const places = [];
-    try {
-      for (const { byteLength } of arrays) places.push(taken(this.#wasm, byteLength));
-      arrays.forEach((array, n) => new array.constructor(this.#wasm.memory.buffer, places[n], array.length).set(array));
-      return call(...places);
-    } finally {
-      places.forEach((place) => this.#wasm.restrip_give_back(place));
-    }
-  }
-  #list(address, Type) {
-    return listAt(this.#wasm, address, Type, 1);
-  }
+  #with(arrays, call) { return withArrays(this.#wasm, arrays, call); }
+  #list(address, Type, width = 1) { return listAt(this.#wasm, address, Type, width); }
 }
 
 function taken(wasm, bytes) {
@@ -220,20 +242,31 @@ function textAt(wasm, address) {
 export class StripMesh {
   #wasm;
   #held;
-  #levels;
-  #begun = false;
-  #bits = 32;
-  #store;  // points, and room for more
-  /// Three coordinates a vertex.
-  points;
+  #points;
+  #records;
+  #begun;
+  #history;  // whether frames can be undone
+  #left = false;  // single operations have changed the mesh since begin()
+  #leftAt = Infinity;  // the frame in which they began; none that can be redone has them
+  #fresh = true;  // not updated yet
+  #updates = 0;
+  #indicesWritten = 0;
+  #last = null;
 
-  constructor(wasm, page, points) {
+  /// `history`: of a mesh that was saved, which has begun.
+  constructor(wasm, page, places, history) {
     this.#wasm = wasm;
     this.#held = holding(wasm, { page });
     unreachable.register(this, this.#held);
-    this.points = this.#store = points;
-    this.#levels = wasm.restrip_levels(page);
+    this.#points = new Points(places);
+    this.#records = new Records(this.#list(wasm.restrip_needs(page, 1)).slice(), this.#list(wasm.restrip_needs(page, 0)).slice());
+    this.levels = wasm.restrip_levels(page);
+    this.#begun = history !== undefined;
+    this.#history = history > 0;
   }
+  /// Three coordinates a vertex.
+  get points() { return this.#points.all; }
+  #list(address, Type = Uint32Array, width = 1) { return listAt(this.#wasm, address, Type, width); }
   close() { release(this.#held); }
   [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() { this.close(); }
 
@@ -248,144 +281,232 @@ export class StripMesh {
     return this.#open;
   }
 
-  get levels() { return this.#levels; }
-  get splits() { return listAt(this.#wasm, this.#wasm.restrip_splits(this.#open), Uint32Array, 4).slice(); }
+  get splits() { return this.#list(this.#wasm.restrip_splits(this.#open), Uint32Array, 4).slice(); }
   get leftOut() {
     const count = (what) => this.#wasm.restrip_left_out(this.#open, what);
     return { triangles: count(0), nonManifoldVertices: count(1), boundaryEdges: count(2) };
   }
 
-  get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#open) === 1; }
+  get hasBakedStrips() { return this.#wasm.restrip_baked_points(this.#open) !== 0; }
 
   begin(options = {}) {
-    const { policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin', options, ['policy', 'cost', 'form', 'bits']);
+    const { policy = 'quick', cost = 'indices', form = 'restart', bits = 32, history = 0, layout = {} } =
+      known('begin', options, ['policy', 'cost', 'form', 'bits', 'history', 'layout']);
     if (!forms.includes(form)) throw new RangeError(`unknown form ${quoted(form)}: expected one of ${forms.join(', ')}`);
     if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${quoted(bits)}; it must be 16, 32 or 'auto'`);
     if (bits === 16 && this.points.length > 3 * 0xffff) throw new RangeError('16 bits do not name all vertices; leave it to bits: \'auto\'');
     const page = this.#open;
-    const policies = policiesOf(this.#wasm);
-    const number = policies.indexOf(policy);
     if (policy === 'baked' && !this.hasBakedStrips) throw new RangeError('this mesh has no baked strips; open the file of a baked mesh');
-    if (policy !== 'baked' && number < 0)
-      throw new RangeError(`unknown policy ${quoted(policy)}: expected one of ${policies.join(', ')}, or baked for baked meshes`);
-    const wanted = policy === 'baked' ? null : weights(cost);
-    const format = [forms.indexOf(form), bits === 'auto' ? 0 : bits];
-    if (wanted === null) this.#wasm.restrip_begin_baked(page, ...format);
-    else this.#wasm.restrip_begin(page, ...format, number, ...wanted);
-    this.#bits = bits;
-    this.#begun = true;
+    const kept = policy === 'baked' ? [none, 0, 0, 0] : this.#policy(policy, cost, ', or baked for baked meshes');
+    const given = known('layout', layout, Object.keys(layouts));
+    const placed = Object.entries(layouts).map(([name, [usual, most]]) => whole(`layout.${name}`, given[name] ?? usual, most));
+    this.#wasm.restrip_begin(page, this.points.length / 3, ...kept, forms.indexOf(form), bits === 'auto' ? 0 : bits, whole('history', history), ...placed);
+    this.#begun = this.#fresh = true;
+    this.#history = history > 0;
+    this.#records.reset();
+    this.#points = new Points(this.points);
+    this.#left = false;
+    this.#leftAt = Infinity;
+    this.#updates = this.#indicesWritten = 0;
+    this.#last = null;
     return this;
   }
-  /// The same, at a level: after split(), collapse() or flip() records no longer fit the mesh.
+  /// The number of the policy, and the weights of the cost. `more`: that is expected elsewhere.
+  #policy(policy, cost, more = '') {
+    const policies = policiesOf(this.#wasm);
+    if (policies.includes(policy)) return [policies.indexOf(policy), ...weights(cost)];
+    throw new RangeError(`unknown policy ${quoted(policy)}: expected one of ${policies.join(', ')}${more}`);
+  }
+  keep(options = {}) {
+    const { policy = 'quick', cost = 'indices' } = known('keep', options, ['policy', 'cost']);
+    this.#wasm.restrip_keep(this.#kept, ...this.#policy(policy, cost));
+  }
+  recolor(options = {}) {
+    const { effort = 'fast', cost = 'indices' } = known('recolor', options, ['effort', 'cost']);
+    if (!efforts.includes(effort)) throw new RangeError(`unknown effort ${quoted(effort)}: expected one of ${efforts.join(', ')}`);
+    const page = this.#kept;
+    this.#last = null;
+    return this.#wasm.restrip_recolor(page, efforts.indexOf(effort), ...weights(cost));
+  }
+  improve(budget) { return this.#wasm.restrip_improve(this.#kept, whole('the budget', budget)); }
+  compact(budget) { return this.#wasm.restrip_compact(this.#kept, whole('the budget', budget)); }
+
+  /// The records, while the mesh is made of them: after split(), collapse() or flip() they no longer fit it.
   get #inRecords() {
-    if (this.#wasm.restrip_left_records(this.#kept) === 1)
-      throw new Error('single operations have changed the mesh since begin(), so its records do not fit it; call begin() again');
-    return this.#kept;
+    void this.#kept;
+    if (this.#left) throw new Error('single operations have changed the mesh since begin(), so its records do not fit it; undo them, or call begin() again');
+    return this.#records;
   }
-  moveTo(level, most = 0xffffffff) {
-    return this.#wasm.restrip_move(this.#inRecords, whole('the level', level, this.#levels), limit(most));
+  moveTo(level, most = none) {
+    return this.#play(this.#inRecords.toLevel(whole('the level', level, this.levels), limit(most)));
   }
-  approach(wanted, most = 0xffffffff) {
-    if (wanted?.length !== this.#levels)
-      throw new RangeError(`there are ${String(wanted?.length ?? 'no')} marks; there must be one for each of the ${this.#levels} records`);
-    const page = this.#inRecords;
-    this.#held.marks ||= taken(this.#wasm, this.#levels);
-    new Uint8Array(this.#wasm.memory.buffer, this.#held.marks, this.#levels).set(wanted);
-    return this.#wasm.restrip_approach(page, this.#held.marks, limit(most));
+  approach(wanted, most = none) {
+    if (wanted?.length !== this.levels)
+      throw new RangeError(`there are ${String(wanted?.length ?? 'no')} marks; there must be one for each of the ${this.levels} records`);
+    return this.#play(this.#inRecords.towards(wanted, limit(most)));
+  }
+  /// Does the operations of a plan, and describes the last one.
+  #play(plan) {
+    if (plan.length === 0) return 0;
+    const [wasm, page, before] = [this.#wasm, this.#kept, plan.length - 1];
+    this.#leftAt = Infinity;
+    withArrays(wasm, [Uint32Array.from(plan)], (place) => {
+      wasm.restrip_play(page, place, before);
+      const last = () => wasm.restrip_play(page, place + 4 * before, 1);
+      const [vS, vT, vL, vR] = this.#list(wasm.restrip_splits(page), Uint32Array, 4).slice(4 * plan[before], 4 * plan[before] + 4);
+      if (this.#records.isSplit(plan[before])) this.#splitBy(last, vS, vT, vL, vR);
+      else this.#collapseBy(last, vS, vT);
+    });
+    return plan.length;
+  }
+  // The operations with their patches before and after, for `last`.
+  #patch(address) { return address === 0 ? new Uint32Array(7) : this.#list(address).slice(); }
+  #described(kind, operation, before, after) {
+    const patch = this.#patch(before());
+    const refusal = operation();
+    if (refusal === 0) this.#last = { kind, before: patch, after: this.#patch(after()) };
+    return refusal;
+  }
+  #splitBy(operation, vS, vT, vL, vR) {
+    const [wasm, page] = [this.#wasm, this.#kept];
+    return this.#described('split', operation, () => wasm.restrip_fan(page, vS, vL, vR), () => wasm.restrip_ring(page, vS, vT));
+  }
+  #collapseBy(operation, vS, vT) {
+    const [wasm, page] = [this.#wasm, this.#kept];
+    const [vL, vR] = [wasm.restrip_apex(page, vS, vT), wasm.restrip_apex(page, vT, vS)];
+    return this.#described('collapse', operation, () => wasm.restrip_ring(page, vS, vT), () => wasm.restrip_fan(page, vS, vL, vR));
   }
   split(vS, vT, vL, vR) {
     // The new vertex must have a point; of the others the library says whether the mesh has them.
     whole('vT', vT, this.points.length / 3 - 1);
+    const [wasm, page] = [this.#wasm, this.#kept];
     const sides = [vL, vR].filter((v) => v !== none);
-    return this.#outcome(this.#wasm.restrip_split(this.#kept, whole('vS', vS), vT, whole('vL', vL), whole('vR', vR)), `vertex ${vS} cannot be split`, {
+    for (const [name, v] of Object.entries({ vS, vL, vR })) whole(name, v);
+    return this.#outcome(this.#splitBy(() => wasm.restrip_split(page, vS, vT, vL, vR), vS, vT, vL, vR), `vertex ${vS} cannot be split`, {
       [refusals.noSuchEdge]: `vertex ${vS} has no edge to ${sides.join(' or to ') || '`none`'}`,
       [refusals.sameSpoke]: `vertex ${vS} needs two edges, but vL and vR are both ${vL}`,
       [refusals.spokeOnBoundary]: `vertex ${vS} is not on the boundary, so neither vL nor vR may be \`none\`` });
   }
-  collapse(vS, vT) { return this.#atEdge(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT)), vS, vT, 'collapsed'); }
-  flip(u, v) { return this.#atEdge(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v)), u, v, 'flipped'); }
+  collapse(vS, vT) {
+    const [wasm, page] = [this.#wasm, this.#kept];
+    for (const [name, v] of Object.entries({ vS, vT })) whole(name, v);
+    return this.#atEdge(this.#collapseBy(() => wasm.restrip_collapse(page, vS, vT), vS, vT), vS, vT, 'collapsed');
+  }
+  flip(u, v) {
+    const [wasm, page] = [this.#wasm, this.#kept];
+    const at = (from, to) => [from, to, wasm.restrip_apex(page, whole('u', from), whole('v', to))];
+    const [before, back] = [at(u, v), at(v, u)];
+    const refusal = wasm.restrip_flip(page, u, v);
+    if (refusal === 0) {
+      const [l, r] = [before[2], back[2]];
+      const quad = (...corners) => Uint32Array.from([...new Uint32Array(7), ...corners.flat()]);
+      this.#last = { kind: 'flip', before: quad(before, back), after: quad(at(l, r), at(r, l)) };
+    }
+    return this.#atEdge(refusal, u, v, 'flipped');
+  }
   bisect(u, v) {
-    return this.#added((page) => this.#atEdge(this.#wasm.restrip_bisect(page, whole('u', u), whole('v', v)), u, v, 'bisected'));
+    return this.#added((page) => this.#atEdge(this.#wasm.restrip_bisect(page, whole('u', u), whole('v', v)), u, v, 'bisected'), [u, v]);
   }
   splitFace(a, b, c) {
     return this.#added((page) => this.#outcome(this.#wasm.restrip_split_face(page, whole('a', a), whole('b', b), whole('c', c)),
-      `the triangle ${a}, ${b}, ${c} cannot be split`, { [refusals.noSuchEdge]: `no triangle has the corners ${a}, ${b}, ${c} in this order` }));
+      `the triangle ${a}, ${b}, ${c} cannot be split`, { [refusals.noSuchEdge]: `no triangle has the corners ${a}, ${b}, ${c} in this order` }), [a, b, c]);
   }
   /// Why an index cannot be this vertex; null if it can.
   #cannotName(v) {
-    return this.#begun && this.#bits === 16 && v >= 0xffff ? `16 bits cannot name vertex ${v.toLocaleString('en')}; begin with bits 'auto'` : null;
+    return this.#begun && this.#wasm.restrip_can_name(this.#open, v) === 0 ? `16 bits cannot name vertex ${v.toLocaleString('en')}; begin with bits 'auto'` : null;
   }
-  /// An operation with a new vertex.
-  #added(operation) {
+  /// An operation with a new vertex, between others.
+  #added(operation, corners) {
     const page = this.#kept;
     const reason = this.#cannotName(this.#wasm.restrip_next_vertex(page));
     if (reason !== null) return { ok: false, reason };
     const outcome = operation(page);
     if (!outcome.ok) return outcome;
+    this.#last = null;
     const vertex = this.#wasm.restrip_new_vertex(page);
-    this.#readPoint(vertex);
+    const middle = [0, 1, 2].map((x) => corners.reduce((sum, v) => sum + this.points[3 * v + x], 0) / corners.length);
+    this.#points.put(vertex, middle, this.#frame);
     return { ok: true, vertex };
   }
-  /// Copies the point of a vertex from the module; `points` is as long as the vertices then.
-  #readPoint(v) {
-    const all = listAt(this.#wasm, this.#wasm.restrip_points(this.#held.page), Float32Array, 1);
-    if (all.length > this.#store.length) {
-      const store = new Float32Array(2 * all.length);
-      store.set(this.points);
-      this.#store = store;
-    }
-    if (all.length !== this.points.length) this.points = this.#store.subarray(0, all.length);
-    this.points.set(all.subarray(3 * v, 3 * v + 3), 3 * v);
-  }
+  /// The number of the present frame; null without a history.
+  get #frame() { return this.#begun && this.#history ? this.#list(this.#wasm.restrip_frames(this.#open))[2] : null; }
   /// `fault`: what cannot be done, by its vertices. `sentences`, by refusal: in place of the library's that speak of halfedges.
   #outcome(refusal, fault, sentences) {
-    if (refusal === 0) return { ok: true };
+    if (refusal === 0) {
+      if (!this.#left) this.#leftAt = this.#frame ?? Infinity;
+      this.#left = true;
+      return { ok: true };
+    }
     return { ok: false, reason: sentences[refusal] ?? `${fault}: ${textAt(this.#wasm, this.#wasm.restrip_describe(refusal))}` };
   }
   #atEdge(refusal, u, v, done) {
     return this.#outcome(refusal, `the edge from ${u} to ${v} cannot be ${done}`, { [refusals.noSuchEdge]: `no triangle has a side between ${u} and ${v}` });
   }
 
-  around(v) { return listAt(this.#wasm, this.#wasm.restrip_around(this.#kept, whole('v', v)), Uint32Array, 1).slice(); }
-  get ready() { return listAt(this.#wasm, this.#wasm.restrip_ready(this.#kept), Uint32Array, 1).slice(); }
+  around(v) { return this.#list(this.#wasm.restrip_around(this.#kept, whole('v', v))).slice(); }
+  get ready() {
+    void this.#kept;
+    return this.#records.ready;
+  }
 
   addPoint(x, y, z) {
     const place = coordinates([x, y, z]);
-    const page = this.#open;
-    const refused = this.#cannotName(this.points.length / 3);
+    void this.#open;
+    const v = this.points.length / 3;
+    const refused = this.#cannotName(v);
     if (refused !== null) throw new RangeError(refused);
-    const v = this.#wasm.restrip_add_point(page, ...place);
-    this.#readPoint(v);
+    this.#points.put(v, place, this.#frame);
     return v;
   }
   setPoint(v, x, y, z) {
     const place = coordinates([x, y, z]);
-    this.#wasm.restrip_set_point(this.#open, whole('v', v, this.points.length / 3 - 1), ...place);
-    this.points.set(place, 3 * v);
+    void this.#open;
+    this.#points.set(whole('v', v, this.points.length / 3 - 1), place);
   }
+
+  undo() { return this.#step(false); }
+  redo() { return this.#step(true); }
+  #step(forward) {
+    if (this.#wasm.restrip_step(this.#kept, forward ? 1 : 0) === 0) return false;
+    const frame = this.#frame;
+    this.#points.step(frame, forward);
+    this.#records.reset(this.#list(this.#wasm.restrip_played(this.#kept), Uint8Array).slice());
+    this.#left = this.#leftAt < frame;
+    this.#last = null;
+    return true;
+  }
+  get history() {
+    const [undoable, redoable] = this.#list(this.#wasm.restrip_frames(this.#kept));
+    return { undoable, redoable };
+  }
+  save() { return this.#list(this.#wasm.restrip_save(this.#kept), Uint8Array).slice(); }
 
   update(options = {}) {
     const { join = 2, align = 4 } = known('update', options, ['join', 'align']);
     if (align !== 2 && (whole('align', align) === 0 || align % 4 !== 0)) throw new RangeError(`align is ${align}; it must be 2 or a multiple of 4`);
-    const ranges = this.#ranges(this.#wasm.restrip_update(this.#kept, whole('join', join), align));
-    return Object.assign(ranges, { outgrown: this.#wasm.restrip_outgrown(this.#held.page) === 1 });
+    const address = this.#wasm.restrip_update(this.#kept, whole('join', join), align);
+    let outgrown = new Uint32Array(this.#wasm.memory.buffer, address, 3)[2] === 1;
+    let ranges = this.#ranges(address);
+    if (this.#fresh) {
+      const count = this.indices.length;
+      [ranges, outgrown] = [count === 0 ? [] : [{ first: 0, count }], true];
+    } else this.#indicesWritten += ranges.reduce((sum, { count }) => sum + count, 0);
+    this.#fresh = false;
+    ++this.#updates;
+    if (this.#history) this.#points.forget(this.#frame - this.history.undoable);
+    return Object.assign(ranges, { outgrown });
   }
   get room() { return this.#wasm.restrip_room(this.#kept); }
   get draws() { return this.#ranges(this.#wasm.restrip_draws(this.#kept)); }
-  updateList(options = {}) {
-    const { whole: all = false } = known('updateList', options, ['whole']);
-    return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0));
-  }
-  get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
   fromScratch(options = {}) {
     const { cost = 'indices', cacheSize = 0, cacheWeight = 0 } = known('fromScratch', options, ['cost', 'cacheSize', 'cacheWeight']);
     const size = whole('cacheSize', cacheSize, 1e6);
     if (!(typeof cacheWeight === 'number' && cacheWeight >= 0 && cacheWeight <= 1000))
       throw new RangeError(`cacheWeight must be a number from 0 to 1000, not ${quoted(cacheWeight)}`);
-    return listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost), size, cacheWeight), Uint32Array, 1).slice();
+    return this.#list(this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost), size, cacheWeight), Uint32Array, 1).slice();
   }
   #ranges(address) {
-    const flat = listAt(this.#wasm, address, Uint32Array, 2);
+    const flat = this.#list(address, Uint32Array, 2);
     const ranges = [];
     for (let i = 0; i < flat.length; i += 2) ranges.push({ first: flat[i], count: flat[i + 1] });
     return ranges;
@@ -395,35 +516,46 @@ export class StripMesh {
     const Type = this.#wasm.restrip_index_bytes(this.#held.page) === 2 ? Uint16Array : Uint32Array;
     return bytes === 0 ? new Type(0) : new Type(this.#wasm.memory.buffer, data, bytes / Type.BYTES_PER_ELEMENT);
   }
-  get triangles() { return listAt(this.#wasm, this.#wasm.restrip_triangles(this.#kept), Uint32Array, 3).slice(); }
+  get triangles() { return this.#list(this.#wasm.restrip_triangles(this.#kept), Uint32Array, 3).slice(); }
 
   get figures() {
     const raw = new Uint32Array(this.#wasm.memory.buffer, this.#wasm.restrip_figures(this.#kept), figureNames.length);
-    const figures = Object.fromEntries(figureNames.map((name, n) => [name, raw[n]]));
-    for (const flag of ['inOrder', 'baked']) figures[flag] = figures[flag] === 1;
-    if (figures.bufferIndices === none) figures.bufferIndices = null;
-    return figures;
+    const { lastStrips, lastIsolated, ...figures } = Object.fromEntries(figureNames.map((name, n) => [name, raw[n]]));
+    return { ...figures, bufferIndices: figures.bufferIndices === none ? null : figures.bufferIndices, baked: figures.baked === 1,
+      played: this.#records.count, inOrder: this.#records.inOrder, updates: this.#updates, indicesWritten: this.#indicesWritten };
   }
   get plainIndices() { return this.#wasm.restrip_plain_indices(this.#kept); }
   get indexBound() { return this.#wasm.restrip_index_bound(this.#kept); }
   get valid() { return this.#wasm.restrip_valid(this.#kept) === 1; }
 
-  get ribbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }
-  get scratchRibbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice(); }
+  get ribbon() { return this.#list(this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }
+  get scratchRibbon() { return this.#list(this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice(); }
   pick(from, along) {
     for (const [what, place] of [['from', from], ['along', along]])
       if (place?.length !== 3 || ![...place].every(Number.isFinite)) throw new RangeError(`${what} must be three finite numbers`);
-    const hit = listAt(this.#wasm, this.#wasm.restrip_pick(this.#kept, ...from, ...along), Float32Array, 1);
-    return hit.length === 0 ? null : Array.from(hit);
+    const [{ triangles, points }, minus] = [this, (p, q) => [p[0] - q[0], p[1] - q[1], p[2] - q[2]]];
+    const dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+    const point = (v) => [points[3 * v], points[3 * v + 1], points[3 * v + 2]];
+    let nearest = Infinity;
+    for (let t = 0; t < triangles.length; t += 3) {
+      // The distance along the ray (Moller and Trumbore 1997).
+      const a = point(triangles[t]);
+      const [e, f, s] = [minus(point(triangles[t + 1]), a), minus(point(triangles[t + 2]), a), minus(from, a)];
+      const [p, q] = [cross(along, f), cross(s, e)];
+      const determinant = dot(e, p);
+      const [u, v, distance] = [dot(s, p), dot(along, q), dot(f, q)].map((each) => each / determinant);
+      if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest) nearest = distance;
+    }
+    return nearest === Infinity ? null : [0, 1, 2].map((x) => from[x] + nearest * along[x]);
   }
   get last() {
-    const n = listAt(this.#wasm, this.#wasm.restrip_last(this.#kept), Uint32Array, 1);
-    if (n[0] === 0) return null;
-    const mask = (at) => BigInt(n[at + 1]) << 32n | BigInt(n[at]);
-    const operation = { kind: families[[0, 0, 1, 6][n[0]]], closed: n[1] === 1, k: n[2], a: n[3],
-      before: mask(4), ports: mask(6), after: mask(8), portsAfter: mask(10), strips: n[12] | 0, isolated: n[13] | 0 };
-    const triangles = (after) =>
-      listAt(this.#wasm, this.#wasm.restrip_last_triangles(this.#kept, after), Uint32Array, 3).slice();
-    return { ...operation, trianglesBefore: triangles(0), trianglesAfter: triangles(1) };
+    void this.#kept;
+    if (this.#last === null) return null;
+    const { kind, before, after } = this.#last;
+    const [strips, isolated] = new Int32Array(this.#wasm.memory.buffer, this.#wasm.restrip_figures(this.#open), figureNames.length).slice(-2);
+    const mask = (patch, at) => BigInt(patch[at + 1]) << 32n | BigInt(patch[at]);
+    return { kind, closed: before[0] === 1 && after[0] === 1, k: before[1], a: before[2], before: mask(before, 3), ports: mask(before, 5),
+      after: mask(after, 3), portsAfter: mask(after, 5), strips, isolated, trianglesBefore: before.slice(7), trianglesAfter: after.slice(7) };
   }
 }

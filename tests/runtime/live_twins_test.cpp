@@ -271,5 +271,33 @@ TEST(LiveTwins, ADeferredBufferBeginsWithTheFirstUpdate) {
   EXPECT_TRUE(live.update().outgrown);
 }
 
+TEST(LiveTwins, FramesHaveNumbersThatRemainWhenOldOnesAreDropped) {
+  LiveMesh live(sample::torus(9, 9), {.history = 30});
+  EXPECT_EQ(live.frame(), 0U);
+  for (std::size_t n = 1; n <= 20; ++n) {
+    ASSERT_TRUE(live.flip(random_halfedge_that_flips(live.mesh())));
+    EXPECT_EQ(live.frame(), n - 1);
+    live.update();
+    live.update();  // without a change
+    EXPECT_EQ(live.frame(), n);
+  }
+  const std::size_t undoable = live.undoable();
+  ASSERT_GT(undoable, 1U);
+  ASSERT_LT(undoable, 15U);
+  ASSERT_TRUE(live.undo() && live.undo());
+  EXPECT_EQ(live.frame(), 18U);
+  ASSERT_TRUE(live.redo());
+  EXPECT_EQ(live.frame(), 19U);
+  ASSERT_TRUE(live.flip(random_halfedge_that_flips(live.mesh())));
+  live.update();
+  EXPECT_EQ(live.frame(), 20U);
+  while (live.undo()) continue;
+  EXPECT_EQ(live.frame() + live.redoable(), 20U);
+  LiveMesh without(sample::torus(9, 9));
+  ASSERT_TRUE(without.flip(random_halfedge_that_flips(without.mesh())));
+  without.update();
+  EXPECT_EQ(without.frame(), 0U);
+}
+
 }  // namespace
 }  // namespace restrip

@@ -53,18 +53,18 @@ export async function raceHolds(page, { folder, scratch, choose, settled }) {
   const source = { points: hare.points, base: hare.triangles, splits: hare.splits };
   const width = 2;  // bytes of an index: the hare has fewer than 65,535 vertices
   const sums = Object.fromEntries(['kept', 'scratch', 'whole', 'slots'].map((way) => [way, { steps: 0, operations: 0, written: 0, drawn: 0 }]));
-  const opened = (policy) => restrip.progressive(source).begin({ policy, cost: 'indices' });
-  const [keeping, renewing, rewriting, placing] = ['quick', 'bare', 'bare', 'bare'].map(opened);
+  const opened = (policy, n) => restrip.progressive(source).begin({ policy, cost: 'indices', form: n < 2 ? 'restart' : 'list' });
+  const [keeping, renewing, placing] = ['quick', 'bare', 'bare'].map(opened);
   const written = (ranges) => ranges.reduce((sum, { count }) => sum + count, 0);
   keeping.update();
-  placing.updateList();
+  placing.update();
   let before = 0;
   for (const level of steps) {
-    for (const mesh of [keeping, renewing, rewriting, placing]) mesh.moveTo(level);
+    for (const mesh of [keeping, renewing, placing]) mesh.moveTo(level);
     const rebuilt = renewing.fromScratch({ cost: 'indices' }).length;
     const list = 3 * placing.figures.triangles;
     const now = { kept: [written(keeping.update()), keeping.indices.length], scratch: [rebuilt, rebuilt],
-      whole: [written(rewriting.updateList({ whole: true })), list], slots: [written(placing.updateList()), list] };
+      whole: [list, list], slots: [written(placing.update()), list] };
     for (const [way, [write, read]] of Object.entries(now)) {
       const { written: all, drawn, operations } = sums[way];
       sums[way] = { steps: sums[way].steps + 1, operations: operations + Math.abs(level - before), written: all + width * write, drawn: drawn + width * read };

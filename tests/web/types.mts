@@ -23,13 +23,20 @@ if (read.triangles) {
   // @ts-expect-error
   void halved.vertex;
   for (const { first, count } of mesh.update()) mesh.indices.subarray(first, first + count).includes(restartIndex);
+  mesh.begin({ history: 100, layout: { cache: 16 } }).keep({ policy: 'full', cost: 'strips' });
+  const undone: boolean = mesh.undo() && mesh.redo() && mesh.history.undoable > mesh.recolor({ effort: 'best' });
+  const resumed: StripMesh = restrip.saved(mesh.save(), { points: mesh.points, history: 5 });
+  // @ts-expect-error
+  mesh.keep({ policy: 'baked' });
+  // @ts-expect-error
+  restrip.saved(mesh.save());
   // @ts-expect-error
   mesh.moveTo('1');
   // @ts-expect-error
   mesh.begin({ policy: 'quickly' });
   // @ts-expect-error
   mesh.indices = new Uint32Array(1);
-  void [done, figures.strips, refusal, size];
+  void [done, figures.strips, refusal, size, undone, resumed];
 } else if (read.base) {
   restrip.progressive(read).close();
 } else {

@@ -138,7 +138,7 @@ async function run(size, real) {
   const threejs = async (strips) => {
     const THREE = await import('three');
     const { geometryOf, follow, drawAsStrips } = await import('/use/three.mjs');
-    const mesh = await begin(points, triangles, strips ? 'quick' : 'bare');
+    const mesh = await (strips ? begin(points, triangles) : begin(points, triangles, { policy: 'bare', form: 'list' }));
     const geometry = geometryOf(mesh);
     const { index } = geometry;
     // The renderer: what it uploads when, and its copy. The real one clears the ranges itself.
@@ -158,9 +158,9 @@ async function run(size, real) {
     let found = [];
     const reported = [];
     const followed = () => {
-      follow(mesh, geometry, strips);
+      follow(mesh, geometry);
       upload();
-      const list = strips ? mesh.indices : mesh.listIndices;
+      const list = mesh.indices;
       const { start, count } = geometry.drawRange;
       reported.push({ same: start === 0 && count === list.length && list.every((v, n) => v === card.copy[n]), uploaded: card.uploaded, all: list.length });
     };
@@ -208,10 +208,10 @@ async function run(size, real) {
 
   const sculpt = async () => {
     const { stroke } = await import('/use/sculpt.mjs');
-    const mesh = await begin(points, triangles, 'bare');
+    const mesh = await begin(points, triangles, { policy: 'bare', form: 'list' });
     const wanted = new Uint8Array(mesh.levels);
-    mesh.updateList({ whole: true });
-    let seen = mesh.listIndices.slice();
+    mesh.update();
+    let seen = mesh.indices.slice();
     const slots = Array.from({ length: seen.length / 3 }, (_, slot) => `${seen.subarray(3 * slot, 3 * slot + 3)}`);
     const strokes = [];
     for (const radius of [0.2, 0.3, 0.1, 0]) {

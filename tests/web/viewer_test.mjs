@@ -57,7 +57,6 @@ async function agrees(page, what) {
   assert.ok(found.different <= found.shown / 10000, `${what}: ${found.different} of ${found.shown} pixels differ`);
   assert.ok(found.shown > 10000, `${what}: only ${found.shown} pixels show the mesh`);
   assert.ok(found.sameBuffer, `${what}: the card has another buffer`);
-  assert.equal(found.refused, 0, what);
   return found;
 }
 const quiet = (page) => assert.deepEqual(page.faults, []);
@@ -312,7 +311,7 @@ try {
   });
   const out = cuts.found.filter(([before, cut]) => before > 0 || cut < 60);
   assert.deepEqual(out, [], `${out.length} of 60 cuts are not in view`);
-  assert.ok(cuts.valid && cuts.played === 768 + 60 && cuts.clicks === 60 && cuts.refused === 0);
+  assert.ok(cuts.valid && cuts.played === 768 + 60 && cuts.clicks === 60);
   assert.ok(cuts.strips <= 1 + 60 && !cuts.baked);
   await page.run(() => { location.hash = '#part=cut'; });
   await page.until(() => !document.getElementById('part-cut').hidden);

@@ -12,7 +12,7 @@ export class Lane {
   /// index.
   constructor(restrip, way, source, { policy, cost, width }) {
     Object.assign(this, { way, cost, width });
-    this.mesh = restrip.progressive(source).begin({ policy: way === 'kept' ? policy : 'bare', cost });
+    this.mesh = restrip.progressive(source).begin({ policy: way === 'kept' ? policy : 'bare', cost, form: this.isList ? 'list' : 'restart' });
     this.#follow();
     this.startHere();
   }
@@ -31,14 +31,12 @@ export class Lane {
     if (this.way === 'scratch') {
       this.#scratch = this.mesh.fromScratch({ cost: this.cost });
       this.ranges = [{ first: 0, count: this.#scratch.length }];
-    } else this.ranges = this.isList ? this.mesh.updateList({ whole: this.way === 'whole' }) : this.mesh.update();
+    } else this.ranges = this.mesh.update();
     this.length = this.indices.length;
+    if (this.way === 'whole') this.ranges = [{ first: 0, count: this.length }];
   }
   /// The indices to draw: a view, valid until the next call of any mesh.
-  get indices() {
-    if (this.way === 'kept') return this.mesh.indices;
-    return this.#scratch ?? this.mesh.listIndices;
-  }
+  get indices() { return this.#scratch ?? this.mesh.indices; }
   get isList() { return this.way === 'whole' || this.way === 'slots'; }
   get ribbon() { return this.way === 'scratch' ? this.mesh.scratchRibbon : this.mesh.ribbon; }
   /// The triangles that the written indices draw, three corners each.

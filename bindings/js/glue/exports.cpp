@@ -1,7 +1,9 @@
 // The functions that JavaScript calls (bindings/js/restrip.mjs), with numbers and addresses only. A caller writes
 // arguments that are lists into memory taken by restrip_take; a function that returns a list returns the address of a
-// List, which is valid until the next call of any function.
+// List, which is valid until the next call of any function. A call that ends by a trap has left its reason in
+// restrip_stopped_because.
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 #include "session.hpp"
@@ -11,7 +13,7 @@
 // versions print, for which the module would import files. These stop the module instead.
 void* operator new(std::size_t bytes) {
   void* memory = std::malloc(bytes != 0 ? bytes : 1);
-  if (memory == nullptr) __builtin_trap();
+  if (memory == nullptr) RESTRIP_THROW(std::bad_alloc, "restrip: out of memory");
   return memory;
 }
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return std::malloc(bytes != 0 ? bytes : 1); }
@@ -34,28 +36,30 @@ using namespace restrip::web;
 
 struct List {
   const void* data = nullptr;
-  std::uint32_t size = 0;  // elements
+  std::uint32_t size = 0;      // elements
+  std::uint32_t outgrown = 0;  // of ranges to upload
 };
 List list;
 
 struct Page {
-  std::unique_ptr<Session> session;  // null if the bytes of a baked mesh were refused
+  std::unique_ptr<Session> session;  // null if the bytes of a file were refused
   std::string damage;                // why
   BuildReport left_out;
+  StripMesh scratch;  // of restrip_from_scratch
+  std::vector<std::uint32_t> scratch_indices;
 };
 
 /// A mesh that is being simplified.
 struct Simplifying {
-  std::vector<float> points;
+  std::size_t points;
   BuildReport left_out;
   Simplifier simplifier;
 
-  Simplifying(std::vector<float> places, std::span<const Corners> triangles)
-      : points(std::move(places)),
-        simplifier(StripMesh::build(triangles, points.size() / 3, &left_out), in_64_bits(points)) {}
-  static std::vector<Simplifier::Point> in_64_bits(const std::vector<float>& points) {
-    std::vector<Simplifier::Point> all(points.size() / 3);
-    for (std::size_t i = 0; i < points.size() / 3 * 3; ++i) all[i / 3][i % 3] = points[i];
+  Simplifying(std::span<const std::array<float, 3>> places, std::span<const Corners> triangles)
+      : points(places.size()), simplifier(StripMesh::build(triangles, points, &left_out), in_64_bits(places)) {}
+  static std::vector<Simplifier::Point> in_64_bits(std::span<const std::array<float, 3>> points) {
+    std::vector<Simplifier::Point> all(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) all[i] = {points[i][0], points[i][1], points[i][2]};
     return all;
   }
 };
@@ -78,8 +82,20 @@ constexpr std::uint32_t word(Number number) noexcept {
 
 template <class Element>
 const List* give(std::span<const Element> elements) {
-  list = {elements.data(), word(elements.size())};
+  list.data = elements.data();
+  list.size = word(elements.size());
   return &list;
+}
+
+/// A patch: closed, k, a, two masks as two numbers each, then its triangles, three corners each.
+const List* give_patch(const StripMesh& mesh, const PatchColors& colors, const std::vector<Triangle>& triangles) {
+  static std::vector<std::uint32_t> words;
+  words = {
+      colors.closed ? 1U : 0U, colors.k, colors.a, word(colors.edges), word(colors.edges >> 32), word(colors.ports),
+      word(colors.ports >> 32)};
+  for (const Triangle t : triangles)
+    for (const Vertex v : mesh.corners(t)) words.push_back(v);
+  return give(std::span<const std::uint32_t>(words));
 }
 
 Cost cost_of(std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
@@ -99,21 +115,25 @@ StripFormat format_of(std::uint32_t form, std::uint32_t bits) {
 // ---- memory
 RESTRIP_EXPORT(void*, restrip_take)(std::uint32_t bytes) { return std::malloc(bytes); }
 RESTRIP_EXPORT(void, restrip_give_back)(void* memory) { std::free(memory); }
+#ifdef __wasm__
+/// Null if the last call that ended by a trap had no reason; asking clears it.
+RESTRIP_EXPORT(const char*, restrip_stopped_because)() { return std::exchange(stopped_because, nullptr); }
+#endif
 
 // ---- a mesh
 /// `splits`: v_s, v_t, v_l, v_r each.
 RESTRIP_EXPORT(Page*, restrip_open)
-(const float* points, std::uint32_t point_count, const Corners* base, std::uint32_t base_count, const Record* splits,
+(std::uint32_t point_count, const Corners* base, std::uint32_t base_count, const Record* splits,
  std::uint32_t split_count) {
   Progressive source{{base, base + base_count}, {splits, splits + split_count}, point_count};
   auto* page = new Page;
-  page->session = std::make_unique<Session>(
-      std::move(source), std::vector<float>(points, points + 3 * std::size_t{point_count}), &page->left_out);
+  page->session = std::make_unique<Session>(std::move(source), &page->left_out);
   return page;
 }
 RESTRIP_EXPORT(Simplifying*, restrip_simplify_begin)
-(const float* points, std::uint32_t point_count, const Corners* triangles, std::uint32_t triangle_count) {
-  return new Simplifying({points, points + 3 * std::size_t{point_count}}, {triangles, triangle_count});
+(const std::array<float, 3>* points, std::uint32_t point_count, const Corners* triangles,
+ std::uint32_t triangle_count) {
+  return new Simplifying({points, point_count}, {triangles, triangle_count});
 }
 /// Does at most `most` collapses and returns the excess of triangles; 0 when it has ended.
 RESTRIP_EXPORT(std::uint32_t, restrip_simplify_run)(Simplifying* mesh, std::uint32_t wanted, std::uint32_t most) {
@@ -123,13 +143,10 @@ RESTRIP_EXPORT(std::uint32_t, restrip_simplify_run)(Simplifying* mesh, std::uint
 RESTRIP_EXPORT(Page*, restrip_simplify_end)(Simplifying* mesh) {
   const std::unique_ptr<Simplifying> owned(mesh);
   const auto& collapses = owned->simplifier.collapses();
-  Progressive made{{}, {collapses.rbegin(), collapses.rend()}, owned->points.size() / 3};
-  const StripMesh& coarse = owned->simplifier.mesh();
-  for (Triangle t = 0; t < coarse.triangle_bound(); ++t)
-    if (coarse.alive(t)) made.base.push_back(coarse.corners(t));
   auto* page = new Page;
   page->left_out = owned->left_out;
-  page->session = std::make_unique<Session>(std::move(made), std::move(owned->points));
+  page->session = std::make_unique<Session>(
+      Progressive{triangles_of(owned->simplifier.mesh()), {collapses.rbegin(), collapses.rend()}, owned->points});
   return page;
 }
 RESTRIP_EXPORT(Page*, restrip_open_baked)(const std::byte* bytes, std::uint32_t count) {
@@ -140,7 +157,18 @@ RESTRIP_EXPORT(Page*, restrip_open_baked)(const std::byte* bytes, std::uint32_t 
   page->session = std::make_unique<Session>(std::move(file), &page->left_out);
   return page;
 }
-/// Why the bytes of a baked mesh were refused; then nothing but restrip_close may be called. Else empty.
+/// The bytes of restrip_save, for a mesh whose vertices have this many points.
+RESTRIP_EXPORT(Page*, restrip_open_saved)
+(const std::byte* bytes, std::uint32_t count, std::uint32_t points, std::uint32_t history) {
+  LiveMesh live = LiveMesh::load({bytes, count}, history);
+  auto* page = new Page;
+  if (live.mesh().vertex_bound() > points)
+    page->damage = "it has " + std::to_string(live.mesh().vertex_bound()) + " vertices";
+  else
+    page->session = std::make_unique<Session>(std::move(live));
+  return page;
+}
+/// Why bytes were refused; then nothing but restrip_close may be called. Else empty.
 RESTRIP_EXPORT(const char*, restrip_damage)(const Page* page) { return page->damage.c_str(); }
 RESTRIP_EXPORT(void, restrip_close)(Page* page) { delete page; }
 RESTRIP_EXPORT(std::uint32_t, restrip_levels)(const Page* page) { return word(page->session->source().splits.size()); }
@@ -156,9 +184,14 @@ RESTRIP_EXPORT(std::uint32_t, restrip_left_out)(const Page* page, std::uint32_t 
 RESTRIP_EXPORT(const List*, restrip_splits)(const Page* page) {
   return give(std::span<const Record>(page->session->source().splits));
 }
-RESTRIP_EXPORT(const List*, restrip_points)(const Page* page) { return give(page->session->points()); }
-RESTRIP_EXPORT(std::uint32_t, restrip_has_baked_strips)(const Page* page) {
-  return page->session->has_baked_strips() ? 1 : 0;
+/// See Session::needs; `first`: the beginnings.
+RESTRIP_EXPORT(const List*, restrip_needs)(const Page* page, std::uint32_t first) {
+  return give(first != 0 ? page->session->first_need() : page->session->needs());
+}
+/// Null unless it has baked strips; three coordinates for each of the file's points.
+RESTRIP_EXPORT(const List*, restrip_baked_points)(const Page* page) {
+  const BakedFile* const file = page->session->file();
+  return file == nullptr ? nullptr : give(std::span(file->points));
 }
 
 // ---- maintained strips
@@ -166,31 +199,43 @@ RESTRIP_EXPORT(std::uint32_t, restrip_has_baked_strips)(const Page* page) {
 RESTRIP_EXPORT(const char*, restrip_policy_name)(std::uint32_t policy) {
   return policy < policies.size() ? policies[policy].name : nullptr;
 }
-RESTRIP_EXPORT(std::uint32_t, restrip_add_point)(Page* page, float x, float y, float z) {
-  return page->session->add_point({x, y, z});
-}
-RESTRIP_EXPORT(void, restrip_set_point)(Page* page, std::uint32_t v, float x, float y, float z) {
-  page->session->set_point(v, {x, y, z});
-}
-/// 1: single operations have changed the mesh since begin, so records can no longer be played.
-RESTRIP_EXPORT(std::uint32_t, restrip_left_records)(const Page* page) { return page->session->left_records() ? 1 : 0; }
-/// `form` as StripForm; `bits` 16, 32 or 0.
+/// `policy`: none for baked strips. `form` as StripForm; `bits` 16, 32 or 0. See LiveOptions and LayoutOptions.
 RESTRIP_EXPORT(void, restrip_begin)
-(Page* page, std::uint32_t form, std::uint32_t bits, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
- std::uint32_t isolated) {
-  page->session->begin(policies[policy % policies.size()].policy, cost_of(restart, swap, isolated),
-                       format_of(form, bits));
+(Page* page, std::uint32_t points, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
+ std::uint32_t isolated, std::uint32_t form, std::uint32_t bits, std::uint32_t history, std::uint32_t cache,
+ std::uint32_t waste, std::uint32_t work) {
+  LiveOptions options{.cost = cost_of(restart, swap, isolated),
+                      .history = history,
+                      .format = format_of(form, bits),
+                      .layout = {cache, waste, work}};
+  if (policy < policies.size()) options.policy = policies[policy].policy;
+  page->session->begin(options, policy >= policies.size(), points);
 }
-RESTRIP_EXPORT(void, restrip_begin_baked)(Page* page, std::uint32_t form, std::uint32_t bits) {
-  page->session->begin_baked(format_of(form, bits));
+RESTRIP_EXPORT(void, restrip_keep)
+(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
+  page->session->live().keep(policies[policy % policies.size()].policy, cost_of(restart, swap, isolated));
 }
-RESTRIP_EXPORT(std::uint32_t, restrip_move)(Page* page, std::uint32_t level, std::uint32_t most) {
-  return word(page->session->move(level, most));
+/// `effort` as Effort. Returns the number of strips.
+RESTRIP_EXPORT(std::uint32_t, restrip_recolor)
+(Page* page, std::uint32_t effort, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
+  return word(page->session->live().recolor(static_cast<Effort>(effort % 3), cost_of(restart, swap, isolated)));
 }
-RESTRIP_EXPORT(std::uint32_t, restrip_approach)(Page* page, const std::uint8_t* wanted, std::uint32_t most) {
-  return word(page->session->approach({wanted, page->session->source().splits.size()}, most));
+RESTRIP_EXPORT(std::uint32_t, restrip_improve)(Page* page, std::uint32_t budget) {
+  return word(page->session->live().improve(budget));
 }
-RESTRIP_EXPORT(const List*, restrip_ready)(Page* page) { return give(page->session->ready()); }
+RESTRIP_EXPORT(std::uint32_t, restrip_compact)(Page* page, std::uint32_t budget) {
+  return word(page->session->live().compact(budget));
+}
+RESTRIP_EXPORT(void, restrip_play)(Page* page, const std::uint32_t* records, std::uint32_t count) {
+  page->session->play({records, count});
+}
+/// By record: 1 if it is split.
+RESTRIP_EXPORT(const List*, restrip_played)(const Page* page) {
+  static std::vector<std::uint8_t> played;
+  played.resize(page->session->source().splits.size());
+  for (std::size_t i = 0; i < played.size(); ++i) played[i] = page->session->is_split(i) ? 1 : 0;
+  return give(std::span<const std::uint8_t>(played));
+}
 RESTRIP_EXPORT(std::uint32_t, restrip_split)
 (Page* page, std::uint32_t v_s, std::uint32_t v_t, std::uint32_t v_l, std::uint32_t v_r) {
   return word(page->session->split({v_s, v_t, v_l, v_r}));
@@ -209,6 +254,10 @@ RESTRIP_EXPORT(std::uint32_t, restrip_split_face)(Page* page, std::uint32_t a, s
 }
 RESTRIP_EXPORT(std::uint32_t, restrip_new_vertex)(const Page* page) { return page->session->new_vertex(); }
 RESTRIP_EXPORT(std::uint32_t, restrip_next_vertex)(const Page* page) { return page->session->mesh().next_vertex(); }
+/// 1: indices of this format can name the vertex.
+RESTRIP_EXPORT(std::uint32_t, restrip_can_name)(const Page* page, std::uint32_t v) {
+  return v <= highest_index16 || page->session->live().buffer().format().width != IndexWidth::bits16 ? 1 : 0;
+}
 RESTRIP_EXPORT(const char*, restrip_describe)(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
 
 /// The neighbours of a vertex; of a non-manifold one only some. Empty if the mesh does not have it.
@@ -220,40 +269,82 @@ RESTRIP_EXPORT(const List*, restrip_around)(const Page* page, std::uint32_t v) {
     for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) { around.push_back(mesh.to(h)); });
   return give(std::span<const Vertex>(around));
 }
+RESTRIP_EXPORT(std::uint32_t, restrip_apex)(const Page* page, std::uint32_t u, std::uint32_t v) {
+  return page->session->apex(u, v);
+}
+/// The patch before a split, and after it, or null if the mesh does not have its edges.
+RESTRIP_EXPORT(const List*, restrip_fan)
+(const Page* page, std::uint32_t v_s, std::uint32_t v_l, std::uint32_t v_r) {
+  const StripMesh& mesh = page->session->mesh();
+  const Where where = find_spokes(mesh, {v_s, none, v_l, v_r});
+  const bool both = where.left.id != none && where.right.id != none;
+  if (!both && where.spokes == Where::Spokes::both) return nullptr;
+  const Halfedge first = where.left.id != none ? where.left : where.right;
+  if (first.id == none) return nullptr;
+  std::vector<Triangle> triangles;
+  fan_triangles(mesh, first, triangles);
+  return give_patch(mesh, both ? fan_colors(mesh, where.left, where.right) : PatchColors{}, triangles);
+}
+RESTRIP_EXPORT(const List*, restrip_ring)(const Page* page, std::uint32_t v_s, std::uint32_t v_t) {
+  const StripMesh& mesh = page->session->mesh();
+  const Halfedge chord = page->session->live().edge(v_s, v_t);
+  if (chord.id == none) return nullptr;
+  std::vector<Triangle> triangles;
+  edge_triangles(mesh, chord, triangles);
+  return give_patch(mesh, ring_colors(mesh, chord), triangles);
+}
 
 // ---- the index buffer
 RESTRIP_EXPORT(const List*, restrip_update)(Page* page, std::uint32_t join, std::uint32_t align) {
-  return give(page->session->update({join, align}));
+  const Upload upload = page->session->live().update({join, align});
+  list.outgrown = upload.outgrown ? 1 : 0;
+  return give(std::span<const IndexRange>(upload));
 }
 /// The bytes of the buffer; each index has restrip_index_bytes().
-RESTRIP_EXPORT(const List*, restrip_indices)(const Page* page) { return give(page->session->buffer().bytes()); }
+RESTRIP_EXPORT(const List*, restrip_indices)(const Page* page) { return give(page->session->live().bytes()); }
 RESTRIP_EXPORT(std::uint32_t, restrip_index_bytes)(const Page* page) {
-  return word(page->session->buffer().index_bytes());
+  return word(page->session->live().index_bytes());
 }
-RESTRIP_EXPORT(std::uint32_t, restrip_room)(const Page* page) { return word(page->session->buffer().room()); }
-RESTRIP_EXPORT(std::uint32_t, restrip_outgrown)(const Page* page) { return page->session->outgrown() ? 1 : 0; }
+RESTRIP_EXPORT(std::uint32_t, restrip_room)(const Page* page) { return word(page->session->live().room()); }
 /// The runs to be drawn one by one, for StripForm::lengths; else one range.
 RESTRIP_EXPORT(const List*, restrip_draws)(const Page* page) {
   static std::vector<IndexRange> draws;
-  page->session->buffer().draws(draws);
+  page->session->live().buffer().draws(draws);
   return give(std::span<const IndexRange>(draws));
 }
-RESTRIP_EXPORT(const List*, restrip_update_list)(Page* page, std::uint32_t whole) {
-  return give(page->session->update_list(whole != 0));
-}
-RESTRIP_EXPORT(const List*, restrip_list)(const Page* page) { return give(page->session->list()); }
 RESTRIP_EXPORT(const List*, restrip_from_scratch)
 (Page* page, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated, std::uint32_t cache_size,
  double cache_weight) {
-  return give(page->session->from_scratch(cost_of(restart, swap, isolated), {cache_size, cache_weight}));
+  StripMesh& scratch = page->scratch = page->session->mesh();
+  stripify(scratch, Effort::fast, cost_of(restart, swap, isolated));
+  page->scratch_indices = cache_size == 0
+                              ? strip_indices(scratch)
+                              : strip_indices(scratch, strips_for_vertex_cache(scratch, {cache_size, cache_weight}));
+  return give(std::span<const std::uint32_t>(page->scratch_indices));
 }
 RESTRIP_EXPORT(const List*, restrip_triangles)(const Page* page) {
   static std::vector<Corners> corners;
-  corners.clear();
-  const StripMesh& mesh = page->session->mesh();
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) corners.push_back(mesh.corners(t));
+  corners = triangles_of(page->session->mesh());
   return give(std::span<const Corners>(corners));
+}
+
+// ---- history
+/// 1: a frame was undone, or redone.
+RESTRIP_EXPORT(std::uint32_t, restrip_step)(Page* page, std::uint32_t forward) {
+  LiveMesh& live = page->session->live();
+  return (forward != 0 ? live.redo() : live.undo()) ? 1 : 0;
+}
+/// The frames that can be undone, and redone; the number of the present frame.
+RESTRIP_EXPORT(const List*, restrip_frames)(const Page* page) {
+  static std::array<std::uint32_t, 3> frames;
+  const LiveMesh& live = page->session->live();
+  frames = {word(live.undoable()), word(live.redoable()), word(live.frame())};
+  return give(std::span<const std::uint32_t>(frames));
+}
+RESTRIP_EXPORT(const List*, restrip_save)(Page* page) {
+  static std::vector<std::byte> bytes;
+  bytes = page->session->live().save();
+  return give(std::span<const std::byte>(bytes));
 }
 
 // ---- figures
@@ -274,7 +365,7 @@ RESTRIP_EXPORT(std::uint32_t, restrip_valid)(const Page* page) {
 /// The triangles with their strips, strip by strip. `scratch`: whether to use the strips from scratch.
 RESTRIP_EXPORT(const List*, restrip_ribbon)(Page* page, std::uint32_t scratch) {
   static std::vector<PaintedTriangle> ribbon;
-  const StripMesh& mesh = scratch != 0 ? page->session->scratch() : page->session->mesh();
+  const StripMesh& mesh = scratch != 0 ? page->scratch : page->session->mesh();
   const Strips strips = extract_strips(mesh);
   ribbon.clear();
   for (std::size_t s = 0; s < strips.size(); ++s) {
@@ -291,57 +382,6 @@ RESTRIP_EXPORT(const List*, restrip_ribbon)(Page* page, std::uint32_t scratch) {
   }
   return give(std::span<const PaintedTriangle>(ribbon));
 }
-/// The nearest triangle that a ray meets, and where (three numbers); empty when it meets none.
-RESTRIP_EXPORT(const List*, restrip_pick)(Page* page, float x, float y, float z, float dx, float dy, float dz) {
-  static std::array<float, 3> hit;
-  using Point = Vector<float>;
-  const Point from{x, y, z};
-  const Point along{dx, dy, dz};
-  const auto point = [points = page->session->points()](Vertex v) -> Point {
-    const auto p = points.subspan(3 * std::size_t{v}, 3);
-    return {p[0], p[1], p[2]};
-  };
-  float nearest = std::numeric_limits<float>::max();
-  const StripMesh& mesh = page->session->mesh();
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    const auto [i, j, k] = mesh.corners(t);
-    // The distance along the ray (Moller and Trumbore 1997).
-    const Point a = point(i);
-    const Point e = point(j) - a;
-    const Point f = point(k) - a;
-    const Point p = cross(along, f);
-    const float determinant = dot(e, p);
-    if (determinant == 0) continue;
-    const Point s = from - a;
-    const float u = dot(s, p) / determinant;
-    const Point q = cross(s, e);
-    const float v = dot(along, q) / determinant;
-    if (u < 0 || v < 0 || u + v > 1) continue;
-    const float distance = dot(f, q) / determinant;
-    if (!(distance > 0) || distance >= nearest) continue;
-    nearest = distance;
-    hit = {from.x + distance * along.x, from.y + distance * along.y, from.z + distance * along.z};
-  }
-  return give(std::span<const float>(hit).first(nearest < std::numeric_limits<float>::max() ? 3 : 0));
-}
-/// The last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
-RESTRIP_EXPORT(const List*, restrip_last)(const Page* page) {
-  static std::array<std::uint32_t, 14> words;
-  const LastOperation& last = page->session->last();
-  const auto high = [](Word w) { return word(w >> 32); };
-  const bool closed = last.before.closed && last.after.closed;
-  words = {word(last.kind),         closed ? 1U : 0U,        last.before.k,           last.before.a,
-           word(last.before.edges), high(last.before.edges), word(last.before.ports), high(last.before.ports),
-           word(last.after.edges),  high(last.after.edges),  word(last.after.ports),  high(last.after.ports),
-           word(last.strips),       word(last.isolated)};
-  return give(std::span<const std::uint32_t>(words));
-}
-RESTRIP_EXPORT(const List*, restrip_last_triangles)(const Page* page, std::uint32_t after) {
-  const LastOperation& last = page->session->last();
-  return give(std::span<const Corners>(after != 0 ? last.triangles_after : last.triangles_before));
-}
-
 // ---- rules
 /// `family`: 0 split, 1 collapse (x = a), 2 open split, 3 open collapse (x, y: the gaps), 4 boundary split, 5 boundary
 /// collapse (x: the gap), 6 flip. The answer: valid, change of strips, colours as two numbers, ports kept (of flips).

@@ -142,6 +142,10 @@ class LiveMesh {
   /// The number of frames that can be undone and redone; update() ends a frame first.
   [[nodiscard]] std::size_t undoable() const noexcept;
   [[nodiscard]] std::size_t redoable() const noexcept;
+  /// The number of the present frame: of all frames since the history began, those that are not undone. For data that
+  /// undo is to restore as well, such as points: note each change with this number. After undo() the changes noted with
+  /// the present number or a higher one are undone; after redo() those with lower ones are done. 0 without a history.
+  [[nodiscard]] std::size_t frame() const noexcept;
 
   /// Begins buffer and history again, in another format: the next update() writes and returns everything.
   void begin_buffer(const StripFormat& format, const LayoutOptions& layout = {}, std::size_t history = 0);

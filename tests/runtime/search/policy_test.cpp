@@ -56,8 +56,8 @@ TEST(Policies, EveryInterfaceHasTheirDefaults) {
   expect_in(text_of("README.md"),
             "the effort `fast` for strips from scratch and the\npolicy `quick`, both with the cost of indices");
   expect_in(header, "policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES");
-  expect_in(types, "Defaults: 'quick', 'indices', 'restart', 32.");
-  expect_in(script, "{ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = known('begin'");
+  expect_in(types, "Defaults: 'quick', 'indices', 'restart', 32, no history.");
+  expect_in(script, "{ policy = 'quick', cost = 'indices', form = 'restart', bits = 32, history = 0, layout = {} } =");
   expect_in(script, "{ strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } }");
   expect_in(python, "policy: Policy = \"quick\", cost: Cost = \"indices\"");
   expect_in(python, "effort: Optional[Effort] = \"fast\"");

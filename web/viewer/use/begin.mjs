@@ -1,7 +1,7 @@
 import { load } from 'restrip-wasm';
 
 // points: x, y, z of each vertex; triangles: three vertices each.
-export async function begin(points, triangles, policy = 'quick') {
+export async function begin(points, triangles, options = { policy: 'quick', cost: 'indices' }) {
   const restrip = await load();
-  return restrip.simplified({ points, triangles }).begin({ policy, cost: 'indices' });
+  return restrip.simplified({ points, triangles }).begin(options);
 }

@@ -1,5 +1,5 @@
 // Refines the mesh where a brush is. Returns the triangles removed and added, each with its place in the index buffer.
-// `wanted`: a byte for each record; `seen`: the list so far.
+// The mesh has begun with { policy: 'bare', form: 'list' }. `wanted`: a byte for each record; `seen`: the list so far.
 export function stroke(mesh, { center, radius }, wanted, seen) {
   const { points, splits } = mesh;
   for (let i = 0; i < mesh.levels; ++i) {
@@ -10,9 +10,9 @@ export function stroke(mesh, { center, radius }, wanted, seen) {
   mesh.approach(wanted);  // splits those that are wanted, and those that they need
 
   const slots = new Set();
-  for (const { first, count } of mesh.updateList())
+  for (const { first, count } of mesh.update())
     for (let slot = Math.floor(first / 3); 3 * slot < first + count; ++slot) slots.add(slot);
-  const now = mesh.listIndices.slice();
+  const now = mesh.indices.slice();
   for (let slot = now.length / 3; 3 * slot < seen.length; ++slot) slots.add(slot);
   const changed = (list) => [...slots].filter((slot) => 3 * slot < list.length)
     .map((slot) => ({ slot, corners: [...list.subarray(3 * slot, 3 * slot + 3)] }));

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 
 // For a mesh with levels; README.md of the package has a function for meshes to which vertices are added.
-// For a list the mesh has begun with the policy 'bare', which does not maintain strips.
+// The mesh has begun with { policy: 'bare', form: 'list' }, which does not maintain strips.
 export function geometryOf(mesh) {
   const most = mesh.figures.triangles + 2 * mesh.levels;  // of the finest level
   return new BufferGeometry()
@@ -10,10 +10,10 @@ export function geometryOf(mesh) {
 }
 
 // After mesh.moveTo(level), before the geometry is rendered.
-export function follow(mesh, geometry, strips = false) {
+export function follow(mesh, geometry) {
   const { index } = geometry;
-  const ranges = strips ? mesh.update() : mesh.updateList();
-  const indices = strips ? mesh.indices : mesh.listIndices;
+  const ranges = mesh.update();
+  const { indices } = mesh;
   for (const { first, count } of ranges) {
     index.array.set(indices.subarray(first, first + count), first);
     index.addUpdateRange(first, count);
@@ -22,7 +22,7 @@ export function follow(mesh, geometry, strips = false) {
   geometry.setDrawRange(0, indices.length);
 }
 
-// An experiment: one object is drawn as a triangle strip, which three.js does not support.
+// An experiment: one object is drawn as a triangle strip, which three.js does not support. Its mesh maintains strips.
 export function drawAsStrips(renderer, object) {
   const gl = renderer.getContext();
   const draw = gl.drawElements.bind(gl);

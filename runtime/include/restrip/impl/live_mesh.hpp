@@ -46,11 +46,12 @@ struct LiveMesh::Parts {
       }
       states.resize(undoable + 1);
       states.push_back(state);
-      while (states.size() > mesh.undoable() + 1) states.pop_front();
+      for (; states.size() > mesh.undoable() + 1; ++dropped) states.pop_front();
     }
     History mesh;
     LiveHistory buffer;
     std::deque<State> states;  // at the beginning of the first frame and at the end of each
+    std::size_t dropped = 0;   // frames before the first one
   };
 
   Parts(StripMesh own, const LiveOptions& options, std::shared_ptr<const BakedFile> from = nullptr)
@@ -264,6 +265,10 @@ RESTRIP_INLINE std::size_t LiveMesh::undoable() const noexcept {
 }
 RESTRIP_INLINE std::size_t LiveMesh::redoable() const noexcept {
   return parts_->can_step() ? parts_->history->mesh.redoable() : 0;
+}
+
+RESTRIP_INLINE std::size_t LiveMesh::frame() const noexcept {
+  return parts_->can_step() ? parts_->history->dropped + parts_->history->mesh.undoable() : 0;
 }
 
 RESTRIP_INLINE void LiveMesh::begin_buffer(const StripFormat& format, const LayoutOptions& layout,
