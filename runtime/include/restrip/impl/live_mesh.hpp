@@ -93,7 +93,11 @@ struct LiveMesh::Parts {
     begin();
     if (std::exchange(undelivered, true)) buffer.keep_upload();
     if (interrupted) buffer.forget();
-    if (can_step() && !changed.empty()) history->buffer.before_update(buffer);
+    if (can_step() && !changed.empty()) {
+      interrupted = true;
+      history->buffer.before_update(buffer);
+      interrupted = false;
+    }
     const Upload upload = buffer.update(mesh, changed, ranges);
     if (std::exchange(interrupted, true)) {
       begin_history();

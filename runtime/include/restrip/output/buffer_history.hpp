@@ -92,9 +92,9 @@ class BasicBufferHistory {
   /// Call it before the update of a frame: what was noted since the last frame, by compact() for example, then does not
   /// belong to it. Its undo leaves that as it is.
   void before_update(Buffer& buffer) {
-    if (cells_.empty() && triangles_.empty() && buffer.places_.changed_.empty() &&
-        buffer.places_.cursor() == last_.places_.cursor())
-      return;
+    const bool same = cells_.empty() && triangles_.empty() && buffer.places_.changed_.empty() &&
+                      buffer.places_.cursor() == last_.places_.cursor();
+    if (same || buffer.stale_) return;  // after an exception the update writes everything
     Change change = take(buffer);
     if (!change.empty()) between_.push_back(std::move(change));
   }
