@@ -221,6 +221,11 @@ TEST(LiveTwins, ABakedMeshPlaysItsLevelsAndBeginsAgain) {
   EXPECT_NE(live.update().size(), 0U);
   EXPECT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh()));
   EXPECT_EQ(live.move_to_level(file->splits.size()), file->splits.size());
+  // A saved mesh has its strips, but not its levels.
+  const LiveMesh loaded = LiveMesh::load(live.save());
+  EXPECT_EQ(look_at(loaded.mesh()), look_at(live.mesh()));
+  EXPECT_EQ(loaded.baked(), nullptr);
+  EXPECT_EQ(loaded.level(), std::nullopt);
 }
 
 TEST(LiveTwins, RecoloringsAreFramesAndRefuseWhatIsNotValid) {

@@ -131,8 +131,9 @@ class LiveMesh {
 
   /// Everything that later calls depend on, as bytes in a format of its own (docs/reference/file-formats.md), the same
   /// on every machine: handles, numbers, indices and the results of every later operation are the same with a loaded
-  /// mesh. The history and limits set with keeper().set_search() are not saved. Ends a frame, as undo() does, whose
-  /// ranges the next update() returns. Some 40 bytes a triangle. Linear time.
+  /// mesh. The history, baked strips (the loaded mesh has left its levels) and limits set with keeper().set_search()
+  /// are not saved. Ends a frame, as undo() does, whose ranges the next update() returns. Some 40 bytes a triangle.
+  /// Linear time.
   [[nodiscard]] std::vector<std::byte> save();
   /// Reads what save() has written; upload bytes(), with room() indices. `history`: see LiveOptions. Throws
   /// std::invalid_argument with the reason for bytes that are truncated, altered, of another version, or that describe
