@@ -16,7 +16,7 @@
 namespace restrip::generator {
 
 Order order_of(const std::vector<std::string>& files, std::optional<unsigned> max_k) {
-  Order order{read_descriptions(files), false, max_k.value_or(most_ports)};
+  Order order{read_descriptions(files), false, max_k.value_or(default_max_k)};
   const bool has_family = std::any_of(order.descriptions.begin(), order.descriptions.end(),
                                       [](const Description& one) { return !one.numbers.empty(); });
   if (max_k && !has_family)

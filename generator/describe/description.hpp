@@ -16,10 +16,12 @@
 namespace restrip::generator {
 
 /// Limits for operation files, on either side; families must obey them when tables are made.
-inline constexpr unsigned most_ports = 8;
+inline constexpr unsigned most_ports = 12;
 inline constexpr unsigned most_nodes = 16;
-/// Edges of one side, including ports.
-inline constexpr unsigned most_edges_and_ports = 20;
+/// Of one side together: a table has an entry for each of their colourings, at most 4 million.
+inline constexpr unsigned most_edges_and_ports = 22;
+/// Of families: the largest first number of a position, unless the user says.
+inline constexpr unsigned default_max_k = 8;
 
 /// Who wrote a file. Names of restrip's own tables are reserved for restrip's families, which have no limits.
 enum class Author { user, restrip };

@@ -50,6 +50,17 @@ std::string words_from(const JsonValue& value) {
   return words;
 }
 
+}  // namespace
+
+std::string too_many_colors(const Side& side) {
+  return fmt::format(
+      "expected at most {} edges and ports together: a table has an entry for each of their colourings; found {} and "
+      "{}",
+      most_edges_and_ports, side.edges.size(), side.ports());
+}
+
+namespace {
+
 Side graph_from(const JsonValue& value) {
   value.expect_members({"triangles", "edges", "ports"});
   Side side;
@@ -73,8 +84,7 @@ Side graph_from(const JsonValue& value) {
     side.owner.push_back(port.place(side.nodes, "triangle"));
     count(side.owner.back(), port);
   }
-  if (side.edges.size() + side.owner.size() > most_edges_and_ports)
-    value.refuse(fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
+  if (side.edges.size() + side.owner.size() > most_edges_and_ports) value.refuse(too_many_colors(side));
   return side;
 }
 

@@ -11,6 +11,9 @@ namespace restrip::generator {
 
 inline constexpr std::size_t most_terms = 64;  ///< of a criterion
 
+/// "expected at most 22 edges and ports together: a table has an entry for each of their colourings; found 12 and 12".
+[[nodiscard]] std::string too_many_colors(const Side& side);
+
 /// Reads the files of a user, of at most 1 MiB each. Throws files::FileError, or std::runtime_error if descriptions in
 /// two files have the same name or certificate.
 [[nodiscard]] std::vector<Description> read_descriptions(const std::vector<std::string>& files);

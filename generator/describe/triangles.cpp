@@ -201,8 +201,7 @@ std::pair<Side, std::vector<SurfaceTriangle>> numbered(const Disc& disc, const s
   if (side.owner.empty() || side.owner.size() > most_ports)
     disc.fail(-1, fmt::format("expected 1 to {} ports, the edges of the outline that are not on the boundary, found {}",
                               most_ports, side.owner.size()));
-  if (side.edges.size() + side.owner.size() > most_edges_and_ports)
-    disc.fail(-1, fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
+  if (side.edges.size() + side.owner.size() > most_edges_and_ports) disc.fail(-1, too_many_colors(side));
   std::vector<SurfaceTriangle> met;
   std::set<unsigned> known;
   const auto meet = [&](SideOf at, unsigned from, unsigned from_side) {

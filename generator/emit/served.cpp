@@ -46,7 +46,7 @@ std::optional<Fan> fan_of(const Side& side) {
 /// The same for all its positions.
 Fan fan_of(const Description& family) {
   std::optional<Fan> fan;
-  const std::vector<Position> positions = positions_up_to(family, most_ports);
+  const std::vector<Position> positions = positions_up_to(family, default_max_k);
   for (const Position& position : positions) {
     const std::optional<Fan> here = fan_of(make_patch(position).after);
     if (!here || (fan && fan != here))
@@ -54,7 +54,7 @@ Fan fan_of(const Description& family) {
                                  name_of(position)));
     fan = here;
   }
-  if (!fan) refuse(family, fmt::format("it has no position up to {}", most_ports));
+  if (!fan) refuse(family, fmt::format("it has no position up to {}", default_max_k));
   return *fan;
 }
 
@@ -74,7 +74,7 @@ Sum triangles_after(const Description& family) {
     for (const Chain& chain : std::get<SidePattern>(family.after).chains)
       for (const Stretch& stretch : chain.elements) add(stretch.range);
   // A range that ends before it begins is empty, and the sum is smaller.
-  for (const Position& position : positions_up_to(family, most_ports))
+  for (const Position& position : positions_up_to(family, default_max_k))
     if (const unsigned nodes = make_patch(position).after.nodes; all.at(position.numbers()) != static_cast<int>(nodes))
       refuse(family, fmt::format("{} has {} triangles after the operation, but its ranges as a sum give {}",
                                  name_of(position), nodes, all.at(position.numbers())));

@@ -159,8 +159,9 @@ void expect_served(const Position& position, const Position& rows) {
          side->edges.size() + side->owner.size() > most_edges_and_ports))
       throw std::runtime_error(fmt::format(
           "{}{}: expected 1 to {} triangles, 1 to {} ports, and at most {} edges and ports together on each "
-          "side; a smaller --max-k leaves large positions out",
-          family.in_file, name_of(position), most_nodes, most_ports, most_edges_and_ports));
+          "side, found {}, {} and {}; a smaller --max-k leaves large positions out",
+          family.in_file, name_of(position), most_nodes, most_ports, most_edges_and_ports, side->nodes, side->ports(),
+          side->edges.size() + side->owner.size()));
   if (patch.after != patch_of_rows(rows).after || family.constraint != first.constraint ||
       family.may_give_up != first.may_give_up || family.preference != first.preference)
     throw std::runtime_error(

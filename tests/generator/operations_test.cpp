@@ -101,7 +101,7 @@ TEST(OperationFiles, AreRefusedWithTheirPlace) {
       {"[[0, 1]]", "[[0, 2]]", "b.json:5:44: before.edges[0][1]: expected one of the triangles 0 to 1, found 2"},
       {"[[0, 1]]", "[[0, 1, 1]]", "b.json:5:40: before.edges[0]: expected a list of 2 triangles, found a list of 3"},
       {"[0, 0, 1, 1]", "[0, 0, 0, 1]", "b.json:5:65: before.ports[2]: triangle 0 has more than three"},
-      {"[0, 0, 1, 1]", "[]", "b.json:5:58: before.ports: expected a list of 1 to 8 ports"},
+      {"[0, 0, 1, 1]", "[]", "b.json:5:58: before.ports: expected a list of 1 to 12 ports"},
       {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6:81: after.ports: expected the same number of ports as before"},
       {"\"give_up\": \"none\"", "\"take\": \"all\"", "b.json:7:11: take: a dashed port stays dashed: whether it may"},
       {"\"give_up\": \"none\"", "\"name\": \"b\"",

@@ -55,7 +55,7 @@ struct Solved {
   Section section;
 
   explicit Solved(const std::string& file)
-      : descriptions(read_descriptions({file})), section(solve(patches_of(descriptions, most_ports).at(0))) {}
+      : descriptions(read_descriptions({file})), section(solve(patches_of(descriptions, default_max_k).at(0))) {}
 };
 
 // One of the red-green refinement takes the most steps of all shipped rules.

@@ -71,10 +71,10 @@ VALUES = [None, True, -1, 0, 1, 2, 3, 8, 9, 16, 17, 1.5, 1000001, "", "none", "a
 # The reader's messages about faults that the schema's description leaves to it.
 BEYOND = re.compile(r"from 0 to \d+, found \d|one of the \w+s 0 to \d+, found \d|edges and ports of triangle|each edge once|same number of ports as before|"
                     r"expected each|edges and ports together|the same outline|opposite directions|fan|connected over|Euler characteristic|"
-                    r"1 to 8 ports|stretches that are apart|on both sides|expected a list of (edges|ports|triangles)s?, found a list|"
+                    r"1 to 12 ports|stretches that are apart|on both sides|expected a list of (edges|ports|triangles)s?, found a list|"
                     r"expected a sum of|each number in braces|expected all numbers|has no position|cannot serve both|"
                     r"each triangle once|no triangle is named|three different vertices|expected numbers from 0 to|not both|ring of three|"
-                    r"expected an index of|negative index|given by their triangles|1 to 12 ports|1 to 16 triangles|two different|found none \(")
+                    r"expected an index of|negative index|given by their triangles|1 to 16 triangles|two different|found none \(")
 
 
 def places(value, path=()):

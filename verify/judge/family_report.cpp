@@ -209,10 +209,13 @@ class FamilyReport {
   }
 
   void report_rows() const {
-    const std::string definition = "definition, " + counted_grouped(sum(&PositionCheck::graphs), "graph") + limit_;
-    report("every valid configuration has a row", "definition" + limit_, sum(&PositionCheck::valid),
+    const bool by_keys = operation_.numbers.empty() && !searched(operation_);
+    const std::string method = by_keys ? "keys and reasons" : "definition" + limit_;
+    const std::string definition =
+        by_keys ? method : "definition, " + counted_grouped(sum(&PositionCheck::graphs), "graph") + limit_;
+    report("every valid configuration has a row", method, sum(&PositionCheck::valid),
            sum(&PositionCheck::Seconds::judging), sum(&PositionCheck::missing));
-    report("every row has a valid configuration", "definition" + limit_, certificate_.rows, 0, extra_);
+    report("every row has a valid configuration", method, certificate_.rows, 0, extra_);
     report("no port is taken, and ports that must stay are kept", "ports before and after compared",
            sum(&PositionCheck::with_row), 0, sum(&PositionCheck::wrong_ports));
     report("every row is sound", definition, sum(&PositionCheck::with_row), 0, sum(&PositionCheck::unsound));
@@ -221,8 +224,8 @@ class FamilyReport {
       for (const PositionCheck& check : checks_) not_best.add(check.not_best[i]);
       std::string name = text_of(operation_.cost[i]);
       if (name.size() > 24) name = fmt::format("of criterion {}", i + 1);
-      report(fmt::format("{} sound recolouring has fewer {}", i == 0 ? "no" : "as good, no", name),
-             "definition" + limit_, sum(&PositionCheck::with_row), 0, not_best);
+      report(fmt::format("{} sound recolouring has fewer {}", i == 0 ? "no" : "as good, no", name), method,
+             sum(&PositionCheck::with_row), 0, not_best);
     }
   }
 

@@ -81,7 +81,9 @@ PositionCheck check_position(const PositionTask& task) {
       if (row->copy) continue;
       std::string& fault = check.reason_faults[index_of(*row)];
       if (row->reason) fault = fault_of_reason(judge, configuration, row->after, *row->reason);
-      if (!row->reason && !searched(operation)) fault = "missing, and the operation has too many ports to be searched";
+      if (!row->reason && !searched(operation))
+        fault = fmt::format("missing, and {} has {} ports: without reasons at most {} are searched", operation.name(),
+                            operation.ports(), most_searched_ports);
     }
   lap(check.seconds.reasons);
   check.merged = merged_orbits(operation, Symmetries(operation, Symmetries::Keep::both_sides), valid);

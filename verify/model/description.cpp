@@ -129,11 +129,11 @@ void lower(std::optional<int>& bound, const std::optional<JsonValue>& value, boo
 /// The limits of a user's file; the shipped families exceed them.
 void expect_limits(const JsonValue& description, const Operation& operation) {
   for (const auto& [member, side] : {std::pair("before", &operation.before), {"after", &operation.after}})
-    if (side->ports() > most_ports_of_a_graph || side->colors() > most_colors_of_a_graph)
+    if (side->ports() > most_ports || side->colors() > most_colors_of_a_user)
       description[member].refuse(fmt::format(
           "expected 1 to {} ports, and at most {} edges and ports together, found {} and {} ({}); a smaller "
           "--max-k leaves large positions out",
-          most_ports_of_a_graph, most_colors_of_a_graph, side->ports(), side->colors(), operation.name()));
+          most_ports, most_colors_of_a_user, side->ports(), side->colors(), operation.name()));
 }
 
 void expect_version(const JsonValue& value) { value.number(1, 1, "the version of the format"); }
@@ -259,6 +259,11 @@ Operation Description::at(const Numbers& values) const {
   if (author_ == Author::user) expect_limits(value_, operation);
   const std::optional<JsonValue> cost = value_.member("cost");
   operation.cost = cost ? cost_of(*cost, operation.after) : default_cost(operation.constraint);
+  if (author_ == Author::user && !searched(operation) && operation.cost != default_cost(operation.constraint))
+    cost->refuse(
+        fmt::format("expected no cost, because {} has {} ports: of at most {} every recolouring is searched, "
+                    "and reasons prove the default cost only",
+                    operation.name(), operation.ports(), most_searched_ports));
   if (const std::optional<JsonValue> bounds = value_.member("at_most")) take_bounds(*bounds, numbers, operation);
   return operation;
 }

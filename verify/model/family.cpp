@@ -39,10 +39,6 @@ Family family_of(const std::vector<Description>& descriptions, const std::string
       throw InputError(description.file(), 0, fmt::format("{} has no position up to {}", description.name, max_k));
     for (const Numbers& numbers : positions) {
       const Operation operation = description.at(numbers);
-      if (operation.ports() > largest_judged_fan)
-        throw InputError(description.file(), 0,
-                         fmt::format("{} has {} ports, at most {} can be judged", operation.name(), operation.ports(),
-                                     largest_judged_fan));
       if (description.listed.hold(numbers))
         section_at(family, description, operation).operations.push_back(operation);
       else

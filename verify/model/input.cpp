@@ -68,13 +68,13 @@ std::int64_t LineReader::number(std::size_t index) const {
   return value;
 }
 
-std::uint64_t LineReader::wide_mask(std::size_t index, unsigned bits) const {
+WideMask LineReader::wide_mask(std::size_t index, unsigned bits) const {
   const std::string_view word = words_[index];
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, 16);
-  if (error != std::errc() || end != word.data() + word.size() || fmt::format("{:x}", value) != word)
+  WideMask value = 0;
+  for (const char c : word.substr(0, 32)) value = value << 4U | (std::string_view("0123456789abcdef").find(c) & 15U);
+  if (fmt::format("{:x}", value) != word)
     fail(fmt::format("expected a lower-case hexadecimal mask without leading zeros, found \"{}\"", word));
-  if (value >= wide_mask_count(bits)) fail(fmt::format("expected a mask of at most {} bits, found \"{}\"", bits, word));
+  if (value >> bits != 0) fail(fmt::format("expected a mask of at most {} bits, found \"{}\"", bits, word));
   return value;
 }
 

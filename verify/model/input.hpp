@@ -41,8 +41,8 @@ class LineReader {
   std::int64_t number(std::size_t index) const;
   /// Word number `index` as a lower-case hexadecimal mask of at most `bits` bits.
   Mask mask(std::size_t index, unsigned bits) const;
-  /// Word number `index` as a mask of at most 63 bits, in the same notation.
-  std::uint64_t wide_mask(std::size_t index, unsigned bits) const;
+  /// Word number `index` as a mask of at most 127 bits, in the same notation.
+  WideMask wide_mask(std::size_t index, unsigned bits) const;
 
   [[noreturn]] void fail(const std::string& what) const;
 

@@ -29,21 +29,26 @@ constexpr Mask low_part(Mask both, unsigned low_bits) { return both & (mask_coun
 /// Four bits of a number; place 0 is the lowest.
 constexpr std::uint64_t four_bits(std::uint64_t number, std::uint64_t place) { return number >> 4 * place & 15U; }
 
-/// A set of unordered pairs of ports, at most eleven ports: bit j(j-1)/2 + i stands for {i, j}, i < j.
+__extension__ using WideMask = unsigned __int128;
+
+/// A set of unordered pairs of ports, at most sixteen ports: bit j(j-1)/2 + i stands for {i, j}, i < j.
 struct PortPairs {
-  std::uint64_t bits = 0;
+  WideMask bits = 0;
 
   static constexpr PortPairs of(unsigned one, unsigned other) {
     const unsigned low = one < other ? one : other;
     const unsigned high = one < other ? other : one;
-    return {std::uint64_t{1} << (high * (high - 1) / 2 + low)};
+    return {WideMask{1} << (high * (high - 1) / 2 + low)};
   }
   constexpr void add(unsigned one, unsigned other) { bits |= of(one, other).bits; }
   constexpr bool has(unsigned one, unsigned other) const { return (bits & of(one, other).bits) != 0; }
   constexpr void add(PortPairs more) { bits |= more.bits; }
   /// The pairs that are in both sets.
   constexpr PortPairs both(PortPairs other) const { return {bits & other.bits}; }
-  constexpr unsigned count() const { return static_cast<unsigned>(std::popcount(bits)); }
+  constexpr unsigned count() const {
+    return static_cast<unsigned>(std::popcount(static_cast<std::uint64_t>(bits >> 64U)) +
+                                 std::popcount(static_cast<std::uint64_t>(bits)));
+  }
   constexpr bool within(PortPairs whole) const { return (bits & ~whole.bits) == 0; }
   friend constexpr bool operator==(PortPairs, PortPairs) = default;
   friend constexpr auto operator<=>(PortPairs, PortPairs) = default;

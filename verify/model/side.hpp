@@ -12,8 +12,9 @@
 namespace restrip::verify {
 
 inline constexpr unsigned most_triangles = 16;
-inline constexpr unsigned most_ports = 12;   ///< 8 if a file gives a side as a graph
-inline constexpr unsigned most_colors = 27;  ///< inner edges and ports of a side together; 20 for a graph
+inline constexpr unsigned most_ports = 12;
+inline constexpr unsigned most_colors = 27;  ///< inner edges and ports of a side together, in a shipped family
+inline constexpr unsigned most_colors_of_a_user = 22;  ///< in a user's file
 
 inline constexpr std::size_t longest_word = 20;  ///< names of vertices, triangles and numbers
 

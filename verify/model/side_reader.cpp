@@ -48,15 +48,15 @@ Side read_graph(const JsonValue& value) {
   Side& side = builder.side();
   const auto triangle_at = [&](const JsonValue& where) { return where.place(side.triangles, "triangle"); };
   const JsonValue edges = value["edges"];
-  for (const JsonValue& edge : edges.elements("edges, pairs of triangles", 0, most_colors_of_a_graph - 1)) {
+  for (const JsonValue& edge : edges.elements("edges, pairs of triangles", 0, most_colors_of_a_user - 1)) {
     const std::vector<JsonValue> ends = edge.elements("triangles", 2, 2);
     const std::array<unsigned, 2> pair = {triangle_at(ends[0]), triangle_at(ends[1])};
     builder.add_edge(edge, pair[0], pair[1]);
     for (std::size_t end = 0; end < 2; ++end) builder.use(ends[end], pair[end]);
   }
-  for (const JsonValue& port : value["ports"].elements("ports, the triangle of each", 1, most_ports_of_a_graph))
+  for (const JsonValue& port : value["ports"].elements("ports, the triangle of each", 1, most_ports))
     builder.add_port(port, triangle_at(port));
-  builder.expect_colors(edges, most_colors_of_a_graph);
+  builder.expect_colors(edges, most_colors_of_a_user);
   for (unsigned triangle = 0; triangle < side.triangles; ++triangle) side.names.push_back(std::to_string(triangle));
   return side;
 }

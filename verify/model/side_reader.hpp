@@ -13,9 +13,6 @@ struct NamedNumbers {
   const Numbers& values;
 };
 
-inline constexpr unsigned most_ports_of_a_graph = 8;
-inline constexpr unsigned most_colors_of_a_graph = 20;
-
 /// "t[0,k)": the name and the range, whose end is exclusive.
 struct NamedRange {
   std::string name;

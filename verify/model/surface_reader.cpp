@@ -25,7 +25,7 @@ class SurfaceReader {
     NamedSurface surface{before.triangles, after.triangles, {}};
     std::vector<JsonValue> stretches;
     if (const std::optional<JsonValue> boundary = description_.member("boundary"))
-      stretches = boundary->elements("stretches", 0, most_colors_of_a_graph);
+      stretches = boundary->elements("stretches", 0, most_colors_of_a_user);
     for (const JsonValue& stretch : stretches) {
       const std::vector<JsonValue> ends = stretch.elements("vertices", 2, 2);
       surface.boundary.push_back({vertex(ends[0], {}, 0), vertex(ends[1], {}, 0)});
@@ -111,11 +111,11 @@ class SurfaceReader {
   }
 
   void expect_limits(const JsonValue& value, const Side& side) const {
-    if (side.ports() == 0 || side.ports() > most_ports_of_a_graph)
-      value.refuse(fmt::format("expected 1 to {} ports, found {}{}", most_ports_of_a_graph, side.ports(), position()));
-    if (side.colors() > most_colors_of_a_graph)
-      value.refuse(fmt::format("expected at most {} edges and ports together, found {} and {}{}",
-                               most_colors_of_a_graph, side.inner_edges(), side.ports(), position()));
+    if (side.ports() == 0 || side.ports() > most_ports)
+      value.refuse(fmt::format("expected 1 to {} ports, found {}{}", most_ports, side.ports(), position()));
+    if (side.colors() > most_colors_of_a_user)
+      value.refuse(fmt::format("expected at most {} edges and ports together, found {} and {}{}", most_colors_of_a_user,
+                               side.inner_edges(), side.ports(), position()));
   }
 
   const JsonValue& description_;

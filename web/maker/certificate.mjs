@@ -15,13 +15,13 @@ export function sealed(text) {
 }
 
 /// The rows of a certificate with one section, in order: [{ line, copy, ports, joined, inner, kept, reason, by }], masks as
-/// numbers.
+/// numbers, except `joined`, a BigInt: 12 ports have 66 pairs.
 export function rowsOf(text) {
   return text.split('\n').flatMap((words, line) => {
     const [kind, P, J, R, K, , ...rest] = words.split(' ');
     if (kind !== 'rule' && kind !== 'copy') return [];
-    const [ports, joined, inner, kept] = [P, J, R, K].map((mask) => parseInt(mask, 16));
-    return [{ line, copy: kind === 'copy', ports, joined, inner, kept, reason: kind === 'rule' ? rest.join(' ') : '', by: kind === 'copy' ? rest.map(Number) : [] }];
+    const [ports, inner, kept] = [P, R, K].map((mask) => parseInt(mask, 16));
+    return [{ line, copy: kind === 'copy', ports, joined: BigInt(`0x${J}`), inner, kept, reason: kind === 'rule' ? rest.join(' ') : '', by: kind === 'copy' ? rest.map(Number) : [] }];
   });
 }
 

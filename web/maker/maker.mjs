@@ -382,11 +382,11 @@ class Page {
     const parent = Array.from({ length: this.table.before.triangles }, (_, t) => t);
     const root = (t) => (parent[t] === t ? t : root(parent[t]));
     edges.inner.forEach(([s, t], n) => { if (inner >> n & 1) parent[root(s)] = root(t); });
-    let joined = 0;
+    let joined = 0n;
     for (let j = 1; j < edges.ports.length; ++j)
-      for (let i = 0; i < j; ++i) if ((ports >> i & 1) && (ports >> j & 1) && root(edges.ports[i][0]) === root(edges.ports[j][0])) joined += 2 ** (j * (j - 1) / 2 + i);
-    const within = (row) => (BigInt(row.joined) & ~BigInt(joined)) === 0n;
-    const size = (row) => BigInt(row.joined).toString(2).replaceAll('0', '').length;
+      for (let i = 0; i < j; ++i) if ((ports >> i & 1) && (ports >> j & 1) && root(edges.ports[i][0]) === root(edges.ports[j][0])) joined |= 1n << BigInt(j * (j - 1) / 2 + i);
+    const within = (row) => (row.joined & ~joined) === 0n;
+    const size = (row) => row.joined.toString(2).replaceAll('0', '').length;
     return rowsOf(this.made.certificate).filter((row) => row.ports === ports && within(row)).sort((a, b) => size(b) - size(a))[0];
   }
   async judge() {

@@ -95,8 +95,9 @@ struct SurfaceFamily : OperationFamily<Entry, Size, Positions> {
   std::array<PatchTriangle, After> triangles_after;
 };
 
-/// The most triangles that a side of an operation has.
+/// The most triangles and ports that a side of an operation has.
 inline constexpr std::size_t most_patch_triangles = 16;
+inline constexpr std::size_t most_patch_ports = 12;
 
 /// One position of a SurfaceFamily, to be used like a SurfaceOperation. It refers to the family.
 template <class Entry>

@@ -176,7 +176,7 @@ class PendingApply {
     isolated_ =
         tables::isolated_among(table.triangles_after, solid_) - tables::isolated_among(table.triangles_before, before);
     if (const detail::PatchEdges cleared = before & ~solid_ & detail::all_ports; cleared != 0) {
-      std::array<Halfedge, most_ports> outer;  // not {}: a handle's default constructor may be explicit
+      std::array<Halfedge, tables::most_patch_ports> outer;  // not {}: a handle's default constructor may be explicit
       std::size_t count = 0;
       detail::for_each_edge(patch_, cleared, [&](Halfedge h) { outer[count++] = mesh.opposite(h); });
       isolated_ += detail::isolated_outside(mesh, std::span<const Halfedge>(outer.data(), count));
@@ -195,7 +195,6 @@ class PendingApply {
   [[nodiscard]] const Table& table() const noexcept { return *table_; }
 
  private:
-  static constexpr std::size_t most_ports = 8;
   const Table* table_;
   SidesBefore<Halfedge, Table> patch_;
   detail::PatchEdges solid_ = 0;  // after the operation
