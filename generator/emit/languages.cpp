@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "emit/number_lines.hpp"
 #include "emit/templates.hpp"
@@ -241,6 +242,21 @@ std::string wgsl_operation(const OperationLayout& layout) {
                           {"//", "{}: u32, ", "  if ({}) {{\n    return none;\n  }}\n", "  place = {};\n", "", "u"});
 }
 
+/// The program that prints all answers of a look-up. `position` is a line of the program: the position as dumps name
+/// it, quoted; inner edges, ports, numbers. `argument` is one number in a call.
+std::string operation_check(std::string_view text, const char* position, const char* argument,
+                            const OperationLayout& layout) {
+  const std::string name = identifier(layout.named().name);
+  Filling filling{{"name", name}, {"capitals", capitals(name)}, {"positions", ""}, {"arguments", ""}};
+  for (const OperationLayout::At& at : layout.positions)
+    filling["positions"] += fmt::format(fmt::runtime(position), nlohmann::json(name_of(at.position)).dump(),
+                                        layout.matching() ? 0 : at.patch.before.edges.size(), at.patch.before.ports(),
+                                        fmt::join(at.position.numbers(), ", "));
+  for (std::size_t i = 0; i < layout.named().numbers.size(); ++i)
+    filling["arguments"] += fmt::format(fmt::runtime(argument), i);
+  return filled(text, filling);
+}
+
 // ---- The automaton of all valences: its arrays, and a look-up by keys.
 
 /// The values for every template of the automaton, except the arrays. A split has three edges more than k.
@@ -270,15 +286,25 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
       {"c",
        {{".h", [](const TableLayout& t) { return c_text(tables_h, tables_filling("//", t), t); }, c_operation,
          [](const AutomatonArrays& a) { return c_text(automaton_h, automaton_filling("//", a, 64), a.table); }},
-        {"_check.c", as_it_is<tables_check_c>, nullptr, as_it_is<automaton_check_c>}}},
+        {"_check.c", as_it_is<tables_check_c>,
+         [](const OperationLayout& o) {
+           return operation_check(operation_check_c, "  {{{}, {}, {}, {{{}}}}},\n", "positions[i].at[{}], ", o);
+         },
+         as_it_is<automaton_check_c>}}},
       {"json",
        {{".json", json_tables, json_operation, json_automaton},
         {".mjs", as_it_is<tables_mjs>, nullptr, as_it_is<automaton_mjs>},
-        {"_check.mjs", as_it_is<tables_check_mjs>, nullptr, as_it_is<automaton_check_mjs>}}},
+        {"_check.mjs", as_it_is<tables_check_mjs>,
+         [](const OperationLayout& o) { return operation_check(operation_check_mjs, "  {},\n", "", o); },
+         as_it_is<automaton_check_mjs>}}},
       {"rust",
        {{".rs", [](const TableLayout& t) { return rust_text(tables_rs, tables_filling("//!", t), t); }, rust_operation,
          [](const AutomatonArrays& a) { return rust_text(automaton_rs, automaton_filling("//!", a, 64), a.table); }},
-        {"_check.rs", as_it_is<tables_check_rs>, nullptr, as_it_is<automaton_check_rs>}}},
+        {"_check.rs", as_it_is<tables_check_rs>,
+         [](const OperationLayout& o) {
+           return operation_check(operation_check_rs, "    ({}, {}, {}, [{}]),\n", "at[{}], ", o);
+         },
+         as_it_is<automaton_check_rs>}}},
       {"glsl",
        {{".glsl", [](const TableLayout& t) { return shader_text(tables_glsl, glsl_array, tables_filling("//", t), t); },
          glsl_operation,
