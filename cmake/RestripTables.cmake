@@ -139,6 +139,7 @@ function(restrip_generate_tables)
   set(made "")
   set(commands "")  # for other languages
   set(check "")
+  set(other_languages ${arg_LANGUAGE})
   if(arg_LANGUAGE)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
   endif()
@@ -190,7 +191,8 @@ function(restrip_generate_tables)
   # The compiled library has the shipped tables.
   target_link_libraries(${arg_TARGET} INTERFACE $<IF:$<BOOL:${with_tables}>,restrip::header_only,restrip::restrip>)
   set_target_properties(${arg_TARGET} PROPERTIES RESTRIP_FOLDER ${folder} RESTRIP_OF_FANS ${with_tables} RESTRIP_MAX_K ${arg_MAX_K}
-                                                 RESTRIP_C_CHECK "${check}" RESTRIP_OPERATIONS "${operations}")
+                                                 RESTRIP_C_CHECK "${check}" RESTRIP_OPERATIONS "${operations}"
+                                                 RESTRIP_OTHER_LANGUAGES "${other_languages}")
   if(with_tables)
     # Targets that link this search its folder before the shipped tables: see runtime/CMakeLists.txt.
     set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include INTERFACE_RESTRIP_BODIES headers)
@@ -256,9 +258,35 @@ int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@id
     set(certificate ${name})
   endif()
   set(header --header ${folder}-operations/include/restrip/tables/operations/${identifier}.hpp)
-  add_test(NAME ${target}.operation.${name}
-           COMMAND $<TARGET_FILE:restrip::verify> --operation ${file} ${max_k}
-                   --certificate ${folder}-operations/certificates/operations/${certificate}.cert ${header} ${dump})
+  set(verify $<TARGET_FILE:restrip::verify> --operation ${file} ${max_k}
+             --certificate ${folder}-operations/certificates/operations/${certificate}.cert ${header})
+  add_test(NAME ${target}.operation.${name} COMMAND ${verify} ${dump})
+  # A program in each language that this machine compiles or runs prints the answers of the look-up.
+  get_target_property(languages ${target} RESTRIP_OTHER_LANGUAGES)
+  foreach(language IN LISTS languages)
+    _restrip_print_command(${language} ${folder}-languages/restrip_rule_of_${identifier}_check command)
+    if(command)
+      add_test(NAME ${target}.operation.${name}.${language} COMMAND ${verify} --dump-command ${command})
+    else()
+      message(STATUS "restrip_verify_tables: ${target}: no program here runs ${language}, so its look-up of ${name} is not judged")
+    endif()
+  endforeach()
+endfunction()
+
+# _restrip_print_command(LANGUAGE PROGRAM OUT): how a shell makes and runs a program of the generator, PROGRAM.c or .rs or
+# .mjs; empty if it cannot here. Shaders need the user's device.
+function(_restrip_print_command language program out)
+  find_program(RESTRIP_NODE NAMES node nodejs NO_CMAKE_FIND_ROOT_PATH)
+  find_program(RESTRIP_RUSTC rustc NO_CMAKE_FIND_ROOT_PATH)
+  set(command "")
+  if(language STREQUAL json AND RESTRIP_NODE)
+    set(command "'${RESTRIP_NODE}' '${program}.mjs'")
+  elseif(language STREQUAL rust AND RESTRIP_RUSTC)
+    set(command "'${RESTRIP_RUSTC}' -O '${program}.rs' -o '${program}-rust' && '${program}-rust'")
+  elseif(language STREQUAL c AND CMAKE_C_COMPILER AND NOT CMAKE_CROSSCOMPILING)
+    set(command "'${CMAKE_C_COMPILER}' -O1 '${program}.c' -o '${program}-c' && '${program}-c'")
+  endif()
+  set(${out} "${command}" PARENT_SCOPE)
 endfunction()
 
 # _restrip_command_of(PROGRAM OUT): how a shell runs a program of this build.

@@ -1,7 +1,8 @@
 // Claim: the table of a family performs the operation on a mesh at each of its positions. examples/own_family.json,
 // which removes a vertex of k triangles, is applied at every halfedge of meshes with vertices of all valences. It is
 // granted if the triangles, computed on a bare list, are valid afterwards; the mesh then equals the list; and the
-// reported strips and isolated triangles are correct. `restrip-generate rules` writes the table.
+// reported strips and isolated triangles are correct. `restrip-generate rules` writes the table. So does an operation
+// with the most ports, under every policy.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,6 +15,7 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
+#include "restrip/tables/operations/flip_in_twelve.hpp"
 #include "restrip/tables/operations/remove_vertex.hpp"
 
 namespace restrip {
@@ -99,6 +101,27 @@ TEST(FamilyApply, IsKeptUnderEveryPolicy) {
       }
     }
     EXPECT_GT(done, 30U) << row.name;
+  }
+}
+
+TEST(FamilyApply, TwelvePorts) {
+  constexpr auto& table = tables::flip_in_twelve_rules;
+  static_assert(table.ports == tables::most_patch_ports);
+  for (const StripMesh& start : {sample::torus(9, 7), sample::rectangle(9, 4)}) {
+    EXPECT_GT(try_everywhere(
+                  start, [&](Halfedge) -> const auto& { return table; }),
+              20U);
+    for (const PolicyRow& row : policies) {
+      StripMesh mesh = start;
+      stripify(mesh, Effort::fast, Cost::strips());
+      Keeper keeper(mesh, row.policy, Cost::strips());
+      std::size_t done = 0;
+      for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+        done += checked_apply(keeper, table, mesh.spoke(t % 20)) ? 1 : 0;
+      const ColoringReport report = check_coloring(mesh);
+      ASSERT_TRUE(report.valid && done > 0) << row.name;
+      ASSERT_EQ(report.strips, keeper.strips()) << row.name;
+    }
   }
 }
 

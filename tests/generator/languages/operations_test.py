@@ -95,8 +95,11 @@ class Operation:
         """Whether the verifier takes the answers."""
         dump = scratch / "dump.txt"
         dump.write_text(self.dump(answers), encoding="utf-8")
-        done = subprocess.run([verify, "--operation", self.file, *self.more, *self.proofs, "--dump-command",
-                               f"cat {shlex.quote(str(dump))}"], capture_output=True, text=True, check=False)
+        return self.judges(verify, f"cat {shlex.quote(str(dump))}")
+
+    def judges(self, verify, command):
+        done = subprocess.run([verify, "--operation", self.file, *self.more, *self.proofs, "--dump-command", command],
+                              capture_output=True, text=True, check=False)
         if done.returncode not in (0, 1):
             raise SystemExit(f"{self.name}: {done.stderr}")
         return done.returncode == 0, done.stdout
@@ -277,7 +280,7 @@ LANGUAGES = {"c": C, "json": Json, "rust": Rust, "glsl": Glsl, "wgsl": Wgsl}
 def altered(folder, scratch, language):
     """A folder in which the table of bisect has another rule: its first entry is 112, 7 inner edges and no port."""
     other = scratch / "altered"
-    other.mkdir()
+    other.mkdir(exist_ok=True)
     for file in folder.glob("restrip_*"):
         data = file.read_bytes()
         if file.name == "restrip_rule_of_bisect" + language.extension:
@@ -286,6 +289,19 @@ def altered(folder, scratch, language):
             data = data.replace(entry, (96).to_bytes(2, "little") if language.extension == ".bin" else b" 96, 113", 1)
         (other / file.name).write_bytes(data)
     return other
+
+
+def judge_printed(verify, language, folder, scratch, operations):
+    """The programs that the generator writes for a user print what the verifier takes, and of an altered table what it refuses."""
+    printed = [operation for operation in operations if operation.name in ("bisect", "merge-matching", "union")]
+    for operation, where, expected in (*((operation, folder, True) for operation in printed), (printed[0], altered(folder, scratch, language), False)):
+        check = where / f"restrip_rule_of_{operation.identifier}_check{language.check_extension}"
+        if language.check_extension == ".mjs":
+            command = (language.node, check)
+        else:
+            command = language.program(check.read_text(encoding="utf-8"), where, scratch)
+        if operation.judges(verify, shlex.join(map(str, command)))[0] != expected:
+            raise SystemExit(f"{check}: the verifier {'refuses' if expected else 'takes'} what it prints")
 
 
 def main():
@@ -305,6 +321,9 @@ def main():
         asked += count
     if asked != len(answers) or asked < 8000:
         raise SystemExit(f"{len(answers)} answers, and {asked} of them were looked at")
+
+    if language.check_extension in (".c", ".mjs", ".rs"):
+        judge_printed(given.verify, language, folder, given.scratch, operations)
 
     bisect = [operation for operation in operations if operation.name in ("bisect", "split-face")]
     answers = language.answers(altered(folder, given.scratch, language), given.scratch, bisect)
