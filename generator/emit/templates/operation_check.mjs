@@ -1,5 +1,5 @@
 // Prints what restrip_rule_of_@name@.json answers to every configuration, for
-//   restrip-verify --operation FILE --header HEADER --dump-command "node restrip_rule_of_@name@_check.mjs"
+//   restrip-verify --operation FILE --header HEADER --dump-command "node THIS_FILE"
 // Written by `restrip-generate rules --language json`. Do not edit.
 import { readFileSync } from 'node:fs';
 
