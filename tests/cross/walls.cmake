@@ -25,7 +25,7 @@ set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
-set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables).h\"")
+set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables|rule_of_@name@).h\"")
 set(never_in_tools "restrip/tables/")
 # Bodies are private to the floor of their manual; see below. Searches that have no public header are open to baking, to
 # the method of the paper and to tests of the runtime.
@@ -107,7 +107,7 @@ function(judge room source line out)
      OR source MATCHES "/web/maker/module/(verify|no_nauty/orbits).cpp$" AND what MATCHES "^(${door_maker_verify})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/emit/templates/" AND what MATCHES "^(${door_templates})$"
-     OR source MATCHES "/generator/emit/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"
+     OR source MATCHES "/generator/emit/templates/(automaton|operation|tables)_check.c$" AND what MATCHES "^(${door_check})$"
      OR what MATCHES "^(${allowed_in_${room}})$")
     set(${out} FALSE PARENT_SCOPE)
     return()

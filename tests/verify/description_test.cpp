@@ -172,8 +172,8 @@ TEST(Description, LimitsOfThePage) {
     expect_said(altered("k {k} i {i}", fmt::format("k {{k}} i {{i}} {}", more)),
                 "position: expected braces only around numbers, around each once at most");
   const Description family = parse_descriptions("f", fan).front();
-  EXPECT_NO_THROW((void)family.at({8, 1}));
-  EXPECT_THROW((void)family.at({9, 1}), files::FileError);
+  EXPECT_NO_THROW((void)family.at({9, 1}));
+  EXPECT_THROW((void)family.at({10, 1}), files::FileError);
 }
 
 TEST(Description, AMissingFileIsNamed) {
