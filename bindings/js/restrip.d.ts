@@ -39,10 +39,6 @@ export const restartIndex: 0xffffffff;
 /** No vertex. */
 export const none: 0xffffffff;
 
-/** restrip-small.wasm next to this module, for load(): half the bytes, because its tables end at fans of six triangles.
- *  Larger fans use the automaton of all valences: equally good rules, a little slower, with other choices among ties. */
-export const small: Url;
-
 /** Without argument: restrip.wasm next to this module, in browsers and in Node. */
 export function load(source?: Source): Promise<Restrip>;
 

@@ -17,8 +17,6 @@ const refusals = { noSuchEdge: 1, sameSpoke: 3, spokeOnBoundary: 6 };  // of Ref
 
 const figureNames = ['triangles', 'strips', 'bufferIndices', 'operations', 'addingStrip', 'isolating', 'baked', 'lastStrips', 'lastIsolated'];
 
-export const small = new URL('./restrip-small.wasm', import.meta.url);
-
 /// Compiles the module: its bytes, or where to fetch it from; by default the file next to this one.
 export async function load(source = new URL('./restrip.wasm', import.meta.url)) {
   const instance = await WebAssembly.instantiate(await compiled(source), {});

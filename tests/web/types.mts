@@ -1,14 +1,12 @@
 // What TypeScript makes of the package's types; package_test.mjs compiles this.
-import { load, none, restartIndex, small, type Figures, type Outcome, type StripMesh } from 'restrip-wasm';
+import { load, none, restartIndex, type Figures, type Outcome, type StripMesh } from 'restrip-wasm';
 import { loadReaders } from 'restrip-wasm/formats';
 import address from 'restrip-wasm/restrip.wasm';
-import smaller from 'restrip-wasm/restrip-small.wasm';
 import readers from 'restrip-wasm/restrip-readers.wasm';
 
-await load(small);
-const addresses: string[] = [address, smaller, readers];
+const addresses: string[] = [address, readers];
 const restrip = await load(new URL(address, 'https://restrip.example/'));
-const readMesh = await loadReaders(addresses[2]);
+const readMesh = await loadReaders(addresses[1]);
 const read = await readMesh('mesh.obj', new Uint8Array(3));
 if (read.triangles) {
   using mesh: StripMesh = restrip.simplified(read, 0.5).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
