@@ -32,7 +32,7 @@ if (table) {
     if (row) return row.scrollIntoView({ block: 'center' });
     const ports = name.split('-').at(-2)?.match(/^[0-9a-f]+$/)?.[0] ?? '0';
     const solid = [...parseInt(ports, 16).toString(2)].filter((bit) => bit === '1').length;
-    const page = document.querySelector(`#pages [data-ports~="${solid}"]:not([aria-current])`);
+    const page = document.querySelector(`#pages [data-ports~="${solid}"]`);
     if (page) location.replace(page.href + location.hash);
   };
   addEventListener('hashchange', go);

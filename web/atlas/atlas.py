@@ -184,7 +184,7 @@ def parts_navigation(page, here):
         return ""
     words = {name: f"{some[0]} to {some[-1]}" if len(some) > 1 else str(some[0]) for name, some in parts.items()}
     return ('<nav id="pages">Rules with ' + ", ".join(
-        f'<a href="{name}.html" data-ports="{" ".join(map(str, some))}"{" aria-current=page" * (name == here)}>{words[name]}</a>'
+        f"<strong>{words[name]}</strong>" if name == here else f'<a href="{name}.html" data-ports="{" ".join(map(str, some))}">{words[name]}</a>'
         for name, some in parts.items()) + " solid ports</nav>")
 
 
