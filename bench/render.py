@@ -143,7 +143,7 @@ class Page:
     def memory(self):
         """The most over all sizes."""
         of = lambda how, field: plain(max(self.of_scale(size, how, field) for size in self.sizes()), 2)
-        return (f"at most {of('random/bare', 'mesh_bytes')} for mesh and colours, {of('random/quick', 'keeper_bytes')} more for the locator of "
+        return (f"at most {of('random/bare', 'mesh_bytes')} for mesh and colours, {of('random/quick', 'keeper_bytes')} more for the searches of "
                 f"`quick` and `full`, {of('buffer', 'buffer_bytes')} more for `StripBuffer`, the index buffer included")
 
     # ---- simplification, which scripts/simplify_table.py measures

@@ -11,8 +11,8 @@ and "keys" are recounted.
 
 Prints a line for each file, and what was read. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot
 be read or is not for this script.
-Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
-of every valid configuration must be there. Claims are recounted as far as this takes no walk over the configurations of
+Every section must be there, with each claim once and its rows in ascending order. Splits and the flip must have a row for
+every valid configuration. Claims are recounted as far as this takes no walk over the configurations of
 collapses: "configurations" in all families, "valid" of splits and the flip. Which rows a collapse must have, and the other claims, are not checked here.
 """
 import json

@@ -84,9 +84,11 @@ let report options ~text ~members =
 
 (* Optimality, for all operations except `others`. *)
 let optimality (result : Run.result) =
-  let judged = counted (Run.operations result.account - result.account.others) "operation" ^ " judged" in
+  let count = Run.operations result.account - result.account.others in
+  let judged = counted count "operation" ^ " judged" in
   match result.claim with
   | Valid -> "optimality was neither claimed nor checked"
+  | (No_worse | Best) when count = 0 -> "optimality was claimed, but no operation is of a kind that is judged"
   | No_worse -> judged ^ ": none does worse than the best sound recolouring of its patch"
   | Best -> judged ^ ": each is a best sound recolouring of its patch"
 

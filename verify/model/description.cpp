@@ -260,10 +260,10 @@ Operation Description::at(const Numbers& values) const {
   const std::optional<JsonValue> cost = value_.member("cost");
   operation.cost = cost ? cost_of(*cost, operation.after) : default_cost(operation.constraint);
   if (author_ == Author::user && !searched(operation) && operation.cost != default_cost(operation.constraint))
-    cost->refuse(
-        fmt::format("expected no cost, because {} has {} ports: of at most {} every recolouring is searched, "
-                    "and reasons prove the default cost only",
-                    operation.name(), operation.ports(), most_searched_ports));
+    cost->refuse(fmt::format(
+        "expected no cost, because {} has {} ports: beyond {} only rules of the default cost can be verified, "
+        "by their reasons; leave it out",
+        operation.name(), operation.ports(), most_searched_ports));
   if (const std::optional<JsonValue> bounds = value_.member("at_most")) take_bounds(*bounds, numbers, operation);
   return operation;
 }

@@ -323,7 +323,8 @@ def write(given, met):
         (given.out / f"{name}.html").write_text(whole(title, body, nav), encoding="utf-8")
     for name, pages in groups.items():
         rules = sum(len(page.section.rules) for page in pages)
-        print(f"{name}: {grouped(rules)} rules on {len(pages)} page{'s' * (len(pages) != 1)}")
+        count = sum(len(page.parts()) for page in pages)
+        print(f"{name}: {grouped(rules)} rules on {count} page{'s' * (count != 1)}")
 
 
 def main():

@@ -226,7 +226,7 @@ enum {
   RESTRIP_POLICY_LOCAL = 2,  /* 4 looks at the strip ends of the patch; 2 to 5 */
   RESTRIP_POLICY_QUICK = 3,  /* 12 looks, chains of 8 moves; 9 to 30 */
   RESTRIP_POLICY_FULL = 4,   /* 70 looks, around the patch as well; 40 to 200 */
-  RESTRIP_POLICY_BEST = 5,   /* the same, then an exact window of 40 triangles; 500 to 1,000 */
+  RESTRIP_POLICY_BEST = 5,   /* the same, then a window of 40 triangles; 500 to 1,000 */
   RESTRIP_POLICY_BAKED = 255 /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
 /* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A
@@ -409,7 +409,7 @@ RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, size_t merge_
  * the device should have room for. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
 RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
 /* For idle frames: moves strips in the buffer to places where a vertex cache misses less often. `written` may be null,
- * or receives the number of indices written, at most some `budget`; the next update returns their ranges. */
+ * or receives the number of indices written, about `budget`; the next update returns their ranges. */
 RESTRIP_API restrip_status restrip_live_compact(restrip_mesh* mesh, size_t budget, size_t* written);
 /* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when
  * no frame is left. Triangles, numbers, halfedges, colours, indices of strips and baked levels are restored: every

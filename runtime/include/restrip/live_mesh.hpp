@@ -90,7 +90,7 @@ class LiveMesh {
   /// Another policy and cost for all later operations. Undo does not restore them. Linear time.
   void keep(Policy policy, const Cost& cost);
   /// Strips from scratch for the present mesh (stripify.hpp), for this cost; returns their number. The next update()
-  /// writes the whole buffer. A recolouring can be undone like an operation, and counts every triangle. Handles stay.
+  /// writes the whole buffer. A recolouring that changes a colour can be undone like an operation. Handles stay.
   /// Like operations of your own, it leaves the levels of baked strips. Needs memory for a second mesh.
   std::size_t recolor(Effort effort, const Cost& cost, std::uint64_t limit = 0);
   /// The same with given colours: bit s of solid_sides[t] for side s of triangle t below triangle_bound(). Returns
@@ -111,8 +111,9 @@ class LiveMesh {
   /// For idle time: see Keeper::improve. Returns the cost saved. Leaves the levels of baked strips.
   std::size_t improve(std::size_t budget);
   /// For idle time: moves strips in the buffer to places where a vertex cache misses less often, and returns the number
-  /// of indices that this writes, at most some `budget`. Changes since the last update() count as a frame. Call
-  /// update() next, which returns the ranges. Time: linear in the budget and the changes.
+  /// of indices that this writes, about `budget`: the last move may exceed it. Changes since the last update() count as
+  /// a frame; the moves are none. Call update() next, which returns the ranges. Time: linear in the budget and the
+  /// changes.
   std::size_t compact(std::size_t budget);
 
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
@@ -145,7 +146,8 @@ class LiveMesh {
   [[nodiscard]] std::size_t redoable() const noexcept;
   /// The number of the present frame: of all frames since the history began, those that are not undone. For data that
   /// undo is to restore as well, such as points: note each change with this number. After undo() the changes noted with
-  /// the present number or a higher one are undone; after redo() those with lower ones are done. 0 without a history.
+  /// the present number or a higher one are undone; after redo() those with lower ones are done. Changes before the
+  /// next update() belong to the present number; update() raises it if something has changed. 0 without a history.
   [[nodiscard]] std::size_t frame() const noexcept;
 
   /// Begins buffer and history again, in another format: the next update() writes and returns everything.

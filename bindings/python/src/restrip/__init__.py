@@ -501,7 +501,7 @@ class LiveMesh:
 
     def compact(self, budget: int) -> int:
         """For idle time: moves strips in the buffer to places where a vertex cache misses less often. Returns the number of
-        indices written, at most some `budget`; the next update returns them."""
+        indices written, about `budget`; the next update returns them."""
         written = ctypes.c_size_t()
         lib.call("live_compact", self._mesh, _number("budget", budget, _MOST), written)
         return written.value

@@ -27,7 +27,7 @@ struct IndexPlan {
   };
   From from = From::patch;
   EndLimits limits{.looks = 0};  ///< 0 looks: no search; the cost is counted but not minimised
-  std::uint32_t window = 0;      ///< triangles of a final exact window around the operation; 0: no window
+  std::uint32_t window = 0;      ///< triangles of a final window around the operation; 0: no window
 };
 
 /// The most that an operation adds to the cost, for every mesh, valence and history (docs/explanation/theory.md, "What
@@ -81,7 +81,7 @@ inline constexpr std::array policies{
     PolicyRow{Policy::best,
               "best",
               "tunnelling",
-              "the same, then an exact window of 40 triangles",
+              "the same, then a window of 40 triangles",
               "a locator of the strips",
               "500 to 1,000",
               {1024, 0},
