@@ -117,7 +117,7 @@ TEST(FamilyApply, TwelvePorts) {
       Keeper keeper(mesh, row.policy, Cost::strips());
       std::size_t done = 0;
       for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-        done += checked_apply(keeper, table, mesh.spoke(t % 20)) ? 1 : 0;
+        done += checked_apply(keeper, table, mesh.spoke(t % 20)) ? 1U : 0U;
       const ColoringReport report = check_coloring(mesh);
       ASSERT_TRUE(report.valid && done > 0) << row.name;
       ASSERT_EQ(report.strips, keeper.strips()) << row.name;
