@@ -41,7 +41,7 @@ class Lockstep {
         mine_(mesh_, policy, cost),
         theirs_(watched_, policy, cost),
         buffer_(watched_),
-        exact_(policy <= Policy::local && cost == Cost::strips()),
+        exact_(row_of(policy).search.states == 0 && cost == Cost::strips()),
         random_(seed) {
     for (Vertex v = 0; v < mesh_.vertex_bound(); ++v) name_.push_back(foreign.vertex(v));
   }

@@ -135,6 +135,9 @@ REFUSED = {
         "a node that occurs twice": gltf(lambda doc, _: doc["nodes"][0].update(children=[0])),
         "an attribute of a wrong kind": gltf(NORMAL=UV)}}
 
+# Nothing is reported of files that have nothing else. Each format of faces has one.
+PLAIN = ((".obj", OBJ), (".off", off()), (".ply", ply()), (".stl", STL), (".stl", BINARY_STL), (".glb", gltf(NORMAL=UP, TEXCOORD_0=UV, COLOR_0=RED)))
+
 
 def write(end, data):
     path = scratch / f"sample{end}"
@@ -162,6 +165,7 @@ extensions = re.findall(r"`(\.[a-z]+)`", " ".join(read_at_all))
 assert {".obj", ".glb", ".pm"} <= set(extensions)
 for extension in extensions:
     assert any(extension in name.split(", ") for name in table) or f"`{extension}`" in text.splitlines()[-2] + text.splitlines()[-3], extension
+assert {end for end, _ in PLAIN} == set(extensions) - {".gltf", ".pm", ".baked"}, extensions
 for column, known in enumerate((LEFT_OUT, REFUSED)):
     for name in table.keys() | known.keys():
         listed, shown = table.get(name, [[], []])[column], known.get(name, {})
@@ -188,7 +192,6 @@ for name, entries in REFUSED.items():
             end, data = sample if isinstance(sample, tuple) else (".glb" if name == ".gltf, .glb" else name, sample)
             message = run("convert", write(end, data), "-o", scratch / "out.obj", code=2).stderr
             assert f"sample{end}" in message and len(message.splitlines()) == 1, (entry, message)
-# Nothing is reported of files that have nothing else.
-for end, data in ((".obj", OBJ), (".off", off()), (".ply", ply()), (".stl", STL), (".stl", BINARY_STL), (".glb", gltf(NORMAL=UP, TEXCOORD_0=UV, COLOR_0=RED))):
+for end, data in PLAIN:
     assert "left out" not in run("convert", write(end, data), "-o", scratch / "out.glb").stdout, data
 print("left out: all hold")

@@ -182,7 +182,7 @@ TEST_F(FormatsInFolder, AFileIsOpenedOnce) {
     if (reads(format) && writes_baked(format))
       written[extension] = format.write_baked(all.baked, {StripForm::list}).bytes;
   }
-  EXPECT_EQ(written.size(), 7U);
+  EXPECT_GE(written.size(), 7U);
   for (const auto& [extension, bytes] : written) {
     const std::filesystem::path pipe = folder_ / ("pipe" + extension);
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
