@@ -22,10 +22,9 @@ def rows():
     names = re.search(r"enum class Policy[^{]*\{([^}]*)\}", (SEARCH.parent / "fwd.hpp").read_text())[1].replace(" ", "").split(",")
     text = (SEARCH / "policy.hpp").read_text()
     found = re.findall(r"PolicyRow\{\s*Policy::(\w+),((?:\s*\"[^\"]*\",){5})", text)
-    listed = [Row(names.index(policy), *re.findall(r'"([^"]*)"', texts)) for policy, texts in found]
-    if sorted(row.code for row in listed) != list(range(len(names))):
+    if sorted(policy for policy, _ in found) != sorted(names):
         sys.exit("policies.py: the table does not have one row for each policy of the enumeration")
-    return listed
+    return [Row(names.index(policy), *re.findall(r'"([^"]*)"', texts)) for policy, texts in found]
 
 
 def most(what):
