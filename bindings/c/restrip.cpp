@@ -349,6 +349,42 @@ restrip_status done(restrip_mesh* mesh, restrip_status allowed, restrip_change* 
   });
 }
 
+/// The operations that take one halfedge, in the order of their numbers.
+struct AtHalfedge {
+  Refusal (*check)(const StripMesh&, StripMesh::Halfedge);
+  Rewrite<StripMesh::Halfedge> (Keeper<StripMesh>::*apply)(StripMesh::Halfedge);
+  bool adds_vertex;
+};
+constexpr std::array<AtHalfedge, 6> at_halfedge{{
+    {check_collapse, &Keeper<StripMesh>::collapse, false},
+    {check_flip, &Keeper<StripMesh>::flip, false},
+    {check_split_face, &Keeper<StripMesh>::split_face, true},
+    {check_join_faces, &Keeper<StripMesh>::join_faces, false},
+    {check_bisect, &Keeper<StripMesh>::bisect, true},
+    {check_merge, &Keeper<StripMesh>::merge, false},
+}};
+
+restrip_status check(const restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h) noexcept {
+  if (mesh == nullptr) return RESTRIP_NULL_ARGUMENT;
+  const AtHalfedge& row = at_halfedge[static_cast<std::size_t>(operation)];
+  return guarded([&] {  // some allocate around large vertices
+    const Refusal refusal = row.check(mesh->mesh(), {h});
+    return row.adds_vertex ? indexable(*mesh, refusal) : status_of(refusal);
+  });
+}
+restrip_status apply(restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h, restrip_change* change) noexcept {
+  return done(mesh, check(mesh, operation, h), change,
+              [&](auto& keeper) { return (keeper.*at_halfedge[static_cast<std::size_t>(operation)].apply)({h}); });
+}
+
+/// What is wrong with the arguments of a function that does an operation at each of n halfedges.
+restrip_status each_fault(const restrip_mesh* mesh, std::int32_t operation, std::size_t n,
+                          const restrip_halfedge* halfedges, const restrip_status* statuses) noexcept {
+  if (mesh == nullptr || (n != 0 && any_null(halfedges, statuses))) return RESTRIP_NULL_ARGUMENT;
+  const bool known = 0 <= operation && static_cast<std::size_t>(operation) < at_halfedge.size();
+  return known ? RESTRIP_OK : RESTRIP_BAD_ARGUMENT;
+}
+
 // ---- functions that count and fill
 
 template <class Element, class From>
@@ -452,6 +488,12 @@ restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, std::uint32_t v, st
   const restrip_halfedge first = restrip_mesh_spoke(mesh, v);
   return first == RESTRIP_NONE ? RESTRIP_NONE : mesh->mesh().spoke(v, w).id;
 }
+restrip_status restrip_mesh_find_each(const restrip_mesh* mesh, std::size_t n, const std::uint32_t* v,
+                                      const std::uint32_t* w, restrip_halfedge* found) {
+  if (mesh == nullptr || (n != 0 && any_null(v, w, found))) return RESTRIP_NULL_ARGUMENT;
+  for (std::size_t i = 0; i < n; ++i) found[i] = restrip_mesh_find(mesh, v[i], w[i]);
+  return RESTRIP_OK;
+}
 restrip_halfedge restrip_mesh_spoke(const restrip_mesh* mesh, std::uint32_t v) {
   return mesh == nullptr || v >= mesh->mesh().vertex_bound() ? RESTRIP_NONE : mesh->mesh().spoke(v).id;
 }
@@ -541,51 +583,41 @@ restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, res
               [&](auto& keeper) { return keeper.split(where_of(left, right), v_t); });
 }
 restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  return done(mesh, restrip_mesh_check_collapse(mesh, h), change, [&](auto& keeper) { return keeper.collapse({h}); });
+  return apply(mesh, RESTRIP_COLLAPSE, h, change);
 }
 restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  return done(mesh, restrip_mesh_check_flip(mesh, h), change, [&](auto& keeper) { return keeper.flip({h}); });
+  return apply(mesh, RESTRIP_FLIP, h, change);
 }
 restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  return done(mesh, restrip_mesh_check_split_face(mesh, h), change,
-              [&](auto& keeper) { return keeper.split_face({h}); });
+  return apply(mesh, RESTRIP_SPLIT_FACE, h, change);
 }
 restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  return done(mesh, restrip_mesh_check_join_faces(mesh, h), change,
-              [&](auto& keeper) { return keeper.join_faces({h}); });
+  return apply(mesh, RESTRIP_JOIN_FACES, h, change);
 }
 restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  return done(mesh, restrip_mesh_check_bisect(mesh, h), change, [&](auto& keeper) { return keeper.bisect({h}); });
+  return apply(mesh, RESTRIP_BISECT, h, change);
 }
 restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
-  return done(mesh, restrip_mesh_check_merge(mesh, h), change, [&](auto& keeper) { return keeper.merge({h}); });
+  return apply(mesh, RESTRIP_MERGE, h, change);
+}
+restrip_status restrip_mesh_apply_each(restrip_mesh* mesh, std::int32_t operation, std::size_t n,
+                                       const restrip_halfedge* halfedges, restrip_status* statuses,
+                                       restrip_change* changes) {
+  const restrip_status fault = each_fault(mesh, operation, n, halfedges, statuses);
+  for (std::size_t i = 0; fault == RESTRIP_OK && i < n; ++i)
+    statuses[i] = apply(mesh, operation, halfedges[i], changes == nullptr ? nullptr : changes + i);
+  return fault;
+}
+restrip_status restrip_mesh_check_each(const restrip_mesh* mesh, std::int32_t operation, std::size_t n,
+                                       const restrip_halfedge* halfedges, restrip_status* statuses) {
+  const restrip_status fault = each_fault(mesh, operation, n, halfedges, statuses);
+  for (std::size_t i = 0; fault == RESTRIP_OK && i < n; ++i) statuses[i] = check(mesh, operation, halfedges[i]);
+  return fault;
 }
 restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                         std::uint32_t v_t) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   return indexable(*mesh, check_split(mesh->mesh(), where_of(left, right), v_t), v_t);
-}
-restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return status_of(check_collapse(mesh->mesh(), {h})); });  // allocates around large vertices
-}
-restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_flip(mesh->mesh(), {h}));
-}
-
-restrip_status restrip_mesh_check_split_face(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_split_face(mesh->mesh(), {h}));
-}
-restrip_status restrip_mesh_check_join_faces(const restrip_mesh* mesh, restrip_halfedge h) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return status_of(check_join_faces(mesh->mesh(), {h})); });  // as check_collapse
-}
-restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfedge h) {
-  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : indexable(*mesh, check_bisect(mesh->mesh(), {h}));
-}
-restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return status_of(check_merge(mesh->mesh(), {h})); });  // as check_collapse
 }
 
 restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {

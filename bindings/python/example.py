@@ -34,8 +34,8 @@ def draw():
 print(f"at first: {draw()} triangles in {mesh.strip_count} strips, {written} bytes written")
 written = 0
 for _ in range(200):
-    longest = max((h for t in range(mesh.triangle_bound) for h in range(4 * t, 4 * t + 3) if mesh.why_not("bisect", h) is None),
-                  key=lambda h: abs(points[mesh.ends(h)[0]][2] - points[mesh.ends(h)[1]][2]))
+    sides = (4 * np.arange(mesh.triangle_bound)[:, None] + np.arange(3)).ravel()
+    longest = max(sides[mesh.check_each("bisect", sides) == 0], key=lambda h: abs(points[mesh.ends(h)[0]][2] - points[mesh.ends(h)[1]][2]))
     v, w = mesh.ends(longest)
     points.append(tuple((p + q) / 2 for p, q in zip(points[v], points[w])))
     new = mesh.bisect(longest)

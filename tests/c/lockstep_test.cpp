@@ -4,6 +4,7 @@
 // ranges draws the triangles of the mesh.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <random>
 #include <set>
@@ -72,16 +73,15 @@ Move draw(const restrip_mesh* mesh, std::mt19937& random) {
 /// The operations that take one halfedge: all but the split, in the order of their kinds.
 struct AtHalfedge {
   restrip_status (*apply)(restrip_mesh*, restrip_halfedge, restrip_change*);
-  restrip_status (*ask)(const restrip_mesh*, restrip_halfedge);
   Refusal (*refusal)(const StripMesh&, Halfedge);
 };
 constexpr std::array<AtHalfedge, 6> at_halfedge{{
-    {restrip_mesh_collapse, restrip_mesh_check_collapse, check_collapse},
-    {restrip_mesh_flip, restrip_mesh_check_flip, check_flip},
-    {restrip_mesh_split_face, restrip_mesh_check_split_face, check_split_face},
-    {restrip_mesh_join_faces, restrip_mesh_check_join_faces, check_join_faces},
-    {restrip_mesh_bisect, restrip_mesh_check_bisect, check_bisect},
-    {restrip_mesh_merge, restrip_mesh_check_merge, check_merge},
+    {restrip_mesh_collapse, check_collapse},
+    {restrip_mesh_flip, check_flip},
+    {restrip_mesh_split_face, check_split_face},
+    {restrip_mesh_join_faces, check_join_faces},
+    {restrip_mesh_bisect, check_bisect},
+    {restrip_mesh_merge, check_merge},
 }};
 const AtHalfedge& row_of(const Move& move) { return at_halfedge.at(static_cast<std::size_t>(move.kind) - 1); }
 
@@ -89,9 +89,14 @@ restrip_status apply(restrip_mesh* mesh, const Move& move, restrip_change* chang
   if (move.kind == Move::Kind::split) return restrip_mesh_split(mesh, move.a, move.b, RESTRIP_NONE, change);
   return row_of(move).apply(mesh, move.a, change);
 }
+restrip_status ask_at(const restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h) {
+  restrip_status status = RESTRIP_UNEXPECTED;
+  EXPECT_EQ(restrip_mesh_check_each(mesh, operation, 1, &h, &status), RESTRIP_OK);
+  return status;
+}
 restrip_status ask(const restrip_mesh* mesh, const Move& move) {
   if (move.kind == Move::Kind::split) return restrip_mesh_check_split(mesh, move.a, move.b, RESTRIP_NONE);
-  return row_of(move).ask(mesh, move.a);
+  return ask_at(mesh, static_cast<std::int32_t>(move.kind) - 1, move.a);
 }
 
 /// The operations of refine.hpp, whose halfedge is the same under every policy and cost.
@@ -613,6 +618,45 @@ TEST(CInterface, FormatsAreChecked) {
 
 // A live buffer of 16 bits names vertices up to 65,534: an operation that would add the next one is refused, whether it
 // is named or not, and is done for other widths.
+TEST(CInterface, ManyInOneCallAreTheSameOnesInOrder) {
+  const Handle mesh = handle_of(sample::rectangle(6, 6));
+  const Handle twin = handle_of(sample::rectangle(6, 6));
+  restrip_mesh* const m = mesh.get();
+  std::vector<restrip_halfedge> all;
+  std::vector<std::uint32_t> from;
+  std::vector<std::uint32_t> to;
+  for (restrip_halfedge h = 0; h < 4 * restrip_mesh_triangle_bound(m) + 40; ++h) {
+    all.push_back(h);
+    from.push_back(restrip_mesh_from(m, h));
+    to.push_back(restrip_mesh_to(m, h));
+  }
+  std::vector<restrip_halfedge> found(all.size());
+  ASSERT_EQ(restrip_mesh_find_each(m, all.size(), from.data(), to.data(), found.data()), RESTRIP_OK);
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(found[i], from[i] == RESTRIP_NONE ? RESTRIP_NONE : all[i]);
+  std::vector<restrip_status> statuses(all.size());
+  for (std::int32_t operation = RESTRIP_MERGE; operation >= RESTRIP_COLLAPSE; --operation) {
+    std::vector<restrip_change> changes(all.size(), {7, 7, 7, 7});
+    ASSERT_EQ(restrip_mesh_check_each(m, operation, all.size(), all.data(), statuses.data()), RESTRIP_OK);
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(statuses[i], ask_at(twin.get(), operation, all[i]));
+    ASSERT_EQ(restrip_mesh_apply_each(m, operation, all.size(), all.data(), statuses.data(), changes.data()),
+              RESTRIP_OK);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      restrip_change change{7, 7, 7, 7};
+      const auto place = static_cast<std::size_t>(operation);
+      ASSERT_EQ(statuses[i], at_halfedge.at(place).apply(twin.get(), all[i], &change)) << operation << " at " << all[i];
+      EXPECT_EQ(std::memcmp(&changes[i], &change, sizeof change), 0);  // untouched by a refusal
+    }
+    EXPECT_EQ(corners_of(m), corners_of(twin.get()));
+  }
+  // Nothing at all is allowed, and numbers that no operation has are refused.
+  EXPECT_EQ(restrip_mesh_find_each(m, 0, nullptr, nullptr, nullptr), RESTRIP_OK);
+  EXPECT_EQ(restrip_mesh_apply_each(m, RESTRIP_FLIP, 0, nullptr, nullptr, nullptr), RESTRIP_OK);
+  for (const std::int32_t operation : {-1, RESTRIP_MERGE + 1}) {
+    EXPECT_EQ(restrip_mesh_check_each(m, operation, 0, nullptr, nullptr), RESTRIP_BAD_ARGUMENT);
+    EXPECT_EQ(restrip_mesh_apply_each(m, operation, 0, nullptr, nullptr, nullptr), RESTRIP_BAD_ARGUMENT);
+  }
+}
+
 TEST(CInterface, OperationsKeepToSixteenBits) {
   std::vector<std::uint32_t> triangles = list_of(sample::torus(8, 8));
   triangles.insert(triangles.end(), {65'532, 65'533, 65'534});
@@ -629,8 +673,8 @@ TEST(CInterface, OperationsKeepToSixteenBits) {
     const auto before = corners_of(mesh.get());
     EXPECT_EQ(restrip_mesh_check_split(mesh.get(), left, right, 65'536), expected);
     EXPECT_EQ(restrip_mesh_check_split(mesh.get(), left, right, 20'000), RESTRIP_OK);
-    EXPECT_EQ(restrip_mesh_check_bisect(mesh.get(), right), expected);
-    EXPECT_EQ(restrip_mesh_check_split_face(mesh.get(), right), expected);
+    EXPECT_EQ(ask_at(mesh.get(), RESTRIP_BISECT, right), expected);
+    EXPECT_EQ(ask_at(mesh.get(), RESTRIP_SPLIT_FACE, right), expected);
     if (bits == 16) {
       EXPECT_EQ(restrip_mesh_split(mesh.get(), left, right, RESTRIP_NONE, nullptr), expected);
       EXPECT_EQ(restrip_mesh_split_face(mesh.get(), right, nullptr), expected);

@@ -1,10 +1,14 @@
 """The Python package: strips and buffers draw the faces given, windings included, whatever the operation, policy and form;
 what it refuses says why and changes nothing. Run in an environment that has the package."""
+import contextlib
 import copy
+import importlib.util
+import io
 import pathlib
 import pickle
 import pydoc
 import random
+import re
 import unittest
 import warnings
 
@@ -256,6 +260,36 @@ class Live(unittest.TestCase):
                 self.assertEqual((coloring.valid, coloring.strips, coloring.triangles), (True, mesh.strip_count, mesh.triangle_count))
                 self.assertGreaterEqual(len(done), 3, done)
 
+    def test_many_operations_in_one_call(self):
+        mesh, twin = restrip.LiveMesh(grid(9)), restrip.LiveMesh(grid(9))
+        corners = grid(9)
+        sides = mesh.find_each(corners, np.roll(corners, -1, 1))  # side s of triangle t
+        self.assertEqual((sides.dtype, sides.tolist()), (np.uint32, (4 * np.arange(128)[:, None] + np.arange(3)).tolist()))
+        self.assertEqual(mesh.find_each(40, [41, 40, 3]).tolist(), [mesh.find(40, w) for w in (41, 40, 3)])
+        wanted = sides.ravel()[::-1]  # not contiguous
+        for operation in ("flip", "bisect", "merge", "split_face", "join_faces", "collapse"):
+            codes = mesh.check_each(operation, wanted)
+            reasons = [mesh.why_not(operation, h) for h in wanted]
+            self.assertEqual([restrip.describe(code) if code else None for code in codes], reasons)
+            codes, changes = mesh.apply_each(operation, wanted)
+            for h, code, change in zip(wanted, codes, changes):
+                if code == 0:
+                    self.assertEqual(getattr(twin, operation)(h), tuple(change))
+                    continue
+                with self.assertRaisesRegex(restrip.RestripError, restrip.describe(code)) as refused:
+                    getattr(twin, operation)(h)
+                self.assertEqual((refused.exception.code, change["halfedge"]), (code, restrip.NONE))
+            self.assertEqual((mesh.faces().tolist(), mesh.strip_count), (twin.faces().tolist(), twin.strip_count))
+            self.assertTrue((codes == 0).any() and (operation in ("bisect", "split_face") or (codes != 0).any()), operation)
+        self.assertTrue(mesh.check().valid)
+        self.assertEqual([mesh.find_each([], []).shape, mesh.check_each("flip", []).shape, mesh.apply_each("flip", [])[1].shape], [(0,)] * 3)
+        for wrong, said in ((lambda: mesh.find_each([1.0], [2]), "vertex: expected an array of integers, found float64"),
+                            (lambda: mesh.check_each("flip", [3, -1]), "halfedge: expected integers from 0 to 4294967295, found -1 to 3"),
+                            (lambda: mesh.apply_each("flip", [2 ** 32]), "found 4294967296"), (lambda: mesh.apply_each("split", [3]), "collapse, flip"),
+                            (lambda: mesh.find_each([1, 2], [1, 2, 3]), "broadcast")):
+            with self.assertRaisesRegex(ValueError, said):
+                wrong()
+
     def test_frames_are_undone(self):
         mesh = restrip.LiveMesh(grid(8))
         self.assertEqual((mesh.undo(), mesh.history), (False, (0, 0)))
@@ -419,6 +453,15 @@ class Live(unittest.TestCase):
         manual = pydoc.render_doc(restrip, renderer=pydoc.plaintext)
         for words in ("Side s of triangle t, 4 t + s", "`outgrown` says", "degenerate_triangles    left out", "NONE if the mesh has no such edge", "np.unique"):
             self.assertIn(words, manual)
+
+    @unittest.skipUnless(importlib.util.find_spec("trimesh"), "without the package trimesh the program of docs/how-to/python.md is not run")
+    def test_the_page_with_trimesh_runs(self):
+        page = (pathlib.Path(__file__).resolve().parents[2] / "docs/how-to/python.md").read_text(encoding="utf-8")
+        program, = re.findall(r"```python\n(.*?)```", page, re.S)
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            exec(program, {})
+        self.assertRegex(said.getvalue(), r"^True True\nTrue 640 [1-9]\d+\n$")
 
     def test_types_and_licence_are_shipped(self):
         folder = pathlib.Path(restrip.__file__).parent

@@ -18,11 +18,13 @@ several: list[np.ndarray] = restrip.strips_of(faces, format="strips")
 with restrip.LiveMesh(faces, policy="quick", cost=(3, 1, 0)) as mesh:
     mesh.begin_buffer("list", 16)
     print(len(mesh), mesh.indices(index="auto"), one, several)
+    codes, changes = mesh.apply_each("flip", mesh.find_each(faces[:, 0], faces[:, 1]))
+    print(codes[0], changes["halfedge"], restrip.describe(int(mesh.check_each("bisect", [0])[0])))
     saved: bytes = mesh.save()
     again: restrip.LiveMesh = restrip.LiveMesh.load(saved, history=100)
 """
 BAD = ['restrip.LiveMesh(faces, policy="quikc")', 'restrip.LiveMesh(faces, cost="turns")', 'restrip.LiveMesh(faces, effort="most")', 'mesh.begin_buffer("lists")',
-       'mesh.indices(index=8)', 'mesh.keep("quikc")', 'restrip.LiveMesh.load("saved")', 'restrip.strips_of(faces, format="fans")', 'wrong: np.ndarray = restrip.strips_of(faces, format="strips")']
+       'mesh.indices(index=8)', 'mesh.keep("quikc")', 'mesh.apply_each("split", [0])', 'restrip.LiveMesh.load("saved")', 'restrip.strips_of(faces, format="fans")', 'wrong: np.ndarray = restrip.strips_of(faces, format="strips")']
 
 
 def lines_with_faults(text):

@@ -155,6 +155,9 @@ typedef uint32_t restrip_halfedge;
 
 /* The halfedge from vertex v to vertex w, or RESTRIP_NONE. O(valence of v). */
 RESTRIP_API restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, uint32_t v, uint32_t w);
+/* found[i] = restrip_mesh_find(mesh, v[i], w[i]) for i below n. */
+RESTRIP_API restrip_status restrip_mesh_find_each(const restrip_mesh* mesh, size_t n, const uint32_t* v,
+                                                  const uint32_t* w, restrip_halfedge* found);
 /* A halfedge that leaves v, or RESTRIP_NONE. On the boundary it is the one from which turning counter-clockwise
  * (opposite of next of next) meets all triangles of v. O(1), like the functions below. */
 RESTRIP_API restrip_halfedge restrip_mesh_spoke(const restrip_mesh* mesh, uint32_t v);
@@ -279,15 +282,28 @@ RESTRIP_API restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfe
  * of the change is the mesh edge that replaces two, and leaves v_s. */
 RESTRIP_API restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 
-/* The status that the operation would return: RESTRIP_OK if it would be done. */
+/* The operations that take one halfedge. */
+enum {
+  RESTRIP_COLLAPSE = 0,
+  RESTRIP_FLIP = 1,
+  RESTRIP_SPLIT_FACE = 2,
+  RESTRIP_JOIN_FACES = 3,
+  RESTRIP_BISECT = 4,
+  RESTRIP_MERGE = 5
+};
+/* Many in one call, in the order of the halfedges. statuses[i] receives what the operation at halfedges[i] returns; a
+ * refusal does not stop the others, and an earlier operation may remove the halfedge of a later one. `changes` may be
+ * null; changes[i] is written only with statuses[i] == RESTRIP_OK. RESTRIP_BAD_ARGUMENT for another number of an
+ * operation. */
+RESTRIP_API restrip_status restrip_mesh_apply_each(restrip_mesh* mesh, int32_t operation, size_t n,
+                                                   const restrip_halfedge* halfedges, restrip_status* statuses,
+                                                   restrip_change* changes);
+/* The statuses that the operations would return, each by itself on the mesh as it is: RESTRIP_OK if it would be done.
+ */
+RESTRIP_API restrip_status restrip_mesh_check_each(const restrip_mesh* mesh, int32_t operation, size_t n,
+                                                   const restrip_halfedge* halfedges, restrip_status* statuses);
 RESTRIP_API restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left,
                                                     restrip_halfedge right, uint32_t v_t);
-RESTRIP_API restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h);
-RESTRIP_API restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedge h);
-RESTRIP_API restrip_status restrip_mesh_check_split_face(const restrip_mesh* mesh, restrip_halfedge h);
-RESTRIP_API restrip_status restrip_mesh_check_join_faces(const restrip_mesh* mesh, restrip_halfedge h);
-RESTRIP_API restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfedge h);
-RESTRIP_API restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h);
 
 /* Background work between operations: examines about `budget` states of searches, a few hundred nanoseconds each.
  * `saved` may be null, or receives the decrease of the cost. RESTRIP_BAD_ARGUMENT while a baked level is played, which

@@ -21,9 +21,9 @@ from typing import Callable, Dict, Iterable, List, Literal, NamedTuple, Optional
 import numpy as np
 
 from . import _library as lib
-from ._library import NONE, RestripError
+from ._library import NONE, RestripError, describe
 
-__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Simplified", "faces_of", "simplify", "strips_of"]
+__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Simplified", "describe", "faces_of", "simplify", "strips_of"]
 __version__: str = lib.plain("version").decode()
 
 # For type checkers; __init__ and the functions name the same words when a value is none of them.
@@ -31,6 +31,7 @@ Policy = Literal["bare", "rules", "local", "quick", "full", "best"]
 Effort = Literal["fast", "full", "best"]
 Cost = Union[Literal["strips", "indices"], Tuple[int, int, int]]
 Form = Literal["restart", "stitched", "list"]
+Operation = Literal["collapse", "flip", "split_face", "join_faces", "bisect", "merge"]
 Format = Literal["restart", "stitched", "strips", "vtk"]
 Index = Literal["auto", 16, 32]
 Progress = Callable[[int, int, int], Optional[bool]]
@@ -127,6 +128,18 @@ def _number(what: str, value, most: int = NONE) -> int:
     if not 0 <= number <= most:
         raise ValueError(f"{what} {value!r}: expected an integer from 0 to {most}")
     return number
+
+
+def _numbers_of(what: str, values) -> np.ndarray:
+    """Integers from 0 to NONE."""
+    array = np.asarray(values)
+    if array.size == 0:
+        array = array.astype(np.uint32)
+    if array.dtype.kind not in "iu":
+        raise ValueError(f"{what}: expected an array of integers, found {array.dtype}")
+    if array.size and not 0 <= array.min() <= array.max() <= NONE:
+        raise ValueError(f"{what}: expected integers from 0 to {NONE}, found {array.min()} to {array.max()}")
+    return np.ascontiguousarray(array, np.uint32).reshape(array.shape)
 
 
 def _form(form: str) -> int:
@@ -350,6 +363,13 @@ class LiveMesh:
         """The halfedge from vertex v to vertex w; NONE if the mesh has no such edge."""
         return lib.plain("mesh_find", self._mesh, _number("vertex", v), _number("vertex", w))
 
+    def find_each(self, v, w) -> np.ndarray:
+        """find() for arrays of vertices, or an array and a vertex: an array of halfedges, in one call."""
+        v, w = np.broadcast_arrays(_numbers_of("vertex", v), _numbers_of("vertex", w))
+        v, w, found = np.ascontiguousarray(v), np.ascontiguousarray(w), np.empty(v.shape, np.uint32)
+        lib.call("mesh_find_each", self._mesh, found.size, _address(v), _address(w), _address(found))
+        return found
+
     def spoke(self, v: int) -> int:
         """A halfedge that leaves v; NONE if v has no triangles. On the boundary turning counter-clockwise from it meets all
         triangles of v."""
@@ -410,14 +430,29 @@ class LiveMesh:
 
     def why_not(self, operation: str, *arguments: int) -> Optional[str]:
         """Why an operation of this name would be refused; None: it would be done."""
-        _one_of("operation", operation, ("split", "collapse", "flip", "split_face", "join_faces", "bisect", "merge"))
+        _one_of("operation", operation, ("split", *lib.AT_HALFEDGE))
         if operation == "split" and len(arguments) == 2:
             arguments = (*arguments, NONE)
         if len(arguments) != (3 if operation == "split" else 1):
             needed = "left, right and perhaps vertex" if operation == "split" else "a halfedge"
             raise TypeError(f"why_not: {operation} needs {needed}, found {arguments}")
-        code = lib.plain("mesh_check_" + operation, self._mesh, *(_number(operation, each) for each in arguments))
+        values = [_number(operation, each) for each in arguments]
+        code = lib.plain("mesh_check_split", self._mesh, *values) if operation == "split" else int(self.check_each(operation, values)[0])
         return None if code == 0 else self._refusal(code)
+
+    def check_each(self, operation: Operation, halfedges) -> np.ndarray:
+        """Whether each operation would be done, by itself: an array of codes, 0 if it would, else the `code` of the RestripError
+        that refuses it; describe(code) says why. One call for all."""
+        return self._each("mesh_check_each", operation, halfedges)
+
+    def apply_each(self, operation: Operation, halfedges) -> Tuple[np.ndarray, np.ndarray]:
+        """Does the operation at each halfedge, in their order and in one call; those that are refused are left out. Returns the
+        codes, as check_each, and an array with the fields of Change: `changes["halfedge"][codes == 0]`. The halfedge of a
+        refusal is NONE. An operation may remove the halfedge of a later one."""
+        given = _numbers_of("halfedge", halfedges)
+        changes = np.zeros(given.shape, np.dtype(lib.Change))
+        changes["halfedge"] = NONE
+        return self._each("mesh_apply_each", operation, given, _address(changes)), changes
 
     # ---- strips
 
@@ -575,6 +610,14 @@ class LiveMesh:
         change = lib.Change()
         _fitted(self._index, name, self._mesh, *(_number("halfedge", each) for each in arguments), change)
         return Change(change.halfedge, change.valence, change.strips, change.isolated)
+
+    def _each(self, name: str, operation: str, halfedges, *changes: object) -> np.ndarray:
+        halfedges = _numbers_of("halfedge", halfedges)
+        codes = np.empty(halfedges.shape, np.int32)
+        lib.call(name, self._mesh, _one_of("operation", operation, lib.AT_HALFEDGE), codes.size, _address(halfedges), _address(codes), *changes)
+        if (codes == lib.OUT_OF_MEMORY).any():
+            raise MemoryError(lib.describe(lib.OUT_OF_MEMORY))
+        return codes
 
     def _refusal(self, code: int) -> str:
         return _NEEDS_32 if code == _TOO_LARGE and self._index == 16 else lib.describe(code)

@@ -9,6 +9,8 @@ NONE = 0xFFFFFFFF
 OUT_OF_MEMORY = 108  # RESTRIP_OUT_OF_MEMORY
 ABI = 4  # RESTRIP_ABI_VERSION
 
+AT_HALFEDGE = ("collapse", "flip", "split_face", "join_faces", "bisect", "merge")  # in the order of RESTRIP_COLLAPSE to RESTRIP_MERGE
+
 _u32, _size, _mesh, _int = c.c_uint32, c.c_size_t, c.c_void_p, c.c_int32
 
 
@@ -72,7 +74,10 @@ _checked = {
     "mesh_stripify": [_mesh, _int, c.POINTER(Cost), c.c_uint64, c.POINTER(_size)],
     "mesh_keep": [_mesh, _int, c.POINTER(Cost)],
     "mesh_split": [_mesh, _u32, _u32, _u32, _change],
-    **{f"mesh_{name}": [_mesh, _u32, _change] for name in ("collapse", "flip", "split_face", "join_faces", "bisect", "merge")},
+    **{f"mesh_{name}": [_mesh, _u32, _change] for name in AT_HALFEDGE},
+    "mesh_find_each": [_mesh, _size, c.c_void_p, c.c_void_p, c.c_void_p],
+    "mesh_check_each": [_mesh, _int, _size, c.c_void_p, c.c_void_p],
+    "mesh_apply_each": [_mesh, _int, _size, c.c_void_p, c.c_void_p, c.c_void_p],
     "mesh_improve": [_mesh, _size, c.POINTER(_size)],
     **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts")},
     "mesh_buffer": [_mesh, c.POINTER(Cache), c.POINTER(Format), c.POINTER(c.c_void_p)],
@@ -97,7 +102,6 @@ _plain = {
     **{f"mesh_{name}": (_u32, [_mesh, _u32]) for name in ("spoke", "next", "opposite", "from", "to", "triangle")},
     "mesh_solid": (c.c_int, [_mesh, _u32]),
     "mesh_check_split": (_int, [_mesh, _u32, _u32, _u32]),
-    **{f"mesh_check_{name}": (_int, [_mesh, _u32]) for name in ("collapse", "flip", "split_face", "join_faces", "bisect", "merge")},
 }
 
 
@@ -137,6 +141,7 @@ def plain(name: str, *arguments):
 
 
 def describe(code: int) -> str:
+    """What a `code` says: of RestripError, check_each() or apply_each()."""
     return plain("describe", code).decode()
 
 
