@@ -3,6 +3,7 @@ index, without the repository and without a trace in the sources; its tests pass
 
     install_test.py PACKAGE SCRATCH [WHEELS]
 """
+import importlib.util
 import pathlib
 import re
 import shutil
@@ -36,6 +37,11 @@ if len(sys.argv) == 3:
 else:
     source, = pathlib.Path(sys.argv[3]).glob("restrip-*.whl")
     assert "-py3-none-" in source.name and not source.name.endswith("-any.whl"), source
+    if importlib.util.find_spec("auditwheel"):
+        said = run(sys.executable, "-m", "auditwheel", "show", source)
+        assert "manylinux_" in said, said
+    else:
+        print("without auditwheel: the manylinux tag of the wheel is not tested")
 run(python, "-m", "pip", "install", "--no-index", "--no-deps", "--no-build-isolation", "--disable-pip-version-check", source)
 assert sorted(package.rglob("*")) == before and not list(package.rglob("*.egg-info")), set(package.rglob("*")) ^ set(before)
 where = run(python, "-c", "import restrip; print(restrip.__file__)")
