@@ -461,7 +461,7 @@ class Live(unittest.TestCase):
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
             exec(program, {})
-        self.assertRegex(said.getvalue(), r"^True True\nTrue 640 [1-9]\d+\n$")
+        self.assertRegex(said.getvalue(), r"^True True\nTrue 1280 [1-9]\d+\n$")
 
     def test_types_and_licence_are_shipped(self):
         folder = pathlib.Path(restrip.__file__).parent
