@@ -264,7 +264,7 @@ int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@id
   # A program in each language that this machine compiles or runs prints the answers of the look-up.
   get_target_property(languages ${target} RESTRIP_OTHER_LANGUAGES)
   foreach(language IN LISTS languages)
-    _restrip_print_command(${language} ${folder}-languages/restrip_rule_of_${identifier}_check command)
+    _restrip_print_command(${language} ${folder}-languages/restrip_check_of_${identifier} command)
     if(command)
       add_test(NAME ${target}.operation.${name}.${language} COMMAND ${verify} --dump-command ${command})
     else()

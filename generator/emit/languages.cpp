@@ -326,9 +326,17 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
 }
 
 std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages, const std::string& stem) {
+  // A program that checks an operation is not restrip_rule_of_NAME_check: an operation may be called NAME-check.
+  const auto name_of = [&stem](std::string_view extension) {
+    constexpr std::string_view rule = "rule_of_";
+    constexpr std::string_view check = "_check";
+    if (stem.starts_with(rule) && extension.starts_with(check))
+      return fmt::format("restrip_check_of_{}{}", stem.substr(rule.size()), extension.substr(check.size()));
+    return fmt::format("restrip_{}{}", stem, extension);
+  };
   std::map<std::string, const LanguageFile*> files;
   for (const std::string& language : languages)
-    for (const LanguageFile& file : language_files().at(language)) files["restrip_" + stem + file.extension] = &file;
+    for (const LanguageFile& file : language_files().at(language)) files[name_of(file.extension)] = &file;
   return files;
 }
 

@@ -14,4 +14,4 @@ for header in $(find restrip -name '*.hpp' ! -path '*/impl/*' ! -path '*/adapter
   echo "$header: one error about C++20 expected, but: ${errors:-no error}"
 done
 echo "$seen headers, $wrong wrong"
-[ "$seen" -ge 50 ] && [ "$wrong" -eq 0 ]
+[ "$seen" -ge 45 ] && [ "$wrong" -eq 0 ]

@@ -259,7 +259,7 @@ def check_unchanged():
     rules = ("rules", "--operation", file)
     writes({header, certificate}, *rules)
     writes(set(), *rules)
-    writes({Path("restrip_rule_of_first.h"), Path("restrip_rule_of_first_check.c")}, *rules, "--language", "c++,c")
+    writes({Path("restrip_rule_of_first.h"), Path("restrip_check_of_first.c")}, *rules, "--language", "c++,c")
     bytes_of = (out / header).read_bytes()
     for altered in (bytes_of + b"\n", bytes_of[:-1], bytes_of.replace(b"0", b"1", 1), b""):
         (out / header).write_bytes(altered)

@@ -133,8 +133,8 @@ std::optional<verify::Sides> by_verifier(const verify::NamedSurface& patch) {
   try {
     const verify::Sides graphs = verify::graphs_of(patch);
     for (const auto* graph : {&graphs.before, &graphs.after})
-      if (graph->owner_of_port.empty() || graph->owner_of_port.size() > 8 ||
-          graph->edges.size() + graph->owner_of_port.size() > 20)
+      if (graph->owner_of_port.empty() || graph->owner_of_port.size() > verify::most_ports ||
+          graph->edges.size() + graph->owner_of_port.size() > verify::most_colors_of_a_user)
         return {};
     return graphs;
   } catch (const verify::SurfaceFault&) {

@@ -43,12 +43,12 @@ BufferState LiveMeasure::look(const std::string& at, std::vector<std::string>& f
     faults.push_back(fmt::format("at {} triangles the index buffer that was kept in step does not draw the mesh",
                                  mesh_.triangle_count()));
   const std::size_t triangles = mesh_.triangle_count();
-  const BufferState here{at,
-                         triangles,
-                         strip_indices(mesh_).size(),
-                         indices.size(),
-                         acmr(indices, 16, triangles),
-                         acmr(indices, 32, triangles)};
+  BufferState here{at,
+                   triangles,
+                   strip_indices(mesh_).size(),
+                   indices.size(),
+                   acmr(indices, 16, triangles),
+                   acmr(indices, 32, triangles)};
   if (!at.empty()) report_.states.push_back(here);
   return here;
 }

@@ -401,7 +401,7 @@ class Page {
   // ---- results
   take() {
     const { files, bytes } = this.made;
-    const looked = Object.entries(files).filter(([path]) => !/_check\.\w+$/.test(path));  // programs that a build runs
+    const looked = Object.entries(files).filter(([path]) => !path.includes('restrip_check_of_'));  // programs that a build runs
     const all = [[this.name, this.text], ...looked, ...Object.entries(bytes).map(([name, list]) => [name, new Uint8Array(list)])];
     for (const link of field('downloads').querySelectorAll('a')) URL.revokeObjectURL(link.href);
     field('downloads').innerHTML = all.map(([path, content], n) => {

@@ -295,7 +295,7 @@ def judge_printed(verify, language, folder, scratch, operations):
     """The programs that the generator writes for a user print what the verifier takes, and of an altered table what it refuses."""
     printed = [operation for operation in operations if operation.name in ("bisect", "merge-matching", "union")]
     for operation, where, expected in (*((operation, folder, True) for operation in printed), (printed[0], altered(folder, scratch, language), False)):
-        check = where / f"restrip_rule_of_{operation.identifier}_check{language.check_extension}"
+        check = where / f"restrip_check_of_{operation.identifier}{language.check_extension}"
         if language.check_extension == ".mjs":
             command = (language.node, check)
         else:

@@ -149,7 +149,8 @@ class StripWriter {
       if (turn == 0) {
         t = triangle_of(mesh_, entry);
         written[size++] = from_of(mesh_, before);
-        break;
+        joined = false;
+        continue;
       }
       written[size] = written[size - 2];
       size += static_cast<std::size_t>(turn != free_turn);
