@@ -1,4 +1,4 @@
-# Writes the package.json of the npm package. Version, authors and repository are those of CMakeLists.txt; without a repository
+# Writes the package.json of the npm package. Version, authors and repository come from CMakeLists.txt; without a repository
 # its links are left out.
 function(restrip_package_json file)
   file(READ ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/package.json text)
