@@ -193,7 +193,10 @@ def fill(template, page):
 def wrapped(text):
     """Paragraphs that have become too long, filled again; tables, pictures, comments and lists stay as they are."""
     def filled(part):
-        if part.startswith(("|", "!", "<", "-", "#")) or max(map(len, part.split("\n"))) <= WIDTH:
+        if part.startswith("#"):
+            heading, _, rest = part.partition("\n")
+            return heading + ("\n" + filled(rest) if rest else "")
+        if part.startswith(("|", "!", "<", "-")) or max(map(len, part.split("\n"))) <= WIDTH:
             return part
         return textwrap.fill(" ".join(part.split()), WIDTH, break_long_words=False, break_on_hyphens=False)
     return "\n\n".join(map(filled, text.split("\n\n")))
