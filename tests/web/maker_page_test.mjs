@@ -151,8 +151,10 @@ ${code.join('\n')}
   for (const edge of solid) await press(`#case-after [data-inner="${edge}"]`);
   await page.until(() => /^Your rule is/.test(document.getElementById('case').textContent));
   await choose('example', 'family');
-  await click('#stop');
-  await page.until(() => /^Stopped/.test(document.getElementById('state').textContent));
+  await page.until(() => {  // clicks until the run, which begins a moment later, has been there to be stopped
+    document.getElementById('stop').click();
+    return /^Stopped/.test(document.getElementById('state').textContent);
+  });
 
   // ---- the mouse drags a vertex; Enter in the name does not leave the page
   await choose('example', 'Face split');
