@@ -17,7 +17,8 @@ struct Certificate {
   [[nodiscard]] std::size_t rows() const;
 };
 
-/// Groups the sections by certificate; those of each must be consecutive. The texts take time, which `threads` share.
+/// Groups the sections by certificate; the sections of each must be consecutive. The texts take time, which `threads`
+/// share.
 [[nodiscard]] std::vector<Certificate> certify(std::vector<Section> sections, unsigned threads, bool with_texts);
 
 /// Appends the last line: the number of rows, and two sums of bytes by which a reader can locate a single altered byte.

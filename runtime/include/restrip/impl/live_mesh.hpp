@@ -119,7 +119,7 @@ struct LiveMesh::Parts {
   }
   bool step(bool forward) {
     if (most_history == 0) return false;
-    end_frame({});  // which begins a history if there is none
+    end_frame({});  // begins a missing history
     if ((forward ? history->mesh.redoable() : history->mesh.undoable()) == 0) return false;
     interrupted = true;
     const bool exact = forward ? history->buffer.redo(buffer) : history->buffer.undo(buffer);
