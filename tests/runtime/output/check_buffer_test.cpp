@@ -14,7 +14,7 @@ TEST(CheckBuffer, CountsWhatIsMissingAndExtra) {
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh, Effort::fast, Cost::strips());
     const StripBuffer strips(mesh);
-    const StripBuffer16 strips16(mesh);
+    const StripBuffer strips16(mesh, IndexWidth::bits16);
     const TriangleListBuffer list(mesh);
     EXPECT_TRUE(check_buffer(strips, mesh).right());
     EXPECT_TRUE(check_buffer(strips16, mesh).right());

@@ -102,7 +102,7 @@ std::size_t longest_run(std::span<const std::uint32_t> indices) {
   std::size_t longest = 0;
   std::size_t length = 0;
   for (const std::uint32_t index : indices) {
-    length = index == StripBuffer::restart ? 0 : length + 1;
+    length = index == restart_index ? 0 : length + 1;
     longest = std::max(longest, length);
   }
   return longest;
@@ -231,7 +231,7 @@ TEST(StripBuffer, LayoutsAreChecked) {
     Keeper keeper(mesh, Policy::quick, Cost::strips());
     std::vector<Triangle> changed;
     mesh.watch(&changed);
-    StripBuffer16 buffer(StripForm::stitched, layout);
+    StripBuffer buffer(StripForm::stitched, layout, IndexWidth::bits16);
     for (int i = 0; i < 300; ++i) {
       random_operation(keeper, random, i % 2 == 0);
       buffer.update(mesh, changed);
@@ -245,28 +245,27 @@ TEST(StripBuffer, LayoutsAreChecked) {
 
 TEST(StripBuffer, SixteenBitIndices) {
   std::vector<Triangle> changed;
-  static_assert(StripBuffer16::restart == 0xFFFF);
   // Vertex 65,534 is the last that fits.
   const std::vector<sample::Corners> last{{0, 1, 65'534}};
   const std::vector<sample::Corners> beyond{{0, 1, 65'535}};
   const StripMesh fits = StripMesh::build(last, 65'536);
   StripMesh does_not = StripMesh::build(beyond, 65'536);
-  EXPECT_EQ(triangles_of_strips(StripBuffer16(fits).indices()), sample::triangles_of(fits));
-  EXPECT_THROW(StripBuffer16{does_not}, std::length_error);
+  EXPECT_EQ(triangles_of_strips(StripBuffer(fits, IndexWidth::bits16).indices16()), sample::triangles_of(fits));
+  EXPECT_THROW(StripBuffer(does_not, IndexWidth::bits16), std::length_error);
   // An update that throws leaves the buffer as it was; the next one writes everything again.
   StripMesh grown = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}}, 65'536);
   grown.watch(&changed);
-  StripBuffer16 kept(grown);
-  const std::vector<std::uint16_t> before(kept.indices().begin(), kept.indices().end());
+  StripBuffer kept(grown, IndexWidth::bits16);
+  const std::vector<std::uint16_t> before(kept.indices16().begin(), kept.indices16().end());
   using Where = VertexSplit<StripMesh::Halfedge>;
   const auto chord = grown.insert_vertex(Where{grown.spoke(0, 2), {}, Where::Spokes::left_only}, 65'535);
   EXPECT_THROW(kept.update(grown, changed), std::length_error);
-  EXPECT_TRUE(std::equal(before.begin(), before.end(), kept.indices().begin(), kept.indices().end()));
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), kept.indices16().begin(), kept.indices16().end()));
   changed.clear();
   grown.remove_vertex(chord);
   changed.clear();
   EXPECT_EQ(kept.update(grown, changed).size(), 1U);
-  EXPECT_EQ(triangles_of_strips(kept.indices()), sample::triangles_of(grown));
+  EXPECT_EQ(triangles_of_strips(kept.indices16()), sample::triangles_of(grown));
 }
 
 static_assert(NumberedMesh<sample::HandMade> && NumberedMesh<StripMesh> && FlippableMesh<sample::HandMade>);

@@ -27,16 +27,16 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
       std::vector<Triangle> changed;
       mesh.watch(&changed);
       TriangleListBuffer buffer(mesh);
-      TriangleListBuffer16 narrow(mesh);
+      TriangleListBuffer narrow(mesh, IndexWidth::bits16);
       for (int round = 0; round < 100; ++round) {
         const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
         for (unsigned n = most == 1 ? 1 : static_cast<unsigned>(random() % most); n > 0; --n)
           random_operation(keeper, random, mesh.triangle_count() < 60 || (round / 25) % 2 == 0);
         const auto ranges = buffer.update(mesh, changed);
         expect_only_reported_changes(before, buffer.indices(), ranges);
-        const std::vector<std::uint32_t> narrow_before(narrow.indices().begin(), narrow.indices().end());
+        const std::vector<std::uint32_t> narrow_before(narrow.indices16().begin(), narrow.indices16().end());
         const auto narrow_ranges = narrow.update(mesh, changed, {.merge_gap = 0, .align = 2});
-        const std::vector<std::uint32_t> narrow_after(narrow.indices().begin(), narrow.indices().end());
+        const std::vector<std::uint32_t> narrow_after(narrow.indices16().begin(), narrow.indices16().end());
         expect_only_reported_changes(narrow_before, narrow_after, narrow_ranges);
         changed.clear();
         ASSERT_EQ(buffer.indices().size(), 3 * mesh.triangle_count());
@@ -44,8 +44,8 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
         reader.list(0, buffer.indices().size());
         ASSERT_EQ(std::move(reader).triangles(), sample::triangles_of(mesh));
         // With 16 bits one more index makes a multiple of four bytes if necessary.
-        ASSERT_EQ(narrow.indices().size(), (buffer.indices().size() + 1) / 2 * 2);
-        ASSERT_TRUE(std::equal(buffer.indices().begin(), buffer.indices().end(), narrow.indices().begin()));
+        ASSERT_EQ(narrow.indices16().size(), (buffer.indices().size() + 1) / 2 * 2);
+        ASSERT_TRUE(std::equal(buffer.indices().begin(), buffer.indices().end(), narrow.indices16().begin()));
         if (HasFatalFailure()) return;
       }
       mesh.watch(nullptr);
@@ -70,15 +70,15 @@ TEST(TriangleListBuffer, WritesTheCornersThatChanged) {
   EXPECT_EQ(written(), 2U + 6U);
   EXPECT_EQ(written(), 0U);
   const StripMesh beyond = StripMesh::build(std::vector<sample::Corners>{{0, 1, 65'535}}, 65'536);
-  EXPECT_THROW(TriangleListBuffer16{beyond}, std::length_error);
+  EXPECT_THROW(TriangleListBuffer(beyond, IndexWidth::bits16), std::length_error);
 }
 
 TEST(TriangleListBuffer, PaddingIsWrittenOnlyWhenItChanges) {
   StripMesh mesh = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}}, 7);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
-  TriangleListBuffer16 buffer(mesh);
-  ASSERT_EQ(buffer.indices().size(), 10U);
+  TriangleListBuffer buffer(mesh, IndexWidth::bits16);
+  ASSERT_EQ(buffer.indices16().size(), 10U);
   EXPECT_TRUE(buffer.update(mesh, changed, {.merge_gap = 0, .align = 2}).empty());
   Keeper keeper(mesh, Policy::bare, Cost::indices());
   keeper.flip(mesh.spoke(1, 2));

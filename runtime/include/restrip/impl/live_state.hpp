@@ -258,8 +258,7 @@ class LiveState {
 
   /// Reads the run of some triangles that begins in the triangle of `out` and leaves it over that side; side 3: a
   /// single triangle. Its indices are then the last text of the buffer. False if no such run exists.
-  template <class Index>
-  static bool read_run(const StripMesh& mesh, BasicStripBuffer<Index>& buffer, Halfedge out, std::uint32_t triangles,
+  static bool read_run(const StripMesh& mesh, StripBuffer& buffer, Halfedge out, std::uint32_t triangles,
                        std::uint32_t cuts) {
     buffer.begin_reading();
     Halfedge in = StripMesh::halfedge(StripMesh::triangle(out), 3);
@@ -268,7 +267,7 @@ class LiveState {
       const Triangle t = StripMesh::triangle(in);
       const auto [a, b, c] = mesh.corners(t);
       if (buffer.links_ == buffer.strip_.size()) buffer.strip_.resize(2 * buffer.strip_.size() + 64);
-      buffer.strip_[buffer.links_++] = {t, a ^ b ^ c, 0, BasicStripBuffer<Index>::nothing};
+      buffer.strip_[buffer.links_++] = {t, a ^ b ^ c, 0, StripBuffer::nothing};
       if (i + 1 == triangles) break;
       Halfedge exit = out;
       if (i != 0) {
@@ -286,9 +285,8 @@ class LiveState {
   }
 
   /// The halfedge that read_run() needs to write the run in this place as it is.
-  template <class Index>
-  static Halfedge exit_of(const StripMesh& mesh, const BasicStripBuffer<Index>& buffer, std::uint32_t place,
-                          std::span<const Triangle> ends, BasicStripBuffer<Index>& scratch) {
+  static Halfedge exit_of(const StripMesh& mesh, const StripBuffer& buffer, std::uint32_t place,
+                          std::span<const Triangle> ends, StripBuffer& scratch) {
     const Run& run = buffer.places_.run(place);
     Halfedge out;
     for (const Triangle t : ends) {
@@ -298,14 +296,13 @@ class LiveState {
         if (mesh.solid(h) && buffer.run_of_[StripMesh::triangle(mesh.opposite(h))] == place) out = h;
       }
       if (read_run(mesh, scratch, out, run.triangles, run.cuts) && scratch.texts_.back().length == run.length &&
-          std::equal(scratch.text_.data(), scratch.text_.data() + run.length, buffer.cells_.data() + run.first))
+          buffer.cells_.hold(run.first, scratch.indices_of(scratch.texts_.back())))
         break;
     }
     return out;
   }
 
-  template <class Index>
-  static void write(Writer& out, const StripMesh& mesh, const BasicStripBuffer<Index>& buffer, StripForm form) {
+  static void write(Writer& out, const StripMesh& mesh, const StripBuffer& buffer, StripForm form) {
     const RunPlaces& places = buffer.places_;
     // The first and the last triangle of each run, the same for a single one.
     std::vector<std::array<Triangle, 2>> ends(places.places_.size(), {none, none});
@@ -321,7 +318,7 @@ class LiveState {
       ends[place][1] = t;
       if (ends[place][0] == none) ends[place][0] = t;
     }
-    BasicStripBuffer<Index> scratch(form);
+    StripBuffer scratch(form, {}, buffer.width());
     out.put(static_cast<std::uint32_t>(buffer.cells_.size()));
     out.put(places.cursor());
     out.put(static_cast<std::uint32_t>(places.places_.size() - 1));
@@ -338,20 +335,18 @@ class LiveState {
     out.put_all(sorted);
   }
 
-  template <class Index>
-  static void read(Reader& in, const StripMesh& mesh, BasicStripBuffer<Index>& buffer) {
+  static void read(Reader& in, const StripMesh& mesh, StripBuffer& buffer) {
     constexpr std::size_t run_bytes = 20;
     const auto fits = [&](std::uint32_t place) { return !buffer.stitched_ || place % 2 == 0; };  // windings
     RunPlaces& places = buffer.places_;
     const auto length = in.get<std::uint32_t>();
-    Reader::expect(length <= in.size() && fits(length) && BasicStripBuffer<Index>::even(length) == length,
-                   Reader::altered);
+    Reader::expect(length <= in.size() && fits(length) && buffer.even(length) == length, Reader::altered);
     places.set_cursor(in.get<std::uint32_t>());
     const std::uint32_t count = in.count(4);
     const std::uint32_t runs = in.count(run_bytes);
     Reader::expect(runs <= count, Reader::altered);
-    buffer.cells_.assign(length, buffer.filling());
-    buffer.run_of_.assign(mesh.triangle_bound(), BasicStripBuffer<Index>::nothing);
+    buffer.cells_.resize(length, buffer.filling());
+    buffer.run_of_.assign(mesh.triangle_bound(), StripBuffer::nothing);
     places.places_.resize(count + std::size_t{1});
     places.totals_.length = length;
     places.totals_.runs = runs;
@@ -376,10 +371,10 @@ class LiveState {
                      Reader::altered);
       const std::uint32_t size = buffer.texts_.back().length;
       Reader::expect(size <= length && first <= length - size, Reader::altered);
-      std::copy_n(buffer.text_.data(), size, buffer.cells_.data() + first);
+      buffer.cells_.write(first, buffer.indices_of(buffer.texts_.back()));
       for (std::uint32_t link = 0; link < triangles; ++link) {
         std::uint32_t& run = buffer.run_of_[buffer.strip_[link].triangle];
-        Reader::expect(run == BasicStripBuffer<Index>::nothing, Reader::altered);
+        Reader::expect(run == StripBuffer::nothing, Reader::altered);
         run = p;
       }
       const Triangle end = (std::min)(buffer.strip_[0].triangle, buffer.strip_[triangles - 1].triangle);
@@ -411,9 +406,7 @@ class LiveState {
     buffer.stale_ = buffer.rebuilt_ = false;
   }
 
-  template <class Index>
-  static void write(Writer& out, const StripMesh& mesh, const BasicTriangleListBuffer<Index>& buffer,
-                    StripForm /*form*/) {
+  static void write(Writer& out, const StripMesh& mesh, const TriangleListBuffer& buffer, StripForm /*form*/) {
     for (std::size_t slot = 0; slot < buffer.owner_.size(); ++slot) {
       const Triangle t = buffer.owner_[slot];
       unsigned turn = 0;
@@ -422,18 +415,15 @@ class LiveState {
     }
   }
 
-  template <class Index>
-  static void read(Reader& in, const StripMesh& mesh, BasicTriangleListBuffer<Index>& buffer) {
-    buffer.slot_.assign(mesh.triangle_bound(), BasicTriangleListBuffer<Index>::no_slot);
+  static void read(Reader& in, const StripMesh& mesh, TriangleListBuffer& buffer) {
+    buffer.slot_.assign(mesh.triangle_bound(), TriangleListBuffer::no_slot);
     for (std::size_t slot = 0; slot < mesh.triangle_count(); ++slot) {
       const Halfedge first{in.get<std::uint32_t>()};
       Reader::expect(!StripMesh::on_boundary(first) && mesh.alive(first) &&
-                         buffer.slot_[StripMesh::triangle(first)] == BasicTriangleListBuffer<Index>::no_slot,
+                         buffer.slot_[StripMesh::triangle(first)] == TriangleListBuffer::no_slot,
                      Reader::altered);
       const Halfedge second = StripMesh::next(first);
-      buffer.append(StripMesh::triangle(first),
-                    {static_cast<Index>(mesh.from(first)), static_cast<Index>(mesh.from(second)),
-                     static_cast<Index>(mesh.to(second))});
+      buffer.append(StripMesh::triangle(first), {mesh.from(first), mesh.from(second), mesh.to(second)});
     }
     buffer.pad();
     buffer.stale_ = false;

@@ -25,7 +25,6 @@
 #include <numeric>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,6 +36,16 @@ namespace restrip {
 
 namespace detail {
 
+inline std::uint32_t exchange(Cells& cells, std::uint32_t i, std::uint32_t index) noexcept {
+  const std::uint32_t before = cells[i];
+  cells.set(i, index);
+  return before;
+}
+template <class Value>
+Value exchange(std::vector<Value>& array, std::uint32_t i, Value value) noexcept {
+  return std::exchange(array[i], value);
+}
+
 /// Values of an array, to be exchanged with the present ones.
 template <class Value>
 struct Values {
@@ -45,7 +54,8 @@ struct Values {
   std::size_t size = 0;  // of the array
 
   // From `last`, which is brought in step, the values before. `named` is cleared.
-  void take(std::vector<std::uint32_t>& named, std::vector<Value>& last, const std::vector<Value>& now, Value beyond) {
+  template <class Array>
+  void take(std::vector<std::uint32_t>& named, Array& last, const Array& now, Value beyond) {
     for (std::size_t i = (std::min)(last.size(), now.size()); i < (std::max)(last.size(), now.size()); ++i)
       named.push_back(static_cast<std::uint32_t>(i));
     sort_unique(named);
@@ -56,32 +66,30 @@ struct Values {
       const Value after = i < now.size() ? now[i] : beyond;
       if (last[i] == after) continue;
       at.push_back(i);
-      value.push_back(std::exchange(last[i], after));
+      value.push_back(exchange(last, i, after));
     }
     last.resize(now.size(), beyond);
     named.clear();
   }
-  void exchange_with(std::vector<Value>& array, Value beyond) {
+  template <class Array>
+  void exchange_with(Array& array, Value beyond) {
     const std::size_t now = array.size();
     array.resize((std::max)(now, size), beyond);
-    for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
+    for (std::size_t i = 0; i < at.size(); ++i) value[i] = exchange(array, at[i], value[i]);
     array.resize(std::exchange(size, now), beyond);
   }
 };
 
 }  // namespace detail
 
-template <class Index>
-class BasicBufferHistory {
+class BufferHistory {
  public:
-  using Buffer = BasicStripBuffer<Index>;
-
   /// Begins with the buffer as it is. Linear time.
-  explicit BasicBufferHistory(Buffer& buffer) : last_((read_places(buffer), buffer)) { places_.clear(); }
+  explicit BufferHistory(StripBuffer& buffer) : last_((read_places(buffer), buffer)) { places_.clear(); }
 
   /// Call it after each update, with the same list of changes, and after each rebuild(). After an exception the history
   /// must not be used any more; the same holds for frame(), undo() and redo().
-  void note(const Buffer& buffer, std::span<const std::uint32_t> changed) {
+  void note(const StripBuffer& buffer, std::span<const std::uint32_t> changed) {
     if (buffer.rebuilt_) return note_all(buffer);
     for (const auto& [first, count] : buffer.written_)
       for (std::size_t i = first; i < first + count; ++i) cells_.push_back(static_cast<std::uint32_t>(i));
@@ -91,7 +99,7 @@ class BasicBufferHistory {
   }
   /// Call it before the update of a frame: what was noted since the last frame, by compact() for example, then does not
   /// belong to it. Its undo leaves that as it is.
-  void before_update(Buffer& buffer) {
+  void before_update(StripBuffer& buffer) {
     const bool same = cells_.empty() && triangles_.empty() && buffer.places_.changed_.empty() &&
                       buffer.places_.cursor() == last_.places_.cursor();
     if (same || buffer.stale_) return;  // after an exception the update writes everything
@@ -100,7 +108,7 @@ class BasicBufferHistory {
   }
   /// Ends a frame, which contains all updates since the previous frame. Frames that were undone and not redone are
   /// dropped, and so are the oldest beyond `most`.
-  void frame(Buffer& buffer, std::size_t most) {
+  void frame(StripBuffer& buffer, std::size_t most) {
     drop_undone();
     frames_.emplace_back();
     frames_.back().push_back(take(buffer));
@@ -121,14 +129,14 @@ class BasicBufferHistory {
   /// undo() restores the buffer as it was before the last frame that is not undone, redo() as it was after the frame
   /// undone last. Both first undo changes noted since the last frame, and return false when no such frame exists. The
   /// next update() returns the ranges that were written.
-  bool undo(Buffer& buffer) {
+  bool undo(StripBuffer& buffer) {
     forget_unframed(buffer);
     if (done_ == 0) return false;
     --done_;
     std::for_each(frames_[done_].rbegin(), frames_[done_].rend(), [&](Change& change) { put(change, buffer); });
     return true;
   }
-  bool redo(Buffer& buffer) {
+  bool redo(StripBuffer& buffer) {
     forget_unframed(buffer);
     if (done_ == frames_.size()) return false;
     for (Change& change : frames_[done_]) put(change, buffer);
@@ -138,48 +146,48 @@ class BasicBufferHistory {
   [[nodiscard]] std::size_t undoable() const noexcept { return done_; }
   [[nodiscard]] std::size_t redoable() const noexcept { return frames_.size() - done_; }
   /// The buffer as it was at the end of the last frame that is not undone.
-  [[nodiscard]] const Buffer& last() const noexcept { return last_; }
+  [[nodiscard]] const StripBuffer& last() const noexcept { return last_; }
 
  private:
   struct Change {
-    detail::Values<Index> cells;
+    detail::Values<std::uint32_t> cells;
     detail::Values<std::uint32_t> run_of;
     detail::Values<detail::RunPlaces::Place> places;
     detail::RunPlaces::Totals totals;
     [[nodiscard]] bool empty() const noexcept { return cells.at.empty() && run_of.at.empty() && places.at.empty(); }
   };
 
-  void note_all(const Buffer& buffer) {
+  void note_all(const StripBuffer& buffer) {
     cells_.resize((std::max)(buffer.cells_.size(), last_.cells_.size()));
     triangles_.resize((std::max)(buffer.run_of_.size(), last_.run_of_.size()));
     places_.resize((std::max)(buffer.places_.places_.size(), last_.places_.places_.size()));
     for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
   }
   // The places that have changed since they were read last.
-  void read_places(Buffer& buffer) {
+  void read_places(StripBuffer& buffer) {
     detail::RunPlaces& places = buffer.places_;
     places_.insert(places_.end(), places.changed_.begin(), places.changed_.end());
     for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
     places.changed_.clear();
   }
-  Change take(Buffer& buffer) {
+  Change take(StripBuffer& buffer) {
     const detail::RunPlaces& places = buffer.places_;
     read_places(buffer);
     Change change;
     change.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
-    change.run_of.take(triangles_, last_.run_of_, buffer.run_of_, Buffer::nothing);
+    change.run_of.take(triangles_, last_.run_of_, buffer.run_of_, StripBuffer::nothing);
     change.places.take(places_, last_.places_.places_, places.places_, {});
     change.totals = std::exchange(last_.places_.totals_, places.totals_);
     return change;
   }
-  static void exchange(Change& change, Buffer& buffer) {
+  static void exchange(Change& change, StripBuffer& buffer) {
     change.cells.exchange_with(buffer.cells_, buffer.filling());
-    change.run_of.exchange_with(buffer.run_of_, Buffer::nothing);
+    change.run_of.exchange_with(buffer.run_of_, StripBuffer::nothing);
     change.places.exchange_with(buffer.places_.places_, {});
     std::swap(change.totals, buffer.places_.totals_);
   }
   // Writes a change to the buffer and the copy; the next update returns its ranges.
-  void put(Change& change, Buffer& buffer) {
+  void put(Change& change, StripBuffer& buffer) {
     detail::make_room(buffer.written_, change.cells.at.size() + 1);
     buffer.mark((std::min)(change.cells.size, buffer.cells_.size()),
                 (std::max)(change.cells.size, buffer.cells_.size()));
@@ -191,7 +199,7 @@ class BasicBufferHistory {
     exchange(change, buffer);
     buffer.stale_ = stale;
   }
-  void forget_unframed(Buffer& buffer) {
+  void forget_unframed(StripBuffer& buffer) {
     before_update(buffer);
     for (; !between_.empty(); between_.pop_back()) put(between_.back(), buffer);
   }
@@ -202,11 +210,8 @@ class BasicBufferHistory {
   std::vector<std::uint32_t> cells_;  // that updates since may have changed
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> places_;
-  Buffer last_;  // as it was at the end of the last frame
+  StripBuffer last_;  // as it was at the end of the last frame
 };
-
-using BufferHistory = BasicBufferHistory<std::uint32_t>;
-using BufferHistory16 = BasicBufferHistory<std::uint16_t>;
 
 /// The history of a LiveBuffer of strips, which may widen once: its frames with 16-bit indices, the frame that widened
 /// it, and its frames with 32-bit indices. Lists need no history: an update draws them, though in another order.
@@ -214,37 +219,36 @@ class LiveHistory {
  public:
   /// Begins with the buffer as it is. Linear time. Exceptions: as for BufferHistory.
   explicit LiveHistory(LiveBuffer& buffer) {
-    if (auto* strips = std::get_if<StripBuffer16>(&buffer.buffer())) narrow_.emplace(*strips);
-    if (auto* strips = std::get_if<StripBuffer>(&buffer.buffer())) wide_.emplace(*strips);
-    widened_ = wide_.has_value();
+    auto* strips = std::get_if<StripBuffer>(&buffer.buffer());
+    if (strips == nullptr) return;
+    widened_ = strips->width() == IndexWidth::bits32;
+    present().emplace(*strips);
   }
 
   /// As BufferHistory::before_update.
   void before_update(LiveBuffer& buffer) {
-    if (auto* strips = std::get_if<StripBuffer16>(&buffer.buffer())) narrow_->before_update(*strips);
-    if (auto* strips = std::get_if<StripBuffer>(&buffer.buffer()); strips != nullptr && widened_)
-      wide_->before_update(*strips);
+    auto* strips = std::get_if<StripBuffer>(&buffer.buffer());
+    if (strips != nullptr && has_noted(*strips)) present()->before_update(*strips);
   }
   /// Ends a frame, after one update with `changed`. `is_frame`: whether the mesh has changed; `most`: frames that the
   /// history of the mesh can undo.
   void frame(LiveBuffer& buffer, std::span<const std::uint32_t> changed, bool is_frame, std::size_t most) {
-    if (auto* strips = std::get_if<StripBuffer16>(&buffer.buffer())) {
-      narrow_->note(*strips, changed);
-      if (!is_frame) return;
-      narrow_->frame(*strips, most);
-      wide_.reset();
-    } else if (auto* wide = std::get_if<StripBuffer>(&buffer.buffer())) {
-      if (widened_) {
-        wide_->note(*wide, changed);
-        if (is_frame) wide_->frame(*wide, most);
-      } else {
-        narrow_->drop_undone();
-        wide_.emplace(*wide);
-        widened_ = true;
-      }
-      if (narrow_ && most <= wide_->undoable()) narrow_.reset();
-      if (narrow_) narrow_->limit(most - wide_->undoable() - 1);
+    auto* strips = std::get_if<StripBuffer>(&buffer.buffer());
+    if (strips == nullptr) return;
+    if (has_noted(*strips)) {
+      present()->note(*strips, changed);
+      if (is_frame) present()->frame(*strips, most);
+    } else {
+      narrow_->drop_undone();
+      wide_.emplace(*strips);
+      widened_ = true;
     }
+    if (!widened_) {
+      if (is_frame) wide_.reset();
+      return;
+    }
+    if (narrow_ && most <= wide_->undoable()) narrow_.reset();
+    if (narrow_) narrow_->limit(most - wide_->undoable() - 1);
   }
   /// Restore the buffer exactly, whatever its width was. The next update() returns what was written. Call them if the
   /// history of the mesh has such a frame. They return false for a list.
@@ -252,23 +256,21 @@ class LiveHistory {
   bool redo(LiveBuffer& buffer) { return step(buffer, true); }
 
  private:
+  std::optional<BufferHistory>& present() noexcept { return widened_ ? wide_ : narrow_; }
+  /// Not yet the update that widened the buffer.
+  [[nodiscard]] bool has_noted(const StripBuffer& strips) const noexcept {
+    return widened_ || strips.width() == IndexWidth::bits16;
+  }
   bool step(LiveBuffer& buffer, bool forward) {
-    const auto stepped = [&](auto& history, LiveBuffer::Buffer& now) {
-      auto& strips = std::get<typename std::remove_reference_t<decltype(*history)>::Buffer>(now);
-      return forward ? history->redo(strips) : history->undo(strips);
-    };
     if (!narrow_ && !wide_) return false;
-    if (widened_ ? stepped(wide_, buffer.buffer()) : stepped(narrow_, buffer.buffer())) return true;
-    // The frame that widened the buffer.
-    if (forward)
-      buffer.set_buffer(wide_->last());
-    else
-      buffer.set_buffer(narrow_->last());
+    auto& strips = std::get<StripBuffer>(buffer.buffer());
+    if (forward ? present()->redo(strips) : present()->undo(strips)) return true;
+    buffer.set_buffer((forward ? wide_ : narrow_)->last());  // the frame that widened the buffer
     widened_ = forward;
     return true;
   }
 
-  std::optional<BufferHistory16> narrow_;
+  std::optional<BufferHistory> narrow_;
   std::optional<BufferHistory> wide_;
   bool widened_ = false;  // the buffer has 32-bit indices now
 };

@@ -88,13 +88,17 @@ inline BufferReport compare_drawn(const std::vector<DrawnTriangle>& drawn, const
 }  // namespace detail
 
 /// Decodes the buffer and compares. O(n log n).
-template <class Index, NumberedMesh Mesh>
-[[nodiscard]] BufferReport check_buffer(const BasicStripBuffer<Index>& buffer, const Mesh& mesh) {
-  return detail::compare_drawn(triangles_of_strips(buffer.indices()), triangles_of(mesh));
+template <NumberedMesh Mesh>
+[[nodiscard]] BufferReport check_buffer(const StripBuffer& buffer, const Mesh& mesh) {
+  const bool narrow = buffer.width() == IndexWidth::bits16;
+  return detail::compare_drawn(narrow ? triangles_of_strips(buffer.indices16()) : triangles_of_strips(buffer.indices()),
+                               triangles_of(mesh));
 }
-template <class Index, NumberedMesh Mesh>
-[[nodiscard]] BufferReport check_buffer(const BasicTriangleListBuffer<Index>& buffer, const Mesh& mesh) {
-  return detail::compare_drawn(triangles_of_list(buffer.indices()), triangles_of(mesh));
+template <NumberedMesh Mesh>
+[[nodiscard]] BufferReport check_buffer(const TriangleListBuffer& buffer, const Mesh& mesh) {
+  const bool narrow = buffer.width() == IndexWidth::bits16;
+  return detail::compare_drawn(narrow ? triangles_of_list(buffer.indices16()) : triangles_of_list(buffer.indices()),
+                               triangles_of(mesh));
 }
 
 }  // namespace restrip

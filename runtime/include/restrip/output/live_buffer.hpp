@@ -76,39 +76,29 @@ class LiveBuffer {
   [[nodiscard]] const StripFormat& format() const noexcept { return format_; }
   [[nodiscard]] const LayoutOptions& layout() const noexcept { return layout_; }
   /// 2 or 4.
-  [[nodiscard]] std::size_t index_bytes() const noexcept { return buffer_.index() % 2 == 0 ? 4 : 2; }
-  [[nodiscard]] std::size_t size() const noexcept {
-    return std::visit([](const auto& buffer) { return buffer.indices().size(); }, buffer_);
-  }
+  [[nodiscard]] std::size_t index_bytes() const noexcept { return cells().index_bytes(); }
+  [[nodiscard]] std::size_t size() const noexcept { return cells().size(); }
   /// The number of indices that the buffer on the device should have room for: a quarter more than when it was last
   /// outgrown, or the number reserved.
   [[nodiscard]] std::size_t room() const noexcept { return room_; }
   /// In the byte order of this machine.
-  [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
-    return std::visit([](const auto& buffer) { return std::as_bytes(buffer.indices()); }, buffer_);
-  }
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return cells().bytes(); }
   /// The indices, if they have 32 or 16 bits; else empty.
-  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return indices_of<std::uint32_t>(); }
-  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return indices_of<std::uint16_t>(); }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return cells().wide_indices(); }
+  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return cells().narrow_indices(); }
   /// The ranges to draw, one draw call or one entry of a multi-draw each: the runs of StripForm::lengths, else the
   /// whole buffer without the padding of a list. `draws` is overwritten.
   void draws(std::vector<IndexRange>& draws) const {
-    std::visit(
-        [&](const auto& buffer) {
-          if constexpr (requires { buffer.draws(draws); })
-            if (format_.form == StripForm::lengths) return buffer.draws(draws);
-          draws.assign(size() == 0 ? 0 : 1, {0, format_.form == StripForm::list ? size() / 3 * 3 : size()});
-        },
-        buffer_);
+    if (format_.form == StripForm::lengths) return std::get<StripBuffer>(buffer_).draws(draws);
+    draws.assign(size() == 0 ? 0 : 1, {0, format_.form == StripForm::list ? size() / 3 * 3 : size()});
   }
 
-  using Buffer = std::variant<StripBuffer, StripBuffer16, TriangleListBuffer, TriangleListBuffer16>;
+  using Buffer = std::variant<StripBuffer, TriangleListBuffer>;
   /// The buffer itself, for members that only one kind has.
   [[nodiscard]] Buffer& buffer() noexcept { return buffer_; }
   /// Replaces the buffer by another of the same form, perhaps of another width, which is in step with the mesh. The
   /// next update returns all of it.
-  template <class Kind>
-  void set_buffer(Kind buffer) noexcept {
+  void set_buffer(StripBuffer buffer) noexcept {
     keep_upload();
     buffer_ = std::move(buffer);
     all_changed_ = true;
@@ -125,20 +115,18 @@ class LiveBuffer {
   template <class Mesh>
   void write_all(const Mesh& mesh, bool stays_wide);
   void make(bool wide) {
-    if (format_.form != StripForm::list)
-      wide ? void(buffer_ = StripBuffer(format_.form, layout_)) : void(buffer_ = StripBuffer16(format_.form, layout_));
+    const IndexWidth width = wide ? IndexWidth::bits32 : IndexWidth::bits16;
+    if (format_.form == StripForm::list)
+      buffer_ = TriangleListBuffer(width);
     else
-      wide ? void(buffer_ = TriangleListBuffer()) : void(buffer_ = TriangleListBuffer16());
+      buffer_ = StripBuffer(format_.form, layout_, width);
+  }
+  [[nodiscard]] const detail::Cells& cells() const noexcept {
+    return std::visit([](const auto& buffer) -> const detail::Cells& { return buffer.cells_; }, buffer_);
   }
   void make_room() noexcept {
     if (size() > room_) room_ = size() + size() / 4;
     returned_ = {index_bytes(), room_};
-  }
-  template <class Index>
-  [[nodiscard]] std::span<const Index> indices_of() const noexcept {
-    if (const auto* strips = std::get_if<BasicStripBuffer<Index>>(&buffer_)) return strips->indices();
-    if (const auto* list = std::get_if<BasicTriangleListBuffer<Index>>(&buffer_)) return list->indices();
-    return {};
   }
   template <class Mesh>
   [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::uint32_t t) {
@@ -197,12 +185,8 @@ Upload LiveBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> chang
 template <NumberedMesh Mesh>
 std::size_t LiveBuffer::compact(const Mesh& mesh, std::size_t budget) {
   if (whole_) return 0;
-  return std::visit(
-      [&](auto& buffer) -> std::size_t {
-        if constexpr (requires { buffer.compact(mesh, budget); }) return buffer.compact(mesh, budget);
-        return 0;
-      },
-      buffer_);
+  auto* strips = std::get_if<StripBuffer>(&buffer_);
+  return strips != nullptr ? strips->compact(mesh, budget) : 0;
 }
 
 template <class Mesh>

@@ -12,10 +12,9 @@
 //   changed.clear();
 //
 // Draw the whole buffer as one triangle strip with primitive restart (strips.hpp); without restart for
-// StripForm::stitched. With StripForm::lengths draw the runs that draws() lists. StripBuffer has 32-bit indices,
-// StripBuffer16 has 16-bit indices, for meshes whose vertices are numbered below 65,535. The mesh must number its
-// triangles and vertices (mesh/numbered_mesh.hpp). triangle_list_buffer.hpp says when a triangle list is the better
-// choice.
+// StripForm::stitched. With StripForm::lengths draw the runs that draws() lists. Indices have 32 bits, or 16 with
+// IndexWidth::bits16, for meshes whose vertices are numbered below 65,535. The mesh must number its triangles and
+// vertices (mesh/numbered_mesh.hpp). triangle_list_buffer.hpp says when a triangle list is the better choice.
 //
 // How it works. An update follows the strips from the changed triangles to the ends of their runs and divides the
 // triangles read into new runs. It prefers to cut where the strip repeats an index, which the cut saves. A new run
@@ -47,13 +46,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/output/impl/cells.hpp"
 #include "restrip/output/impl/run_order.hpp"
 #include "restrip/output/impl/run_places.hpp"
 #include "restrip/output/strip_format.hpp"
@@ -61,6 +59,8 @@
 #include "restrip/precondition.hpp"
 
 namespace restrip {
+
+class LiveBuffer;
 
 namespace detail {
 class LiveState;
@@ -71,20 +71,19 @@ inline void join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::s
 
 }  // namespace detail
 
-/// `Index`: an unsigned type of 16 or 32 bits.
-template <class Index>
-class BasicStripBuffer {
+class StripBuffer {
  public:
-  static_assert(std::is_same_v<Index, std::uint16_t> || std::is_same_v<Index, std::uint32_t>);
   using Range = IndexRange;
-  /// The index between two runs, and in gaps: all bits set, as in graphics interfaces.
-  static constexpr Index restart = (std::numeric_limits<Index>::max)();
 
   /// Empty; the first update writes the whole buffer. `form`: any but a list. Throws std::invalid_argument if `layout`
-  /// is out of range.
-  BasicStripBuffer() = default;
-  explicit BasicStripBuffer(StripForm form, const LayoutOptions& layout = {})
-      : stitched_(form == StripForm::stitched), cache_(layout.cache), waste_(layout.waste), work_(layout.work) {
+  /// is out of range. `width`: 16 bits for IndexWidth::bits16, else 32.
+  StripBuffer() = default;
+  explicit StripBuffer(StripForm form, const LayoutOptions& layout = {}, IndexWidth width = IndexWidth::bits32)
+      : cells_(width),
+        stitched_(form == StripForm::stitched),
+        cache_(layout.cache),
+        waste_(layout.waste),
+        work_(layout.work) {
     RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "use TriangleListBuffer for triangle lists");
     if (!layout.in_range())
       RESTRIP_THROW(std::invalid_argument,
@@ -92,7 +91,7 @@ class BasicStripBuffer {
   }
   /// Writes the strips of a valid colouring. Linear time. Throws as rebuild() does.
   template <NumberedMesh Mesh>
-  explicit BasicStripBuffer(const Mesh& mesh) {
+  explicit StripBuffer(const Mesh& mesh, IndexWidth width = IndexWidth::bits32) : cells_(width) {
     rebuild(mesh);
   }
 
@@ -122,7 +121,10 @@ class BasicStripBuffer {
   /// for ranges that a BufferHistory has written.
   void keep_ranges() noexcept { returned_ = false; }
 
-  [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
+  /// The indices, if they have 32 or 16 bits; else empty. Between two runs, and in gaps, all bits are set.
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return cells_.wide_indices(); }
+  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return cells_.narrow_indices(); }
+  [[nodiscard]] IndexWidth width() const noexcept { return cells_.width(); }
   /// The runs in the order of the buffer, without the indices that separate them, for a multi-draw without restart.
   /// Linear in the runs. `draws` is overwritten.
   void draws(std::vector<Range>& draws) const;
@@ -138,8 +140,8 @@ class BasicStripBuffer {
   }
 
  private:
-  template <class>
-  friend class BasicBufferHistory;
+  friend class BufferHistory;
+  friend class LiveBuffer;
   friend class detail::LiveState;
 
   using State = detail::RunPlaces::State;
@@ -215,23 +217,26 @@ class BasicStripBuffer {
   template <class Mesh>
   void note_across(const Mesh& mesh, std::uint32_t t);
   std::span<const Neighbor> neighbors(std::uint32_t begin, std::uint32_t end) noexcept;
-  [[nodiscard]] int added_misses(std::span<const Index> run, std::uint32_t before,
+  [[nodiscard]] int added_misses(std::span<const std::uint32_t> run, std::uint32_t before,
                                  std::uint32_t without) const noexcept;
   [[nodiscard]] std::uint32_t price_of_room(std::uint32_t before, std::uint32_t length,
                                             std::uint32_t most) const noexcept;
   [[nodiscard]] bool store_near(const Text& text) noexcept;
   template <class Mesh>
   std::size_t improve(const Mesh& mesh, std::uint32_t place);
-  void swap(std::uint32_t one, std::uint32_t other) noexcept;
+  void swap(std::uint32_t one, std::uint32_t other, std::span<const std::uint32_t> text_of_one) noexcept;
   void mark(std::size_t first, std::size_t end) noexcept;
   /// The index that fills gaps. For stitched strips any vertex will do: a gap draws only degenerate triangles.
-  [[nodiscard]] Index filling() const noexcept { return stitched_ ? Index{0} : restart; }
+  [[nodiscard]] std::uint32_t filling() const noexcept { return stitched_ ? 0 : cells_.restart(); }
   /// The length of the buffer: an even number of indices of 16 bits.
-  [[nodiscard]] static std::uint32_t even(std::uint32_t length) noexcept {
-    return sizeof(Index) == 2 ? length + length % 2 : length;
+  [[nodiscard]] std::uint32_t even(std::uint32_t length) const noexcept {
+    return cells_.narrow() ? length + length % 2 : length;
+  }
+  [[nodiscard]] std::span<const std::uint32_t> indices_of(const Text& text) const noexcept {
+    return std::span(text_).subspan(text.first, text.length);
   }
 
-  std::vector<Index> cells_;
+  detail::Cells cells_{IndexWidth::bits32};
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
   bool stitched_ = false;
@@ -246,7 +251,7 @@ class BasicStripBuffer {
   std::vector<std::uint32_t> dirty_;  // places whose runs are read
   std::vector<Link> strip_;
   std::uint32_t links_ = 0;  // the number in use of strip_
-  std::vector<Index> text_;
+  std::vector<std::uint32_t> text_;
   std::uint32_t letters_ = 0;  // the number in use of text_
   std::vector<Text> texts_;
   std::vector<std::uint32_t> across_;  // triangles
@@ -254,9 +259,6 @@ class BasicStripBuffer {
   std::uint32_t slack_ = 0;    // indices that it may still slide for its runs, besides their share
   std::uint32_t changed_ = 0;  // indices of the runs read or written, whichever are more
 };
-
-using StripBuffer = BasicStripBuffer<std::uint32_t>;
-using StripBuffer16 = BasicStripBuffer<std::uint16_t>;
 
 }  // namespace restrip
 

@@ -24,31 +24,25 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/output/impl/cells.hpp"
 #include "restrip/output/strip_buffer.hpp"
-#include "restrip/precondition.hpp"
 
 namespace restrip {
 
-/// `Index`: an unsigned type of 16 or 32 bits.
-template <class Index>
-class BasicTriangleListBuffer {
+class TriangleListBuffer {
  public:
-  static_assert(std::is_same_v<Index, std::uint16_t> || std::is_same_v<Index, std::uint32_t>);
   using Range = IndexRange;
 
-  /// Empty; the first update writes the whole buffer.
-  BasicTriangleListBuffer() = default;
+  /// Empty; the first update writes the whole buffer. `width`: 16 bits for IndexWidth::bits16, else 32.
+  explicit TriangleListBuffer(IndexWidth width = IndexWidth::bits32) noexcept : cells_(width) {}
   /// Writes all triangles. Linear time. Throws as rebuild() does.
   template <NumberedMesh Mesh>
-  explicit BasicTriangleListBuffer(const Mesh& mesh) {
+  explicit TriangleListBuffer(const Mesh& mesh, IndexWidth width = IndexWidth::bits32) : cells_(width) {
     rebuild(mesh);
   }
 
@@ -83,7 +77,7 @@ class BasicTriangleListBuffer {
     }
     stale_ = true;
     const std::size_t old_size = cells_.size();
-    const Index old_padding = old_size == 3 * owner_.size() ? Index{0} : cells_.back();
+    const std::uint32_t old_padding = old_size == 3 * owner_.size() ? 0 : cells_[old_size - 1];
     cells_.resize(3 * owner_.size());
     if (std::exchange(returned_, true)) written_.clear();
     if (slot_.size() < mesh.triangle_bound()) slot_.resize(mesh.triangle_bound(), no_slot);
@@ -96,7 +90,7 @@ class BasicTriangleListBuffer {
     }
     for (const std::uint32_t t : changed) {
       if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) continue;
-      const std::array<Index, 3> corners = corners_of(mesh, t);
+      const std::array<std::uint32_t, 3> corners = corners_of(mesh, t);
       if (slot_[t] == no_slot && free_.empty()) {
         append(t, corners);
         written_.push_back({cells_.size() - 3, 3});
@@ -127,9 +121,9 @@ class BasicTriangleListBuffer {
     }
     free_.clear();
     pad();
-    if (cells_.size() != 3 * owner_.size() && (cells_.size() != old_size || cells_.back() != old_padding))
+    if (cells_.size() != 3 * owner_.size() && (cells_.size() != old_size || cells_[old_size - 1] != old_padding))
       written_.push_back({cells_.size() - 1, 1});
-    detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / sizeof(Index));
+    detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / cells_.index_bytes());
     stale_ = false;
     return written_;
   }
@@ -137,7 +131,10 @@ class BasicTriangleListBuffer {
   /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them.
   void keep_ranges() noexcept { returned_ = false; }
 
-  [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
+  /// The indices, if they have 32 or 16 bits; else empty.
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return cells_.wide_indices(); }
+  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return cells_.narrow_indices(); }
+  [[nodiscard]] IndexWidth width() const noexcept { return cells_.width(); }
   /// Makes room for a mesh of this many triangles.
   void reserve(std::size_t triangles) {
     owner_.reserve(triangles);  // throws before the product below wraps
@@ -146,46 +143,46 @@ class BasicTriangleListBuffer {
   }
 
  private:
+  friend class LiveBuffer;
   friend class detail::LiveState;
   static constexpr std::uint32_t no_slot = 0xFFFFFFFFU;
 
   template <class Mesh>
-  static std::array<Index, 3> corners_of(const Mesh& mesh, std::uint32_t t) {
+  std::array<std::uint32_t, 3> corners_of(const Mesh& mesh, std::uint32_t t) const {
     const std::array<std::uint32_t, 3> corner = detail::corners_from(mesh, mesh.halfedge(t));
-    for (const std::uint32_t v : corner)
-      if (v >= (std::numeric_limits<Index>::max)())
-        RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
-    return {static_cast<Index>(corner[0]), static_cast<Index>(corner[1]), static_cast<Index>(corner[2])};
+    cells_.expect_fits((std::max)({corner[0], corner[1], corner[2]}));
+    return corner;
   }
   void pad() {
-    if (sizeof(Index) == 2 && cells_.size() % 2 != 0) cells_.push_back(cells_.back());
+    if (cells_.narrow() && cells_.size() % 2 != 0) cells_.append(std::array{cells_[cells_.size() - 1]});
   }
-  void append(std::uint32_t t, const std::array<Index, 3>& corners) {
-    cells_.insert(cells_.end(), corners.begin(), corners.end());
+  void append(std::uint32_t t, const std::array<std::uint32_t, 3>& corners) {
+    cells_.append(corners);
     owner_.push_back(t);
     slot_[t] = static_cast<std::uint32_t>(owner_.size() - 1);
   }
   /// Writes the corners in the rotation that keeps most indices.
-  void write(std::uint32_t slot, const std::array<Index, 3>& corners) {
-    Index* cell = cells_.data() + std::size_t{3} * slot;
+  void write(std::uint32_t slot, const std::array<std::uint32_t, 3>& corners) {
+    const std::size_t first = std::size_t{3} * slot;
     std::size_t best = 0;
     int most = -1;
     for (std::size_t turn = 0; turn < 3; ++turn) {
       int same = 0;
-      for (std::size_t i = 0; i < 3; ++i) same += static_cast<int>(cell[i] == corners[(i + turn) % 3]);
+      for (std::size_t i = 0; i < 3; ++i) same += static_cast<int>(cells_[first + i] == corners[(i + turn) % 3]);
       if (same > most) {
         most = same;
         best = turn;
       }
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      const Index now = corners[(i + best) % 3];
-      if (cell[i] == now) continue;
-      cell[i] = now;
-      written_.push_back({std::size_t{3} * slot + i, 1});
+      const std::uint32_t now = corners[(i + best) % 3];
+      if (cells_[first + i] == now) continue;
+      cells_.set(first + i, now);
+      written_.push_back({first + i, 1});
     }
   }
-  std::vector<Index> cells_;
+
+  detail::Cells cells_;
   std::vector<std::uint32_t> owner_;  // by slot
   std::vector<std::uint32_t> slot_;   // by triangle
   std::vector<std::uint32_t> free_;
@@ -193,8 +190,5 @@ class BasicTriangleListBuffer {
   bool stale_ = true;
   bool returned_ = true;  // whether written_ has been returned
 };
-
-using TriangleListBuffer = BasicTriangleListBuffer<std::uint32_t>;
-using TriangleListBuffer16 = BasicTriangleListBuffer<std::uint16_t>;
 
 }  // namespace restrip

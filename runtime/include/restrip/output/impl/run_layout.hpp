@@ -34,15 +34,15 @@ inline constexpr std::uint32_t looked_at_for_an_index = 30;  // by compact(), in
 
 // ---- from scratch
 
-template <class Index>
-void BasicStripBuffer<Index>::order_runs() {
+inline void StripBuffer::order_runs() {
   std::vector<detail::Run> runs;
   std::vector<std::uint32_t> place;
   for (std::uint32_t p = places_.next(detail::RunPlaces::head); p != detail::RunPlaces::head; p = places_.next(p)) {
     runs.push_back(places_.run(p));
     place.push_back(p);
   }
-  std::vector<Index> cells(cells_.size(), filling());
+  detail::Cells cells(cells_.width());
+  cells.resize(cells_.size(), filling());
   std::vector<std::uint32_t> new_place(runs.size() + 1);  // by old place: without gaps they are 1 … runs
   detail::RunPlaces places;
   places.make_room(runs.size());
@@ -50,7 +50,7 @@ void BasicStripBuffer<Index>::order_runs() {
   std::uint32_t end = 0;
   for (const std::uint32_t r : detail::order_of_runs(cells_, runs, cache_)) {
     detail::Run run = runs[r];
-    std::copy_n(cells_.data() + run.first, run.length, cells.data() + end);
+    cells.copy(cells_, run.first, run.length, end);
     run.first = std::exchange(end, end + run.length);
     new_place[place[r]] = places.insert(places.last(), run);
   }
@@ -62,9 +62,8 @@ void BasicStripBuffer<Index>::order_runs() {
 
 // ---- neighbours
 
-template <class Index>
 template <class Mesh>
-void BasicStripBuffer<Index>::note_across(const Mesh& mesh, std::uint32_t t) {
+void StripBuffer::note_across(const Mesh& mesh, std::uint32_t t) {
   auto h = mesh.halfedge(t);
   for (int side = 0; side < 3; ++side, h = mesh.next(h))
     if (!mesh.solid(h))
@@ -73,9 +72,7 @@ void BasicStripBuffer<Index>::note_across(const Mesh& mesh, std::uint32_t t) {
 }
 
 // The runs of some of across_, those with the most common edges first.
-template <class Index>
-std::span<const typename BasicStripBuffer<Index>::Neighbor> BasicStripBuffer<Index>::neighbors(
-    std::uint32_t begin, std::uint32_t end) noexcept {
+inline std::span<const StripBuffer::Neighbor> StripBuffer::neighbors(std::uint32_t begin, std::uint32_t end) noexcept {
   std::size_t count = 0;
   for (std::uint32_t i = begin; i < end; ++i) {
     const std::uint32_t place = run_of_[across_[i]];
@@ -98,10 +95,9 @@ std::span<const typename BasicStripBuffer<Index>::Neighbor> BasicStripBuffer<Ind
 // ---- places
 
 // Misses that a run adds in the gap after `before`, as if the run of `without` were not in the buffer.
-template <class Index>
-int BasicStripBuffer<Index>::added_misses(std::span<const Index> run, std::uint32_t before,
-                                          std::uint32_t without) const noexcept {
-  std::array<Index, std::size_t{2} * detail::AddedMisses::largest_cache> last;
+inline int StripBuffer::added_misses(std::span<const std::uint32_t> run, std::uint32_t before,
+                                     std::uint32_t without) const noexcept {
+  std::array<std::uint32_t, std::size_t{2} * detail::AddedMisses::largest_cache> last;
   const std::uint32_t most = 2 * cache_;
   std::uint32_t count = 0;
   for (std::uint32_t p = before; p != detail::RunPlaces::head && count < most; p = places_.previous(p)) {
@@ -111,7 +107,7 @@ int BasicStripBuffer<Index>::added_misses(std::span<const Index> run, std::uint3
   }
   detail::AddedMisses misses(cache_);
   while (count > 0) misses.before(last[--count]);
-  for (const Index v : run.first(run.size() - 1)) misses.run(v);
+  for (const std::uint32_t v : run.first(run.size() - 1)) misses.run(v);
   count = 0;
   for (std::uint32_t p = places_.next(before); p != detail::RunPlaces::head && count < detail::indices_after;
        p = places_.next(p)) {
@@ -124,9 +120,8 @@ int BasicStripBuffer<Index>::added_misses(std::span<const Index> run, std::uint3
 }
 
 // What widen() would move so that a run of `length` fits into the gap after `before`; more than `most` if it cannot.
-template <class Index>
-std::uint32_t BasicStripBuffer<Index>::price_of_room(std::uint32_t before, std::uint32_t length,
-                                                     std::uint32_t most) const noexcept {
+inline std::uint32_t StripBuffer::price_of_room(std::uint32_t before, std::uint32_t length,
+                                                std::uint32_t most) const noexcept {
   if (places_.next(before) == detail::RunPlaces::head) return most + 1;
   if (places_.gap(before) >= length) return 0;
   const std::uint32_t missing = length - places_.gap(before);
@@ -137,9 +132,8 @@ std::uint32_t BasicStripBuffer<Index>::price_of_room(std::uint32_t before, std::
 }
 
 // Stores the run in the cheapest gap next to one of its neighbours. False if no such gap is cheap enough.
-template <class Index>
-bool BasicStripBuffer<Index>::store_near(const Text& text) noexcept {
-  const std::span<const Index> run(text_.data() + text.first, text.length);
+inline bool StripBuffer::store_near(const Text& text) noexcept {
+  const std::span<const std::uint32_t> run = indices_of(text);
   const std::uint32_t share = (work_ + 1) / 2 * text.length;
   const std::uint32_t most = share + slack_;
   std::uint32_t best = nothing;
@@ -168,9 +162,8 @@ bool BasicStripBuffer<Index>::store_near(const Text& text) noexcept {
 
 // ---- better places
 
-template <class Index>
 template <NumberedMesh Mesh>
-std::size_t BasicStripBuffer<Index>::compact(const Mesh& mesh, std::size_t budget) {
+std::size_t StripBuffer::compact(const Mesh& mesh, std::size_t budget) {
   if (stale_ || cache_ == 0 || places_.runs() == 0) return 0;
   if (std::exchange(returned_, false)) written_.clear();
   const std::size_t most = budget < cells_.size() ? budget : cells_.size();
@@ -191,9 +184,8 @@ std::size_t BasicStripBuffer<Index>::compact(const Mesh& mesh, std::size_t budge
 }
 
 // Moves a run to a better place, if one is found. Returns the number of indices written.
-template <class Index>
 template <class Mesh>
-std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t place) {
+std::size_t StripBuffer::improve(const Mesh& mesh, std::uint32_t place) {
   const detail::Run run = places_.run(place);
   const std::uint32_t previous = places_.previous(place);
   across_.clear();
@@ -210,7 +202,8 @@ std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t pla
     }
   }
   detail::make_room(written_, std::size_t{3} * (detail::moved_for_a_better / detail::shortest_run + 4));
-  if (text_.size() < run.length) text_.resize(2 * run.length);
+  constexpr std::size_t longest_text = 2 * detail::longest_run + 5;
+  if (text_.size() < 2 * longest_text) text_.resize(2 * longest_text);
 
   struct Move {
     std::int64_t rate = detail::least_gain_per_mille - 1;  // misses saved, per mille of the indices written
@@ -223,8 +216,12 @@ std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t pla
     const std::int64_t rate = std::int64_t{1000} * gain / indices;
     if (gain >= detail::least_gain && rate > best.rate) best = {rate, where, swaps, indices};
   };
-  const auto text_of = [&](const detail::Run& r) { return std::span<const Index>(cells_.data() + r.first, r.length); };
-  const int here = added_misses(text_of(run), previous, place);
+  const auto text_of = [&](const detail::Run& r, std::size_t at) {
+    for (std::uint32_t i = 0; i < r.length; ++i) text_[at + i] = cells_[r.first + i];
+    return std::span<const std::uint32_t>(text_).subspan(at, r.length);
+  };
+  const auto text = text_of(run, 0);
+  const int here = added_misses(text, previous, place);
   const auto look_at = [&](std::uint32_t other) {
     if (other == detail::RunPlaces::head || other == previous || other == places_.next(place)) return;
     const detail::Run there = places_.run(other);
@@ -233,15 +230,16 @@ std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t pla
     if (there.first < run.first + apart && run.first < there.first + apart) return;
     if (const std::uint32_t slides = price_of_room(other, run.length, detail::moved_for_a_better);
         slides <= detail::moved_for_a_better)
-      consider(here - added_misses(text_of(run), other, place), other, false, run.length + slides);
+      consider(here - added_misses(text, other, place), other, false, run.length + slides);
     const std::uint32_t before = places_.previous(other);
     if (run.length > places_.limit(other) - places_.run(before).end() ||
         there.length > places_.limit(place) - places_.run(previous).end())
       return;
-    const int gain = here - added_misses(text_of(run), before, other);
-    if (gain >= detail::least_gain)
-      consider(gain + added_misses(text_of(there), before, other) - added_misses(text_of(there), previous, place),
-               other, true, run.length + there.length);
+    const int gain = here - added_misses(text, before, other);
+    if (gain < detail::least_gain) return;
+    const auto text_there = text_of(there, longest_text);
+    consider(gain + added_misses(text_there, before, other) - added_misses(text_there, previous, place), other, true,
+             run.length + there.length);
   };
   for (const Neighbor& neighbor : neighbors(0, static_cast<std::uint32_t>(across_.size()))) {
     std::uint32_t p = places_.previous(places_.previous(neighbor.place));
@@ -249,7 +247,7 @@ std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t pla
   }
   if (best.place == nothing) return 0;
   if (best.swaps) {
-    swap(place, best.place);
+    swap(place, best.place, text);
   } else {
     if (places_.gap(best.place) < run.length)
       widen(best.place, places_.next(best.place), run.length - places_.gap(best.place), detail::moved_for_a_better);
@@ -259,22 +257,21 @@ std::size_t BasicStripBuffer<Index>::improve(const Mesh& mesh, std::uint32_t pla
 }
 
 // Two runs, not next to each other, that fit into each other's place.
-template <class Index>
-void BasicStripBuffer<Index>::swap(std::uint32_t one, std::uint32_t other) noexcept {
+inline void StripBuffer::swap(std::uint32_t one, std::uint32_t other,
+                              std::span<const std::uint32_t> text_of_one) noexcept {
   detail::Run a = places_.run(one);
   detail::Run b = places_.run(other);
   const std::uint32_t before_one = places_.previous(one);
   const std::uint32_t before_other = places_.previous(other);
   const std::uint32_t a_first = (std::min)(b.first, places_.limit(other) - a.length);
   const std::uint32_t b_first = (std::min)(a.first, places_.limit(one) - b.length);
-  std::copy_n(cells_.data() + a.first, a.length, text_.begin());
-  std::fill_n(cells_.data() + a.first, a.length, filling());
+  cells_.fill(a.first, a.end(), filling());
   mark(a.first, a.end());
   mark(b.first, b.end());
   // To the left or to the right, and perhaps over itself: the run was elsewhere.
-  std::copy_n(cells_.data() + b.first, b.length, cells_.data() + b_first);
-  std::fill_n(cells_.data() + b.first, b.length, filling());
-  std::copy_n(text_.begin(), a.length, cells_.data() + a_first);
+  cells_.copy(cells_, b.first, b.length, b_first);
+  cells_.fill(b.first, b.end(), filling());
+  cells_.write(a_first, text_of_one);
   a.first = a_first;
   b.first = b_first;
   mark(a.first, a.end());
@@ -287,7 +284,6 @@ void BasicStripBuffer<Index>::swap(std::uint32_t one, std::uint32_t other) noexc
 
 #ifdef RESTRIP_COMPILED
 extern template std::size_t StripBuffer::compact(const StripMesh&, std::size_t);
-extern template std::size_t StripBuffer16::compact(const StripMesh&, std::size_t);
 #endif
 
 }  // namespace restrip

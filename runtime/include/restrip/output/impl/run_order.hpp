@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "restrip/output/impl/cells.hpp"
 #include "restrip/output/impl/drawing_cache.hpp"
 #include "restrip/output/impl/run_places.hpp"
 
@@ -22,9 +23,7 @@ namespace restrip::detail {
 
 /// Numbers of runs, in an order for a cache of `cache` vertices, first in, first out. `cells` has the indices of the
 /// runs, each with a separator at its end.
-template <class Index>
-std::vector<std::uint32_t> order_of_runs(const std::vector<Index>& cells, const std::vector<Run>& runs,
-                                         std::uint32_t cache) {
+inline std::vector<std::uint32_t> order_of_runs(const Cells& cells, const std::vector<Run>& runs, std::uint32_t cache) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
   constexpr unsigned most_tried = 64;
   const auto count = static_cast<std::uint32_t>(runs.size());
@@ -32,10 +31,10 @@ std::vector<std::uint32_t> order_of_runs(const std::vector<Index>& cells, const 
     for (std::uint32_t i = runs[r].first; i + 1 < runs[r].end(); ++i) visit(cells[i]);
   };
   const auto for_each_use = [&](auto&& use) {
-    for (std::uint32_t r = 0; r < count; ++r) for_each_vertex(r, [&](Index v) { use(v, r); });
+    for (std::uint32_t r = 0; r < count; ++r) for_each_vertex(r, [&](std::uint32_t v) { use(v, r); });
   };
   std::size_t vertices = 0;
-  for_each_use([&](Index v, std::uint32_t) { vertices = (std::max)(vertices, v + std::size_t{1}); });
+  for_each_use([&](std::uint32_t v, std::uint32_t) { vertices = (std::max)(vertices, v + std::size_t{1}); });
   DrawingCache drawing(cache, vertices, runs.size(), for_each_use);
 
   struct Trial {
@@ -50,7 +49,7 @@ std::vector<std::uint32_t> order_of_runs(const std::vector<Index>& cells, const 
     drawing.for_each_near(most_tried, 8 * most_tried, [&](std::uint32_t r) {
       const std::uint32_t before = drawing.try_from_here();
       std::uint32_t misses = before;
-      for_each_vertex(r, [&](Index v) { drawing.try_look_up(v, misses); });
+      for_each_vertex(r, [&](std::uint32_t v) { drawing.try_look_up(v, misses); });
       const Trial here{r, misses - before, runs[r].triangles};
       if (best.run == none || here.misses * best.triangles < best.misses * here.triangles) best = here;
       return 1U;
@@ -66,7 +65,7 @@ std::vector<std::uint32_t> order_of_runs(const std::vector<Index>& cells, const 
     }
     order.push_back(best.run);
     drawing.draw(best.run);
-    for_each_vertex(best.run, [&](Index v) { drawing.look_up(v); });
+    for_each_vertex(best.run, [&](std::uint32_t v) { drawing.look_up(v); });
   }
   return order;
 }

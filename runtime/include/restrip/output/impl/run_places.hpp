@@ -11,8 +11,7 @@
 #include <vector>
 
 namespace restrip {
-template <class Index>
-class BasicBufferHistory;
+class BufferHistory;
 }
 
 namespace restrip::detail {
@@ -126,8 +125,7 @@ class RunPlaces {
   }
 
  private:
-  template <class>
-  friend class restrip::BasicBufferHistory;
+  friend class restrip::BufferHistory;
   friend class LiveState;
 
   struct Place {

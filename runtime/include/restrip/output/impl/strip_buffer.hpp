@@ -41,9 +41,8 @@ inline SeenTriangle seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noex
 }
 }  // namespace detail
 
-template <class Index>
 template <NumberedMesh Mesh>
-void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
+void StripBuffer::rebuild(const Mesh& mesh) {
   stale_ = rebuilt_ = true;
   places_ = {};
   cells_.clear();
@@ -62,10 +61,9 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
   stale_ = false;
 }
 
-template <class Index>
 template <NumberedMesh Mesh>
-std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, std::span<const std::uint32_t> changed,
-                                                            const RangeOptions& ranges) {
+std::span<const IndexRange> StripBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> changed,
+                                                const RangeOptions& ranges) {
   if (stale_) {
     rebuild(mesh);
     return written_;
@@ -90,21 +88,19 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   }
   store();
   if (!changed.empty()) close_gaps();
-  detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / sizeof(Index));
+  detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / cells_.index_bytes());
   stale_ = false;
   return written_;
 }
 
-template <class Index>
-void BasicStripBuffer<Index>::begin_reading() noexcept {
+inline void StripBuffer::begin_reading() noexcept {
   dirty_.clear();
   texts_.clear();
   across_.clear();
   links_ = letters_ = 0;
 }
 
-template <class Index>
-void BasicStripBuffer<Index>::touch(std::uint32_t place) {
+inline void StripBuffer::touch(std::uint32_t place) {
   if (places_.state(place) != State::settled) return;
   dirty_.push_back(place);
   places_.set_state(place, State::dirty);
@@ -115,10 +111,9 @@ void BasicStripBuffer<Index>::touch(std::uint32_t place) {
 // Reads from the triangle of the halfedge `in` on. An edge that a triangle is entered over belongs to the link that the
 // triangle has, or to the one before. The strip, from link `begin` on, will have `least` triangles at least. True if it
 // continues in a run that stays as it is.
-template <class Index>
 template <class Mesh>
-bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin,
-                                     std::uint32_t least, std::uint32_t edge_goes) {
+bool StripBuffer::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin, std::uint32_t least,
+                         std::uint32_t edge_goes) {
   std::uint32_t links = links_;
   std::uint32_t known = nothing;  // a run that may be read
   bool stays = false;
@@ -151,9 +146,8 @@ bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge i
 }
 
 // Reads the part of the strip through t that must be rewritten, and writes it as runs that are not too long.
-template <class Index>
 template <class Mesh>
-void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
+void StripBuffer::read(const Mesh& mesh, std::uint32_t t) {
   const std::uint32_t begin = links_;
   const std::uint32_t run = std::exchange(run_of_[t], reading);
   const std::uint32_t least = run != nothing ? places_.run(run).triangles : 1;
@@ -184,8 +178,7 @@ void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
 
 // Chooses where to cut the strip: near a link, and so that few indices are repeated. A strip repeats an index if it
 // turns around the same vertex in two triangles, but not in the triangles next to a cut.
-template <class Index>
-std::uint32_t BasicStripBuffer<Index>::best_cut(std::uint32_t wanted, std::uint32_t begin) const noexcept {
+inline std::uint32_t StripBuffer::best_cut(std::uint32_t wanted, std::uint32_t begin) const noexcept {
   const auto turns_around = [&](std::uint32_t i) { return strip_[i - 1].edge ^ strip_[i].corners ^ strip_[i].edge; };
   std::uint32_t best = wanted;
   std::uint32_t most = 0;
@@ -202,10 +195,8 @@ std::uint32_t BasicStripBuffer<Index>::best_cut(std::uint32_t wanted, std::uint3
 // ---- a run as indices
 
 // The first triangle from one end or the other.
-template <class Index>
 template <class Mesh>
-typename BasicStripBuffer<Index>::Start BasicStripBuffer<Index>::start(const Mesh& mesh, const Text& text,
-                                                                       bool forward) const {
+StripBuffer::Start StripBuffer::start(const Mesh& mesh, const Text& text, bool forward) const {
   Start start{&strip_[forward ? text.begin : text.end - 1], forward ? 1 : -1, forward ? 0 : -1, {}, false};
   const Link* link = start.link;
   auto h = mesh.halfedge(link->triangle);
@@ -223,19 +214,17 @@ typename BasicStripBuffer<Index>::Start BasicStripBuffer<Index>::start(const Mes
 }
 
 // Whether the text begins or ends like the run that it replaces.
-template <class Index>
-bool BasicStripBuffer<Index>::is_forward(const Text& text) const noexcept {
+inline bool StripBuffer::is_forward(const Text& text) const noexcept {
   if (text.place == nothing || text.end - text.begin < 2) return true;
   const detail::Run& run = places_.run(text.place);
-  const auto first = static_cast<Index>(strip_[text.begin].corners ^ strip_[text.begin].edge);
-  const auto last = static_cast<Index>(strip_[text.end - 1].corners ^ strip_[text.end - 2].edge);
+  const std::uint32_t first = strip_[text.begin].corners ^ strip_[text.begin].edge;
+  const std::uint32_t last = strip_[text.end - 1].corners ^ strip_[text.end - 2].edge;
   const bool as_before = cells_[run.first] == first || cells_[run.end() - 2] == last;
   return as_before || (cells_[run.first] != last && cells_[run.end() - 2] != first);
 }
 
-template <class Index>
 template <class Mesh>
-void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts) {
+void StripBuffer::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts) {
   const std::uint32_t triangles = end - begin;
   Text text{begin, end, letters_, 0, cuts, nothing, 0, 0};
   // It takes the place of a run that one of its triangles was in, one in the middle if possible.
@@ -255,9 +244,9 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   std::uint32_t q = run.corner[2];
   std::uint32_t in = p ^ q;
   std::uint32_t largest = (std::max)({run.corner[0], p, q});
-  Index* out = text_.data() + letters_;
-  if (stitched_) *out++ = static_cast<Index>(run.corner[0]);
-  for (const std::uint32_t corner : run.corner) *out++ = static_cast<Index>(corner);
+  std::uint32_t* out = text_.data() + letters_;
+  if (stitched_) *out++ = run.corner[0];
+  for (const std::uint32_t corner : run.corner) *out++ = corner;
   // Each further triangle has the last two indices p, q and adds its third corner x. If the strip leaves it over the
   // edge (p, x), p is repeated before x. Branch-free: turns are unpredictable.
   const Link* link = run.link;
@@ -266,21 +255,20 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
     const std::uint32_t x = link->corners ^ in;
     in = link[run.edge].edge;
     const auto repeats = std::uint32_t{(in ^ x) == p};
-    *out = static_cast<Index>(p);
+    *out = p;
     out += repeats;
-    *out++ = static_cast<Index>(x);
+    *out++ = x;
     p = q ^ ((p ^ q) & (0U - repeats));
     q = x;
     largest = (std::max)(largest, x);
   }
   if (triangles > 1) {
     const std::uint32_t x = (link + run.step)->corners ^ in;
-    *out++ = static_cast<Index>(x);
+    *out++ = x;
     largest = (std::max)(largest, x);
   }
-  if (largest >= restart)
-    RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
-  const Index separator = stitched_ ? *(out - 1) : restart;
+  cells_.expect_fits(largest);
+  const std::uint32_t separator = stitched_ ? *(out - 1) : cells_.restart();
   *out++ = separator;
   if (stitched_ && (static_cast<std::uint32_t>(out - text_.data()) - letters_) % 2 != 0) *out++ = separator;
   letters_ = static_cast<std::uint32_t>(out - text_.data());
@@ -294,8 +282,7 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
 
 // ---- places
 
-template <class Index>
-void BasicStripBuffer<Index>::store() {
+inline void StripBuffer::store() {
   // Room for everything that follows, so that nothing throws after this.
   changed_ = 0;
   for (const std::uint32_t place : dirty_) changed_ += places_.run(place).length;
@@ -303,7 +290,7 @@ void BasicStripBuffer<Index>::store() {
   slack_ = detail::moved_for_an_update * work_;
   const std::size_t for_runs = texts_.size() * detail::moved_for_a_run + std::size_t{work_} * letters_ + slack_;
   const std::size_t for_gaps = detail::moved_for_a_gap + std::size_t{work_} * changed_;
-  detail::make_room(cells_, letters_ + 1);
+  cells_.make_room(letters_ + 1);
   detail::make_room(written_, dirty_.size() + 3 * (texts_.size() + (for_runs + for_gaps) / detail::shortest_run + 2));
   places_.make_room(texts_.size());
   for (const std::uint32_t place : dirty_)
@@ -318,8 +305,7 @@ void BasicStripBuffer<Index>::store() {
 }
 
 // Stores the run where it was. False if the room is too small.
-template <class Index>
-bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
+inline bool StripBuffer::store_in_place(const Text& text) noexcept {
   const std::uint32_t before = places_.previous(text.place);
   const std::uint32_t room = places_.limit(text.place) - places_.run(before).end();
   if (text.length > room) {
@@ -330,13 +316,12 @@ bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
   std::uint32_t first = old.first;
   if (text.length != old.length) {
     // Keeps its beginning or its end, whichever is unchanged for longer.
-    const Index* now = cells_.data() + old.first;
-    const Index* then = text_.data() + text.first;
+    const std::uint32_t* then = text_.data() + text.first;
     const std::uint32_t both = (std::min)(text.length, old.length);
     std::uint32_t head = 0;
-    while (head < both && now[head] == then[head]) ++head;
+    while (head < both && cells_[old.first + head] == then[head]) ++head;
     std::uint32_t tail = 0;
-    while (tail < both && now[old.length - 1 - tail] == then[text.length - 1 - tail]) ++tail;
+    while (tail < both && cells_[old.end() - 1 - tail] == then[text.length - 1 - tail]) ++tail;
     const std::uint32_t high = places_.limit(text.place) - text.length;
     const bool fits_at_end = old.end() >= places_.run(before).end() + text.length;
     if (fits_at_end && (tail > head || first > high)) first = old.end() - text.length;
@@ -351,8 +336,7 @@ bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
 }
 
 // Stores the run in the smallest gap that is large enough, or at the end.
-template <class Index>
-void BasicStripBuffer<Index>::store_in_gap(const Text& text) noexcept {
+inline void StripBuffer::store_in_gap(const Text& text) noexcept {
   std::uint32_t before = places_.find_gap(text.length);
   if (before == nothing || places_.gap(before) < text.length) before = places_.last();
   const std::uint32_t first = places_.run(before).end();
@@ -366,27 +350,23 @@ void BasicStripBuffer<Index>::store_in_gap(const Text& text) noexcept {
 }
 
 // Into the gap after `before`, which is large enough.
-template <class Index>
-void BasicStripBuffer<Index>::insert(const Text& text, std::uint32_t before) noexcept {
+inline void StripBuffer::insert(const Text& text, std::uint32_t before) noexcept {
   const std::uint32_t first = places_.run(before).end();
   write(text, first);
   own(text, places_.insert(before, as_run(text, first)));
 }
 
-template <class Index>
-detail::Run BasicStripBuffer<Index>::as_run(const Text& text, std::uint32_t first) const noexcept {
+inline detail::Run StripBuffer::as_run(const Text& text, std::uint32_t first) const noexcept {
   const std::uint32_t end = (std::min)(strip_[text.begin].triangle, strip_[text.end - 1].triangle);
   return {first, text.length, text.end - text.begin, text.cuts, end};
 }
 
-template <class Index>
-void BasicStripBuffer<Index>::own(const Text& text, std::uint32_t place) noexcept {
+inline void StripBuffer::own(const Text& text, std::uint32_t place) noexcept {
   for (std::uint32_t i = text.begin; i < text.end; ++i) run_of_[strip_[i].triangle] = place;
   places_.set_state(place, State::settled);
 }
 
-template <class Index>
-void BasicStripBuffer<Index>::remove(std::uint32_t place) noexcept {
+inline void StripBuffer::remove(std::uint32_t place) noexcept {
   blank(places_.run(place).first, places_.run(place).end());
   places_.remove(place);
 }
@@ -394,36 +374,23 @@ void BasicStripBuffer<Index>::remove(std::uint32_t place) noexcept {
 // ---- cells
 
 // From the first index that differs to the last.
-template <class Index>
-void BasicStripBuffer<Index>::write(const Text& text, std::uint32_t first) noexcept {
-  const Index* then = text_.data() + text.first;
-  Index* now = cells_.data() + first;
-  std::uint32_t begin = 0;
-  std::uint32_t end = text.length;
-  while (begin < end && now[begin] == then[begin]) ++begin;
-  while (begin < end && now[end - 1] == then[end - 1]) --end;
-  std::copy(then + begin, then + end, now + begin);
-  mark(first + begin, first + end);
+inline void StripBuffer::write(const Text& text, std::uint32_t first) noexcept {
+  const IndexRange written = cells_.write(first, indices_of(text));
+  mark(written.first, written.first + written.count);
 }
 
-template <class Index>
-void BasicStripBuffer<Index>::blank(std::uint32_t first, std::uint32_t end) noexcept {
+inline void StripBuffer::blank(std::uint32_t first, std::uint32_t end) noexcept {
   if (first >= end) return;
-  std::fill(cells_.data() + first, cells_.data() + end, filling());
+  cells_.fill(first, end, filling());
   mark(first, end);
 }
 
 // Moves the run of a place to `first`, in the gap after `before` or within the gaps on both sides of it.
-template <class Index>
-void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept {
+inline void StripBuffer::move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept {
   detail::Run run = places_.run(place);
   const std::uint32_t old = std::exchange(run.first, first);
   if (old == first) return;
-  const Index* from = cells_.data() + old;
-  if (first < old)
-    std::copy(from, from + run.length, cells_.data() + first);
-  else
-    std::copy_backward(from, from + run.length, cells_.data() + run.end());
+  cells_.copy(cells_, old, run.length, first);
   mark(first, run.end());
   blank(old, (std::min)(first, old + run.length));
   blank((std::max)(run.end(), old), old + run.length);
@@ -434,10 +401,8 @@ void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, st
 
 // Runs from `place` on in one direction, which slide in this direction until there are `missing` cells more. The cost,
 // in indices moved, is 0 if it would exceed `most`. Runs that are to be written stay.
-template <class Index>
-typename BasicStripBuffer<Index>::Slide BasicStripBuffer<Index>::slide(std::uint32_t place, std::uint32_t missing,
-                                                                       std::uint32_t most,
-                                                                       bool rightwards) const noexcept {
+inline StripBuffer::Slide StripBuffer::slide(std::uint32_t place, std::uint32_t missing, std::uint32_t most,
+                                             bool rightwards) const noexcept {
   for (Slide slide; place != detail::RunPlaces::head && places_.state(place) == State::settled;) {
     const std::uint32_t before = places_.previous(place);
     slide.cost += places_.run(place).length;
@@ -452,9 +417,8 @@ typename BasicStripBuffer<Index>::Slide BasicStripBuffer<Index>::slide(std::uint
 
 // Slides runs from `right` on to the right, or runs up to `left` to the left, until `missing` more cells lie between
 // the two. Returns the number of indices moved; 0 if it would exceed `most`.
-template <class Index>
-std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing,
-                                             std::uint32_t most) noexcept {
+inline std::uint32_t StripBuffer::widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing,
+                                        std::uint32_t most) noexcept {
   const Slide side = slide(right, missing, most, true);
   const bool rightwards = side.cost != 0;
   if (rightwards) most = side.cost - 1;
@@ -479,8 +443,7 @@ std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t r
 
 // Moves the last run into a gap, repeatedly. A cut wastes some two and a half indices, four in stitched runs, half of
 // them at each end.
-template <class Index>
-void BasicStripBuffer<Index>::close_gaps() noexcept {
+inline void StripBuffer::close_gaps() noexcept {
   for (std::uint32_t moved = 0;;) {
     const std::uint32_t last = places_.last();
     const detail::Run run = places_.run(last);
@@ -506,8 +469,7 @@ void BasicStripBuffer<Index>::close_gaps() noexcept {
 
 // ---- ranges written
 
-template <class Index>
-void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept {
+inline void StripBuffer::mark(std::size_t first, std::size_t end) noexcept {
   if (first == end) return;
   // A write is mostly adjacent to the previous one.
   if (!written_.empty()) {
@@ -522,8 +484,7 @@ void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept 
   written_.push_back({first, end - first});
 }
 
-template <class Index>
-void BasicStripBuffer<Index>::draws(std::vector<Range>& draws) const {
+inline void StripBuffer::draws(std::vector<Range>& draws) const {
   draws.clear();
   for (std::uint32_t p = places_.next(detail::RunPlaces::head); p != detail::RunPlaces::head; p = places_.next(p))
     draws.push_back({places_.run(p).first, places_.run(p).length - std::size_t{1}});
@@ -553,11 +514,8 @@ inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end
 
 #ifdef RESTRIP_COMPILED
 extern template void StripBuffer::rebuild(const StripMesh&);
-extern template void StripBuffer16::rebuild(const StripMesh&);
 extern template std::span<const IndexRange> StripBuffer::update(const StripMesh&, std::span<const std::uint32_t>,
                                                                 const RangeOptions&);
-extern template std::span<const IndexRange> StripBuffer16::update(const StripMesh&, std::span<const std::uint32_t>,
-                                                                  const RangeOptions&);
 #endif
 
 }  // namespace restrip

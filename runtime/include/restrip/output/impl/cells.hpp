@@ -1,0 +1,112 @@
+// Cells: the indices of a buffer, of 16 or 32 bits. The width is chosen at run time, so that what works on indices is
+// compiled once: it reads and writes 32 bits, of which the cells keep the lower 16 if they are narrow.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/output/strip_format.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip::detail {
+
+class Cells {
+ public:
+  /// 16 bits for IndexWidth::bits16, else 32.
+  explicit Cells(IndexWidth width) noexcept : narrow_(width == IndexWidth::bits16) {}
+
+  [[nodiscard]] bool narrow() const noexcept { return narrow_; }
+  [[nodiscard]] IndexWidth width() const noexcept { return narrow_ ? IndexWidth::bits16 : IndexWidth::bits32; }
+  [[nodiscard]] std::size_t index_bytes() const noexcept { return narrow_ ? 2 : 4; }
+  /// The index with all bits set, which restarts strips.
+  [[nodiscard]] std::uint32_t restart() const noexcept { return narrow_ ? 0xFFFFU : 0xFFFFFFFFU; }
+  void expect_fits(std::uint32_t vertex) const {
+    if (vertex >= restart())
+      RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
+  }
+  /// Empty if the indices have the other width.
+  [[nodiscard]] std::span<const std::uint32_t> wide_indices() const noexcept { return cells32_; }
+  [[nodiscard]] std::span<const std::uint16_t> narrow_indices() const noexcept { return cells16_; }
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
+    return narrow_ ? std::as_bytes(narrow_indices()) : std::as_bytes(wide_indices());
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return narrow_ ? cells16_.size() : cells32_.size(); }
+  [[nodiscard]] bool empty() const noexcept { return size() == 0; }
+  [[nodiscard]] std::uint32_t operator[](std::size_t i) const noexcept { return narrow_ ? cells16_[i] : cells32_[i]; }
+  void set(std::size_t i, std::uint32_t index) noexcept {
+    if (narrow_)
+      cells16_[i] = static_cast<std::uint16_t>(index);
+    else
+      cells32_[i] = index;
+  }
+  /// Whether the cells from `first` on hold these indices.
+  [[nodiscard]] bool hold(std::size_t first, std::span<const std::uint32_t> indices) const noexcept {
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      if ((*this)[first + i] != indices[i]) return false;
+    return true;
+  }
+  /// Writes indices from `first` on, from the first that differs to the last. Returns what it has written.
+  IndexRange write(std::size_t first, std::span<const std::uint32_t> indices) noexcept {
+    const std::uint32_t* const then = indices.data();
+    std::size_t begin = 0;
+    std::size_t end = indices.size();
+    visit([&](auto& cells) {
+      using Index = typename std::remove_reference_t<decltype(cells)>::value_type;
+      Index* const now = cells.data() + first;
+      while (begin < end && now[begin] == then[begin]) ++begin;
+      while (begin < end && now[end - 1] == then[end - 1]) --end;
+      for (std::size_t i = begin; i < end; ++i) now[i] = static_cast<Index>(then[i]);
+    });
+    return {first + begin, end - begin};
+  }
+  /// The same index, 0 or restart(), in all cells from `first` to `end`.
+  void fill(std::size_t first, std::size_t end, std::uint32_t index) noexcept {
+    if (first < end) std::memset(at(first), static_cast<int>(index & 0xFFU), (end - first) * index_bytes());
+  }
+  /// Copies cells of cells of the same width, perhaps these.
+  void copy(const Cells& from, std::size_t first, std::size_t count, std::size_t to) noexcept {
+    if (count != 0) std::memmove(at(to), from.bytes().data() + first * index_bytes(), count * index_bytes());
+  }
+
+  void clear() noexcept {
+    visit([](auto& cells) { cells.clear(); });
+  }
+  void reserve(std::size_t count) {
+    visit([=](auto& cells) { cells.reserve(count); });
+  }
+  void make_room(std::size_t count) {
+    visit([=](auto& cells) { detail::make_room(cells, count); });
+  }
+  void resize(std::size_t count, std::uint32_t index = 0) {
+    if (narrow_)
+      cells16_.resize(count, static_cast<std::uint16_t>(index));
+    else
+      cells32_.resize(count, index);
+  }
+  void append(std::span<const std::uint32_t> indices) {
+    visit([=](auto& cells) { cells.insert(cells.end(), indices.begin(), indices.end()); });
+  }
+
+ private:
+  template <class Visit>
+  void visit(Visit&& with) {
+    if (narrow_)
+      with(cells16_);
+    else
+      with(cells32_);
+  }
+  void* at(std::size_t i) noexcept { return narrow_ ? static_cast<void*>(cells16_.data() + i) : cells32_.data() + i; }
+
+  bool narrow_;
+  std::vector<std::uint16_t> cells16_;
+  std::vector<std::uint32_t> cells32_;
+};
+
+}  // namespace restrip::detail
