@@ -164,19 +164,21 @@ class TriangleListBuffer {
   /// Writes the corners in the rotation that keeps most indices.
   void write(std::uint32_t slot, const std::array<std::uint32_t, 3>& corners) {
     const std::size_t first = std::size_t{3} * slot;
+    const std::array before{cells_[first], cells_[first + 1], cells_[first + 2]};
+    const std::array after{corners[0], corners[1], corners[2], corners[0], corners[1]};
     std::size_t best = 0;
     int most = -1;
     for (std::size_t turn = 0; turn < 3; ++turn) {
       int same = 0;
-      for (std::size_t i = 0; i < 3; ++i) same += static_cast<int>(cells_[first + i] == corners[(i + turn) % 3]);
+      for (std::size_t i = 0; i < 3; ++i) same += static_cast<int>(before[i] == after[turn + i]);
       if (same > most) {
         most = same;
         best = turn;
       }
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t now = corners[(i + best) % 3];
-      if (cells_[first + i] == now) continue;
+      const std::uint32_t now = after[best + i];
+      if (before[i] == now) continue;
       cells_.set(first + i, now);
       written_.push_back({first + i, 1});
     }
