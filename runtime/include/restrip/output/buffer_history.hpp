@@ -145,8 +145,6 @@ class BufferHistory {
   }
   [[nodiscard]] std::size_t undoable() const noexcept { return done_; }
   [[nodiscard]] std::size_t redoable() const noexcept { return frames_.size() - done_; }
-  /// The buffer as it was at the end of the last frame that is not undone.
-  [[nodiscard]] const StripBuffer& last() const noexcept { return last_; }
 
  private:
   struct Change {
@@ -154,7 +152,10 @@ class BufferHistory {
     detail::Values<std::uint32_t> run_of;
     detail::Values<detail::RunPlaces::Place> places;
     detail::RunPlaces::Totals totals;
-    [[nodiscard]] bool empty() const noexcept { return cells.at.empty() && run_of.at.empty() && places.at.empty(); }
+    std::vector<StripBuffer> whole;  // instead of all that, if the width of the indices changed
+    [[nodiscard]] bool empty() const noexcept {
+      return cells.at.empty() && run_of.at.empty() && places.at.empty() && whole.empty();
+    }
   };
 
   void note_all(const StripBuffer& buffer) {
@@ -174,6 +175,12 @@ class BufferHistory {
     const detail::RunPlaces& places = buffer.places_;
     read_places(buffer);
     Change change;
+    if (buffer.width() != last_.width()) {
+      change.whole.push_back(buffer);
+      std::swap(change.whole.front(), last_);
+      for (auto* const list : {&cells_, &triangles_, &places_}) list->clear();
+      return change;
+    }
     change.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
     change.run_of.take(triangles_, last_.run_of_, buffer.run_of_, StripBuffer::nothing);
     change.places.take(places_, last_.places_.places_, places.places_, {});
@@ -188,6 +195,12 @@ class BufferHistory {
   }
   // Writes a change to the buffer and the copy; the next update returns its ranges.
   void put(Change& change, StripBuffer& buffer) {
+    if (!change.whole.empty()) {
+      StripBuffer whole = change.whole.front();
+      std::swap(change.whole.front(), last_);
+      buffer = std::move(whole);
+      return;
+    }
     detail::make_room(buffer.written_, change.cells.at.size() + 1);
     buffer.mark((std::min)(change.cells.size, buffer.cells_.size()),
                 (std::max)(change.cells.size, buffer.cells_.size()));
@@ -213,42 +226,26 @@ class BufferHistory {
   StripBuffer last_;  // as it was at the end of the last frame
 };
 
-/// The history of a LiveBuffer of strips, which may widen once: its frames with 16-bit indices, the frame that widened
-/// it, and its frames with 32-bit indices. Lists need no history: an update draws them, though in another order.
+/// The history of a LiveBuffer of strips, of any width. Lists need no history: an update draws them, though in another
+/// order.
 class LiveHistory {
  public:
   /// Begins with the buffer as it is. Linear time. Exceptions: as for BufferHistory.
   explicit LiveHistory(LiveBuffer& buffer) {
-    auto* strips = std::get_if<StripBuffer>(&buffer.buffer());
-    if (strips == nullptr) return;
-    widened_ = strips->width() == IndexWidth::bits32;
-    present().emplace(*strips);
+    if (auto* strips = std::get_if<StripBuffer>(&buffer.buffer())) history_.emplace(*strips);
   }
 
   /// As BufferHistory::before_update.
   void before_update(LiveBuffer& buffer) {
-    auto* strips = std::get_if<StripBuffer>(&buffer.buffer());
-    if (strips != nullptr && has_noted(*strips)) present()->before_update(*strips);
+    if (history_) history_->before_update(std::get<StripBuffer>(buffer.buffer()));
   }
   /// Ends a frame, after one update with `changed`. `is_frame`: whether the mesh has changed; `most`: frames that the
   /// history of the mesh can undo.
   void frame(LiveBuffer& buffer, std::span<const std::uint32_t> changed, bool is_frame, std::size_t most) {
-    auto* strips = std::get_if<StripBuffer>(&buffer.buffer());
-    if (strips == nullptr) return;
-    if (has_noted(*strips)) {
-      present()->note(*strips, changed);
-      if (is_frame) present()->frame(*strips, most);
-    } else {
-      narrow_->drop_undone();
-      wide_.emplace(*strips);
-      widened_ = true;
-    }
-    if (!widened_) {
-      if (is_frame) wide_.reset();
-      return;
-    }
-    if (narrow_ && most <= wide_->undoable()) narrow_.reset();
-    if (narrow_) narrow_->limit(most - wide_->undoable() - 1);
+    if (!history_) return;
+    auto& strips = std::get<StripBuffer>(buffer.buffer());
+    history_->note(strips, changed);
+    if (is_frame) history_->frame(strips, most);
   }
   /// Restore the buffer exactly, whatever its width was. The next update() returns what was written. Call them if the
   /// history of the mesh has such a frame. They return false for a list.
@@ -256,23 +253,16 @@ class LiveHistory {
   bool redo(LiveBuffer& buffer) { return step(buffer, true); }
 
  private:
-  std::optional<BufferHistory>& present() noexcept { return widened_ ? wide_ : narrow_; }
-  /// Not yet the update that widened the buffer.
-  [[nodiscard]] bool has_noted(const StripBuffer& strips) const noexcept {
-    return widened_ || strips.width() == IndexWidth::bits16;
-  }
   bool step(LiveBuffer& buffer, bool forward) {
-    if (!narrow_ && !wide_) return false;
+    if (!history_) return false;
     auto& strips = std::get<StripBuffer>(buffer.buffer());
-    if (forward ? present()->redo(strips) : present()->undo(strips)) return true;
-    buffer.set_buffer((forward ? wide_ : narrow_)->last());  // the frame that widened the buffer
-    widened_ = forward;
+    const IndexWidth width = strips.width();
+    if (!(forward ? history_->redo(strips) : history_->undo(strips))) return false;
+    if (strips.width() != width) buffer.keep_all();
     return true;
   }
 
-  std::optional<BufferHistory> narrow_;
-  std::optional<BufferHistory> wide_;
-  bool widened_ = false;  // the buffer has 32-bit indices now
+  std::optional<BufferHistory> history_;
 };
 
 }  // namespace restrip

@@ -96,11 +96,9 @@ class LiveBuffer {
   using Buffer = std::variant<StripBuffer, TriangleListBuffer>;
   /// The buffer itself, for members that only one kind has.
   [[nodiscard]] Buffer& buffer() noexcept { return buffer_; }
-  /// Replaces the buffer by another of the same form, perhaps of another width, which is in step with the mesh. The
-  /// next update returns all of it.
-  void set_buffer(StripBuffer buffer) noexcept {
+  /// Makes the next update return all of it, after it was replaced by another of the same form.
+  void keep_all() noexcept {
     keep_upload();
-    buffer_ = std::move(buffer);
     all_changed_ = true;
   }
 

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <span>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
@@ -57,13 +56,12 @@ class Cells {
     const std::uint32_t* const then = indices.data();
     std::size_t begin = 0;
     std::size_t end = indices.size();
-    visit([&](auto& cells) {
-      using Index = typename std::remove_reference_t<decltype(cells)>::value_type;
-      Index* const now = cells.data() + first;
+    const auto write_to = [&]<class Index>(Index* now) {
       while (begin < end && now[begin] == then[begin]) ++begin;
       while (begin < end && now[end - 1] == then[end - 1]) --end;
       for (std::size_t i = begin; i < end; ++i) now[i] = static_cast<Index>(then[i]);
-    });
+    };
+    narrow_ ? write_to(cells16_.data() + first) : write_to(cells32_.data() + first);
     return {first + begin, end - begin};
   }
   /// The same index, 0 or restart(), in all cells from `first` to `end`.
@@ -75,33 +73,21 @@ class Cells {
     if (count != 0) std::memmove(at(to), from.bytes().data() + first * index_bytes(), count * index_bytes());
   }
 
-  void clear() noexcept {
-    visit([](auto& cells) { cells.clear(); });
-  }
-  void reserve(std::size_t count) {
-    visit([=](auto& cells) { cells.reserve(count); });
-  }
+  void clear() noexcept { narrow_ ? cells16_.clear() : cells32_.clear(); }
+  void reserve(std::size_t count) { narrow_ ? cells16_.reserve(count) : cells32_.reserve(count); }
   void make_room(std::size_t count) {
-    visit([=](auto& cells) { detail::make_room(cells, count); });
+    narrow_ ? detail::make_room(cells16_, count) : detail::make_room(cells32_, count);
   }
   void resize(std::size_t count, std::uint32_t index = 0) {
-    if (narrow_)
-      cells16_.resize(count, static_cast<std::uint16_t>(index));
-    else
-      cells32_.resize(count, index);
+    narrow_ ? cells16_.resize(count, static_cast<std::uint16_t>(index)) : cells32_.resize(count, index);
   }
   void append(std::span<const std::uint32_t> indices) {
-    visit([=](auto& cells) { cells.insert(cells.end(), indices.begin(), indices.end()); });
+    const std::size_t first = size();
+    resize(first + indices.size());
+    write(first, indices);
   }
 
  private:
-  template <class Visit>
-  void visit(Visit&& with) {
-    if (narrow_)
-      with(cells16_);
-    else
-      with(cells32_);
-  }
   void* at(std::size_t i) noexcept { return narrow_ ? static_cast<void*>(cells16_.data() + i) : cells32_.data() + i; }
 
   bool narrow_;
