@@ -120,7 +120,7 @@ class LiveBuffer {
       buffer_ = StripBuffer(format_.form, layout_, width);
   }
   [[nodiscard]] const detail::Cells& cells() const noexcept {
-    return std::visit([](const auto& buffer) -> const detail::Cells& { return buffer.cells_; }, buffer_);
+    return std::visit([](const auto& buffer) -> const detail::Cells& { return buffer.cells(); }, buffer_);
   }
   void make_room() noexcept {
     if (size() > room_) room_ = size() + size() / 4;

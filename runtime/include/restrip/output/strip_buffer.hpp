@@ -60,8 +60,6 @@
 
 namespace restrip {
 
-class LiveBuffer;
-
 namespace detail {
 class LiveState;
 
@@ -79,11 +77,7 @@ class StripBuffer {
   /// is out of range. `width`: 16 bits for IndexWidth::bits16, else 32.
   StripBuffer() = default;
   explicit StripBuffer(StripForm form, const LayoutOptions& layout = {}, IndexWidth width = IndexWidth::bits32)
-      : cells_(width),
-        stitched_(form == StripForm::stitched),
-        cache_(layout.cache),
-        waste_(layout.waste),
-        work_(layout.work) {
+      : cells_(width), stitched_(form == StripForm::stitched), layout_(layout) {
     RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "use TriangleListBuffer for triangle lists");
     if (!layout.in_range())
       RESTRIP_THROW(std::invalid_argument,
@@ -125,6 +119,7 @@ class StripBuffer {
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return cells_.wide_indices(); }
   [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return cells_.narrow_indices(); }
   [[nodiscard]] IndexWidth width() const noexcept { return cells_.width(); }
+  [[nodiscard]] const detail::Cells& cells() const noexcept { return cells_; }
   /// The runs in the order of the buffer, without the indices that separate them, for a multi-draw without restart.
   /// Linear in the runs. `draws` is overwritten.
   void draws(std::vector<Range>& draws) const;
@@ -141,7 +136,6 @@ class StripBuffer {
 
  private:
   friend class BufferHistory;
-  friend class LiveBuffer;
   friend class detail::LiveState;
 
   using State = detail::RunPlaces::State;
@@ -240,9 +234,7 @@ class StripBuffer {
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
   bool stitched_ = false;
-  std::uint32_t cache_ = LayoutOptions().cache;
-  std::uint32_t waste_ = LayoutOptions().waste;
-  std::uint32_t work_ = LayoutOptions().work;
+  LayoutOptions layout_;
   bool stale_ = true;     // an update was interrupted: the next one rewrites everything
   bool rebuilt_ = true;   // the last update rewrote everything
   bool returned_ = true;  // whether written_ has been returned

@@ -135,6 +135,7 @@ class TriangleListBuffer {
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return cells_.wide_indices(); }
   [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return cells_.narrow_indices(); }
   [[nodiscard]] IndexWidth width() const noexcept { return cells_.width(); }
+  [[nodiscard]] const detail::Cells& cells() const noexcept { return cells_; }
   /// Makes room for a mesh of this many triangles.
   void reserve(std::size_t triangles) {
     owner_.reserve(triangles);  // throws before the product below wraps
@@ -143,7 +144,6 @@ class TriangleListBuffer {
   }
 
  private:
-  friend class LiveBuffer;
   friend class detail::LiveState;
   static constexpr std::uint32_t no_slot = 0xFFFFFFFFU;
 

@@ -40,10 +40,7 @@ class Cells {
   [[nodiscard]] bool empty() const noexcept { return size() == 0; }
   [[nodiscard]] std::uint32_t operator[](std::size_t i) const noexcept { return narrow_ ? cells16_[i] : cells32_[i]; }
   void set(std::size_t i, std::uint32_t index) noexcept {
-    if (narrow_)
-      cells16_[i] = static_cast<std::uint16_t>(index);
-    else
-      cells32_[i] = index;
+    narrow_ ? void(cells16_[i] = static_cast<std::uint16_t>(index)) : void(cells32_[i] = index);
   }
   /// Whether the cells from `first` on hold these indices.
   [[nodiscard]] bool hold(std::size_t first, std::span<const std::uint32_t> indices) const noexcept {

@@ -48,7 +48,7 @@ inline void StripBuffer::order_runs() {
   places.make_room(runs.size());
   places.set_length(places_.length());
   std::uint32_t end = 0;
-  for (const std::uint32_t r : detail::order_of_runs(cells_, runs, cache_)) {
+  for (const std::uint32_t r : detail::order_of_runs(cells_, runs, layout_.cache)) {
     detail::Run run = runs[r];
     cells.copy(cells_, run.first, run.length, end);
     run.first = std::exchange(end, end + run.length);
@@ -98,14 +98,14 @@ inline std::span<const StripBuffer::Neighbor> StripBuffer::neighbors(std::uint32
 inline int StripBuffer::added_misses(std::span<const std::uint32_t> run, std::uint32_t before,
                                      std::uint32_t without) const noexcept {
   std::array<std::uint32_t, std::size_t{2} * detail::AddedMisses::largest_cache> last;
-  const std::uint32_t most = 2 * cache_;
+  const std::uint32_t most = 2 * layout_.cache;
   std::uint32_t count = 0;
   for (std::uint32_t p = before; p != detail::RunPlaces::head && count < most; p = places_.previous(p)) {
     if (p == without) continue;
     for (std::uint32_t i = places_.run(p).end() - 1; i-- > places_.run(p).first && count < most;)
       last[count++] = cells_[i];
   }
-  detail::AddedMisses misses(cache_);
+  detail::AddedMisses misses(layout_.cache);
   while (count > 0) misses.before(last[--count]);
   for (const std::uint32_t v : run.first(run.size() - 1)) misses.run(v);
   count = 0;
@@ -134,7 +134,7 @@ inline std::uint32_t StripBuffer::price_of_room(std::uint32_t before, std::uint3
 // Stores the run in the cheapest gap next to one of its neighbours. False if no such gap is cheap enough.
 inline bool StripBuffer::store_near(const Text& text) noexcept {
   const std::span<const std::uint32_t> run = indices_of(text);
-  const std::uint32_t share = (work_ + 1) / 2 * text.length;
+  const std::uint32_t share = (layout_.work + 1) / 2 * text.length;
   const std::uint32_t most = share + slack_;
   std::uint32_t best = nothing;
   std::int64_t lowest = 0;
@@ -164,7 +164,7 @@ inline bool StripBuffer::store_near(const Text& text) noexcept {
 
 template <NumberedMesh Mesh>
 std::size_t StripBuffer::compact(const Mesh& mesh, std::size_t budget) {
-  if (stale_ || cache_ == 0 || places_.runs() == 0) return 0;
+  if (stale_ || layout_.cache == 0 || places_.runs() == 0) return 0;
   if (std::exchange(returned_, false)) written_.clear();
   const std::size_t most = budget < cells_.size() ? budget : cells_.size();
   std::size_t looked = 0;

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 
 #include "restrip/output/strip_buffer.hpp"
-#include "restrip/precondition.hpp"
 
 namespace restrip {
 
@@ -55,7 +53,7 @@ void StripBuffer::rebuild(const Mesh& mesh) {
     store();
     written_.clear();
   }
-  if (cache_ != 0) order_runs();
+  if (layout_.cache != 0) order_runs();
   written_.assign(cells_.empty() ? 0 : 1, {0, cells_.size()});
   returned_ = true;
   stale_ = false;
@@ -274,7 +272,7 @@ void StripBuffer::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_
   letters_ = static_cast<std::uint32_t>(out - text_.data());
   text.length = letters_ - text.first;
   text.across = static_cast<std::uint32_t>(across_.size());
-  if (cache_ != 0 && !rebuilt_)
+  if (layout_.cache != 0 && !rebuilt_)
     for (std::uint32_t i = begin; i < end; ++i) note_across(mesh, strip_[i].triangle);
   text.across_end = static_cast<std::uint32_t>(across_.size());
   texts_.push_back(text);
@@ -287,9 +285,9 @@ inline void StripBuffer::store() {
   changed_ = 0;
   for (const std::uint32_t place : dirty_) changed_ += places_.run(place).length;
   changed_ = (std::max)(changed_, letters_);
-  slack_ = detail::moved_for_an_update * work_;
-  const std::size_t for_runs = texts_.size() * detail::moved_for_a_run + std::size_t{work_} * letters_ + slack_;
-  const std::size_t for_gaps = detail::moved_for_a_gap + std::size_t{work_} * changed_;
+  slack_ = detail::moved_for_an_update * layout_.work;
+  const std::size_t for_runs = texts_.size() * detail::moved_for_a_run + std::size_t{layout_.work} * letters_ + slack_;
+  const std::size_t for_gaps = detail::moved_for_a_gap + std::size_t{layout_.work} * changed_;
   cells_.make_room(letters_ + 1);
   detail::make_room(written_, dirty_.size() + 3 * (texts_.size() + (for_runs + for_gaps) / detail::shortest_run + 2));
   places_.make_room(texts_.size());
@@ -301,7 +299,7 @@ inline void StripBuffer::store() {
       text.place = nothing;
     }
   for (const Text& text : texts_)
-    if (text.place == nothing && (cache_ == 0 || rebuilt_ || !store_near(text))) store_in_gap(text);
+    if (text.place == nothing && (layout_.cache == 0 || rebuilt_ || !store_near(text))) store_in_gap(text);
 }
 
 // Stores the run where it was. False if the room is too small.
@@ -453,9 +451,9 @@ inline void StripBuffer::close_gaps() noexcept {
       places_.set_length(length);
     }
     const std::uint64_t needed = places_.used() - std::uint64_t{places_.cuts()} * (stitched_ ? 8 : 5) / 4;
-    const bool wasteful = 1000 * (places_.length() - needed) > waste_ * needed;
+    const bool wasteful = 1000 * (places_.length() - needed) > layout_.waste * needed;
     const std::uint32_t before = places_.find_gap(run.length);
-    if (!wasteful || moved >= std::uint64_t{work_} * changed_ || before == nothing) return;
+    if (!wasteful || moved >= std::uint64_t{layout_.work} * changed_ || before == nothing) return;
     if (places_.gap(before) < run.length && places_.next(before) != last) {
       const std::uint32_t missing = run.length - places_.gap(before);
       const std::uint32_t cost = widen(before, places_.next(before), missing, detail::moved_for_a_gap);
