@@ -1,7 +1,9 @@
 // Meshes and progressive meshes. Accepted meshes are stripified; accepted baked ones are written and read again.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
+#include <map>
 
 #include "common/bad_input.hpp"
 #include "lod/bake.hpp"
@@ -92,8 +94,6 @@ std::string text_gltf() {
          R"("buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 }
 
-std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: other files do not exist"); }
-
 bool check_pm(std::string_view bytes) {
   const ProgressiveMesh mesh = parse_pm(bytes, "f");
   promise(mesh.points.size() * 12 < bytes.size(), "the vertices fit into the bytes");
@@ -106,7 +106,7 @@ bool check_pm(std::string_view bytes) {
       promise(apex == none || apex < record.v_t, "the apex exists already");
   }
   try {
-    const ProgressiveMesh again = parse_progressive_gltf(progressive_glb_bytes(mesh), "g", no_other_file).value();
+    const ProgressiveMesh again = parse_progressive_gltf(progressive_glb_bytes(mesh), "g", no_sibling).value();
     promise(again.splits.size() == mesh.splits.size(), "a progressive mesh in a GLB is read as it was");
   } catch (const BadInput&) {
     // splits that are not possible, or at a boundary
@@ -129,11 +129,10 @@ bool play_baked(std::string_view bytes) {
 }
 
 bool play_baked_gltf(std::string_view bytes) {
-  const std::optional<BakedBytes> found = parse_baked_gltf(bytes, "f", no_other_file);
+  const std::optional<BakedBytes> found = parse_baked_gltf(bytes, "f", no_sibling);
   if (!found) return false;
   const std::string again = baked_glb_bytes(found->bytes, {StripForm::lengths}).bytes;
-  promise(parse_baked_gltf(again, "g", no_other_file)->bytes == found->bytes,
-          "a baked mesh in a GLB is read as it was");
+  promise(parse_baked_gltf(again, "g", no_sibling)->bytes == found->bytes, "a baked mesh in a GLB is read as it was");
   return true;
 }
 
@@ -168,12 +167,6 @@ std::string big_endian_ply() {
          std::string(42, '\0') + std::string("\0\0\0\3\0\0\0\1\0\2x", 11);
 }
 
-std::string ply_of_strips() {
-  const Soup shape = sheet(2);
-  const std::vector<std::uint32_t> indices = strip_indices(stripified(shape));
-  return written_strips(*format_named(".ply"), shape.points, indices).bytes;
-}
-
 Soup textured_sheet() {
   Soup shape = sheet(2);
   shape.attributes = {{"NORMAL"},
@@ -187,16 +180,30 @@ Soup textured_sheet() {
   return shape;
 }
 
-std::string glb_of_strips(StripForm form) {
-  const Soup shape = textured_sheet();
-  const std::vector<std::uint32_t> indices = strip_indices(stripified(shape));
-  return written_strips(*format_named(".glb"), shape.points, indices, {form}, shape.attributes).bytes;
+std::string written_in(const MeshFormat& format, const Soup& shape, StripForm form) {
+  return written_strips(format, shape.points, strip_indices(stripified(shape)), {form}, shape.attributes).bytes;
+}
+
+bool play_format(const MeshFormat& format, std::string_view bytes) {
+  const auto read = [](const MeshFormat& by, std::string_view text) {
+    return finest_level(by.read(text, "f", no_sibling, ReadAttributes::yes));
+  };
+  constexpr auto usual = MeshFormat::Attributes::usual;
+  Soup found = read(format, bytes);
+  for (const MeshFormat& other : mesh_formats()) {
+    if (format.attributes != usual || other.attributes != usual) continue;
+    const Soup again = read(other, other.write_mesh(found));
+    promise(again.attributes.size() == found.attributes.size() && again.left_out.empty(),
+            "attributes that are written are read");
+    for (const Attribute& attribute : again.attributes)
+      promise(attribute.bytes.size() == again.points.size() * attribute.value_bytes(), "each point has a value");
+  }
+  return play(std::move(found));
 }
 
 }  // namespace
 
 std::vector<Target> mesh_targets() {
-  const Soup shape = sheet(2);
   const Soup textured = textured_sheet();
   const ProgressiveMesh moved = simplify(sheet(3), {0.2, BoundaryPolicy::move}).mesh;
   const ProgressiveMesh locked = simplify(sheet(4), {0.5, BoundaryPolicy::lock}).mesh;
@@ -209,77 +216,59 @@ std::vector<Target> mesh_targets() {
   const float one = 1;  // of the second corner x, of the third y
   std::memcpy(binary_stl.data() + 84 + 24, &one, sizeof one);
   std::memcpy(binary_stl.data() + 84 + 40, &one, sizeof one);
-  const auto soup = [](auto read) {
-    return refusing([read](std::string_view bytes) { return play(read(bytes, "f")); });
-  };
-  // A result is written and read back with the same number of attributes of the same length.
-  const auto with_attributes = [](auto read) {
-    return refusing([read](std::string_view bytes) {
-      Soup found = read(bytes, "f", ReadAttributes::yes);
-      for (const char* extension : {".obj", ".ply"}) {
-        const std::string written = format_named(extension)->write_mesh(found);
-        const Soup again = extension == std::string_view(".obj") ? read_obj(written, "g", ReadAttributes::yes)
-                                                                 : read_ply(written, "g", ReadAttributes::yes);
-        promise(again.attributes.size() == found.attributes.size() && again.left_out.empty(),
-                "attributes that are written are read");
-        for (const Attribute& attribute : again.attributes)
-          promise(attribute.bytes.size() == again.points.size() * attribute.value_bytes(), "each point has a value");
-      }
-      return play(std::move(found));
-    });
-  };
-  return {
-      {"obj",
-       {obj_bytes(shape),
-        "# c\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 1 1 0.5e-1\nvt 0 1\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1/2/3 2//1 "
+  // Files that no program of ours writes. A format that has only a reader needs one here.
+  std::map<std::string_view, std::vector<std::string>> by_hand{
+      {".obj",
+       {"# c\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 1 1 0.5e-1\nvt 0 1\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1/2/3 2//1 "
         "\\\n3\nf -1 -2 -3\nf 1 2 3 4\nl 1 2\n",
-        obj_bytes(textured),
         "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nv 1 1 0\ng a\ng b\nf 1 2 3 4 5\nf 1 6 3 4 5 2\nf 1 1 2 3 4 4 "
         "5\np 1\n",
         "v 0 0 0 1 0 0.5\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nvt 0 1\nvt .5\nvn 0 0 1\nf 1/1/1 2/-1/-1 3/1/1\nf 2/1/1 1/1/1 "
-        "3/2/1\n"},
-       with_attributes(read_obj),
-       10000},
-      {"off",
-       {off_bytes(shape), "COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n\n1 1 0.5\n3 0 1 2 9\n4 0 1 3 2\n",
-        "STN4nOFF 3 3 1 0 0 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 1 0 0 1 0 1 0 0 1 0 1 3 0 1 2"},
-       soup(read_off),
-       10000},
-      {"ply",
-       {ply_bytes(shape), big_endian_ply(),
+        "3/2/1\n"}},
+      {".off",
+       {"COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n\n1 1 0.5\n3 0 1 2 9\n4 0 1 3 2\n",
+        "STN4nOFF 3 3 1 0 0 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 1 0 0 1 0 1 0 0 1 0 1 3 0 1 2"}},
+      {".ply",
+       {big_endian_ply(),
         "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element edge 1\nproperty int a\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 "
         "0 0\n0 1 0\n7\n3 0 1 2\n",
-        ply_of_strips(), ply_bytes(textured),
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
-        "double "
-        "u\nproperty double v\nproperty ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort "
+        "double u\nproperty double v\nproperty ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort "
         "diffuse_blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 0 1 9 9 9\n1 0 0 1 1 "
-        "0 0 "
-        "65535\n0 1 0 .5 0 1 2 3\n3 0 1 2\n"},
-       with_attributes(read_ply),
-       10000},
-      {"stl",
+        "0 0 65535\n0 1 0 .5 0 1 2 3\n3 0 1 2\n"}},
+      {".stl",
        {binary_stl,
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
         "endsolid\n",
         "solid a facet normal 0 0 1 colour 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet "
-        "endsolid a"},
-       soup(read_stl),
-       10000},
-      {"gltf",
-       {glb_of_strips(StripForm::restart), glb_of_strips(StripForm::lengths), glb_of_strips(StripForm::stitched),
-        glb_of_strips(StripForm::list), intricate_glb(), text_gltf()},
-       refusing([](std::string_view bytes) { return play(read_gltf(bytes, "f", no_other_file, ReadAttributes::yes)); }),
-       10000},
+        "endsolid a"}},
+      {".gltf",
+       {written_in(*format_named(".glb"), textured, StripForm::restart),
+        written_in(*format_named(".glb"), textured, StripForm::lengths),
+        written_in(*format_named(".glb"), textured, StripForm::stitched),
+        written_in(*format_named(".glb"), textured, StripForm::list), intricate_glb(), text_gltf()}}};
+  std::vector<Target> targets{
       {"pm", pms, refusing(check_pm), 10000},
       {"baked", bakeds, refusing(play_baked), 2000},
       {"baked-gltf",
        {baked_glb_bytes(bakeds[0], {StripForm::lengths}).bytes, baked_glb_bytes(bakeds[1], {StripForm::restart}).bytes,
         baked_glb_bytes(bakeds[2], {StripForm::list}).bytes},
        refusing(play_baked_gltf),
-       2000},
-  };
+       2000}};
+  // Every other format that is read, by its row.
+  for (const MeshFormat& format : mesh_formats()) {
+    const std::string name(format.extension.substr(1));
+    const bool is_known = std::any_of(targets.begin(), targets.end(), [&](const Target& t) { return t.name == name; });
+    if (!reads(format) || is_known || name == "glb") continue;  // .glb has the reader of .gltf
+    std::vector<std::string> seeds = std::move(by_hand[format.extension]);
+    for (const Soup& mesh : {sheet(2), textured})
+      if (writes_mesh(format)) seeds.push_back(format.write_mesh(mesh));
+    if (format.holds_strips) seeds.push_back(written_in(format, sheet(2), format.usual_form));
+    targets.push_back({name, std::move(seeds),
+                       refusing([&format](std::string_view bytes) { return play_format(format, bytes); }), 10000});
+  }
+  return targets;
 }
 
 }  // namespace restrip::fuzz

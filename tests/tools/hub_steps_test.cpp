@@ -71,7 +71,7 @@ TEST(Reading, PlacesThatCollideTakeTheSameNumberOfSteps) {
     const std::string bytes = stl_of(3000, collide);
     Soup soup;
     const Work work = work_of([&] {
-      soup = read_stl(bytes, "f");
+      soup = read_as(".stl", bytes);
       EXPECT_EQ(coincident_vertices(soup), 0U);
       Mended mended;
       weld(soup, mended);

@@ -20,34 +20,24 @@
 namespace restrip::tools {
 namespace {
 
-using Reader = Soup (*)(std::string_view, const std::string&);
-
-Soup bare_obj(std::string_view bytes, const std::string& name) { return read_obj(bytes, name); }
-Soup bare_ply(std::string_view bytes, const std::string& name) { return read_ply(bytes, name); }
-Soup full_obj(std::string_view bytes, const std::string& name) { return read_obj(bytes, name, ReadAttributes::yes); }
-Soup full_ply(std::string_view bytes, const std::string& name) { return read_ply(bytes, name, ReadAttributes::yes); }
-
-std::string refusal(Reader read, std::string_view bytes) {
-  return refusal_of([&] { (void)read(bytes, "some.file"); });
-}
-
-void expect_refused(Reader read, std::string_view bytes, const std::string& because) {
-  const std::string text = refusal(read, bytes);
+void expect_refused(std::string_view extension, std::string_view bytes, const std::string& because,
+                    ReadAttributes attributes = ReadAttributes::no) {
+  const std::string text = refusal_of([&] { (void)read_as(extension, bytes, attributes); });
   EXPECT_TRUE(text.starts_with("some.file:")) << "for: " << bytes << "\nsaid: " << text;
   EXPECT_NE(text.find(because), std::string::npos) << "for: " << bytes << "\nsaid: " << text;
 }
 
 TEST(Obj, CornersWithTextureAndNormalIndices) {
-  const Soup soup = read_obj(
+  const Soup soup = read_as(
+      ".obj",
       "# c\nv 0 0 0\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 "
-      "2/1/1 3/1/1\n",
-      "f");
+      "2/1/1 3/1/1\n");
   EXPECT_EQ(soup.points.size(), 3U);
   EXPECT_EQ(soup.triangles, std::vector<Corners>(4, Corners{0, 1, 2}));
 }
 
 TEST(Obj, ConvexPolygonsBecomeFansAndAreCounted) {
-  const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\n", "f");
+  const Soup soup = read_as(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\n");
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(soup.polygons, 1U);
   EXPECT_EQ(soup.stubs, 1U);
@@ -63,11 +53,11 @@ TEST(Obj, LinesAfterThreeVertices) {
            {"f 1 2\\\r3\\", {one}},
            {"usemtl a\\\nf 1 2 3\\\r\n", {one}},
            {"mtllib c:\\m\\f 1 1 1\nf 1 2 3\n", {one}}})
-    EXPECT_EQ(read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + lines, "f").triangles, triangles) << lines;
+    EXPECT_EQ(read_as(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + lines).triangles, triangles) << lines;
 }
 
 TEST(Obj, ValuesThatFacesNameAndTheFileLacksAreMissing) {
-  const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/4/1 2/4/1 3/4/1\n", "f", ReadAttributes::yes);
+  const Soup soup = read_as(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/4/1 2/4/1 3/4/1\n", ReadAttributes::yes);
   EXPECT_EQ(soup.triangles.size(), 1U);
   EXPECT_TRUE(soup.attributes.empty());
   EXPECT_EQ(left_out_in_words(soup.left_out),
@@ -92,16 +82,16 @@ TEST(Obj, AttributesThatCannotBeUsedAreLeftOut) {
            {"vn 0 nan 1\nvn 0 0 1\nf 1//2 2//2 3//2\n", ""},
            {"vt 0 0 0\nf 1/1 2/1 3/1\n", ""},
            {"vt 0 0 0.5\nf 1/1 2/1 3/1\n", "third texture coordinates"}}) {
-    const Soup soup = read_obj(three + lines, "f", ReadAttributes::yes);
+    const Soup soup = read_as(".obj", three + lines, ReadAttributes::yes);
     EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}})) << lines;
     EXPECT_EQ(left_out_in_words(soup.left_out), left_out) << lines;
-    EXPECT_EQ(read_obj(three + lines, "f").triangles.size(), 1U) << lines;
+    EXPECT_EQ(read_as(".obj", three + lines).triangles.size(), 1U) << lines;
   }
   const auto of_colors = [](const std::string& colors) {
-    return left_out_in_words(
-        read_obj("v 0 0 0 " + colors + "\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nv 9 9 9 nan 0 0\nf 1 2 3\n", "f",
-                 ReadAttributes::yes)
-            .left_out);
+    return left_out_in_words(read_as(".obj",
+                                     "v 0 0 0 " + colors + "\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nv 9 9 9 nan 0 0\nf 1 2 3\n",
+                                     ReadAttributes::yes)
+                                 .left_out);
   };
   EXPECT_EQ(of_colors("1 1 1e99"), "colours (infinite or not a number at vertex 0)");
   EXPECT_EQ(of_colors("1 1 red"), "colours (infinite or not a number at vertex 0)");
@@ -111,7 +101,7 @@ TEST(Obj, AttributesThatCannotBeUsedAreLeftOut) {
 TEST(Obj, OtherLinesAreLeftOut) {
   const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const auto left_out = [&](const std::string& lines) {
-    return left_out_in_words(read_obj(mesh + lines, "f").left_out);
+    return left_out_in_words(read_as(".obj", mesh + lines).left_out);
   };
   EXPECT_EQ(left_out("l 1 2\np 1\nl 2 3\n"), "lines, points");
   EXPECT_EQ(left_out("mtllib a.mtl\nusemtl a\ncurv 0 1 1 2\nvp 1\nbevel on\n"),
@@ -122,44 +112,45 @@ TEST(Obj, OtherLinesAreLeftOut) {
   EXPECT_EQ(left_out("v 1 2 3 0.5\nv 1 2 3 1\n"), "other numbers of vertices");
   std::string many;
   for (int i = 0; i < 1000; ++i) many += fmt::format("word{}\n", i);
-  EXPECT_EQ(read_obj(mesh + many, "f").left_out.size(), 65U);
+  EXPECT_EQ(read_as(".obj", mesh + many).left_out.size(), 65U);
   EXPECT_TRUE(left_out(many).ends_with("more parts of other kinds"));
 }
 
 TEST(Obj, Refusals) {
-  expect_refused(bare_obj, "", "no vertices");
-  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\n", "no triangles");
-  expect_refused(bare_obj, "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers, but the line ends");
-  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nv 0 0 nan\nf 1 2 3\n",
-                 "vertex 2 has a coordinate that is infinite or not");
-  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nv 0 0 1e300\nf 1 2 3\n", "infinite or not a number");
-  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 2\n", "2 triangles, each with a corner twice");
-  expect_refused(bare_obj, "v 0 0 0\nf 0 1 1\n", "counted from 1");
-  expect_refused(bare_obj, "v 0 0 0\nf -2 1 1\n", "is not a vertex");
-  expect_refused(bare_obj, "v 0 0 0\nf 1 1 x\n", "is not a vertex");
-  expect_refused(bare_obj, "v 0 0 0\nf 1 1 2\n", ":2: a face refers to vertex 2 (counted from 1), but there are 1");
-  expect_refused(bare_obj, "v 0 0 0\nf 1 1 99999999999999999999\n", "is not a vertex");
+  expect_refused(".obj", "v 0 0 0\nv 1 0 0\n", "no triangles");
+  expect_refused(".obj", "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers, but the line ends");
+  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nv 0 0 nan\nf 1 2 3\n", "vertex 2 has a coordinate that is infinite or not");
+  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nv 0 0 1e300\nf 1 2 3\n", "infinite or not a number");
+  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 2\n", "2 triangles, each with a corner twice");
+  expect_refused(".obj", "v 0 0 0\nf 0 1 1\n", "counted from 1");
+  expect_refused(".obj", "v 0 0 0\nf -2 1 1\n", "is not a vertex");
+  expect_refused(".obj", "v 0 0 0\nf 1 1 x\n", "is not a vertex");
+  expect_refused(".obj", "v 0 0 0\nf 1 1 2\n", ":2: a face refers to vertex 2 (counted from 1), but there are 1");
+  expect_refused(".obj", "v 0 0 0\nf 1 1 99999999999999999999\n", "is not a vertex");
 }
 
 TEST(Obj, RefusalsWithAttributes) {
   const std::string two = "v 0 0 0\nv 1 0 0\n";
-  expect_refused(full_obj, "f 1 2 3\n", ":1: a face refers to vertex 3 (counted from 1), but there are 0");
-  expect_refused(full_obj, two + "f 1 2 3\n", ":3: a face refers to vertex 3 (counted from 1), but there are 2");
+  expect_refused(".obj", "f 1 2 3\n", ":1: a face refers to vertex 3 (counted from 1), but there are 0",
+                 ReadAttributes::yes);
+  expect_refused(".obj", two + "f 1 2 3\n", ":3: a face refers to vertex 3 (counted from 1), but there are 2",
+                 ReadAttributes::yes);
   // A vertex added for another pair of attributes is not a vertex of the file.
-  expect_refused(full_obj, two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", ":6: a face refers to vertex 3");
+  expect_refused(".obj", two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", ":6: a face refers to vertex 3",
+                 ReadAttributes::yes);
 }
 
 TEST(Off, CommentsAndColoursAreSteppedOver) {
-  const Soup soup = read_off(
+  const Soup soup = read_as(
+      ".off",
       "# made by hand\n\nCOFF # colours\n3 1 0\n\n0 0 0 255 0 0\n1 0 0 255 0 0\n# here too\n0 1 0 255 0 0\n3 0 1 2 1 0 "
-      "0\n",
-      "f");
+      "0\n");
   EXPECT_EQ(soup.points.size(), 3U);
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
 }
 
 TEST(Off, CountsMayFollowTheKeyword) {
-  EXPECT_EQ(read_off("OFF 3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "f").triangles.size(), 1U);
+  EXPECT_EQ(read_as(".off", "OFF 3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").triangles.size(), 1U);
 }
 
 TEST(Off, HeadersHaveManyForms) {
@@ -167,61 +158,50 @@ TEST(Off, HeadersHaveManyForms) {
   const std::vector<Corners> both{{0, 1, 2}, {2, 1, 3}};
   for (const char* header : {"OFF4 2 0\n", "OFF 4 2 0\n", "OFF\n4 2 5\n", "OFF\n4 2\n", "4 2 0\n", "OFF\n4\n2\n0\n",
                              "OFF 4 2\n0\n", "nOFF 3\n4 2 0\n", "COFF\n4 2 0\n", "STCNOFF 4 2 0\n", "NCSTOFF4 2 0\n"})
-    EXPECT_EQ(read_off(header + body, "f").triangles, both) << header;
-  EXPECT_EQ(read_off("OFF 4 2 0 0 0 0 1 0 0 0 1 0 1 1 0 3 0 1 2 3 2 1 3", "f").triangles, both);
-  EXPECT_EQ(read_off("OFF\n4 2 0\n0\n0\n0\n1 0\n0 0 1 0\n1 1 0 3\n0 1 2 3 2 1 3\n", "f").triangles, both);
-  EXPECT_EQ(read_off("4OFF 4 2 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n1 1 0 1\n3 0 1 2\n3 2 1 3\n", "f").triangles, both);
-}
-
-TEST(Off, WhatIsLeftOutIsReported) {
-  const auto left_out = [](const char* text) { return left_out_in_words(read_off(text, "f").left_out); };
-  EXPECT_EQ(left_out("COFF\n3 1 0\n0 0 0 9 9 9 9\n1 0 0 9 9 9 9\n0 1 0 9 9 9 9\n3 0 1 2\n"), "colours");
-  EXPECT_EQ(left_out("STNOFF\n3 1 0\n0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n0 1 0 0 0 1 0 1\n3 0 1 2\n"),
-            "texture coordinates, normals");
-  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"), "colours of faces");
-  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n"), "text after the last face");
-  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "");
+    EXPECT_EQ(read_as(".off", header + body).triangles, both) << header;
+  EXPECT_EQ(read_as(".off", "OFF 4 2 0 0 0 0 1 0 0 0 1 0 1 1 0 3 0 1 2 3 2 1 3").triangles, both);
+  EXPECT_EQ(read_as(".off", "OFF\n4 2 0\n0\n0\n0\n1 0\n0 0 1 0\n1 1 0 3\n0 1 2 3 2 1 3\n").triangles, both);
+  EXPECT_EQ(read_as(".off", "4OFF 4 2 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n1 1 0 1\n3 0 1 2\n3 2 1 3\n").triangles, both);
 }
 
 // For every text format: a byte order mark, and each kind of line end.
 TEST(Texts, MayBeginWithAByteOrderMarkAndEndLinesInAnyWay) {
-  for (const auto& [read, text] : std::vector<std::pair<Reader, std::string>>{
-           {bare_obj, "v 0 0 0\nv 1 0 0 # c\nv 0 1 0\nf 1 2 3\n"},
-           {full_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"},
-           {read_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
-           {bare_ply,
+  for (const auto& [extension, text] : std::vector<std::pair<std::string, std::string>>{
+           {".obj", "v 0 0 0\nv 1 0 0 # c\nv 0 1 0\nf 1 2 3\n"},
+           {".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"},
+           {".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+           {".ply",
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
             "face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
-           {read_stl,
+           {".stl",
             "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
             "endfacet\nendsolid a\n"}})
     for (const char* mark : {"", "\xEF\xBB\xBF"})
       for (const char* end : {"\n", "\r\n", "\r"}) {
         std::string written = mark;
         for (const char c : text) written += c == '\n' ? std::string(end) : std::string(1, c);
-        const Soup soup = read(written, "f");
+        const Soup soup = read_as(extension, written, ReadAttributes::yes);
         EXPECT_EQ(soup.points, (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << text;
         EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}})) << text;
       }
 }
 
 TEST(Off, Refusals) {
-  expect_refused(read_off, "", "does not begin with OFF");
-  expect_refused(read_off, "XOFF\n", "does not begin with OFF");
-  expect_refused(read_off, "4OFF\n3 1 0\n0 0 0 2\n1 0 0 1\n0 1 0 1\n3 0 1 2\n",
+  expect_refused(".off", "XOFF\n", "does not begin with OFF");
+  expect_refused(".off", "4OFF\n3 1 0\n0 0 0 2\n1 0 0 1\n0 1 0 1\n3 0 1 2\n",
                  ":3: vertex 0 has the fourth coordinate 2");
-  expect_refused(read_off, "nOFF 4\n3 1 0\n", "points of 4 dimensions");
+  expect_refused(".off", "nOFF 4\n3 1 0\n", "points of 4 dimensions");
   // One number is missing and another one is extra: neither lines nor numbers alone fit.
-  expect_refused(read_off, "OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n", ":3: expected a coordinate, found ''");
-  expect_refused(read_off, "OFF BINARY\n", "binary OFF");
-  expect_refused(read_off, "OFF\n3\n", "the file ends");
-  expect_refused(read_off, "OFF\n4000000000 1 0\n", "more than its");
-  expect_refused(read_off, "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n", "more than its");
-  expect_refused(read_off, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "the file ends");
-  expect_refused(read_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "expected a corner");
-  expect_refused(read_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n", ":5: expected a coordinate, found 'x'");
-  expect_refused(read_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "refers to vertex 3");
-  expect_refused(read_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "expected a corner");
+  expect_refused(".off", "OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n", ":3: expected a coordinate, found ''");
+  expect_refused(".off", "OFF BINARY\n", "binary OFF");
+  expect_refused(".off", "OFF\n3\n", "the file ends");
+  expect_refused(".off", "OFF\n4000000000 1 0\n", "more than its");
+  expect_refused(".off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n", "more than its");
+  expect_refused(".off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "the file ends");
+  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "expected a corner");
+  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n", ":5: expected a coordinate, found 'x'");
+  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "refers to vertex 3");
+  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "expected a corner");
 }
 
 constexpr std::string_view ply_text =
@@ -231,39 +211,9 @@ constexpr std::string_view ply_text =
     "0\n7 3 0 1 2\n";
 
 TEST(Ply, TextWithOtherProperties) {
-  const Soup soup = read_ply(ply_text, "f");
+  const Soup soup = read_as(".ply", ply_text);
   EXPECT_EQ(soup.points, (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
-}
-
-TEST(Ply, EverythingElseIsLeftOut) {
-  const auto left_out = [](std::string_view vertex, std::string_view face, std::string_view others,
-                           std::string_view body) {
-    return left_out_in_words(
-        read_ply(
-            fmt::format("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
-                        "z\n{}element face 1\nproperty list uchar int vertex_index\n{}{}end_header\n{}",
-                        vertex, face, others, body),
-            "f", ReadAttributes::yes)
-            .left_out);
-  };
-  const std::string plain = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2";
-  const std::string one = "0 0 0 5\n1 0 0 5\n0 1 0 5\n3 0 1 2";
-  EXPECT_EQ(left_out("", "", "", plain + "\n"), "");
-  EXPECT_EQ(left_out("property float confidence\n", "", "", one), "property `confidence` of `vertex`");
-  EXPECT_EQ(left_out("property list uchar int near\n", "", "", "0 0 0 0\n1 0 0 0\n0 1 0 1 7\n3 0 1 2"),
-            "property `near` of `vertex`");
-  EXPECT_EQ(left_out("property uchar green\n", "", "", one), "colours of `vertex`");
-  EXPECT_EQ(left_out("", "property uchar red\nproperty uchar green\nproperty float nx\nproperty int flags\n", "",
-                     plain + " 1 2 3 4"),
-            "colours of `face`, normals of `face`, property `flags` of `face`");
-  EXPECT_EQ(left_out("", "property list uchar float texcoord\n", "", plain + " 2 1 1"),
-            "texture coordinates of `face`");
-  EXPECT_EQ(
-      left_out("", "", "element edge 1\nproperty int vertex1\nproperty int vertex2\nelement none 0\nproperty int a\n",
-               plain + "\n0 1\n"),
-      "elements `edge`");
-  EXPECT_EQ(left_out("", "", "", plain + "\n0 1\n"), "text after the last element");
 }
 
 TEST(Ply, AttributesOfSomeVerticesAreLeftOut) {
@@ -273,12 +223,13 @@ TEST(Ply, AttributesOfSomeVerticesAreLeftOut) {
   const std::string rest =
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int "
       "vertex_index\nend_header\n0 0 9 1 2 3\n1 0 9 1 2 3\n0 1 9\n3 0 1 2\n";
-  const Soup soup = full_ply(header + colors + rest, "f");
+  const Soup soup = read_as(".ply", header + colors + rest, ReadAttributes::yes);
   EXPECT_EQ(soup.points.size(), 3U);
   EXPECT_TRUE(soup.attributes.empty());
   EXPECT_EQ(soup.left_out, std::vector<std::string>{"COLOR_0"});
-  expect_refused(full_ply, header + colors + "end_header\n0 0 9 1 2 3\n1 0 9 1 2 256\n",
-                 "vertex 1 has a colour 256, which is not from 0 to 255; --no-attributes reads the mesh");
+  expect_refused(".ply", header + colors + "end_header\n0 0 9 1 2 3\n1 0 9 1 2 256\n",
+                 "vertex 1 has a colour 256, which is not from 0 to 255; --no-attributes reads the mesh",
+                 ReadAttributes::yes);
 }
 
 std::string ply_binary(bool big) {
@@ -299,7 +250,7 @@ std::string ply_binary(bool big) {
 
 TEST(Ply, BothByteOrders) {
   for (const bool big : {false, true}) {
-    const Soup soup = read_ply(ply_binary(big), "f");
+    const Soup soup = read_as(".ply", ply_binary(big));
     EXPECT_EQ(soup.points, (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, -2.5F}}));
     EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
   }
@@ -309,7 +260,7 @@ TEST(Ply, EveryPrefixIsRefused) {
   for (const bool big : {false, true}) {
     const std::string whole = ply_binary(big);
     for (std::size_t size = 0; size < whole.size(); ++size)
-      EXPECT_NE(refusal(bare_ply, std::string_view(whole).substr(0, size)), "") << size;
+      expect_refused(".ply", std::string_view(whole).substr(0, size), "");
   }
 }
 
@@ -318,20 +269,19 @@ TEST(Ply, Refusals) {
     std::string text(ply_text);
     return text.replace(text.find(what), what.size(), instead);
   };
-  expect_refused(bare_ply, "", "does not begin with `ply`");
-  expect_refused(bare_ply, "ply\nformat ascii 1.0\n", "ends before `end_header`");
-  expect_refused(bare_ply, "ply\nend_header\n", "no `format` line");
-  expect_refused(bare_ply, with("ascii", "ebcdic"), ":2: unknown format");
-  expect_refused(bare_ply, with("element vertex 3", "element vertex 3000000000"), "more than its remaining");
-  expect_refused(bare_ply, with("element vertex 3", "element vertex many"), "without a count");
-  expect_refused(bare_ply, with("double z", "quad z"), "unknown type 'quad'");
-  expect_refused(bare_ply, with("double z", "double w"), "no property `z`");
-  expect_refused(bare_ply, with("list uchar", "list float"), "must be an integer");
-  expect_refused(bare_ply, with("7 3 0 1 2", "7 3000 0 1 2"), "a list `vertex_index` of length 3000");
-  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1 -2"), "which is not a vertex");
-  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1 5"), "refers to vertex 5");
-  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1"), "ends among the faces");
-  expect_refused(bare_ply, with("comment c", "commend c"), "unknown keyword");
+  expect_refused(".ply", "ply\nformat ascii 1.0\n", "ends before `end_header`");
+  expect_refused(".ply", "ply\nend_header\n", "no `format` line");
+  expect_refused(".ply", with("ascii", "ebcdic"), ":2: unknown format");
+  expect_refused(".ply", with("element vertex 3", "element vertex 3000000000"), "more than its remaining");
+  expect_refused(".ply", with("element vertex 3", "element vertex many"), "without a count");
+  expect_refused(".ply", with("double z", "quad z"), "unknown type 'quad'");
+  expect_refused(".ply", with("double z", "double w"), "no property `z`");
+  expect_refused(".ply", with("list uchar", "list float"), "must be an integer");
+  expect_refused(".ply", with("7 3 0 1 2", "7 3000 0 1 2"), "a list `vertex_index` of length 3000");
+  expect_refused(".ply", with("7 3 0 1 2", "7 3 0 1 -2"), "which is not a vertex");
+  expect_refused(".ply", with("7 3 0 1 2", "7 3 0 1 5"), "refers to vertex 5");
+  expect_refused(".ply", with("7 3 0 1 2", "7 3 0 1"), "ends among the faces");
+  expect_refused(".ply", with("comment c", "commend c"), "unknown keyword");
 }
 
 TEST(Ply, WhatNoTriangleUsesMayBeNoNumber) {
@@ -343,13 +293,13 @@ TEST(Ply, WhatNoTriangleUsesMayBeNoNumber) {
         "end_header\nnan inf 0 0 0 nan\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n{}\n",
         last);
   };
-  const Soup soup = read_ply(with("3 1 2 3"), "f", ReadAttributes::yes);
+  const Soup soup = read_as(".ply", with("3 1 2 3"), ReadAttributes::yes);
   EXPECT_EQ(soup.points[0], (Point{0, 0, 0}));
   EXPECT_EQ(soup.attributes.at(0).value(0), (Attribute::Value{0, 0, 1}));
   EXPECT_EQ(left_out_in_words(soup.left_out),
             "a coordinate that is infinite or not a number, of 1 vertex in no triangle, "
             "normals that are infinite or not a number, of 1 vertex in no triangle");
-  expect_refused(bare_ply, with("3 0 2 3"), "vertex 0 has a coordinate that is infinite or not a number");
+  expect_refused(".ply", with("3 0 2 3"), "vertex 0 has a coordinate that is infinite or not a number");
 }
 
 TEST(Ply, ABodyMayBeginWithTheByteOfALineFeed) {
@@ -360,7 +310,7 @@ TEST(Ply, ABodyMayBeginWithTheByteOfALineFeed) {
           "property char z", "element face 1", "property list uchar uchar vertex_index", "end_header"})
       file += std::string(line) + end;
     file += std::string("\n\n\r\1\0\0\0\1\0\3\0\1\2", 13);
-    EXPECT_EQ(read_ply(file, "f").points[0], (Point{10, 10, 13}));
+    EXPECT_EQ(read_as(".ply", file).points[0], (Point{10, 10, 13}));
   }
 }
 
@@ -373,22 +323,22 @@ TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
         "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n{}",
         std::count(lists.begin(), lists.end(), '\n'), lists);
   };
-  const auto triangles = [&](std::string_view lists) { return read_ply(with(lists), "f").triangles; };
+  const auto triangles = [&](std::string_view lists) { return read_as(".ply", with(lists)).triangles; };
   EXPECT_EQ(triangles("9 4 0 1 2 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
   EXPECT_EQ(triangles("9 5 0 1 2 1 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}})) << "a swap";
   EXPECT_EQ(triangles("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
             (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
-  const auto strips = [&](std::string_view lists) { return read_ply(with(lists), "f").strips; };
+  const auto strips = [&](std::string_view lists) { return read_as(".ply", with(lists)).strips; };
   EXPECT_EQ(strips("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
             (std::vector<std::uint32_t>{0, 1, 2, strip_end, 2, 1, 3, strip_end, 2, 3, 4}));
   EXPECT_EQ(strips("9 5 0 1 2 1 3\n"), (std::vector<std::uint32_t>{0, 1, 2, 1, 3}));
   // The restart as an unsigned number.
   EXPECT_EQ(triangles("9 7 0 1 2 4294967295 2 1 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
-  expect_refused(bare_ply, with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
-  expect_refused(bare_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
-  expect_refused(bare_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is not a vertex");
-  expect_refused(bare_ply, with("9 3 0 1\n"), "ends among the strips");
-  expect_refused(bare_ply, with("9 2 0 1\n"), "no triangles");
+  expect_refused(".ply", with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
+  expect_refused(".ply", with("9 3 0 1 6\n"), "refers to vertex 6");
+  expect_refused(".ply", with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is not a vertex");
+  expect_refused(".ply", with("9 3 0 1\n"), "ends among the strips");
+  expect_refused(".ply", with("9 2 0 1\n"), "no triangles");
 }
 
 std::string stl_binary(const Soup& soup) {
@@ -403,13 +353,13 @@ std::string stl_binary(const Soup& soup) {
 }
 
 TEST(Stl, CornersAtOnePlaceBecomeOneVertex) {
-  const Soup soup = read_stl(stl_binary(tetrahedron()), "f");
+  const Soup soup = read_as(".stl", stl_binary(tetrahedron()));
   EXPECT_EQ(soup.points.size(), 4U);
   EXPECT_EQ(soup.triangles.size(), 4U);
-  const Soup text = read_stl(
+  const Soup text = read_as(
+      ".stl",
       "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex -0 1e0 0\nendloop\nendfacet\n"
-      "facet normal 0 0 1\nouter loop\nvertex 0 1 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\nendsolid a\n",
-      "f");
+      "facet normal 0 0 1\nouter loop\nvertex 0 1 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\nendsolid a\n");
   EXPECT_EQ(text.points.size(), 4U);
   EXPECT_EQ(text.triangles, (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
 }
@@ -419,27 +369,26 @@ TEST(Stl, LettersMayBeLargeAndMoreBytesFollow) {
       "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
       "0\nendloop\nendfacet\nendsolid\n";
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  EXPECT_EQ(read_stl(upper, "f").triangles.size(), 1U);
+  EXPECT_EQ(read_as(".stl", upper).triangles.size(), 1U);
   const std::string whole = stl_binary(tetrahedron());
-  EXPECT_TRUE(read_stl(whole, "f").left_out.empty());
-  const Soup longer = read_stl(whole + "more", "f");
+  EXPECT_TRUE(read_as(".stl", whole).left_out.empty());
+  const Soup longer = read_as(".stl", whole + "more");
   EXPECT_EQ(longer.triangles.size(), 4U);
   EXPECT_EQ(left_out_in_words(longer.left_out), "4 bytes after the facets");
   std::string coloured = whole;
   coloured.back() = 'c';
-  EXPECT_EQ(left_out_in_words(read_stl(coloured, "f").left_out), "colours");
+  EXPECT_EQ(left_out_in_words(read_as(".stl", coloured).left_out), "colours");
 }
 
 TEST(Stl, Refusals) {
   const std::string whole = stl_binary(tetrahedron());
-  expect_refused(read_stl, "", "is it complete?");
-  expect_refused(read_stl, std::string_view(whole).substr(5, 60), "is it complete?");
-  expect_refused(read_stl, whole.substr(0, whole.size() - 1), "");
-  expect_refused(read_stl, std::string(79, '\n') + "x", "is it complete?");
-  expect_refused(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n",
+  expect_refused(".stl", std::string_view(whole).substr(5, 60), "is it complete?");
+  expect_refused(".stl", whole.substr(0, whole.size() - 1), "");
+  expect_refused(".stl", std::string(79, '\n') + "x", "is it complete?");
+  expect_refused(".stl", "solid a\nfacet\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n",
                  ":6: a facet whose number of vertices is not three");
-  expect_refused(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0 0\n", "ends inside a facet");
-  expect_refused(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0\n", "three numbers");
+  expect_refused(".stl", "solid a\nfacet\nouter loop\nvertex 0 0 0\n", "ends inside a facet");
+  expect_refused(".stl", "solid a\nfacet\nouter loop\nvertex 0 0\n", "three numbers");
 }
 
 using InFolder = ScratchFolder;

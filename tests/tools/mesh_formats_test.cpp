@@ -31,8 +31,6 @@
 namespace restrip::tools {
 namespace {
 
-std::string no_sibling(const std::string& /*file*/) { throw BadInput("no other file"); }
-
 ReadMesh parsed(const MeshFormat& format, const std::string& bytes) {
   return parse_mesh(bytes, format.extension, "some file", no_sibling);
 }
@@ -145,7 +143,7 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
   const std::string far =
       "v 500000.001 4649776.251 10.004\nv 500000.501 4649776.251 10.004\nv 500000.001 4649776.501 10.004\n"
       "v 500000.501 4649776.501 10.004\nf 1 2 3\nf 3 2 4\n";
-  const Soup soup = read_obj(far, "f");
+  const Soup soup = read_as(".obj", far);
   EXPECT_EQ(soup.points[0], (Point{500000.001, 4649776.251, 10.004}));
   EXPECT_EQ(coincident_vertices(soup), 0U) << "--weld would not join them";
   for (const MeshFormat& format : mesh_formats()) {
@@ -165,9 +163,9 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
         "property list uchar int vertex_index\nend_header\n0.1 0 0\n1 0.2 0\n0 1 0.3\n3 0 1 2\n",
         type);
   };
-  EXPECT_EQ(read_ply(ply_bytes(read_ply(ply("double"), "f")), "f").points[0], (Point{0.1, 0, 0}));
-  EXPECT_EQ(read_ply(ply_bytes(read_ply(ply("float"), "f")), "f").points[0], (Point{0.1F, 0, 0}));
-  EXPECT_EQ(read_obj(obj_bytes(read_ply(ply("float"), "f")), "f").points[0], (Point{0.1, 0, 0}));
+  EXPECT_EQ(read_as(".ply", ply_bytes(read_as(".ply", ply("double")))).points[0], (Point{0.1, 0, 0}));
+  EXPECT_EQ(read_as(".ply", ply_bytes(read_as(".ply", ply("float")))).points[0], (Point{0.1F, 0, 0}));
+  EXPECT_EQ(read_as(".obj", obj_bytes(read_as(".ply", ply("float")))).points[0], (Point{0.1, 0, 0}));
 }
 
 using FormatsInFolder = ScratchFolder;

@@ -12,7 +12,7 @@
 #include <random>
 #include <set>
 
-#include "meshes/mesh_file.hpp"
+#include "shapes.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -224,11 +224,11 @@ TEST(Polygon, EveryFormat) {
   const std::string ply =
       "ply\nformat ascii 1.0\n{}element vertex 5\nproperty float x\nproperty float y\nproperty float z\n{}end_header\n";
   const std::string faces = "element face 1\nproperty list uchar int vertex_index\n";
-  for (const Soup& soup : {read_obj(vs + "f 1 2 3 4 5\n", "f"), read_obj("f 1 2 3 4 5\n" + vs, "f"),
-                           read_obj(vs + "f 1/1 2/2 3/3 4/4 5/5\n", "f", ReadAttributes::yes),
-                           read_off("OFF 5 1 0\n" + points + "5 0 1 2 3 4\n", "f"),
-                           read_ply(fmt::format(fmt::runtime(ply), "", faces) + points + "5 0 1 2 3 4\n", "f"),
-                           read_ply(fmt::format(fmt::runtime(ply), faces, "") + "5 0 1 2 3 4\n" + points, "f")}) {
+  for (const Soup& soup : {read_as(".obj", vs + "f 1 2 3 4 5\n"), read_as(".obj", "f 1 2 3 4 5\n" + vs),
+                           read_as(".obj", vs + "f 1/1 2/2 3/3 4/4 5/5\n", ReadAttributes::yes),
+                           read_as(".off", "OFF 5 1 0\n" + points + "5 0 1 2 3 4\n"),
+                           read_as(".ply", fmt::format(fmt::runtime(ply), "", faces) + points + "5 0 1 2 3 4\n"),
+                           read_as(".ply", fmt::format(fmt::runtime(ply), faces, "") + "5 0 1 2 3 4\n" + points)}) {
     EXPECT_EQ(soup.polygons, 1U);
     double sum = 0;
     for (const Corners& t : soup.triangles) {
@@ -240,10 +240,9 @@ TEST(Polygon, EveryFormat) {
     EXPECT_DOUBLE_EQ(sum, 10);
   }
   // The strips of the file beside it stay, and its triangles are strips of one.
-  const Soup both = read_ply(
-      fmt::format(fmt::runtime(ply), "", faces + "element tristrips 1\nproperty list uchar int vertex_index\n") +
-          points + "5 0 1 2 3 4\n4 0 1 2 3\n",
-      "f");
+  const Soup both = read_as(".ply", fmt::format(fmt::runtime(ply), "",
+                                                faces + "element tristrips 1\nproperty list uchar int vertex_index\n") +
+                                        points + "5 0 1 2 3 4\n4 0 1 2 3\n");
   ASSERT_EQ(both.triangles.size(), 5U);
   std::vector<std::uint32_t> strips;
   for (std::size_t t = 0; t < 3; ++t) {

@@ -1,13 +1,25 @@
-// Small meshes that are easy to imagine.
+// Small meshes that are easy to imagine, and meshes in the text of a file.
 #pragma once
 
 #include <cmath>
 #include <initializer_list>
+#include <string>
+#include <string_view>
 
+#include "common/bad_input.hpp"
+#include "lod/mesh_formats.hpp"
 #include "meshes/soup.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
+
+inline std::string no_sibling(const std::string& /*file*/) { throw BadInput("f: other files do not exist"); }
+
+/// The mesh of a file with this extension, alone in its folder.
+inline Soup read_as(std::string_view extension, std::string_view bytes,
+                    ReadAttributes attributes = ReadAttributes::no) {
+  return finest_level(parse_mesh(bytes, extension, "some.file", no_sibling, attributes));
+}
 
 inline StripMesh mesh_of(const Soup& soup) { return StripMesh::build(soup.triangles, soup.points.size()); }
 

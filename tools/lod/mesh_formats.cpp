@@ -16,6 +16,14 @@
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
+
+// The readers of meshes/read_NAME.cpp. `name` is for messages.
+Soup read_obj(std::string_view bytes, const std::string& name, ReadAttributes attributes);
+Soup read_off(std::string_view bytes, const std::string& name);
+Soup read_ply(std::string_view bytes, const std::string& name, ReadAttributes attributes);
+/// Merges corners at exactly the same position, because STL has no indices.
+Soup read_stl(std::string_view bytes, const std::string& name);
+
 namespace {
 
 /// A reader that needs no other file, and perhaps reads no attributes.

@@ -67,10 +67,18 @@ Attribute::Value Attribute::value(std::size_t vertex) const {
 Attribute::Value Attribute::meant(std::size_t vertex) const {
   Value found = value(vertex);
   if (!normalized) return found;
+  for (double& component : found) component = fraction(component, type);
+  return found;
+}
+
+double fraction(double stored, ComponentType type) {
   const bool is_signed = type == ComponentType::signed_byte || type == ComponentType::signed_short;
   const auto most = static_cast<double>((std::uint64_t{1} << (8 * width_of(type) - (is_signed ? 1U : 0U))) - 1);
-  for (double& component : found) component = std::max(component / most, -1.0);
-  return found;
+  return std::max(stored / most, -1.0);
+}
+
+bool is_finite(const Attribute::Value& value) {
+  return std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(static_cast<float>(c)); });
 }
 
 void Attribute::append(const Value& value) {

@@ -61,6 +61,12 @@ struct Attribute {
   }
 };
 
+/// What a stored component of a normalised attribute stands for: 0 to 1, or -1 to 1.
+[[nodiscard]] double fraction(double stored, ComponentType type);
+
+/// Whether every component is finite in 32 bits.
+[[nodiscard]] bool is_finite(const Attribute::Value& value);
+
 /// The attribute of these vertices only, in this order.
 [[nodiscard]] Attribute selected(const Attribute& attribute, std::span<const std::uint32_t> vertices);
 

@@ -38,19 +38,6 @@ ComponentType type_of_indices(const JsonValue& accessor) {
   return ComponentType{static_cast<unsigned>(type)};
 }
 
-/// How a stored component maps to its value.
-struct Scale {
-  double factor = 1;
-  bool normalized = false;
-  double operator()(double value) const { return normalized ? std::max(value * factor, -1.0) : value; }
-};
-
-Scale scale_of(ComponentType type, bool normalized) {
-  const bool is_signed = type == ComponentType::signed_byte || type == ComponentType::signed_short;
-  const unsigned bits = 8 * width_of(type) - (is_signed ? 1U : 0U);
-  return {1.0 / static_cast<double>((std::uint64_t{1} << bits) - 1), normalized};
-}
-
 unsigned digit_of(char c, std::string_view digits) { return static_cast<unsigned>(digits.find(c)); }
 
 /// Empty if the text is not valid base64.
@@ -308,10 +295,12 @@ std::vector<Point> GltfFile::positions(std::uint64_t number) {
   const ComponentType type = type_of_values(about, "positions");
   // KHR_mesh_quantization: integers, normalised or not.
   const bool normalized = about["normalized"].truth_or(false) && type != ComponentType::real;
-  const Scale scale = scale_of(type, normalized);
   std::vector<Point> points;
   fill(about, type, 3, points, [&](const Elements& from, std::size_t at) {
-    const auto coordinate = [&](std::size_t axis) { return static_cast<float>(scale(from.value(at, axis))); };
+    const auto coordinate = [&](std::size_t axis) {
+      const double stored = from.value(at, axis);
+      return static_cast<float>(normalized ? fraction(stored, type) : stored);
+    };
     return Point{coordinate(0), coordinate(1), coordinate(2)};
   });
   return points;
@@ -336,12 +325,13 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
   const bool has_fractions = (type == ComponentType::unsigned_byte || type == ComponentType::unsigned_short) &&
                              normalized && name != "NORMAL" && name != "TANGENT";
   const bool as_it_is = type == ComponentType::real || is_own || has_fractions;
-  const Scale scale = scale_of(type, normalized && !as_it_is);
   Attribute made{name, as_it_is ? type : ComponentType::real, components, normalized && as_it_is};
   std::vector<Attribute::Value> values;
   fill(about, type, components, values, [&](const Elements& from, std::size_t at) {
     Attribute::Value value{};
-    for (unsigned c = 0; c < components; ++c) value[c] = scale(from.value(at, c));
+    for (unsigned c = 0; c < components; ++c) value[c] = from.value(at, c);
+    for (double& component : value)
+      if (normalized && !as_it_is) component = fraction(component, type);
     return value;
   });
   made.bytes.reserve(values.size() * made.value_bytes());

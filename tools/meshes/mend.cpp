@@ -127,15 +127,8 @@ void refuse_mending(const std::string& file, const MendingOptions& options) {
 
 void weld(Soup& soup, Mended& mended) {
   std::vector<std::uint32_t> number = first_alike(soup.points.size(), soup.points, soup.attributes);
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
-    const bool is_first = number[v] == v;
-    number[v] = is_first ? static_cast<std::uint32_t>(kept.size()) : number[number[v]];
-    if (is_first)
-      kept.push_back(v);
-    else
-      ++mended.welded_vertices;
-  }
+  const std::vector<std::uint32_t> kept = renumber(number);
+  mended.welded_vertices += number.size() - kept.size();
   for (std::size_t i = 0; i < kept.size(); ++i) soup.points[i] = soup.points[kept[i]];
   soup.points.resize(kept.size());
   for (Attribute& attribute : soup.attributes) attribute = selected(attribute, kept);

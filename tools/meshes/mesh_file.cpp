@@ -98,16 +98,11 @@ std::string obj_bytes(const Soup& soup) {
     text += '\n';
   }
 
-  // Writes each value once; returns the number of each vertex's value, counted from 1.
+  // Writes each value once; returns the number of each vertex's value.
   const auto put_values = [&](const Attribute* attribute, auto&& put) {
     if (attribute == nullptr) return std::vector<std::uint32_t>();
     std::vector<std::uint32_t> number = first_alike(size, {}, std::span(attribute, 1));
-    std::uint32_t values = 0;
-    for (std::uint32_t v = 0; v < size; ++v) {
-      const bool is_first = number[v] == v;
-      number[v] = is_first ? ++values : number[number[v]];
-      if (is_first) put(attribute->meant(v));
-    }
+    for (const std::uint32_t v : renumber(number)) put(attribute->meant(v));
     return number;
   };
   const std::vector<std::uint32_t> vt = put_values(places, [&](const Attribute::Value& value) {
@@ -122,8 +117,8 @@ std::string obj_bytes(const Soup& soup) {
     text += 'f';
     for (const std::uint32_t corner : t) {
       fmt::format_to(out, " {}", v_of[corner]);
-      if (places != nullptr) fmt::format_to(out, "/{}", vt[corner]);
-      if (normals != nullptr) fmt::format_to(out, "{}{}", places == nullptr ? "//" : "/", vn[corner]);
+      if (places != nullptr) fmt::format_to(out, "/{}", vt[corner] + 1);
+      if (normals != nullptr) fmt::format_to(out, "{}{}", places == nullptr ? "//" : "/", vn[corner] + 1);
     }
     text += '\n';
   }

@@ -1,5 +1,4 @@
-// Readers for OBJ, OFF, PLY, STL and glTF, and writers for all of them but glTF (strip_file.hpp). lod/mesh_formats.hpp
-// has the table of formats.
+// Writers of mesh files, and what their readers (read_NAME.cpp) share. lod/mesh_formats.cpp has the table of formats.
 //
 // OpenMesh's readers (version 9) are not used because they lose faces silently: its OBJ reader drops repeated corners
 // and vertices that it cannot parse, so that all later indices shift; its mesh refuses faces at non-manifold places;
@@ -24,17 +23,9 @@ using ReadSibling = std::function<std::string(const std::string& file_name)>;
 /// Everything else is listed in Soup::left_out.
 enum class ReadAttributes { no, yes };
 
-/// The readers, one per format, on the bytes of a file. `name` is for messages.
-[[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name,
-                            ReadAttributes attributes = ReadAttributes::no);
-[[nodiscard]] Soup read_off(std::string_view bytes, const std::string& name);
-[[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name,
-                            ReadAttributes attributes = ReadAttributes::no);
 /// Compares the size with the count of facets in the file.
 [[nodiscard]] bool is_binary_stl(std::string_view bytes);
-/// Merges corners at exactly the same position, because STL has no indices.
-[[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
-/// Reads buffers in other files through `sibling`.
+/// Reads buffers in other files through `sibling`. `name` is for messages.
 [[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadSibling& sibling,
                              ReadAttributes attributes = ReadAttributes::no);
 

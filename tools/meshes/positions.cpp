@@ -62,6 +62,16 @@ std::vector<std::uint32_t> first_alike(std::size_t count, std::span<const Point>
   return first;
 }
 
+std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& first) {
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t v = 0; v < first.size(); ++v) {
+    const bool is_first = first[v] == v;
+    first[v] = is_first ? static_cast<std::uint32_t>(kept.size()) : first[first[v]];
+    if (is_first) kept.push_back(v);
+  }
+  return kept;
+}
+
 void put_coordinates(std::string& text, const Point& p) {
   const char* between = "";
   for (const double c : {p.x, p.y, p.z}) {

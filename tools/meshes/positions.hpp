@@ -18,6 +18,10 @@ namespace restrip::tools {
 [[nodiscard]] std::vector<std::uint32_t> first_alike(std::size_t count, std::span<const Point> points,
                                                      std::span<const Attribute> attributes = {});
 
+/// Replaces the result of first_alike() by the numbers that vertices get if only the first of those alike remain, which
+/// are returned.
+std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& first);
+
 /// The effect of rounding a mesh to 32 bits.
 struct Rounding {
   double largest = 0;          ///< the largest change of a coordinate

@@ -261,11 +261,8 @@ class GltfReader {
       const bool is_direction = name == "NORMAL" || name == "TANGENT";
       for (std::size_t v = 0; v < count; ++v) {
         const Attribute::Value value = attribute->value(v);
-        Attribute::Value usable = is_direction ? unit_normal(value) : value;
-        if (!std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(c); })) {
-          soup_.doubt(first.point + v, name);
-          usable = neutral_value(name);
-        }
+        Attribute::Value usable = soup_.usable(value, first.point + v, name);
+        if (is_direction) usable = unit_normal(usable);
         if (usable == value) continue;
         Attribute other = selected(*attribute, {});
         other.append(usable);

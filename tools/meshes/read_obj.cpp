@@ -106,10 +106,6 @@ class ObjReader {
                         : fmt::format("lines `{}`", files::printable_ascii(keyword.substr(0, 40))));
   }
 
-  static bool is_finite(const Attribute::Value& value) {
-    return std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(static_cast<float>(c)); });
-  }
-
   void read_point() {
     std::array<double, 3> p{};
     for (double& coordinate : p) {
@@ -141,8 +137,7 @@ class ObjReader {
       colors_.components = 0;
     }
     if (colors_.components == 0) return;
-    if (!is_finite(color)) soup_.doubt(soup_.point_count() - 1, "COLOR_0");
-    colors_.append(is_finite(color) ? color : Attribute::Value{});
+    colors_.append(soup_.usable(color, soup_.point_count() - 1, "COLOR_0"));
   }
 
   void read_value(Values& all, unsigned least, unsigned most) {

@@ -323,11 +323,7 @@ class PlyReader {
   }
 
   void append(Attribute& attribute, Attribute::Value value, std::size_t vertex) {
-    for (unsigned c = 0; c < attribute.components; ++c)
-      if (!std::isfinite(static_cast<float>(value[c]))) {
-        soup_.doubt(vertex, attribute.name);
-        value = neutral_value(attribute.name);
-      }
+    value = soup_.usable(value, vertex, attribute.name);
     if (attribute.type != ComponentType::real)
       for (unsigned c = 0; c < attribute.components; ++c)
         if (const double most = attribute.type == ComponentType::unsigned_byte ? 255 : 65535;

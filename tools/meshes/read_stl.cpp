@@ -29,11 +29,8 @@ constexpr std::size_t facet_bytes = 50;
 /// The mesh of these facets, three corners each; corners at the same position are merged.
 Soup welded(SoupBuilder soup, const std::vector<Point>& corners) {
   std::vector<std::uint32_t> vertex = first_alike(corners.size(), corners);
-  for (std::uint32_t corner = 0; corner < vertex.size(); ++corner) {
-    const bool is_first = vertex[corner] == corner;
-    vertex[corner] = is_first ? static_cast<std::uint32_t>(soup.point_count()) : vertex[vertex[corner]];
-    if (is_first) soup.add_point(corners[corner].x, corners[corner].y, corners[corner].z);
-  }
+  for (const std::uint32_t corner : renumber(vertex))
+    soup.add_point(corners[corner].x, corners[corner].y, corners[corner].z);
   for (std::size_t corner = 0; corner < vertex.size(); corner += 3) soup.add_face(std::span(vertex).subspan(corner, 3));
   return std::move(soup).finish();
 }

@@ -34,6 +34,12 @@ void SoupBuilder::add_point(double x, double y, double z) {
   soup_.points.push_back(point);
 }
 
+Attribute::Value SoupBuilder::usable(const Attribute::Value& value, std::size_t vertex, const std::string& attribute) {
+  if (is_finite(value)) return value;
+  doubts_[attribute].push_back(vertex);
+  return neutral_value(attribute);
+}
+
 void SoupBuilder::leave_out(const std::string& part) {
   constexpr std::size_t most_names = 64;
   note(soup_.left_out, soup_.left_out.size() < most_names ? part : "more parts of other kinds");

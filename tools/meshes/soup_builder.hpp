@@ -28,9 +28,10 @@ class SoupBuilder {
 
   /// Throws BadInput if there are too many.
   void add_point(double x, double y, double z);
-  /// Notes that the vertex has a value of the attribute that is not finite, in place of which the caller stores a
-  /// neutral one. If a triangle uses the vertex, the attribute is left out in the end.
-  void doubt(std::size_t vertex, const std::string& attribute) { doubts_[attribute].push_back(vertex); }
+  /// The value of an attribute at a vertex, or a neutral one if it is not finite. If a triangle uses such a vertex, the
+  /// attribute is left out in the end.
+  [[nodiscard]] Attribute::Value usable(const Attribute::Value& value, std::size_t vertex,
+                                        const std::string& attribute);
   /// Corners may refer to later points. Throws BadInput if there are too many.
   void add_face(std::span<const std::uint32_t> corners);
   /// Adds the triangles of a strip, and the strip. A repeated index turns the strip and draws nothing; fewer than three
