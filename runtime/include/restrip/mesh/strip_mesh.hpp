@@ -31,7 +31,7 @@ void make_room(Vector& vector, std::size_t more) {
   if (vector.capacity() - vector.size() < more) vector.reserve((std::max)(vector.size() + more, 2 * vector.capacity()));
 }
 inline void sort_unique(std::vector<std::uint32_t>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
+  if (!std::is_sorted(numbers.begin(), numbers.end())) std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 }  // namespace detail

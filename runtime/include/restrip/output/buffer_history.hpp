@@ -29,63 +29,19 @@
 #include <variant>
 #include <vector>
 
+#include "restrip/mesh/history.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strip_buffer.hpp"
 
 namespace restrip {
 
-namespace detail {
-
-inline std::uint32_t exchange(Cells& cells, std::uint32_t i, std::uint32_t index) noexcept {
-  const std::uint32_t before = cells[i];
-  cells.set(i, index);
-  return before;
-}
-template <class Value>
-Value exchange(std::vector<Value>& array, std::uint32_t i, Value value) noexcept {
-  return std::exchange(array[i], value);
-}
-
-/// Values of an array, to be exchanged with the present ones.
-template <class Value>
-struct Values {
-  std::vector<std::uint32_t> at;  // ascending
-  std::vector<Value> value;
-  std::size_t size = 0;  // of the array
-
-  // From `last`, which is brought in step, the values before. `named` is cleared.
-  template <class Array>
-  void take(std::vector<std::uint32_t>& named, Array& last, const Array& now, Value beyond) {
-    for (std::size_t i = (std::min)(last.size(), now.size()); i < (std::max)(last.size(), now.size()); ++i)
-      named.push_back(static_cast<std::uint32_t>(i));
-    sort_unique(named);
-    size = last.size();
-    last.resize((std::max)(last.size(), now.size()), beyond);
-    for (const std::uint32_t i : named) {
-      if (i >= last.size()) break;
-      const Value after = i < now.size() ? now[i] : beyond;
-      if (last[i] == after) continue;
-      at.push_back(i);
-      value.push_back(exchange(last, i, after));
-    }
-    last.resize(now.size(), beyond);
-    named.clear();
-  }
-  template <class Array>
-  void exchange_with(Array& array, Value beyond) {
-    const std::size_t now = array.size();
-    array.resize((std::max)(now, size), beyond);
-    for (std::size_t i = 0; i < at.size(); ++i) value[i] = exchange(array, at[i], value[i]);
-    array.resize(std::exchange(size, now), beyond);
-  }
-};
-
-}  // namespace detail
-
 class BufferHistory {
  public:
   /// Begins with the buffer as it is. Linear time.
-  explicit BufferHistory(StripBuffer& buffer) : last_((read_places(buffer), buffer)) { places_.clear(); }
+  explicit BufferHistory(StripBuffer& buffer)
+      : last_{(read_places(buffer), buffer.cells_), buffer.run_of_, buffer.places_.places_, buffer.places_.totals_} {
+    places_.clear();
+  }
 
   /// Call it after each update, with the same list of changes, and after each rebuild(). After an exception the history
   /// must not be used any more; the same holds for frame(), undo() and redo().
@@ -101,10 +57,9 @@ class BufferHistory {
   /// belong to it. Its undo leaves that as it is.
   void before_update(StripBuffer& buffer) {
     const bool same = cells_.empty() && triangles_.empty() && buffer.places_.changed_.empty() &&
-                      buffer.places_.cursor() == last_.places_.cursor();
+                      buffer.places_.cursor() == last_.totals.cursor;
     if (same || buffer.stale_) return;  // after an exception the update writes everything
-    Change change = take(buffer);
-    if (!change.empty()) between_.push_back(std::move(change));
+    between_.push_back(take(buffer));
   }
   /// Ends a frame, which contains all updates since the previous frame. Frames that were undone and not redone are
   /// dropped, and so are the oldest beyond `most`.
@@ -147,21 +102,26 @@ class BufferHistory {
   [[nodiscard]] std::size_t redoable() const noexcept { return frames_.size() - done_; }
 
  private:
-  struct Change {
-    detail::Values<std::uint32_t> cells;
-    detail::Values<std::uint32_t> run_of;
-    detail::Values<detail::RunPlaces::Place> places;
+  // What is kept of a buffer.
+  struct Contents {
+    detail::Cells cells;
+    std::vector<std::uint32_t> run_of;
+    std::vector<detail::RunPlaces::Place> places;
     detail::RunPlaces::Totals totals;
-    std::vector<StripBuffer> whole;  // instead of all that, if the width of the indices changed
-    [[nodiscard]] bool empty() const noexcept {
-      return cells.at.empty() && run_of.at.empty() && places.at.empty() && whole.empty();
-    }
+  };
+  struct Change {
+    detail::ArrayChange narrow_cells;
+    detail::ArrayChange wide_cells;
+    detail::ArrayChange run_of;
+    detail::ArrayChange places;
+    detail::RunPlaces::Totals totals;
+    bool narrow = false;
   };
 
   void note_all(const StripBuffer& buffer) {
-    cells_.resize((std::max)(buffer.cells_.size(), last_.cells_.size()));
-    triangles_.resize((std::max)(buffer.run_of_.size(), last_.run_of_.size()));
-    places_.resize((std::max)(buffer.places_.places_.size(), last_.places_.places_.size()));
+    cells_.resize(buffer.cells_.size());
+    triangles_.resize(buffer.run_of_.size());
+    places_.resize(buffer.places_.places_.size());
     for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
   }
   // The places that have changed since they were read last.
@@ -171,45 +131,44 @@ class BufferHistory {
     for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
     places.changed_.clear();
   }
+  // The difference to the last contents, which are brought in step.
   Change take(StripBuffer& buffer) {
+    const detail::Cells& cells = buffer.cells_;
     const detail::RunPlaces& places = buffer.places_;
     read_places(buffer);
     Change change;
-    if (buffer.width() != last_.width()) {
-      change.whole.push_back(buffer);
-      std::swap(change.whole.front(), last_);
-      for (auto* const list : {&cells_, &triangles_, &places_}) list->clear();
-      return change;
-    }
-    change.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
-    change.run_of.take(triangles_, last_.run_of_, buffer.run_of_, StripBuffer::nothing);
-    change.places.take(places_, last_.places_.places_, places.places_, {});
-    change.totals = std::exchange(last_.places_.totals_, places.totals_);
+    change.narrow = std::exchange(last_.cells.narrow_, cells.narrow_);
+    if (change.narrow != cells.narrow_) cells_.clear();  // all of the one width, then all of the other
+    if (change.narrow || cells.narrow_)
+      change.narrow_cells.take(cells_, last_.cells.cells16_, cells.cells16_, filling<std::uint16_t>(buffer));
+    if (!change.narrow || !cells.narrow_)
+      change.wide_cells.take(cells_, last_.cells.cells32_, cells.cells32_, filling<std::uint32_t>(buffer));
+    change.run_of.take(triangles_, last_.run_of, buffer.run_of_, StripBuffer::nothing);
+    change.places.take(places_, last_.places, places.places_, {});
+    change.totals = std::exchange(last_.totals, places.totals_);
     return change;
   }
-  static void exchange(Change& change, StripBuffer& buffer) {
-    change.cells.exchange_with(buffer.cells_, buffer.filling());
-    change.run_of.exchange_with(buffer.run_of_, StripBuffer::nothing);
-    change.places.exchange_with(buffer.places_.places_, {});
-    std::swap(change.totals, buffer.places_.totals_);
+  // For either width: that of a buffer may be the other one.
+  template <class Index>
+  static Index filling(const StripBuffer& buffer) noexcept {
+    return static_cast<Index>(buffer.stitched_ ? 0 : 0xFFFFFFFFU);
   }
-  // Writes a change to the buffer and the copy; the next update returns its ranges.
+  // Exchanges a change with the buffer, and writes it to the copy; the next update returns its ranges.
   void put(Change& change, StripBuffer& buffer) {
-    if (!change.whole.empty()) {
-      StripBuffer whole = change.whole.front();
-      std::swap(change.whole.front(), last_);
-      buffer = std::move(whole);
-      return;
-    }
-    detail::make_room(buffer.written_, change.cells.at.size() + 1);
-    buffer.mark((std::min)(change.cells.size, buffer.cells_.size()),
-                (std::max)(change.cells.size, buffer.cells_.size()));
-    for (const std::uint32_t i : change.cells.at) buffer.mark(i, i + std::size_t{1});
+    const detail::ArrayChange& cells = change.narrow ? change.narrow_cells : change.wide_cells;
+    detail::make_room(buffer.written_, cells.places().size() + 1);
+    buffer.mark((std::min)(cells.size(), buffer.cells_.size()), (std::max)(cells.size(), buffer.cells_.size()));
+    for (const std::uint32_t i : cells.places()) buffer.mark(i, i + std::size_t{1});
     buffer.keep_ranges();
-    Change copy = change;
-    exchange(copy, last_);
     const bool stale = std::exchange(buffer.stale_, true);  // in case memory runs out
-    exchange(change, buffer);
+    change.narrow_cells.exchange(buffer.cells_.cells16_, last_.cells.cells16_, filling<std::uint16_t>(buffer));
+    change.wide_cells.exchange(buffer.cells_.cells32_, last_.cells.cells32_, filling<std::uint32_t>(buffer));
+    change.run_of.exchange(buffer.run_of_, last_.run_of, StripBuffer::nothing);
+    change.places.exchange(buffer.places_.places_, last_.places, {});
+    std::swap(change.totals, buffer.places_.totals_);
+    std::swap(change.narrow, buffer.cells_.narrow_);
+    last_.totals = buffer.places_.totals_;
+    last_.cells.narrow_ = buffer.cells_.narrow_;
     buffer.stale_ = stale;
   }
   void forget_unframed(StripBuffer& buffer) {
@@ -223,7 +182,7 @@ class BufferHistory {
   std::vector<std::uint32_t> cells_;  // that updates since may have changed
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> places_;
-  StripBuffer last_;  // as it was at the end of the last frame
+  Contents last_;  // as it was at the end of the last frame
 };
 
 /// The history of a LiveBuffer of strips, of any width. Lists need no history: an update draws them, though in another

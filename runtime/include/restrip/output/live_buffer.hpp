@@ -115,9 +115,9 @@ class LiveBuffer {
   void make(bool wide) {
     const IndexWidth width = wide ? IndexWidth::bits32 : IndexWidth::bits16;
     if (format_.form == StripForm::list)
-      buffer_ = TriangleListBuffer(width);
+      buffer_.emplace<TriangleListBuffer>(width);
     else
-      buffer_ = StripBuffer(format_.form, layout_, width);
+      buffer_.emplace<StripBuffer>(StripBuffer(format_.form, layout_, width));  // may throw before it
   }
   [[nodiscard]] const detail::Cells& cells() const noexcept {
     return std::visit([](const auto& buffer) -> const detail::Cells& { return buffer.cells(); }, buffer_);

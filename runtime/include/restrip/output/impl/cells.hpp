@@ -13,6 +13,10 @@
 #include "restrip/output/strip_format.hpp"
 #include "restrip/precondition.hpp"
 
+namespace restrip {
+class BufferHistory;
+}
+
 namespace restrip::detail {
 
 class Cells {
@@ -85,6 +89,8 @@ class Cells {
   }
 
  private:
+  friend class restrip::BufferHistory;
+
   void* at(std::size_t i) noexcept { return narrow_ ? static_cast<void*>(cells16_.data() + i) : cells32_.data() + i; }
 
   bool narrow_;

@@ -26,7 +26,6 @@ struct Run {
   std::uint32_t cuts = 0;      ///< its ends where the strip continues in another run
   std::uint32_t triangle = 0;  ///< of its two ends, the lower one
   [[nodiscard]] std::uint32_t end() const noexcept { return first + length; }
-  friend bool operator==(const Run&, const Run&) = default;
 };
 
 /// Place 0 is the head: it lies at the beginning, its run is empty, and its gap lies before the first run. Places are
@@ -134,10 +133,9 @@ class RunPlaces {
     std::uint32_t next = head;
     std::uint32_t nearer = no_place;  // places with a gap of the same size
     std::uint32_t farther = no_place;
-    std::uint8_t size = 0;  // the size that the gap is sorted by; 0: not sorted
+    std::uint16_t size = 0;  // the size that the gap is sorted by; 0: not sorted
     State state = State::settled;
     bool named = false;  // in changed_
-    friend bool operator==(const Place&, const Place&) = default;
   };
 
   void take_out(std::uint32_t p) noexcept {
@@ -151,7 +149,7 @@ class RunPlaces {
   }
   // Sorts the gap after p in again, after it has changed.
   void sort_in(std::uint32_t p) noexcept {
-    const auto size = static_cast<std::uint8_t>((std::min)(gap(p), largest_gap));
+    const auto size = static_cast<std::uint16_t>((std::min)(gap(p), largest_gap));
     if (places_[p].size == size) return;
     take_out(p);
     if (size == 0) return;
