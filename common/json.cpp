@@ -245,8 +245,14 @@ JsonValue parse_json(const std::string& file, std::string_view text, const JsonL
   // Escapes make texts shorter, so all of them together have at most the size of the file.
   if (text.size() > std::numeric_limits<std::uint32_t>::max() / 2)
     refuse_at(*parsed, 0, "expected at most 2 GiB of JSON; keep numbers in a buffer");
-  parsed->size = text.size();
   parsed->text = text;
+  // The parser would take a zero byte for the end.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    if (limits.has_lines || text.find_first_not_of('\0', zero) != std::string_view::npos)
+      refuse_at(*parsed, zero, "not JSON: a zero byte");
+    text = text.substr(0, zero);
+  }
+  parsed->size = text.size();
   JsonBuilder builder(*parsed, text);
   if (!nlohmann::json::sax_parse(text, &builder)) refuse_at(*parsed, 0, "not JSON");
   builder.finish();

@@ -33,7 +33,8 @@ struct JsonLimits {
   std::size_t longest_member = none;  ///< bytes of a name
   /// Refuses byte order marks and duplicate members. Otherwise the last of them counts, and members are sorted by name.
   bool strict = true;
-  bool has_lines = true;  ///< errors state line and column; otherwise the byte, for JSON inside another file
+  /// Errors state line and column; otherwise the byte, for JSON inside another file, which zero bytes may fill up.
+  bool has_lines = true;
 };
 
 /// The limits of docs/reference/operation-file.md.

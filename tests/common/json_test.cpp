@@ -95,6 +95,22 @@ TEST(Json, StrictFilesHaveNoByteOrderMarkAndNoDuplicates) {
   EXPECT_EQ(value.where(), "f:1:5: [0]: ");
 }
 
+TEST(Json, ZeroBytesDoNotEndIt) {
+  using namespace std::string_literals;
+  const JsonLimits inside{.strict = false, .has_lines = false};
+  for (const auto& [text, place] : {std::pair{"[7]\n\0"s, "f:2:1"},
+                                    {"[7]\0{"s, "f:1:4"},
+                                    {"7\0 8"s, "f:1:2"},
+                                    {"\0[7]"s, "f:1:1"},
+                                    {"[\"\0\"]"s, "f:1:3"},
+                                    {"[7\0]\0"s, "f:1:3"}}) {
+    EXPECT_EQ(complaint(text, {}), place + ": not JSON: a zero byte"s);
+    EXPECT_EQ(complaint(text, lenient), place + ": not JSON: a zero byte"s);
+    EXPECT_EQ(complaint(text, inside).empty(), text.ends_with("\n\0"s));
+  }
+  EXPECT_EQ(parse_json("f.glb", "7\0\0\0"s, inside).whole(), 7U);
+}
+
 TEST(Json, WhatIsRefusedIsNamed) {
   const JsonValue all = parse_json("f", "{\"a\":\n{\"b\": [1, \"x\"]}}", lenient);
   const auto said = [&](const auto& read) { return refusal_of([&] { (void)read(); }); };

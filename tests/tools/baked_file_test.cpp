@@ -147,6 +147,27 @@ TEST(BakedFile, WhatIsWrittenIsRead) {
   }
 }
 
+// Edges of three triangles and more are joined in pairs, the same ones after the vertices are renumbered.
+TEST(BakedFile, NonManifoldMeshesAreRead) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 300; ++round) {
+    Soup soup;
+    const std::size_t vertices = 4 + random() % 9;
+    const auto coordinate = [&] { return static_cast<double>(random() % 1000); };
+    while (soup.points.size() < vertices) soup.points.push_back({coordinate(), coordinate(), coordinate()});
+    soup.triangles.resize(2 + random() % 20);
+    for (Corners& corners : soup.triangles) do
+        for (Vertex& v : corners) v = static_cast<Vertex>(random() % vertices);
+      while (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]);
+    const BakedMesh baked = small(soup, 0.5);
+    const std::string bytes = baked_bytes(baked);
+    ASSERT_EQ(refusal(bytes), "") << round;
+    const BakedMesh again = parse_baked(bytes, "some.baked");
+    for (Triangle t = 0; t < baked.base.triangle_bound(); ++t)
+      ASSERT_EQ(again.base.solid_sides(t), baked.base.solid_sides(t)) << round;
+  }
+}
+
 TEST(BakedFile, FlipsFarAwayAreKept) {
   BakedMesh baked = small(make_mesh(3000), 0.5);
   // Two edges of the last record's level, exchanged far from its chord.

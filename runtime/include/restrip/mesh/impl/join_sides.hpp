@@ -30,7 +30,7 @@ RESTRIP_INLINE std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::
 /// Edges with three sides or more, and edges with two sides of the same direction, are *odd*. Sides of opposite
 /// directions are joined in pairs, so that windings stay right: first sides that close the fan around one of their
 /// ends, so that sheets continue; then any. A triangle and its back (the same corners in reverse) are joined only if
-/// nothing else is left.
+/// nothing else is left. The result depends on the numbers of sides, not on those of vertices: files renumber them.
 ///
 /// `Sides`: triangle_bound(); takes(t), whether t has sides; corner(h), the vertex that h leaves; link(h), a place for
 /// a number of 32 bits, written before it is read; joined(h), its content if h is across, or not_joined; odd_edge(v,
@@ -119,7 +119,11 @@ class JoinSides {
     std::vector<std::size_t> place(begin.begin() + 1, begin.end());
     for (const OddSide& side : odd_sides_) sorted[--place[side.edge]] = side.h;  // ascending: lists are read backwards
     const auto sides_of = [&](std::size_t e) { return std::span(sorted).subspan(begin[e], begin[e + 1] - begin[e]); };
-    for (std::size_t e = 0; e < odd_edges_; ++e) join_odd_edge(sides_of(e));
+    std::vector<std::size_t> edges(odd_edges_);
+    std::iota(edges.begin(), edges.end(), std::size_t{0});
+    std::sort(edges.begin(), edges.end(),
+              [&](std::size_t e, std::size_t f) { return sorted[begin[e]] < sorted[begin[f]]; });
+    for (const std::size_t e : edges) join_odd_edge(sides_of(e));
     // If two pairs of sides of an edge are in two connected components, they exchange partners, so that one strip may
     // cover both.
     std::vector<std::uint32_t> parent(odd_edges_ == 0 ? 0 : sides_.triangle_bound());
@@ -127,10 +131,10 @@ class JoinSides {
     for (std::uint32_t t = 0; t < parent.size(); ++t)
       for (std::uint32_t h = t << 2; h < (t << 2 | 3U); ++h)
         if (is_joined(h)) parent[find_root(parent, t)] = find_root(parent, sides_.across(h) >> 2);
-    for (std::size_t e = 0; e < odd_edges_; ++e) {
+    for (const std::size_t e : edges) {
       std::uint32_t one = end;
       for (const std::uint32_t h : sides_of(e)) {
-        if (!is_joined(h) || sides_.corner(h) > sides_.corner(next(h))) continue;
+        if (!is_joined(h) || sides_.corner(h) != sides_.corner(sides_of(e).front())) continue;
         const std::uint32_t before = std::exchange(one, h);
         if (before == end || find_root(parent, before >> 2) == find_root(parent, h >> 2)) continue;
         const std::uint32_t g = sides_.across(h);
@@ -147,7 +151,7 @@ class JoinSides {
       if (const std::uint32_t other = is_joined(h) ? end : beyond_fan(h); other != end) join(h, other);
     for (auto& way : ways_) way.clear();
     for (const std::uint32_t h : sides)
-      if (!is_joined(h)) ways_[sides_.corner(h) < sides_.corner(next(h)) ? 0 : 1].push_back(h);
+      if (!is_joined(h)) ways_[sides_.corner(h) == sides_.corner(sides.front()) ? 0 : 1].push_back(h);
     if (ways_[0].size() > ways_[1].size()) std::swap(ways_[0], ways_[1]);
     auto& [few, many] = ways_;
     // Looks at only a few others, so that an edge of many sides takes linear time.
