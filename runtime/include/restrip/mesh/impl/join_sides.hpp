@@ -122,7 +122,7 @@ class JoinSides {
     std::vector<std::size_t> edges(odd_edges_);
     std::iota(edges.begin(), edges.end(), std::size_t{0});
     std::sort(edges.begin(), edges.end(),
-              [&](std::size_t e, std::size_t f) { return sorted[begin[e]] < sorted[begin[f]]; });
+              [&](std::size_t e, std::size_t f) { return sorted[begin[e]] > sorted[begin[f]]; });
     for (const std::size_t e : edges) join_odd_edge(sides_of(e));
     // If two pairs of sides of an edge are in two connected components, they exchange partners, so that one strip may
     // cover both.
