@@ -401,6 +401,15 @@ class Meshes(Folder):
             self.refuses(arguments, said)
         self.assertFalse((self.folder / "report").exists())  # created by the test of the output, and removed again
 
+    def test_meshes_that_no_trace_can_record_are_refused(self):
+        points = "".join(f"v {x} {x * x} {x * x * x}\n" for x in range(5))
+        for faces, edges in {"f 1 2 3\nf 2 1 4\nf 1 2 5\n": "1 edge", "f 1 2 3\nf 1 2 4\n": "1 edge",
+                             "f 1 2 3\nf 1 2 3\n": "3 edges"}.items():
+            self.put("a.obj", points + faces)
+            self.refuses("replay a.obj --trace a.trace", f"a.obj: {edges} of more than two triangles")
+            self.assertFalse((self.folder / "a.trace").exists())
+            self.done("replay a.obj --repeats 0")
+
     def test_a_full_disk_leaves_the_target_alone(self):
         self.put("old.json", "mine")
         (self.folder / "link.json").symlink_to("old.json")

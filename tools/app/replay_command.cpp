@@ -10,6 +10,7 @@
 
 #include "app/options.hpp"
 #include "app/source.hpp"
+#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "common/report_output.hpp"
@@ -65,6 +66,19 @@ WalkReport take_walk(const Source& source, const ReplayCommand& command, const P
   });
 }
 
+/// Refuses a mesh whose trace no checker could read: an edge has at most one triangle on either side there. Operations
+/// do not change the edges in question, so the base has all of them.
+void expect_traceable(const Source& source) {
+  BuildReport report;
+  (void)StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
+  const std::size_t edges = report.non_manifold_edges + report.inconsistent_edges;
+  if (edges != 0)
+    throw BadInput(fmt::format(
+        "{}: {} of more than two triangles, or between triangles that disagree in orientation, which a trace cannot "
+        "record; leave out --trace, or try --orient",
+        source.subject.name, counted(edges, "edge")));
+}
+
 int run(const ReplayCommand& command) {
   std::optional<files::Output> level;
   if (!command.out.empty()) level = open_output(command.out, extensions_of(writes_strips));
@@ -76,6 +90,7 @@ int run(const ReplayCommand& command) {
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
                       : source_of(read_mesh_file(command.mesh), command.mesh, command.mending, command.simplify,
                                   command.simplify_given);
+  if (trace) expect_traceable(source);
   if (format != nullptr && format->rounds) source.subject.mended.rounding = rounding_of(source.mesh.points);
   const Method& method =
       command.policy.empty() ? default_method(source.baked.has_value()) : method_named(command.policy);
