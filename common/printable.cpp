@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 
 namespace restrip::files {
@@ -44,7 +43,7 @@ std::string printable(std::string_view text) {
   while (!text.empty()) {
     const std::size_t size = character_bytes(text);
     if (size == 0)
-      fmt::format_to(std::back_inserter(shown), "\\x{:02x}", static_cast<unsigned char>(text[0]));
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
     else
       shown += text.substr(0, size);
     text.remove_prefix(size == 0 ? 1 : size);

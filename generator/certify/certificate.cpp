@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -21,12 +20,11 @@ namespace {
 /// A section with claims, rows and reasons.
 std::string section_text(const Section& section, Watched watched) {
   std::string text = fmt::format("section {}\n", position_text(section.position));
-  const auto out = std::back_inserter(text);
   const Claims claims = sum(section.claims);
-  fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
-                 claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
-  fmt::format_to(out, "claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",
-                 section.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
+  text += fmt::format("claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
+                      claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
+  text += fmt::format("claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",
+                      section.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
   const Operation operation = operation_of_rows(section.position);
   std::vector<unsigned> identity(operation.patch.after.ports());
   std::iota(identity.begin(), identity.end(), 0U);
@@ -57,17 +55,17 @@ std::string section_text(const Section& section, Watched watched) {
   for (const auto& [line_row, joined, representative] : lines) {
     const Row& row = *line_row;
     const auto [rule, is_rule] = rule_of.try_emplace(representative, &row);
-    fmt::format_to(out, "{} {:x} {} {:x} {:x}", is_rule ? "rule" : "copy", row.key.ports, joined, row.recoloring,
-                   row.kept);
+    text +=
+        fmt::format("{} {:x} {} {:x} {:x}", is_rule ? "rule" : "copy", row.key.ports, joined, row.recoloring, row.kept);
     if (!is_rule) {
       const std::vector<unsigned> back = inverse(to_representative(*rule->second));
       std::vector<unsigned> ports;
       for (const unsigned port : to_representative(row)) ports.push_back(back[port]);
-      fmt::format_to(out, " by {}", fmt::join(ports, " "));
+      text += fmt::format(" by {}", fmt::join(ports, " "));
     } else if (reasoner) {
-      fmt::format_to(out, " because {}", reasoner->find(row.key.ports, row.key.joined.masks(), row).reason.text());
+      text += fmt::format(" because {}", reasoner->find(row.key.ports, row.key.joined.masks(), row).reason.text());
     }
-    fmt::format_to(out, "\n");
+    text += '\n';
     progress.step();
   }
   return text;

@@ -5,7 +5,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -38,11 +37,11 @@ std::string ply_of_vertices(std::span<const Point> points, bool is_64_bits, std:
   if (places != nullptr) bytes += "property float s\nproperty float t\n";
   constexpr const char* channels[] = {"red", "green", "blue", "alpha"};
   for (unsigned c = 0; colors != nullptr && c < colors->components; ++c)
-    fmt::format_to(std::back_inserter(bytes), "property {} {}\n",
-                   colors->type == ComponentType::unsigned_byte    ? "uchar"
-                   : colors->type == ComponentType::unsigned_short ? "ushort"
-                                                                   : "float",
-                   channels[c]);
+    bytes += fmt::format("property {} {}\n",
+                         colors->type == ComponentType::unsigned_byte    ? "uchar"
+                         : colors->type == ComponentType::unsigned_short ? "ushort"
+                                                                         : "float",
+                         channels[c]);
   bytes += elements + "end_header\n";
   bytes.reserve(bytes.size() + 52 * points.size());
   const auto put_real = [&bytes](double value) { put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value))); };
@@ -74,7 +73,6 @@ std::string obj_bytes(const Soup& soup) {
   const Attribute* colors = named(soup.attributes, "COLOR_0");
   const std::size_t size = soup.points.size();
   std::string text;
-  auto out = std::back_inserter(text);
 
   // The number of the `v` of each vertex, counted from 1.
   std::vector<Attribute> all;
@@ -94,7 +92,7 @@ std::string obj_bytes(const Soup& soup) {
     text += "v ";
     put_coordinates(text, soup.points[v]);
     for (unsigned c = 0; colors != nullptr && c < colors->components; ++c)
-      fmt::format_to(out, " {}", static_cast<float>(colors->meant(v)[c]));
+      text += fmt::format(" {}", static_cast<float>(colors->meant(v)[c]));
     text += '\n';
   }
 
@@ -106,19 +104,19 @@ std::string obj_bytes(const Soup& soup) {
     return number;
   };
   const std::vector<std::uint32_t> vt = put_values(places, [&](const Attribute::Value& value) {
-    fmt::format_to(out, "vt {} {}\n", static_cast<float>(value[0]), turned_place(value[1]));
+    text += fmt::format("vt {} {}\n", static_cast<float>(value[0]), turned_place(value[1]));
   });
   const std::vector<std::uint32_t> vn = put_values(normals, [&](const Attribute::Value& value) {
-    fmt::format_to(out, "vn {} {} {}\n", static_cast<float>(value[0]), static_cast<float>(value[1]),
-                   static_cast<float>(value[2]));
+    text += fmt::format("vn {} {} {}\n", static_cast<float>(value[0]), static_cast<float>(value[1]),
+                        static_cast<float>(value[2]));
   });
 
   for (const Corners& t : soup.triangles) {
     text += 'f';
     for (const std::uint32_t corner : t) {
-      fmt::format_to(out, " {}", v_of[corner]);
-      if (places != nullptr) fmt::format_to(out, "/{}", vt[corner] + 1);
-      if (normals != nullptr) fmt::format_to(out, "{}{}", places == nullptr ? "//" : "/", vn[corner] + 1);
+      text += fmt::format(" {}", v_of[corner]);
+      if (places != nullptr) text += fmt::format("/{}", vt[corner] + 1);
+      if (normals != nullptr) text += fmt::format("{}{}", places == nullptr ? "//" : "/", vn[corner] + 1);
     }
     text += '\n';
   }
@@ -153,12 +151,11 @@ std::string ply_bytes(std::span<const Point> points, bool is_64_bits, std::span<
 
 std::string off_bytes(const Soup& soup) {
   std::string text = fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.triangles.size());
-  auto out = std::back_inserter(text);
   for (const Point& p : soup.points) {
     put_coordinates(text, p);
     text += '\n';
   }
-  for (const Corners& t : soup.triangles) fmt::format_to(out, "3 {} {} {}\n", t[0], t[1], t[2]);
+  for (const Corners& t : soup.triangles) text += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
   return text;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -104,9 +103,8 @@ MeshReport report_on(const Soup& soup) {
 
 std::string as_text(const MeshReport& report, const std::string& name, const Mended& mended) {
   std::string text = name + "\n" + as_text(mended);
-  auto out = std::back_inserter(text);
   const auto row = [&](const char* what, auto value, const std::string& remark = "") {
-    fmt::format_to(out, "  {:<28}{:>12}{}\n", what, value, remark.empty() ? "" : "   " + remark);
+    text += fmt::format("  {:<28}{:>12}{}\n", what, value, remark.empty() ? "" : "   " + remark);
   };
   // Lists faults that occur.
   const auto fault = [&](const char* what, std::size_t value, const char* remark) {
@@ -140,8 +138,8 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
   text += "\n  triangles per vertex    vertices\n";
   for (std::size_t n = 1; n < report.triangles_per_vertex.size(); ++n)
     if (const std::size_t count = report.triangles_per_vertex[n]; count != 0)
-      fmt::format_to(out, "  {:>20}{:>12}{:>9.2f} %\n", n, count,
-                     100.0 * static_cast<double>(count) / static_cast<double>(report.used_vertices));
+      text += fmt::format("  {:>20}{:>12}{:>9.2f} %\n", n, count,
+                          100.0 * static_cast<double>(count) / static_cast<double>(report.used_vertices));
   return text;
 }
 

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 
 namespace restrip::tools {
 namespace {
@@ -77,9 +76,9 @@ void put_coordinates(std::string& text, const Point& p) {
   for (const double c : {p.x, p.y, p.z}) {
     text += between;
     if (const auto brief = static_cast<float>(c); static_cast<double>(brief) == c)
-      fmt::format_to(std::back_inserter(text), "{}", brief);
+      text += fmt::format("{}", brief);
     else
-      fmt::format_to(std::back_inserter(text), "{}", c);
+      text += fmt::format("{}", c);
     between = " ";
   }
 }

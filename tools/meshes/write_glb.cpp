@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -76,23 +75,21 @@ std::string glb_bytes(const StripFile& file, const GlbExtension& extension) {
   std::string accessors;
   std::size_t view_count = 0;
   std::size_t accessor_count = 0;
-  auto to_accessors = std::back_inserter(accessors);
   enum class ViewOf { vertices, indices, other };
   // Adds the view of the bytes written since `begin`.
   const auto end_view = [&](std::size_t begin, ViewOf content, std::size_t stride) {
-    auto out = std::back_inserter(views);
-    fmt::format_to(out, R"({}{{"buffer":0,"byteOffset":{},"byteLength":{})", view_count == 0 ? "" : ",", begin,
-                   binary.size() - begin);
-    if (stride != 0) fmt::format_to(out, R"(,"byteStride":{})", stride);
-    if (content != ViewOf::other) fmt::format_to(out, R"(,"target":{})", content == ViewOf::vertices ? 34962 : 34963);
+    views += fmt::format(R"({}{{"buffer":0,"byteOffset":{},"byteLength":{})", view_count == 0 ? "" : ",", begin,
+                         binary.size() - begin);
+    if (stride != 0) views += fmt::format(R"(,"byteStride":{})", stride);
+    if (content != ViewOf::other) views += fmt::format(R"(,"target":{})", content == ViewOf::vertices ? 34962 : 34963);
     views += '}';
     ++view_count;
   };
 
   for (const Point& p : file.points) put(binary, p);
   end_view(0, ViewOf::vertices, 12);
-  fmt::format_to(to_accessors, R"({{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3",{}}})",
-                 file.points.size(), bounds_of(file.points));
+  accessors += fmt::format(R"({{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3",{}}})", file.points.size(),
+                           bounds_of(file.points));
   std::string attributes = fmt::format(R"("POSITION":{})", accessor_count++);  // of every primitive
   for (const Attribute& attribute : file.attributes) {
     const std::size_t begin = binary.size();
@@ -101,12 +98,12 @@ std::string glb_bytes(const StripFile& file, const GlbExtension& extension) {
       binary.append(attribute.bytes, v * size, size);
       binary.append(stride_of(attribute) - size, '\0');
     }
-    fmt::format_to(to_accessors, R"(,{{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", view_count,
-                   static_cast<unsigned>(attribute.type), file.points.size(),
-                   attribute.components == 1 ? "SCALAR" : fmt::format("VEC{}", attribute.components),
-                   attribute.normalized ? R"(,"normalized":true)" : "");
+    accessors += fmt::format(R"(,{{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", view_count,
+                             static_cast<unsigned>(attribute.type), file.points.size(),
+                             attribute.components == 1 ? "SCALAR" : fmt::format("VEC{}", attribute.components),
+                             attribute.normalized ? R"(,"normalized":true)" : "");
     end_view(begin, ViewOf::vertices, stride_of(attribute));
-    fmt::format_to(std::back_inserter(attributes), R"(,"{}":{})", attribute.name, accessor_count++);
+    attributes += fmt::format(R"(,"{}":{})", attribute.name, accessor_count++);
   }
 
   const std::size_t first_index = binary.size();
@@ -119,11 +116,11 @@ std::string glb_bytes(const StripFile& file, const GlbExtension& extension) {
   }
   std::string primitives;
   for (const IndexRange& range : ranges) {
-    fmt::format_to(to_accessors,
-                   R"(,{{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"SCALAR"}})", view_count,
-                   buffer.index_bytes() * range.first, buffer.index_bytes() == 2 ? 5123 : 5125, range.count);
-    fmt::format_to(std::back_inserter(primitives), R"({}{{"attributes":{{{}}},"indices":{},"mode":{}}})",
-                   primitives.empty() ? "" : ",", attributes, accessor_count++, buffer.form == StripForm::list ? 4 : 5);
+    accessors +=
+        fmt::format(R"(,{{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"SCALAR"}})", view_count,
+                    buffer.index_bytes() * range.first, buffer.index_bytes() == 2 ? 5123 : 5125, range.count);
+    primitives += fmt::format(R"({}{{"attributes":{{{}}},"indices":{},"mode":{}}})", primitives.empty() ? "" : ",",
+                              attributes, accessor_count++, buffer.form == StripForm::list ? 4 : 5);
   }
   end_view(first_index, ViewOf::indices, 0);
 
@@ -144,8 +141,7 @@ std::string glb_bytes(const StripFile& file, const GlbExtension& extension) {
     end_view(begin, ViewOf::other, 0);
   }
   if (!used.empty()) json += fmt::format(R"("extensionsUsed":["{}"],)", fmt::join(used, R"(",")"));
-  fmt::format_to(
-      std::back_inserter(json),
+  json += fmt::format(
       R"("meshes":[{{"primitives":[{}]{}}}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
       primitives, extensions, accessors, views, binary.size());
   return glb_of_chunks(std::move(json), std::move(binary));

@@ -1,7 +1,6 @@
 // The figures of `restrip paper` as CSV, JSON and text.
 #include <fmt/format.h>
 
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "common/counted.hpp"
@@ -20,7 +19,7 @@ std::string field(const std::string& text) {
 
 template <class... Fields>
 void add_row(std::string& csv, const char* format, const Fields&... fields) {
-  fmt::format_to(std::back_inserter(csv), fmt::runtime(format), fields...);
+  csv += fmt::format(fmt::runtime(format), fields...);
   csv += '\n';
 }
 
@@ -72,21 +71,20 @@ std::vector<files::NamedBytes> csv_files(const std::vector<PaperMesh>& meshes) {
 
 std::string as_text(const std::vector<PaperMesh>& meshes) {
   std::string text;
-  auto out = std::back_inserter(text);
   for (const PaperMesh& mesh : meshes) {
-    fmt::format_to(out, "{}: {}, base {}\n", mesh.name, counted(mesh.triangles, "triangle"), mesh.base_triangles);
+    text += fmt::format("{}: {}, base {}\n", mesh.name, counted(mesh.triangles, "triangle"), mesh.base_triangles);
     text += as_text(mesh.mended);
     if (mesh.paper)
-      fmt::format_to(out, "  triangles per vertex: {} the paper's {}\n",
-                     mesh.equals_paper() ? "equal, row for row, to" : "NOT equal to", mesh.paper->mesh);
-    fmt::format_to(out, "  {:<20}{:>12}{:>22}{:>14}\n", "policy", "isolating", "strips at the top", "isolated");
+      text += fmt::format("  triangles per vertex: {} the paper's {}\n",
+                          mesh.equals_paper() ? "equal, row for row, to" : "NOT equal to", mesh.paper->mesh);
+    text += fmt::format("  {:<20}{:>12}{:>22}{:>14}\n", "policy", "isolating", "strips at the top", "isolated");
     for (const PolicyRun& run : mesh.runs)
-      fmt::format_to(out, "  {:<20}{:>10.2f} %{:>22}{:>14}\n", run.name, run.isolating_percent(),
-                     run.levels.back().strips, run.levels.back().isolated);
+      text += fmt::format("  {:<20}{:>10.2f} %{:>22}{:>14}\n", run.name, run.isolating_percent(),
+                          run.levels.back().strips, run.levels.back().isolated);
     for (const ScratchRun& run : mesh.scratch)
-      fmt::format_to(out, "  {:<20}{:>12}{:>22}{:>14}\n", run.name, "", run.levels.back().strips,
-                     run.levels.back().isolated);
-    for (const std::string& fault : mesh.faults) fmt::format_to(out, "  FAULT: {}\n", fault);
+      text += fmt::format("  {:<20}{:>12}{:>22}{:>14}\n", run.name, "", run.levels.back().strips,
+                          run.levels.back().isolated);
+    for (const std::string& fault : mesh.faults) text += fmt::format("  FAULT: {}\n", fault);
   }
   return text;
 }

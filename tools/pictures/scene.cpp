@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <unordered_map>
@@ -180,26 +179,25 @@ Picture svg_of(const Scene& scene) {
       R"(<g stroke="{3}" stroke-width="{4:.2f}" stroke-linejoin="round" stroke-linecap="round">)"
       "\n",
       scene.size.width, scene.size.height, hex(background_color), hex(edge_color), edges ? scene.edge_width : seam);
-  auto out = std::back_inserter(svg);
   std::vector<bool> shown(scene.colors.size());
   for (const Face& face : scene.faces) {
     const std::string color = hex(scene.colors[face.strip]);
     const std::string fill = scene.style == StripStyle::faces ? color : hex(surface_color);
     const auto& [p, q, r] = face.corners;
-    fmt::format_to(out, R"(<polygon points="{:.2f},{:.2f} {:.2f},{:.2f} {:.2f},{:.2f}" fill="{}"{}/>)", p.x, p.y, q.x,
-                   q.y, r.x, r.y, fill, edges ? "" : fmt::format(R"( stroke="{}")", fill));
+    svg += fmt::format(R"(<polygon points="{:.2f},{:.2f} {:.2f},{:.2f} {:.2f},{:.2f}" fill="{}"{}/>)", p.x, p.y, q.x,
+                       q.y, r.x, r.y, fill, edges ? "" : fmt::format(R"( stroke="{}")", fill));
     svg += '\n';
     shown[face.strip] = true;
     if (scene.style == StripStyle::faces) continue;
     // From door to door through the centre; a dot for an isolated triangle.
     const Spot center = center_of(face);
-    fmt::format_to(out, R"(<path fill="none" stroke="{}" stroke-width="{:.2f}" d=")", color, scene.line_width);
-    if (face.door_count == 2) fmt::format_to(out, "M{:.2f},{:.2f}L", face.doors[1].x, face.doors[1].y);
-    fmt::format_to(out, "{}{:.2f},{:.2f}", face.door_count == 2 ? "" : "M", center.x, center.y);
+    svg += fmt::format(R"(<path fill="none" stroke="{}" stroke-width="{:.2f}" d=")", color, scene.line_width);
+    if (face.door_count == 2) svg += fmt::format("M{:.2f},{:.2f}L", face.doors[1].x, face.doors[1].y);
+    svg += fmt::format("{}{:.2f},{:.2f}", face.door_count == 2 ? "" : "M", center.x, center.y);
     if (face.door_count == 0)
       svg += "h0";
     else
-      fmt::format_to(out, "L{:.2f},{:.2f}", face.doors[0].x, face.doors[0].y);
+      svg += fmt::format("L{:.2f},{:.2f}", face.doors[0].x, face.doors[0].y);
     svg += "\"/>\n";
   }
   svg += "</g>\n</svg>\n";

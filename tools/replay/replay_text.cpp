@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "common/counted.hpp"
@@ -52,17 +51,16 @@ double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part,
 
 std::string as_text(const std::vector<LiveBufferReport>& buffers) {
   std::string text;
-  auto out = std::back_inserter(text);
   for (const LiveBufferReport& buffer : buffers) {
-    fmt::format_to(out, "\n  live buffer, {} an update: {:.0f} bytes an operation",
-                   counted(buffer.operations_per_update, "operation"), buffer.bytes_per_operation);
+    text += fmt::format("\n  live buffer, {} an update: {:.0f} bytes an operation",
+                        counted(buffer.operations_per_update, "operation"), buffer.bytes_per_operation);
     if (buffer.compact_bytes_per_operation > 0)
-      fmt::format_to(out, ", and {:.0f} by compact()", buffer.compact_bytes_per_operation);
-    fmt::format_to(out, "\n  {:<14} {:>10} {:>12} {:>14} {:>22} {:>6}\n", "", "triangles", "indices", "of strips'",
-                   "ACMR in a cache of 16", "of 32");
+      text += fmt::format(", and {:.0f} by compact()", buffer.compact_bytes_per_operation);
+    text += fmt::format("\n  {:<14} {:>10} {:>12} {:>14} {:>22} {:>6}\n", "", "triangles", "indices", "of strips'",
+                        "ACMR in a cache of 16", "of 32");
     for (const BufferState& state : buffer.states)
-      fmt::format_to(out, "  {:<14} {:>10} {:>12} {:>14.3f} {:>22.3f} {:>6.3f}\n", state.at, state.triangles,
-                     state.indices, ratio(state.indices, state.strip_indices), state.fifo_16, state.fifo_32);
+      text += fmt::format("  {:<14} {:>10} {:>12} {:>14.3f} {:>22.3f} {:>6.3f}\n", state.at, state.triangles,
+                          state.indices, ratio(state.indices, state.strip_indices), state.fifo_16, state.fifo_32);
   }
   return text;
 }
@@ -71,77 +69,76 @@ std::string as_text(const std::vector<LiveBufferReport>& buffers) {
 
 std::string as_text(const ReplayReport& report, const Subject& subject) {
   std::string text = subject.name + "\n" + as_text(subject.mended);
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "  {}, {}, {}\n", counted(report.base_triangles, "triangle"), counted(report.operations, "split"),
-                 counted(report.triangles, "triangle"));
+  text += fmt::format("  {}, {}, {}\n", counted(report.base_triangles, "triangle"), counted(report.operations, "split"),
+                      counted(report.triangles, "triangle"));
   if (subject.wanted_triangles != 0 && report.base_triangles > subject.wanted_triangles)
-    fmt::format_to(out, "  (a base of {} was wanted; {})\n", counted(subject.wanted_triangles, "triangle"),
-                   why_no_coarser(subject.left_out));
+    text += fmt::format("  (a base of {} was wanted; {})\n", counted(subject.wanted_triangles, "triangle"),
+                        why_no_coarser(subject.left_out));
   const LeftOut& left = subject.left_out;
   if (left.degenerate_triangles != 0)
-    fmt::format_to(out, "  left out: {}\n", counted(left.degenerate_triangles, "degenerate triangle"));
+    text += fmt::format("  left out: {}\n", counted(left.degenerate_triangles, "degenerate triangle"));
   if (left.non_manifold_vertices != 0)
-    fmt::format_to(out, "  left alone: {} where the mesh is not manifold\n",
-                   counted(left.non_manifold_vertices, "vertex", "vertices"));
+    text += fmt::format("  left alone: {} where the mesh is not manifold\n",
+                        counted(left.non_manifold_vertices, "vertex", "vertices"));
 
-  fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17} {:>12} {:>6}   {}\n", "triangles", "strips", "per strip",
-                 "isolated", "indices per tri.", "live buffer", "ACMR",
-                 "on the way back: strips, per strip, live buffer");
+  text += fmt::format("\n  {:>10} {:>10} {:>14} {:>10} {:>17} {:>12} {:>6}   {}\n", "triangles", "strips", "per strip",
+                      "isolated", "indices per tri.", "live buffer", "ACMR",
+                      "on the way back: strips, per strip, live buffer");
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     const Level& level = report.levels[i];
-    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f} {:>12} {:>6}", level.triangles, level.strips,
-                   ratio(level.triangles, level.strips), level.isolated, ratio(level.indices, level.triangles),
-                   measured(ratio(level.buffer_indices, level.triangles), 3), measured(level.acmr, 2));
+    text += fmt::format("  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f} {:>12} {:>6}", level.triangles, level.strips,
+                        ratio(level.triangles, level.strips), level.isolated, ratio(level.indices, level.triangles),
+                        measured(ratio(level.buffer_indices, level.triangles), 3), measured(level.acmr, 2));
     if (i < report.levels_down.size())
-      fmt::format_to(out, " {:>25} {:>10.2f} {:>12}", report.levels_down[i].strips,
-                     ratio(report.levels_down[i].triangles, report.levels_down[i].strips),
-                     measured(ratio(report.levels_down[i].buffer_indices, report.levels_down[i].triangles), 3));
+      text += fmt::format(" {:>25} {:>10.2f} {:>12}", report.levels_down[i].strips,
+                          ratio(report.levels_down[i].triangles, report.levels_down[i].strips),
+                          measured(ratio(report.levels_down[i].buffer_indices, report.levels_down[i].triangles), 3));
     text += '\n';
   }
 
-  fmt::format_to(out, "\n  splits by valence:");
+  text += "\n  splits by valence:";
   for (std::size_t k = 0; k < report.by_valence.size(); ++k)
-    if (report.by_valence[k] != 0) fmt::format_to(out, " {}: {}", k, report.by_valence[k]);
+    if (report.by_valence[k] != 0) text += fmt::format(" {}: {}", k, report.by_valence[k]);
   const auto share = [&](const char* what, std::size_t count) {
-    fmt::format_to(out, "\n  {:<41}{:>10}{:>8.2f} %", what, count, percent(count, report.operations));
+    text += fmt::format("\n  {:<41}{:>10}{:>8.2f} %", what, count, percent(count, report.operations));
   };
   share("splits that introduced an isolated one", report.operations_isolating);
   share("splits that added a strip", report.operations_adding_strip);
   share("splits without a rule", report.operations_without_rule);
   if (const RuleCounts& rules = report.rules; rules.asked != 0)
-    fmt::format_to(out, "\n  {:<41}{:>10}: {} taken, {} kept colours as good; {} improved afterwards", "rules asked",
-                   rules.asked, rules.taken, rules.kept, rules.improved);
+    text += fmt::format("\n  {:<41}{:>10}: {} taken, {} kept colours as good; {} improved afterwards", "rules asked",
+                        rules.asked, rules.taken, rules.kept, rules.improved);
   const auto cost = [&](const char* what, double with, double bare) {
     if (bare > 0)
-      fmt::format_to(out, "\n  {:<41}{:>7.0f} ns, bare {:.0f} ns: {:.2f} times", what, with, bare, with / bare);
+      text += fmt::format("\n  {:<41}{:>7.0f} ns, bare {:.0f} ns: {:.2f} times", what, with, bare, with / bare);
   };
   cost("a split with its strips", report.ns_per_operation, report.ns_per_operation_bare);
   cost("a collapse with its strips", report.ns_per_collapse, report.ns_per_collapse_bare);
   if (report.ns_per_buffer_update > 0)
-    fmt::format_to(out, "\n  {:<41}{:>7.0f} ns", "live index buffer, an update", report.ns_per_buffer_update);
-  fmt::format_to(out, "\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
+    text += fmt::format("\n  {:<41}{:>7.0f} ns", "live index buffer, an update", report.ns_per_buffer_update);
+  text += fmt::format("\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
   if (subject.baked) {
-    fmt::format_to(out, "\n  {:<41}{:>10.2f}, {:.1f} bytes", "flips of a record", subject.baked->flips_per_record,
-                   subject.baked->bytes_per_record);
+    text += fmt::format("\n  {:<41}{:>10.2f}, {:.1f} bytes", "flips of a record", subject.baked->flips_per_record,
+                        subject.baked->bytes_per_record);
     if (subject.baked->seconds > 0)
-      fmt::format_to(out, "\n  {:<41}{:>10.1f}", "seconds to bake", subject.baked->seconds);
-    fmt::format_to(out, "\n  {:<41}{:>10}", "levels reached again, strips the same", report.levels_compared);
+      text += fmt::format("\n  {:<41}{:>10.1f}", "seconds to bake", subject.baked->seconds);
+    text += fmt::format("\n  {:<41}{:>10}", "levels reached again, strips the same", report.levels_compared);
   }
   text += '\n' + as_text(report.live_buffers);
 
   if (!report.cycles.empty()) {
-    fmt::format_to(out, "\n  {:>6} {:>12} {:>12} {:>12} {:>10}\n", "cycle", "base strips", "top strips", "isolating",
-                   "adding");
+    text += fmt::format("\n  {:>6} {:>12} {:>12} {:>12} {:>10}\n", "cycle", "base strips", "top strips", "isolating",
+                        "adding");
     // All cycles if there are few; otherwise the first three, about twenty others and the last one.
     for (std::size_t i = 0, each = report.cycles.size() / 20 + 1; i < report.cycles.size(); ++i) {
       const Cycle& cycle = report.cycles[i];
       if (i >= 3 && i % each != 0 && i + 1 != report.cycles.size()) continue;
-      fmt::format_to(out, "  {:>6} {:>12} {:>12} {:>12} {:>10}\n", cycle.number, cycle.base.strips, cycle.top.strips,
-                     cycle.isolating, cycle.adding_strip);
+      text += fmt::format("  {:>6} {:>12} {:>12} {:>12} {:>10}\n", cycle.number, cycle.base.strips, cycle.top.strips,
+                          cycle.isolating, cycle.adding_strip);
     }
   }
   text += report.valid() ? "\n  checked: every triangle once, as it was, in strips without a fault\n" : "\n";
-  for (const std::string& fault : report.faults) fmt::format_to(out, "  FAULT: {}\n", fault);
+  for (const std::string& fault : report.faults) text += fmt::format("  FAULT: {}\n", fault);
   return text;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -188,8 +187,7 @@ class DumpReader {
 
   /// The answer in the next line; nullopt if it states that no answer exists.
   std::optional<Answer> answer_to(Colors configuration, const Operation& operation) {
-    prefix_.clear();
-    fmt::format_to(std::back_inserter(prefix_), "{:x} {:x} ", configuration.inner, configuration.ports);
+    prefix_ = fmt::format("{:x} {:x} ", configuration.inner, configuration.ports);
     const std::string_view line = lines_.next(prefix_);
     if (line.starts_with(prefix_)) {
       std::string_view rest = line.substr(prefix_.size());
