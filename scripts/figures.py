@@ -73,8 +73,12 @@ def list_bare(document, text, folder):
 
 
 def output_of(command, folder, meshes):
-    command = command.replace(BIN + "/", shlex.quote(str(folder)) + "/").replace("${MESHES}", shlex.quote(meshes))
-    return subprocess.run(command, shell=True, check=True, stdout=subprocess.PIPE, text=True, cwd=ROOT).stdout
+    """A document keeps its table if any part of the command fails."""
+    here = command.replace(BIN + "/", shlex.quote(str(folder)) + "/").replace("${MESHES}", shlex.quote(meshes))
+    done = subprocess.run(["bash", "-eo", "pipefail", "-c", here], stdout=subprocess.PIPE, text=True, cwd=ROOT)
+    if done.returncode != 0:
+        sys.exit(f"figures.py: {missing(command, folder) or f'ended with {done.returncode}'}: {command}")
+    return done.stdout
 
 
 class Figures:
@@ -129,7 +133,10 @@ def main():
     documents = arguments.documents or [ROOT / name for name in ("README.md", "CONTRIBUTING.md")] + sorted(ROOT.glob("docs/**/*.md"))
     figures, bare = Figures(arguments), 0
     for document in documents:
-        text = Path(document).read_text(encoding="utf-8")
+        try:
+            text = Path(document).read_text(encoding="utf-8")
+        except (OSError, UnicodeError) as error:
+            sys.exit(f"figures.py: {document}: {error}")
         if arguments.bare:
             bare += list_bare(document, text, arguments.bin)
         else:

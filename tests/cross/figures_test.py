@@ -54,8 +54,19 @@ class Figures(unittest.TestCase):
         for kind in ("timed ", "long "):
             self.assertEqual(figures(marked(PRINTS_IT, kind=kind), "--check")[0], 1)
 
-    def test_a_command_that_fails_is_an_error(self):
-        self.assertNotEqual(figures(marked("exit 3"), "--check")[0], 0)
+    def test_a_command_that_fails_in_any_part_is_an_error_and_the_table_stays(self):
+        for command, why in {"exit 3": "ended with 3", "false; echo": "ended with 1", "false | cat": "ended with 1",
+                             "build/release/bin/no_such_program; echo": "is not there"}.items():
+            for arguments in ((), ("--check",)):
+                code, said, after = figures(marked(command), "--bin", "/no_such_folder", *arguments)
+                self.assertEqual((code, after), (1, marked(command)))
+                self.assertIn(f"{why}: {command}", said)
+                self.assertNotIn("Traceback", said)
+
+    def test_a_document_that_cannot_be_read_is_named(self):
+        done = subprocess.run([sys.executable, SCRIPT, "/no_such_folder/a.md"], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1))
+        self.assertIn("a.md", done.stderr)
 
 
 if __name__ == "__main__":
