@@ -1,5 +1,5 @@
-/* rm_tristripper's "stripify" with one output: an index buffer, strips apart by restarts, winding kept. In C, because
- * its headers are. */
+/* rm_tristripper as a function from an index buffer to strips separated by restarts, with windings preserved. In C,
+ * because its headers are. */
 #include <string.h>
 
 #include "rm_tristripper.h"

@@ -25,8 +25,9 @@ say "walls and tests of public headers"
 cmake -DROOT="$PWD" -P tests/cross/walls.cmake
 cmake -DROOT="$PWD" -P tests/cross/header_tests.cmake
 
-say "references, and that deliberate faults fit the code"
+say "references, copies of the policies, and that deliberate faults fit the code"
 python3 -B tests/cross/references_test.py
+python3 -B scripts/policies.py --check
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 python3 -B tests/runtime/mutate.py tests/runtime/mutants.txt runtime/include "$scratch/runtime"

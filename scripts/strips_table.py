@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Replays meshes and prints a table of one of the documents.
 
-indices:    indices and times of each mesh where indices are the cost (README.md)
-baked:      what baked strips cost (docs/how-to/baked-strips.md)
+indices:    indices and times of each mesh, with the cost of indices (README.md)
+baked:      the cost of baked strips (docs/how-to/baked-strips.md)
 isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/explanation/paper.md)
 """
 import argparse
@@ -31,7 +31,7 @@ class Program:
         return json.loads(subprocess.check_output([self.path, *arguments, "--json", "-"]))
 
     def replay(self, mesh, way, *options, repeats=None):
-        """From 2 % of the triangles to all of them and back; a file of baked strips is played as it is."""
+        """From 2 % of the triangles to all of them and back; a file of baked strips from its own base."""
         base = [] if mesh.endswith(".baked") else ["--base", "0.02"]
         repeats = self.repeats if repeats is None else repeats
         timing = [] if repeats is None else ["--repeats", str(repeats)]
@@ -144,7 +144,7 @@ def main():
     parser.add_argument("program", help="restrip")
     parser.add_argument("meshes", nargs="+", metavar="MESH")
     parser.add_argument("--way", action="append", help="indices: only this policy; may be repeated")
-    parser.add_argument("--repeats", type=int, help="how often times are measured; default: as restrip replay does")
+    parser.add_argument("--repeats", type=int, help="repetitions of each timing; default: that of restrip replay")
     arguments = parser.parse_args()
     TABLES[arguments.table](Program(arguments.program, arguments.repeats), arguments.meshes, arguments.way)
 

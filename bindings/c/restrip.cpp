@@ -147,7 +147,7 @@ bool any_null(const Pointers*... pointers) noexcept {
 
 // ---- meshes
 
-/// As many as a mesh of all its triangles can have, if it has no boundary.
+/// No mesh without boundary has more vertices than triangles.
 constexpr std::size_t most_vertices = StripMesh::max_triangles;
 
 restrip_build_report report_of(const BuildReport& found) noexcept {
@@ -293,7 +293,7 @@ restrip_status simplify(const Index* indices, std::size_t index_count, const dou
   });
 }
 
-/// Makes a mesh of bytes, or reports with what is wrong with them.
+/// Reads a mesh from bytes, or describes what is wrong with them in `text`.
 template <class Read>
 restrip_status read_bytes(const void* bytes, std::size_t size, char* text, std::size_t text_size, restrip_mesh** out,
                           Read&& read) {
@@ -367,7 +367,7 @@ constexpr std::array<AtHalfedge, 6> at_halfedge{{
 restrip_status check(const restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h) noexcept {
   if (mesh == nullptr) return RESTRIP_NULL_ARGUMENT;
   const AtHalfedge& row = at_halfedge[static_cast<std::size_t>(operation)];
-  return guarded([&] {  // some allocate around large vertices
+  return guarded([&] {  // checks allocate around vertices of large valence
     const Refusal refusal = row.check(mesh->mesh(), {h});
     return row.adds_vertex ? indexable(*mesh, refusal) : status_of(refusal);
   });

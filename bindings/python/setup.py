@@ -21,12 +21,12 @@ except ImportError:  # before setuptools 70.1
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE / "sources" if (HERE / "sources").is_dir() else HERE.parents[1]
-SOURCES = ("CMakeLists.txt", "LICENSE", "bindings/c", "runtime/include", "tables/include")  # what the archive has of the repository
+SOURCES = ("CMakeLists.txt", "LICENSE", "bindings/c", "runtime/include", "tables/include")  # the parts of the repository that the archive contains
 C = ROOT / "bindings/c"
 VERSION = re.search(r"project\(\s*restrip VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
 REPOSITORY = re.search(r'set\(RESTRIP_REPOSITORY "(.*)"\)', (ROOT / "CMakeLists.txt").read_text())[1]
 LINKS = {"Source": REPOSITORY, "Issues": f"{REPOSITORY}/issues"} if REPOSITORY else {}
-SCRATCH = tempfile.mkdtemp()  # the sources do not change
+SCRATCH = tempfile.mkdtemp()  # nothing is written into the sources
 NAME = {"darwin": "librestrip_c.dylib", "win32": "restrip_c.dll"}.get(sys.platform, "librestrip_c.so")
 
 
@@ -60,7 +60,7 @@ class WithSources(sdist):
 
 
 class WithBinary(Distribution):
-    def has_ext_modules(self):  # the package goes to the folder for one platform
+    def has_ext_modules(self):  # installs into the folder for one platform
         return True
 
 

@@ -107,7 +107,8 @@ void for_each_side(const Strips& strips, Visit&& visit) {
   }
 }
 
-/// Strips are kept: valid, on no boundary edge, and their number as reported.
+/// The strips were maintained: colours are valid, no boundary edge is solid, and the number of strips is the reported
+/// one.
 template <class Strips>
 void expect_kept(const Strips& strips, const ColoringReport& before, const HookTally& tally) {
   const ColoringReport after = check_coloring(strips);
@@ -126,7 +127,7 @@ void expect_kept(const Strips& strips, const ColoringReport& before, const HookT
   });
 }
 
-/// Strips are not kept, and the next operation at such a triangle says so.
+/// The colours are no longer valid, and the next operation at a triangle with three solid edges reports it.
 template <class Strips>
 void expect_broken(Strips& strips) {
   EXPECT_FALSE(check_coloring(strips).valid);
@@ -136,7 +137,7 @@ void expect_broken(Strips& strips) {
     if (!strips.solid(h) || !strips.solid(second) || !strips.solid(strips.next(second))) return;
     try {
       flip(strips, h);
-      ADD_FAILURE() << "three solid edges, and not a word";
+      ADD_FAILURE() << "three solid edges, but no complaint";
     } catch (const std::logic_error& error) {
       if (std::string(error.what()) == std::string("flip: ") + describe(Refusal::colors_not_valid)) ++refused;
     }
@@ -144,10 +145,11 @@ void expect_broken(Strips& strips) {
   EXPECT_GT(refused, 0U);
 }
 
-/// What a library's decimater does to strips, with our hook and without it. A Library has
-///   Strips (a mesh of ours over a foreign one), copy_of(Placed), which returns a foreign one,
-///   simplify(its mesh, Strips* to be kept or nullptr), which returns a HookTally, to a half of the
-///   triangles or fewer, and collect(its mesh), which takes out what was deleted.
+/// Compares the strips after a library's decimater with our hook and without it. A Library has
+///   Strips                   one of our meshes, over the library's mesh
+///   copy_of(Placed)          returns a mesh of the library
+///   simplify(mesh, Strips*)  removes at least half of the triangles, maintaining the strips unless null; a HookTally
+///   collect(mesh)            removes deleted elements
 template <class Library>
 class Decimation : public testing::Test {
  protected:

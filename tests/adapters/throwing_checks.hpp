@@ -1,4 +1,4 @@
-// Preconditions that throw, in every build; to be included before any header of restrip.
+// Makes violated preconditions throw in every build. Include it before any header of restrip.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-// Nothing that a caller passes ends the program: null pointers, numbers out of range, colours that are not valid and
-// arrays that are too short come back as codes, each with a text, and leave the mesh as it was. If any allocation
+// No argument ends the program: null pointers, numbers out of range, invalid colours and arrays that are too short
+// return codes, each with a text, and leave the mesh unchanged. If any allocation
 // fails, the answer is RESTRIP_OUT_OF_MEMORY, and mesh and colours are valid.
 #include <algorithm>
 #include <limits>
@@ -17,7 +17,7 @@ namespace {
 
 using testing_support::for_each_allocation;
 
-// Codes of policies are never given to another policy: programs that were built before a new one go on.
+// The code of a policy never changes: a program that was compiled before a policy was added continues to work.
 static_assert(RESTRIP_POLICY_BARE == 0 && RESTRIP_POLICY_RULES == 1 && RESTRIP_POLICY_LOCAL == 2);
 static_assert(RESTRIP_POLICY_QUICK == 3 && RESTRIP_POLICY_FULL == 4 && RESTRIP_POLICY_BEST == 5);
 constexpr std::int32_t policy_codes = policies.size();
@@ -111,7 +111,7 @@ TEST(CArguments, NullIsACode) {
                                   restrip_lookup(RESTRIP_RULE_SPLIT, 4, 2, 0, 0, 0, nullptr)};
   for (std::size_t i = 0; i < std::size(codes); ++i) EXPECT_EQ(codes[i], RESTRIP_NULL_ARGUMENT) << "call " << i;
   EXPECT_EQ(made, nullptr);
-  // Functions that return a number return none.
+  // Functions that return a number return RESTRIP_NONE.
   restrip_mesh_free(nullptr);
   EXPECT_EQ(restrip_mesh_triangle_count(nullptr) + restrip_mesh_triangle_bound(nullptr) +
                 restrip_mesh_vertex_bound(nullptr) + restrip_baked_levels(nullptr),
@@ -281,7 +281,7 @@ restrip_status update(restrip_mesh* mesh) {
   return restrip_live_update(mesh, 2, 4, &ranges, &count, nullptr);
 }
 
-/// The work with every allocation failing in turn, each time on a new mesh.
+/// Does the work on a new mesh for each allocation, which fails.
 std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost, Work work) {
   restrip_status status = RESTRIP_OK;
   Handle mesh;

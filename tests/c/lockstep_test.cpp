@@ -142,7 +142,7 @@ struct Tally {
 };
 
 /// Properties of every operation, under every policy.
-void play(restrip_mesh* mesh, std::mt19937& random, int operations, Tally& reported, const auto& beside) {
+void play(restrip_mesh* mesh, std::mt19937& random, int operations, Tally& reported, const auto& after_each) {
   restrip_coloring before = counted(mesh);
   for (int n = 0; n < operations && restrip_mesh_triangle_count(mesh) > 2; ++n) {
     Move move = draw(mesh, random);
@@ -163,9 +163,9 @@ void play(restrip_mesh* mesh, std::mt19937& random, int operations, Tally& repor
     } else {
       ++reported.refused[status];
     }
-    beside(move, status, change);
+    after_each(move, status, change);
     if (testing::Test::HasFatalFailure()) return;
-    before = counted(mesh);  // `beside` may have improved the strips
+    before = counted(mesh);  // `after_each` may have improved the strips
   }
 }
 
@@ -266,7 +266,7 @@ void follow_live_buffer(std::int32_t form, std::int32_t bits, std::mt19937& rand
     play(mesh.get(), random, 25);
     if (testing::Test::HasFatalFailure()) return;
   }
-  device.clear();  // begun again in the middle
+  device.clear();  // the buffer is restarted half-way
   ASSERT_EQ(begin_live(mesh.get(), form, bits), RESTRIP_OK);
   expect_drawn();
 }
@@ -358,7 +358,7 @@ TEST(CInterface, FramesAreUndone) {
   end_frame();
 }
 
-/// What can be seen of a mesh and its buffer, in its place.
+/// All observable state of a mesh and its buffer.
 struct Sight {
   std::vector<Corners> corners;
   std::vector<std::uint8_t> colors;
@@ -395,7 +395,7 @@ std::vector<std::int64_t> frame(restrip_mesh* mesh, std::mt19937& random) {
   return reported;
 }
 
-/// Two meshes cannot be told apart when one has done and undone frames, or was saved and loaded, and the other was not.
+/// A mesh whose frames were done and undone, or that was saved and loaded, is indistinguishable from one without them.
 TEST(CInterface, UndoAndSavingLeaveNoTrace) {
   std::mt19937 random(41);
   for (int policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_FULL; ++policy)
@@ -480,7 +480,7 @@ TEST(CInterface, LayoutsAreSettings) {
   EXPECT_LT(length(nullptr), length(&loose));
 }
 
-/// Every form and width: live after random operations, of a mesh as it is, and of a list.
+/// Every form and width, of a live buffer after random operations, of a mesh and of a list.
 TEST(CInterface, BuffersInEveryForm) {
   std::mt19937 random(31);
   for (std::int32_t form = RESTRIP_FORM_RESTART; form <= RESTRIP_FORM_LIST; ++form)
@@ -533,7 +533,7 @@ TEST(CInterface, BuffersInEveryForm) {
         }
       }
     }
-  // Triangles without neighbours: a list, and it says so.
+  // Triangles without neighbours become a list, which is reported.
   const std::vector<std::uint32_t> islands{0, 1, 2, 3, 4, 5};
   restrip_buffer* buffer = nullptr;
   restrip_buffer_view view{};
@@ -546,7 +546,7 @@ TEST(CInterface, BuffersInEveryForm) {
   restrip_buffer_free(buffer);
 }
 
-/// Vertex numbers are renumbered or refused before memory is asked for.
+/// Large vertex numbers are renumbered or refused before memory is allocated.
 TEST(CInterface, VertexNumbersTakeNoMemory) {
   constexpr std::uint32_t far = 4'000'000'000;
   const std::vector<std::uint32_t> list{0, 1, far, far, 1, 70'000, far, 70'000, far + 1, 5, 5, 1, 0, 1, 4'294'967'294};
@@ -616,8 +616,7 @@ TEST(CInterface, FormatsAreChecked) {
     EXPECT_EQ(restrip_live_begin(mesh.get(), nullptr, &bad, 0), RESTRIP_BAD_ARGUMENT);
 }
 
-// A live buffer of 16 bits names vertices up to 65,534: an operation that would add the next one is refused, whether it
-// is named or not, and is done for other widths.
+/// A call for many operations does the same as one call for each, in their order.
 TEST(CInterface, ManyInOneCallAreTheSameOnesInOrder) {
   const Handle mesh = handle_of(sample::rectangle(6, 6));
   const Handle twin = handle_of(sample::rectangle(6, 6));
@@ -657,6 +656,8 @@ TEST(CInterface, ManyInOneCallAreTheSameOnesInOrder) {
   }
 }
 
+/// A live buffer of 16 bits names vertices up to 65,534: an operation that would add vertex 65,535 is refused, whether
+/// the caller names it or not. Other widths allow it.
 TEST(CInterface, OperationsKeepToSixteenBits) {
   std::vector<std::uint32_t> triangles = list_of(sample::torus(8, 8));
   triangles.insert(triangles.end(), {65'532, 65'533, 65'534});
@@ -710,7 +711,7 @@ TEST(CInterface, BuffersOutDrawTheMesh) {
   EXPECT_EQ(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
-/// Every place and every pair of masks, one bit too many included, against a rule of the library.
+/// Compares every position and every pair of masks, including masks with a bit too many, with a rule of the library.
 template <class RuleOf>
 std::size_t compare_rules(std::int32_t rule, std::uint32_t k, std::uint32_t i, std::uint32_t j, unsigned edges,
                           bool expected_place, RuleOf&& rule_of) {

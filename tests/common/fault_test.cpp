@@ -1,7 +1,6 @@
 // Claim: if any system call or allocation fails while a file is read or written, the result is an error, every file is
 // whole, old or new, the last file of a set does not describe a mixture, nothing else is left, and no descriptor stays
-// open. Each is made to fail in turn, until a run
-// meets no failure.
+// open. Each call fails in turn, until a run has no failure.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -38,7 +37,7 @@ bool fails(int error) {
   return true;
 }
 
-/// The true calls, except for the one where the countdown ends.
+/// Real calls, except the one at which the countdown ends.
 SystemCalls with_faults() {
   return {
       .open = [](const char* path, int flags, mode_t mode) { return fails(ENOSPC) ? -1 : ::open(path, flags, mode); },
@@ -49,7 +48,7 @@ SystemCalls with_faults() {
             return fails(ENOSPC) ? -1 : ::write(file, bytes, std::min<std::size_t>(size, 3));
           },
       .fchmod = [](int file, mode_t mode) { return fails(EPERM) ? -1 : ::fchmod(file, mode); },
-      .fsync = [](int) { return fails(EIO) ? -1 : 0; },  // what a disk has after a loss of power is not tested
+      .fsync = [](int) { return fails(EIO) ? -1 : 0; },  // loss of power is not tested
       .close =
           [](int file) {
             const bool failed = fails(EIO);  // and closed all the same, as Linux does

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 class Outputs : public tools::ScratchFolder {
  protected:
   [[nodiscard]] fs::path at(const char* name) const { return folder_ / name; }
-  /// What is said of this output before anything is written; the folder must stay as it is.
+  /// The message about this output before anything is written; the folder must not change.
   [[nodiscard]] std::string complaint(const fs::path& file, const OutputRules& rules = {}) const {
     const auto before = contents_of(folder_);
     const std::string said = refusal_of([&] { const Output output(file, rules); });
@@ -49,7 +49,7 @@ TEST_F(Outputs, AreWhatWasWritten) {
     Output(at("a")).write(bytes);
     EXPECT_EQ(contents_of(folder_), (std::map<std::string, std::string>{{"a", bytes}}));
   }
-  // Names may be as long as the file system has them.
+  // Names may have the maximum length of the file system.
   const std::string longest(255, 'n');
   Output(folder_ / longest).write("long");
   EXPECT_EQ(bytes_of(folder_ / longest), "long");

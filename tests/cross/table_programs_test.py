@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Claim: the programs that make and verify tables do what every option says, or refuse it with a sentence; they say how
-far they are on a terminal, and nothing elsewhere; one thing is not called "1 things".
+"""Claim: the programs that make and verify tables do what every option says, or refuse it with a sentence; they show
+progress on a terminal only; counts of one are singular.
 
   table_programs_test.py BIN ROOT
 """
@@ -41,7 +41,7 @@ ONE = """{"restrip_operation": 1, "name": "one", "constraint": "matching",
 
 
 def on_terminal(command):
-    """What a terminal as standard error shows; nothing if there are no terminals, as in a chroot without /dev/pts."""
+    """Standard error on a terminal; None if there are no terminals, as in a chroot without /dev/pts."""
     try:
         ours, theirs = pty.openpty()
     except OSError as error:

@@ -160,7 +160,7 @@ TEST(FamiliesFile, ListsItsPositions) {
   EXPECT_EQ(patch.after.owner, (std::vector<unsigned>{0, 1}));
 }
 
-TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
+TEST(FamiliesFile, IsRefusedIfItDiffers) {
   const std::vector<Fault> faults{
       {"{\"restrip", "\xef\xbb\xbf{\"restrip", "w.json:1:1: expected no byte order mark before the file"},
       {"\"position\": \"", "\"position\": \"\\n", "position: expected words of printable ASCII"},

@@ -1,5 +1,5 @@
 // Compares the generator's sections with independently counted figures (docs/explanation/theory.md section 6), and
-// tests properties of any right answer.
+// tests properties of every correct answer.
 #include "solve/section.hpp"
 
 #include <gtest/gtest.h>

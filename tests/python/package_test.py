@@ -1,5 +1,5 @@
-"""The Python package: strips and buffers draw the faces given, windings included, whatever the operation, policy and form;
-what it refuses says why and changes nothing. Run in an environment that has the package."""
+"""The Python package: strips and buffers draw the faces given, windings included, under every operation, policy and form;
+what is refused has a reason and changes nothing. Run it in an environment that has the package."""
 import contextlib
 import copy
 import importlib.util
@@ -24,7 +24,7 @@ def grid(n, dtype=np.int64):
 
 
 def rotated(faces):
-    """As a sorted list, each from its smallest corner on: equal for equal sets with equal windings."""
+    """A sorted list, each triangle from its smallest corner on: equal if triangles and windings are equal."""
     return sorted(tuple(np.roll(face, -int(np.argmin(face))).tolist()) for face in np.asarray(faces))
 
 

@@ -17,8 +17,8 @@
 
 namespace restrip {
 
-/// The list after an operation at the directed edge from -> to; nothing when the patch is not there, has a vertex twice
-/// or leaves a worse mesh. `added`: the names of new vertices, as they are met in the file.
+/// The list after an operation at the directed edge from -> to; empty if the patch does not exist there, has a vertex
+/// twice, or leaves a mesh that is not manifold. `added`: the new vertices, in the order of the operation file.
 template <class Table>
 std::optional<bare::List> applied(const bare::List& list, const bare::Shape& shape, const Table& table, Vertex from,
                                   Vertex to, const std::vector<Vertex>& added) {

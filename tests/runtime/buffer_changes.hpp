@@ -1,4 +1,4 @@
-// Checks that indices that a buffer does not report have not changed.
+// Checks that only the reported indices of a buffer have changed.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,9 +1,8 @@
-// The lines that the viewer's page prints in its part Use it run as they are printed. WebGL and WebGPU draw strips as
-// the same picture as the triangle list, at several levels, also after the buffer has outgrown its storage. The ranges
-// that three.js uploads make its copy of the list, or of the strips, equal to the mesh's, and only the draw call of the
-// object that is drawn as strips gets their mode; with the package in the folder RESTRIP_THREE its renderer draws both.
-// Triangles that a stroke says went and came lead from one list to the next. (The lines for C++ are compiled by
-// tests/runtime/live_mesh_test.cpp.)
+// The code that the viewer prints under "Use it" runs as printed. WebGL and WebGPU draw the same picture from strips and
+// from the triangle list, at several levels, also after the buffer has outgrown its storage. After three.js has uploaded
+// the ranges its copy of the list, or of the strips, equals the mesh's, and only the draw call of the object with strips
+// has their mode; with the package in the folder RESTRIP_THREE its renderer draws both. The triangles that a stroke
+// reports as removed and added turn one list into the next. (tests/runtime/live_mesh_test.cpp compiles the C++ code.)
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -45,7 +44,7 @@ export function printed(folder) {
   return { files: [...files, ...ours], imports: { three: '/three/three.module.js' } };
 }
 
-/// In a page that has the package: what was seen.
+/// Runs in a page that has the package; returns its observations.
 async function run(size, real) {
   const readMesh = await (await import('restrip-wasm/formats')).loadReaders();
   const { begin } = await import('/use/begin.mjs');
@@ -216,7 +215,7 @@ async function run(size, real) {
     const strokes = [];
     for (const radius of [0.2, 0.3, 0.1, 0]) {
       const at = 3 * (strokes.length * 1000);
-      if (radius === 0) wanted.fill(0);  // all that the brush refined goes back
+      if (radius === 0) wanted.fill(0);  // everything that the brush refined is coarsened again
       const before = seen.length / 3;
       const { removed, added, seen: now } = stroke(mesh, { center: [...mesh.points.subarray(at, at + 3)], radius }, wanted, seen);
       for (const { slot, corners } of removed) {

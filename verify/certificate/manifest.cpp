@@ -99,7 +99,8 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
     if (!needs_no_line(path) && !listed.contains(path)) unlisted.insert(path);
   }
   for (const std::string& path : unlisted)
-    faults.push_back(fmt::format("{}/{}: unlisted file; remove it", tables_dir, files::printable_ascii(path)));
+    faults.push_back(fmt::format("{}/{}: unlisted file; remove it or generate the tables again", tables_dir,
+                                 files::printable_ascii(path)));
   return faults;
 }
 

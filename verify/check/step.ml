@@ -14,7 +14,7 @@ end)
 let sets : (triangle, Triangles.t) Judge.Steps.sets =
   { none = Triangles.empty; add = Triangles.add; drop = Triangles.remove; has = Triangles.mem }
 
-(* More than any walk takes: a walk returns to its start if it does not end. *)
+(* More steps than any walk takes: each walk ends or returns to its start. *)
 let rec endless = Judge.S endless
 let rec positive : Judge.positive -> int = function XH -> 1 | XO p -> 2 * positive p | XI p -> (2 * positive p) + 1
 let integer : Judge.z -> int = function Z0 -> 0 | Zpos p -> positive p | Zneg p -> -positive p
@@ -31,14 +31,14 @@ let dual_edge mesh key =
   let u = key lsr bits and v = key land largest_vertex in
   (beyond mesh u v, beyond mesh v u)
 
-(* The solid dual edges of [turned], and those across the edges [listed], each once. Those of a removed triangle end with it,
-   also where the mesh edge stays solid. *)
+(* The solid dual edges of the triangles [turned] and across the edges [listed], each once. A removed triangle loses its dual
+   edges even if the mesh edges stay solid. *)
 let solid_edges mesh turned listed =
   let add keys (u, v) = if is_solid mesh u v then undirected u v :: keys else keys in
   let keys = List.fold_left (fun keys t -> List.fold_left add keys (sides t)) (List.fold_left add [] listed) turned in
   List.rev_map (dual_edge mesh) (List.sort_uniq Int.compare keys)
 
-(* Of the triangles that Judge asks about, those that are isolated: removed ones, and ends of new solid edges. *)
+(* The isolated triangles among those that Judge asks about: removed triangles and the ends of new solid edges. *)
 let isolated_before mesh gone solid =
   let add found t = if degree mesh t = 0 then Triangles.add t found else found in
   let add_side found u v = match left_of mesh u v with Some t -> add found (canonical t) | None -> found in
@@ -51,7 +51,7 @@ let judged mesh lone ~gone ~come ~lost ~made =
   | Round (a, b, c) -> refuse "the solid edges through triangle %d %d %d form a cycle" a b c
   | Changes (strips, isolated) -> (integer strips, integer isolated)
 
-(* The mesh at the beginning is a step from none. *)
+(* The initial mesh is a step from the empty mesh. *)
 let begin_with mesh =
   let come = ref [] and made = ref [] in
   iter_triangles mesh (fun t -> come := canonical t :: !come);

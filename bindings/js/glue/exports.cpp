@@ -116,7 +116,7 @@ StripFormat format_of(std::uint32_t form, std::uint32_t bits) {
 RESTRIP_EXPORT(void*, restrip_take)(std::uint32_t bytes) { return std::malloc(bytes); }
 RESTRIP_EXPORT(void, restrip_give_back)(void* memory) { std::free(memory); }
 #ifdef __wasm__
-/// Null if the last call that ended by a trap had no reason; asking clears it.
+/// The reason of the last call that ended by a trap, or null; reading it clears it.
 RESTRIP_EXPORT(const char*, restrip_stopped_because)() { return std::exchange(stopped_because, nullptr); }
 #endif
 
@@ -168,7 +168,7 @@ RESTRIP_EXPORT(Page*, restrip_open_saved)
     page->session = std::make_unique<Session>(std::move(live));
   return page;
 }
-/// Why bytes were refused; then nothing but restrip_close may be called. Else empty.
+/// Why the bytes were refused, in which case only restrip_close may be called; otherwise empty.
 RESTRIP_EXPORT(const char*, restrip_damage)(const Page* page) { return page->damage.c_str(); }
 RESTRIP_EXPORT(void, restrip_close)(Page* page) { delete page; }
 RESTRIP_EXPORT(std::uint32_t, restrip_levels)(const Page* page) { return word(page->session->source().splits.size()); }
@@ -254,7 +254,7 @@ RESTRIP_EXPORT(std::uint32_t, restrip_split_face)(Page* page, std::uint32_t a, s
 }
 RESTRIP_EXPORT(std::uint32_t, restrip_new_vertex)(const Page* page) { return page->session->new_vertex(); }
 RESTRIP_EXPORT(std::uint32_t, restrip_next_vertex)(const Page* page) { return page->session->mesh().next_vertex(); }
-/// 1: indices of this format can name the vertex.
+/// 1 if indices of this format can name the vertex.
 RESTRIP_EXPORT(std::uint32_t, restrip_can_name)(const Page* page, std::uint32_t v) {
   return v <= highest_index16 || page->session->live().buffer().format().width != IndexWidth::bits16 ? 1 : 0;
 }

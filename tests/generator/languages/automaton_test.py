@@ -12,7 +12,7 @@ import shutil
 from language_test import LANGUAGES, Json, arguments, check_example, compare, must_be_equal, run
 
 LARGEST = {"c": 61, "rust": 61, "json": 20, "glsl": 28, "wgsl": 28}
-# Operations that read an array. When its first number is altered some must differ, and no others.
+# The operations that read an array. If its first number is altered, some of their answers must differ, and no others.
 ARRAYS = {"next": "01234", "meetings": "02"}
 OPENINGS = {"c": r"restrip_{family}\[\d+\] = ", "rust": r"const {FAMILY}: .* = &", "json": r'"{family}": \['}
 ALTERED_K = 4

@@ -1,8 +1,8 @@
-"""The tables of operation files in another language: everything that the look-up answers is proved by restrip-verify, as
-the dump of a table; what it says of the number of strips is added up here. Every configuration of shipped operations, of
-matchings and forests, and of families with one to three numbers is asked, with numbers named like words of the languages,
-and what lies outside: bits outside the patch, positions that do not exist. All look-ups are in one program. With one entry
-altered the verifier refuses the answers. The example of docs/how-to/other-languages.md is run and prints what stands there.
+"""The tables of operation files in another language. restrip-verify proves all answers of the look-up, as the dump of a table;
+the reported changes of strips are checked here. The look-up is asked for every configuration of shipped operations, of matchings
+and forests, and of families with one to three numbers, which are named like keywords of the languages, and for bits outside the
+patch and positions that do not exist. All look-ups are in one program. If one entry is altered, the verifier refuses the answers.
+The example of docs/how-to/other-languages.md prints the output shown there.
 
   operations_test.py LANGUAGE --generate PROGRAM --verify PROGRAM --scratch FOLDER --with PROGRAM…
 """
@@ -27,7 +27,7 @@ FILES = (*sorted((ROOT / "tables/operations").glob("*.json")), *sorted((ROOT / "
 
 
 class Operation:
-    """An operation file, and the questions that its look-up is asked."""
+    """An operation file, and the configurations for which its look-up is asked."""
 
     def __init__(self, file, generate, out):
         self.file = file
@@ -92,7 +92,7 @@ class Operation:
         return f" {pattern.format(**dict(zip(self.table['numbers'], at['numbers'])))}" if at["numbers"] else ""
 
     def judged(self, verify, answers, scratch):
-        """Whether the verifier takes the answers."""
+        """Whether the verifier accepts the answers."""
         dump = scratch / "dump.txt"
         dump.write_text(self.dump(answers), encoding="utf-8")
         return self.judges(verify, f"cat {shlex.quote(str(dump))}")
@@ -177,7 +177,7 @@ class Json(language_test.Json):
     extension = ".json"
 
     def answers(self, folder, _scratch, operations):
-        """As docs/how-to/other-languages.md says that the file is read."""
+        """Reads the file as docs/how-to/other-languages.md describes."""
         found = []
         for operation in operations:
             table = json.loads((folder / f"restrip_rule_of_{operation.identifier}.json").read_text(encoding="utf-8"))

@@ -1,5 +1,5 @@
-// The trees of an annealing agree with lists of triangles that are cut and joined in step about which triangles are in
-// one strip, also after reversals; and a set of marked words has the same numbers as a std::set.
+// Cut, joined and reversed together, the trees of annealing and plain lists of triangles agree about which triangles
+// are in one strip. A set of marked words has the same numbers as a std::set.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Refines the mesh where a brush is. Returns the triangles removed and added, each with its place in the index buffer.
-// The mesh has begun with { policy: 'bare', form: 'list' }. `wanted`: a byte for each record; `seen`: the list so far.
+// Refines the mesh under a brush. Returns the removed and the added triangles, each with its slot in the index buffer.
+// The mesh was begun with { policy: 'bare', form: 'list' }. `wanted`: a byte for each record; `seen`: the list so far.
 export function stroke(mesh, { center, radius }, wanted, seen) {
   const { points, splits } = mesh;
   for (let i = 0; i < mesh.levels; ++i) {
@@ -7,7 +7,7 @@ export function stroke(mesh, { center, radius }, wanted, seen) {
     const away = Math.hypot(...center.map((c, n) => points[place + n] - c));
     if (away < radius) wanted[i] = 1;
   }
-  mesh.approach(wanted);  // splits those that are wanted, and those that they need
+  mesh.approach(wanted);  // splits the wanted vertices and those that they depend on
 
   const slots = new Set();
   for (const { first, count } of mesh.update())
