@@ -5,24 +5,11 @@
 
 #include <algorithm>
 #include <boost/container_hash/hash.hpp>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/filtered_graph.hpp>
-#include <boost/graph/incremental_components.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 namespace restrip::verify {
 
-namespace worlds {  // not unnamed: PatchInWorlds::Graphs, declared in the header, has these as members
-constexpr unsigned outside = most_colors;
-struct DualEdge {
-  unsigned number = 0;  ///< inner edges, then ports; `outside` for all edges of a world
-};
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, DualEdge>;
-}  // namespace worlds
-
 namespace {
-
-using worlds::Graph;
-using worlds::outside;
 
 /// Adds all worlds that extend `world` at `port` and the ports after it.
 void extend(Constraint constraint, unsigned ports, unsigned port, const World& world, std::vector<World>& all) {
@@ -42,18 +29,16 @@ void extend(Constraint constraint, unsigned ports, unsigned port, const World& w
   }
 }
 
-/// The solid edges.
-struct Solid {
-  const Graph* graph = nullptr;
-  Mask colors = 0;
-  bool operator()(const Graph::edge_descriptor& edge) const { return is_solid(colors, (*graph)[edge].number); }
-};
+using Components = boost::disjoint_sets<std::uint8_t*, std::uint8_t*>;
+
+/// Adds an edge to a forest; false if it would close a cycle.
+bool grows(Components components, unsigned one, unsigned other) {
+  if (components.find_set(one) == components.find_set(other)) return false;
+  components.union_set(one, other);
+  return true;
+}
 
 }  // namespace
-
-struct PatchInWorlds::Graphs {
-  std::vector<Graph> of_world;
-};
 
 std::vector<World> worlds_of(Constraint constraint, unsigned ports) {
   std::vector<World> all;
@@ -72,44 +57,45 @@ std::string text_of(const World& world) {
 }
 
 PatchInWorlds::PatchInWorlds(const Side& side, Constraint constraint, const std::vector<World>& worlds)
-    : triangles_(side.triangles), inner_edges_(side.inner_edges()), most_solid_(most_solid(constraint)) {
-  auto graphs = std::make_shared<Graphs>();
+    : side_(side), most_solid_(most_solid(constraint)) {
   for (const World& world : worlds) {
-    Graph& graph = graphs->of_world.emplace_back(side.triangles + side.ports());
-    unsigned number = 0;
-    for (const auto& [one, other] : side.edges) add_edge(one, other, {number++}, graph);
-    for (unsigned port = 0; port < side.ports(); ++port)
-      add_edge(side.owner_of_port[port], side.triangles + port, {number++}, graph);
+    auto& edges = outside_.emplace_back();
     for (const std::vector<unsigned>& ports : world.connected)
       for (std::size_t i = 1; i < ports.size(); ++i)
-        add_edge(side.triangles + ports[i - 1], side.triangles + ports[i], {outside}, graph);
+        edges.emplace_back(side.triangles + ports[i - 1], side.triangles + ports[i]);
   }
-  worlds_ = graphs;
 }
 
+/// A graph is a forest if none of its edges, in any order, connects nodes that the edges before it connect. So the
+/// edges of the patch come first, once for all worlds.
 bool PatchInWorlds::valid(Colors colors, std::size_t world) const {
   ++graphs_;
-  const Graph& all = worlds_->of_world[world];
-  const Solid solid{&all, single(outside) | concatenated(colors.ports, colors.inner, inner_edges_)};
-  const boost::filtered_graph<Graph, Solid> graph(all, solid);
-
-  std::array<unsigned, most_triangles + most_ports> degree{};
-  std::size_t solid_edges = 0;
-  for (auto [edge, end] = edges(graph); edge != end; ++edge, ++solid_edges) {
-    ++degree[source(*edge, graph)];
-    ++degree[target(*edge, graph)];
+  if (known_ != colors) {
+    known_ = colors;
+    is_forest_ = grow_inside(colors);
   }
-  for (unsigned triangle = 0; triangle < triangles_; ++triangle)
-    if (degree[triangle] > most_solid_) return false;
+  if (!is_forest_) return false;
+  Forest forest = inside_;
+  const Components components(forest.rank.data(), forest.parent.data());
+  return std::all_of(outside_[world].begin(), outside_[world].end(),
+                     [&](const auto& edge) { return grows(components, edge.first, edge.second); });
+}
 
-  // A graph is a forest if its number of edges is its nodes minus its connected components.
-  std::array<std::size_t, most_triangles + most_ports> rank;
-  std::array<std::size_t, most_triangles + most_ports> parent;
-  boost::disjoint_sets<std::size_t*, std::size_t*> components(rank.data(), parent.data());
-  boost::initialize_incremental_components(graph, components);
-  boost::incremental_components(graph, components);
-  const auto [first, last] = vertices(graph);
-  return solid_edges == num_vertices(graph) - components.count_sets(first, last);
+bool PatchInWorlds::grow_inside(Colors colors) const {
+  Components components(inside_.rank.data(), inside_.parent.data());
+  for (unsigned node = 0; node < side_.triangles + side_.ports(); ++node)
+    components.make_set(static_cast<std::uint8_t>(node));
+  std::array<unsigned, most_triangles + most_ports> degree{};
+  const auto add = [&](unsigned one, unsigned other) {
+    for (const unsigned node : {one, other})
+      if (++degree[node] > most_solid_) return false;
+    return grows(components, one, other);
+  };
+  for (unsigned edge = 0; edge < side_.inner_edges(); ++edge)
+    if (is_solid(colors.inner, edge) && !add(side_.edges[edge][0], side_.edges[edge][1])) return false;
+  for (unsigned port = 0; port < side_.ports(); ++port)
+    if (is_solid(colors.ports, port) && !add(side_.owner_of_port[port], side_.triangles + port)) return false;
+  return true;
 }
 
 Definition::Definition(const Operation& operation)

@@ -1,6 +1,6 @@
 #pragma once
 // Defines sound and best rules. This is the definition itself (docs/reference/operation-file.md, "What a rule must
-// be"), written with the Boost Graph Library. The keys, reasons and symmetries of certificates are theorems about it.
+// be"), written with disjoint sets of the Boost Graph Library. The keys, reasons and symmetries of certificates are theorems about it.
 //
 //   - A patch in a *world* is a graph. Its nodes are the triangles of a side and the outer ends of its ports. Its edges
 //     are the inner edges, the ports, and the connections of outer ends in the world.
@@ -14,11 +14,12 @@
 // Everything is found by exhaustive search. Configurations with the same solid ports and the same possible worlds share
 // their answer, which is computed once.
 
+#include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "model/cost.hpp"
@@ -47,12 +48,20 @@ class PatchInWorlds {
   std::uint64_t graphs() const { return graphs_; }              ///< how many were judged
 
  private:
-  struct Graphs;
+  /// The components of a graph, as disjoint sets of its nodes.
+  struct Forest {
+    std::array<std::uint8_t, most_triangles + most_ports> rank{};
+    std::array<std::uint8_t, most_triangles + most_ports> parent{};
+  };
+  /// Whether the patch by itself is valid; then `inside_` is its forest.
+  bool grow_inside(Colors colors) const;
 
-  unsigned triangles_;
-  unsigned inner_edges_;
+  const Side& side_;
   unsigned most_solid_;
-  std::shared_ptr<const Graphs> worlds_;
+  std::vector<std::vector<std::pair<unsigned, unsigned>>> outside_;  ///< by world: the edges that it adds
+  mutable std::optional<Colors> known_;                              ///< the colours of `inside_`
+  mutable bool is_forest_ = false;
+  mutable Forest inside_;
   mutable std::uint64_t graphs_ = 0;
 };
 
