@@ -1,6 +1,7 @@
 #pragma once
 // Defines sound and best rules. This is the definition itself (docs/reference/operation-file.md, "What a rule must
-// be"), written with disjoint sets of the Boost Graph Library. The keys, reasons and symmetries of certificates are theorems about it.
+// be"), written with disjoint sets of the Boost Graph Library. The keys, reasons and symmetries of certificates are
+// theorems about it.
 //
 //   - A patch in a *world* is a graph. Its nodes are the triangles of a side and the outer ends of its ports. Its edges
 //     are the inner edges, the ports, and the connections of outer ends in the world.
