@@ -2,18 +2,9 @@
 //
 // Every operation begins with its proven rule (operations.hpp), which reads one patch. A policy (policy.hpp) says what
 // follows. The steps after the rule only lower the cost, so an operation adds at most what a rule adds at most
-// (docs/explanation/theory.md, "What an operation adds").
-//
-// Under the cost of strips the policies join ends of strips that meet (join.hpp), or search by tunnelling (tunnel.hpp)
-// from every strip end in the patch, which needs a locator of the strips (strip_locator.hpp). When a strip breaks, its
-// ends are known, and ends of other strips are near. (Porcu and Scateni tunnel when isolated triangles exceed a
-// threshold. Immediate local tunnelling keeps the strips of every level of detail as long as strips made from scratch.)
-//
-// Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), a split or collapse keeps the previous
-// colours if they cost no more than the rule's. An operation with a table (apply.hpp, refine.hpp) takes the cheapest of
-// its rule and the colours that join two ports only if they were joined before. A search at the strip ends of the patch
-// (end_search.hpp) then lowers the cost; under Policy::best an exact window (window.hpp) follows. Fewest strips take 15
-// to 25 % more indices than fewest indices.
+// (docs/explanation/theory.md, "What an operation adds"). One of two engines takes these steps: impl/fewest_strips.hpp
+// under the cost of strips, impl/lowest_cost.hpp under a cost that weighs swaps or isolated triangles, such as
+// Cost::indices().
 //
 //   Keeper keeper(mesh);                               // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
@@ -36,25 +27,24 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <type_traits>
-#include <vector>
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
-#include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/join.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/impl/fewest_strips.hpp"
 #include "restrip/search/impl/keeper_steps.hpp"
+#include "restrip/search/impl/lowest_cost.hpp"
 #include "restrip/search/impl/members.hpp"
-#include "restrip/search/impl/rounds.hpp"
 #include "restrip/search/impl/rule_choice.hpp"
 #include "restrip/search/impl/strip_locator.hpp"
 #include "restrip/search/impl/tunnel.hpp"
-#include "restrip/search/impl/window_rounds.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/sided_mesh.hpp"
 
@@ -91,15 +81,11 @@ class Keeper {
   using Player = typename detail::PlayerOf<Mesh>::type;
 
   explicit Keeper(Mesh& mesh, Policy policy = default_policy, Cost cost = default_cost)
-      : mesh_(&mesh),
-        search_(row_of(policy).search),
-        plan_(row_of(policy).plan),
-        policy_(policy),
-        choice_(cost, cost.swap != 0 || cost.isolated != 0),
-        ends_(cost),
-        descent_(cost),
-        windows_(cost, 1, Windings::ignored),
-        window_(cost, 1, Windings::ignored) {
+      : mesh_(&mesh), policy_(policy), choice_(cost) {
+    if (choice_.weighs())
+      lowest_ = std::make_unique<LowestCost>(row_of(policy).plan, cost);
+    else
+      fewest_ = std::make_unique<FewestStrips>(row_of(policy));
     rebuild();
   }
   /// Plays baked strips (baked.hpp): split_record and collapse_record are then copied, while in step. Every other
@@ -109,20 +95,15 @@ class Keeper {
     baked_.emplace(mesh, records, level);
   }
 
-  /// Takes effect with the next operation. Linear time if the locator has to be made.
-  void set_policy(Policy policy) {
-    policy_ = policy;
-    plan_ = row_of(policy).plan;
-    set_search(row_of(policy).search);
-  }
-  /// Searches of any size: larger ones keep longer strips and take proportionally longer.
+  /// Searches of any size: larger ones keep longer strips and take proportionally longer. For the cost of strips; takes
+  /// effect with the next operation. Linear time if the locator has to be made.
   void set_search(Search search) {
-    const bool had_locator = tunnels();
-    search_ = search;
-    if (!had_locator && tunnels()) rebuild();
+    if (fewest_ && fewest_->set_search(search)) rebuild();
   }
   /// The same for costs that weigh swaps or isolated triangles.
-  void set_plan(const IndexPlan& plan) noexcept { plan_ = plan; }
+  void set_plan(const IndexPlan& plan) noexcept {
+    if (lowest_) lowest_->set_plan(plan);
+  }
 
   /// The operations of operations.hpp, with the same preconditions. `strips` and `isolated` of the result include the
   /// changes by searches and repairs, so `strips` is often negative. `name`: the new vertex, for meshes that let the
@@ -169,17 +150,20 @@ class Keeper {
     std::size_t swaps = 0;
     std::size_t isolated = 0;
     Cost cost;
-    std::array<std::uint64_t, 11> searches{};
+    std::array<std::uint64_t, 8> searches{};
     std::optional<std::size_t> level;  ///< of baked strips, in step
   };
   [[nodiscard]] State state() noexcept;
   /// For a mesh that is again as it was when state() returned this: later results are the same as they were then.
   /// Constant time for a keeper without a locator, if the cost is the same.
   void return_to(const State& state);
-  /// Another policy and cost, from the next operation on; background work continues where it was, and baked strips are
-  /// no longer played. Linear time. Throws as the constructor does; nothing has changed then.
+  /// Another policy and cost, from the next operation on; background work continues where it was if the cost is the
+  /// same, and baked strips are no longer played. Linear time. Throws as the constructor does; nothing has changed
+  /// then.
   void keep(Policy policy, const Cost& cost);
-  void reserve(std::size_t triangles) { locator_.reserve(triangles); }
+  void reserve(std::size_t triangles) {
+    if (fewest_) fewest_->reserve(triangles);
+  }
   /// Visits the state and the counts of rules as std::uint64_t: for keepers that are saved and resumed. Rebuilds a
   /// keeper that is not up to date.
   template <class Visit>
@@ -189,49 +173,43 @@ class Keeper {
   /// Not maintained while baked strips are played, because their records do not contain it.
   [[nodiscard]] std::size_t isolated() const noexcept { return isolated_; }
   /// Maintained under a cost that weighs swaps or isolated triangles; otherwise counted, in linear time.
-  [[nodiscard]] std::size_t swaps() const { return weighs() ? swaps_ : count_swaps(*mesh_); }
+  [[nodiscard]] std::size_t swaps() const { return choice_.weighs() ? swaps_ : count_swaps(*mesh_); }
   /// The cost of the whole colouring.
   [[nodiscard]] std::size_t cost() const noexcept {
-    const Cost& weights = descent_.cost();
-    return weights.restart * strips_ + weights.swap * swaps_ + weights.isolated * isolated_;
+    return weights().restart * strips_ + weights().swap * swaps_ + weights().isolated * isolated_;
   }
   /// Counts of rules used and not used in all operations so far.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return choice_.counts(); }
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
   [[nodiscard]] Policy policy() const noexcept { return policy_; }
-  [[nodiscard]] const Cost& weights() const noexcept { return descent_.cost(); }
+  [[nodiscard]] const Cost& weights() const noexcept { return choice_.cost(); }
   /// False after an exception, until rebuild() or the next operation.
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
   /// Null under policies without a locator, and while it is not up to date.
-  [[nodiscard]] const StripLocator* locator() const noexcept { return tunnels() && up_to_date_ ? &locator_ : nullptr; }
-  /// Counts of tunnelling; of the searches at strip ends; the work of improve() under costs that weigh swaps or
-  /// isolated triangles.
-  [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
-  [[nodiscard]] const EndSearch& end_search() const noexcept { return ends_; }
-  [[nodiscard]] std::uint64_t spent_by_improve() const noexcept { return descent_.counts().priced + windows_.spent(); }
+  [[nodiscard]] const StripLocator* locator() const noexcept {
+    return fewest_ && fewest_->tunnels() && up_to_date_ ? &fewest_->locator() : nullptr;
+  }
+  /// Counts of tunnelling; zero under costs that weigh swaps or isolated triangles.
+  [[nodiscard]] TunnelCounts counts() const noexcept { return fewest_ ? fewest_->counts() : TunnelCounts{}; }
 
  private:
-  template <class Visit>
-  void visit_searches(Visit&& visit);
-  /// Whether the cost weighs swaps or isolated triangles.
-  [[nodiscard]] bool weighs() const noexcept { return descent_.cost().swap != 0 || descent_.cost().isolated != 0; }
-  [[nodiscard]] bool tunnels() const noexcept { return !weighs() && search_.states != 0; }
+  using FewestStrips = detail::FewestStrips<Mesh>;
+  using LowestCost = detail::LowestCost<Mesh>;
+
+  /// work(engine), for the engine in use.
+  template <class Work>
+  decltype(auto) by_engine(Work&& work) {
+    return fewest_ ? work(*fewest_) : work(*lowest_);
+  }
 
   void begin();
   template <class Step>
   Rewrite<Halfedge> perform(const Step& step);
-  Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done, bool improved);
-  Rewrite<Halfedge> counted(Rewrite<Halfedge> done, const ColoringChange& change, bool improved);
   template <class Step>
-  Rewrite<Halfedge> search_from_ends(const Step& step);
-  Rewrite<Halfedge> searched(const Rewrite<Halfedge>& by_rule, bool counts_swaps, unsigned rings);
-  template <class Step>
-  Rewrite<Halfedge> tunnel_from_patch(const Step& step);
-  Rewrite<Halfedge> tunnelled(const Rewrite<Halfedge>& by_rule, detail::MayIsolate may_isolate);
+  Rewrite<Halfedge> bare(const Step& step);
+  Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done);
 
   Mesh* mesh_;
-  Search search_;   // under the cost of strips
-  IndexPlan plan_;  // under other ones
   Policy policy_;
   bool up_to_date_ = false;
   std::size_t strips_ = 0;
@@ -239,22 +217,9 @@ class Keeper {
   std::size_t isolated_ = 0;
   std::optional<Player> baked_;
   detail::RuleChoice<Mesh> choice_;
-  // For the cost of strips.
-  StripLocator locator_;
-  Tunnel tunnel_;
-  TunnelRounds rounds_{256, 4096};
-  std::size_t triangles_ = 0;  // while a locator exists
-  std::vector<Triangle> patch_;
-  // For other ones.
-  EndSearch ends_;  // after an operation
-  // For background work.
-  Descent descent_;
-  Triangle next_ = 0;          // of the descent
-  std::size_t unsettled_ = 0;  // triangles that it still has to pass
-  WindowRounds windows_;
-  Window window_;  // after an operation and its search
-  // For operations that do not count.
-  detail::Surroundings<Mesh> around_;
+  std::unique_ptr<FewestStrips> fewest_;  // one of the two engines
+  std::unique_ptr<LowestCost> lowest_;
+  detail::Surroundings<Mesh> around_;  // for operations that do not count
 };
 
 }  // namespace restrip

@@ -120,8 +120,10 @@ class RuleChoice {
  public:
   using Halfedge = typename Mesh::Halfedge;
 
-  /// `weighs`: swaps are counted.
-  RuleChoice(const Cost& cost, bool weighs) noexcept : cost_(cost), weighs_(weighs) {}
+  explicit RuleChoice(const Cost& cost) noexcept : cost_(cost), weighs_(cost.swap != 0 || cost.isolated != 0) {}
+  [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
+  /// Whether the cost weighs swaps or isolated triangles. Swaps are then counted.
+  [[nodiscard]] bool weighs() const noexcept { return weighs_; }
   /// `searches`: a search follows; then colours that cost no more than the rule's are passed on, and start() names the
   /// triangles of the patch after the operation, or the strip ends among them.
   void begin(bool searches, bool from_ends) noexcept {
@@ -203,6 +205,7 @@ class RuleChoice {
   /// The change by the colours chosen last. Swaps are right if they are weighed and the operation is a split or a
   /// collapse.
   [[nodiscard]] const ColoringChange& change() const noexcept { return change_; }
+  void count_improved(bool improved) noexcept { counts_.improved += improved ? 1U : 0U; }
   [[nodiscard]] RuleCounts& counts() noexcept { return counts_; }
   [[nodiscard]] const RuleCounts& counts() const noexcept { return counts_; }
 
