@@ -53,6 +53,7 @@ TEST(Json, TextsAndNamesMayHaveEscapes) {
 TEST(Json, MembersAreFoundInAnyOrder) {
   std::string text = "{";
   std::vector<std::string> names;
+  names.reserve(60);
   for (int i = 0; i < 60; ++i) names.push_back(fmt::format("{}", i * 37 % 60));
   for (const std::string& name : names) text += fmt::format("\"{0}\":{0},", name);
   text.back() = '}';
