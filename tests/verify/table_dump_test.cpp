@@ -85,9 +85,9 @@ std::string difference(const Tables& tables, const std::string& text) {
   const DumpComparison comparison = comparison_of(tables.expected, text);
   if (comparison.agrees()) return {};
   for (const Compared& compared : comparison.tables)
-    for (const Failures* found : {&compared.differences, &compared.wrong, &compared.misstated})
+    for (const Failures* found : {&compared.differences, &compared.wrong})
       if (found->count != 0) return found->first;
-  return comparison.fault;
+  return comparison.misstated.count != 0 ? comparison.misstated.first : comparison.fault;
 }
 
 TEST(TableDump, EqualTablesAreAccepted) {

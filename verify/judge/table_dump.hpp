@@ -49,15 +49,15 @@ struct Compared {
   AnswerCounts families;
   Failures differences;  ///< from the rows of a certificate
   Failures wrong;        ///< answers that are not sound, or not the best
-  Failures misstated;    ///< answers that state a wrong change
-  Failures beyond;       ///< answers that exceed a bound of the description
-  AnswerCount bounded;   ///< answers that were compared with bounds
 };
 
 struct DumpComparison {
   std::uint64_t lines = 0;                     ///< entry lines read
   bool states_changes = true;                  ///< whether answers stated their changes, so that these could be judged
   std::array<Compared, against_count> tables;  ///< by Against; tables compared with nothing have no differences
+  Failures misstated;                          ///< answers that state a wrong change
+  Failures beyond;                             ///< answers that exceed a bound of the description
+  AnswerCount bounded;                         ///< answers that were compared with bounds
   Digests digests;                             ///< of all tables, if requested
   std::string fault;                           ///< why the dump could not be read to its end; otherwise empty
 
