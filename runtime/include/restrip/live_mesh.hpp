@@ -55,8 +55,8 @@ class LiveMesh {
   /// `triangles`: as for StripMesh::build, which leaves out triangles with a corner twice or out of range. Only
   /// `report` counts them; check it unless the triangles are known to be good.
   template <class Triangles>
-  LiveMesh(const Triangles& triangles, std::size_t vertex_count, const LiveOptions& options = {},
-           BuildReport* report = nullptr)
+  RESTRIP_COLD LiveMesh(const Triangles& triangles, std::size_t vertex_count, const LiveOptions& options = {},
+                        BuildReport* report = nullptr)
       : LiveMesh(StripMesh::build(triangles, vertex_count, report), options, Colors::from_scratch) {}
   /// Takes a mesh with its colours.
   explicit LiveMesh(StripMesh mesh, const LiveOptions& options = {})

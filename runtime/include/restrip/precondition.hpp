@@ -41,6 +41,13 @@
 #define RESTRIP_INLINE inline
 #endif
 
+// Functions that run once for a mesh or rarely: compiled for size, which also shortens the compilation.
+#if defined(__GNUC__)
+#define RESTRIP_COLD [[gnu::cold]]
+#else
+#define RESTRIP_COLD
+#endif
+
 #include <cstdio>
 #include <cstdlib>
 

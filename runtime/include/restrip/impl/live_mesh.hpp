@@ -34,7 +34,7 @@ struct LiveMesh::Parts {
   using State = Keeper<StripMesh>::State;
   /// Of the mesh, its buffer and its keeper, which have the same frames.
   struct Histories {
-    Histories(const StripMesh& now, LiveBuffer& buffer_now, const State& state, std::size_t most)
+    RESTRIP_COLD Histories(const StripMesh& now, LiveBuffer& buffer_now, const State& state, std::size_t most)
         : mesh(now, most), buffer(buffer_now), states{state} {}
     void frame(const StripMesh& now, LiveBuffer& buffer_now, std::span<const Triangle> triangles, const State& state) {
       const std::size_t undoable = mesh.undoable();
@@ -44,7 +44,7 @@ struct LiveMesh::Parts {
         states[undoable] = state;
         return;
       }
-      states.resize(undoable + 1);
+      while (states.size() > undoable + 1) states.pop_back();
       states.push_back(state);
       for (; states.size() > mesh.undoable() + 1; ++dropped) states.pop_front();
     }
@@ -54,7 +54,7 @@ struct LiveMesh::Parts {
     std::size_t dropped = 0;   // frames before the first one
   };
 
-  Parts(StripMesh own, const LiveOptions& options, std::shared_ptr<const BakedFile> from = nullptr)
+  RESTRIP_COLD Parts(StripMesh own, const LiveOptions& options, std::shared_ptr<const BakedFile> from = nullptr)
       : file(std::move(from)),
         mesh(std::move(own)),
         keeper(file ? Keeper<StripMesh>(mesh, file->records) : Keeper<StripMesh>(mesh, options.policy, options.cost)),
@@ -84,7 +84,7 @@ struct LiveMesh::Parts {
   }
 
   void begin() noexcept { mesh.watch(&changed); }
-  void begin_history() {
+  RESTRIP_COLD void begin_history() {
     if (most_history != 0) history.emplace(mesh, buffer, keeper.state(), most_history);
     interrupted = false;
   }
@@ -171,7 +171,7 @@ struct LiveMesh::Parts {
   bool undelivered = false;  // the last frame has ended, but nothing was returned
 };
 
-RESTRIP_INLINE LiveMesh::LiveMesh(StripMesh mesh, const LiveOptions& options, Colors colors) {
+RESTRIP_COLD RESTRIP_INLINE LiveMesh::LiveMesh(StripMesh mesh, const LiveOptions& options, Colors colors) {
   if (colors == Colors::from_scratch) stripify(mesh, options.effort, options.cost);
   parts_ = std::make_unique<Parts>(std::move(mesh), options);
 }
@@ -180,7 +180,7 @@ RESTRIP_INLINE LiveMesh::LiveMesh(std::shared_ptr<const BakedFile> file, const L
 RESTRIP_INLINE LiveMesh::LiveMesh(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
 RESTRIP_INLINE LiveMesh::LiveMesh(LiveMesh&& other) noexcept = default;
 RESTRIP_INLINE LiveMesh& LiveMesh::operator=(LiveMesh&& other) noexcept = default;
-RESTRIP_INLINE LiveMesh::~LiveMesh() = default;
+RESTRIP_COLD RESTRIP_INLINE LiveMesh::~LiveMesh() = default;
 
 RESTRIP_INLINE LiveMesh::Halfedge LiveMesh::edge(Vertex v, Vertex w) const noexcept {
   return v < mesh().vertex_bound() ? mesh().spoke(v, w) : Halfedge{};

@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
@@ -118,7 +119,8 @@ class History {
  public:
   /// Begins with the mesh as it is. Linear time. `most_triangles` limits the changed triangles of all frames together:
   /// beyond it the oldest frames are dropped, but never the last one.
-  explicit History(const StripMesh& mesh, std::size_t most_triangles = (std::numeric_limits<std::size_t>::max)())
+  RESTRIP_COLD explicit History(const StripMesh& mesh,
+                                std::size_t most_triangles = (std::numeric_limits<std::size_t>::max)())
       : last_(mesh), most_(most_triangles) {}
 
   /// Ends a frame. `changed`: the list made by the watch of the mesh since the previous frame; not cleared. Frames that

@@ -32,13 +32,14 @@
 #include "restrip/mesh/history.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strip_buffer.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
 class BufferHistory {
  public:
   /// Begins with the buffer as it is. Linear time.
-  explicit BufferHistory(StripBuffer& buffer)
+  RESTRIP_COLD explicit BufferHistory(StripBuffer& buffer)
       : last_{(read_places(buffer), buffer.cells_), buffer.run_of_, buffer.places_.places_, buffer.places_.totals_} {
     places_.clear();
   }
@@ -190,7 +191,7 @@ class BufferHistory {
 class LiveHistory {
  public:
   /// Begins with the buffer as it is. Linear time. Exceptions: as for BufferHistory.
-  explicit LiveHistory(LiveBuffer& buffer) {
+  RESTRIP_COLD explicit LiveHistory(LiveBuffer& buffer) {
     if (auto* strips = std::get_if<StripBuffer>(&buffer.buffer())) history_.emplace(*strips);
   }
 

@@ -37,7 +37,7 @@ class LiveBuffer {
   /// Empty; the first update writes the whole buffer. Live buffers do not support batches (limits of a batch throw
   /// std::invalid_argument; see above for a remedy), and stay strips even if a list is shorter. `layout` matters to
   /// strips only; throws as their buffer does.
-  explicit LiveBuffer(const StripFormat& format = {}, const LayoutOptions& layout = {})
+  RESTRIP_COLD explicit LiveBuffer(const StripFormat& format = {}, const LayoutOptions& layout = {})
       : format_(format), layout_(layout) {
     if (format.most_vertices != 0 || format.most_indices != 0)
       RESTRIP_THROW(std::invalid_argument,
@@ -112,7 +112,7 @@ class LiveBuffer {
   };
   template <class Mesh>
   void write_all(const Mesh& mesh, bool stays_wide);
-  void make(bool wide) {
+  RESTRIP_COLD void make(bool wide) {
     const IndexWidth width = wide ? IndexWidth::bits32 : IndexWidth::bits16;
     if (format_.form == StripForm::list)
       buffer_.emplace<TriangleListBuffer>(width);
@@ -188,7 +188,7 @@ std::size_t LiveBuffer::compact(const Mesh& mesh, std::size_t budget) {
 }
 
 template <class Mesh>
-void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
+RESTRIP_COLD void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
   whole_ = all_changed_ = true;  // also if no memory is left for a buffer of the other width
   if (format_.width == IndexWidth::automatic) {
     bool wide = stays_wide;

@@ -104,7 +104,7 @@ class TriangleListBuffer {
       write(slot_[t], corners);
     }
     // The last triangles fill the remaining slots.
-    std::sort(free_.begin(), free_.end());
+    detail::sort_unique(free_);
     for (std::size_t filled = 0; filled < free_.size();) {
       const auto last = static_cast<std::uint32_t>(owner_.size() - 1);
       if (owner_[last] == no_slot) {

@@ -91,7 +91,7 @@ class JoinSides {
   // ---- odd edges
 
   // A third side, or a side with the same direction as the other one.
-  void put_odd(std::uint32_t h, Edge& edge, std::uint32_t low, std::uint32_t high) {
+  RESTRIP_COLD void put_odd(std::uint32_t h, Edge& edge, std::uint32_t low, std::uint32_t high) {
     if (edge.side != odd) {
       if (odd_of_.empty()) odd_of_.resize(edges_.size());
       odd_of_[high] = static_cast<std::uint32_t>(odd_edges_++);
@@ -111,7 +111,7 @@ class JoinSides {
     odd_sides_.push_back({odd_of_[high], h});
   }
 
-  void join_odd_edges() {
+  RESTRIP_COLD void join_odd_edges() {
     std::vector<std::size_t> begin(odd_edges_ + 1, 0);
     for (const OddSide& side : odd_sides_) ++begin[side.edge + 1];
     for (std::size_t e = 0; e < odd_edges_; ++e) begin[e + 1] += begin[e];
@@ -145,7 +145,7 @@ class JoinSides {
     }
   }
 
-  void join_odd_edge(std::span<const std::uint32_t> sides) {
+  RESTRIP_COLD void join_odd_edge(std::span<const std::uint32_t> sides) {
     ++(sides.size() == 2 ? report_.inconsistent_edges : report_.non_manifold_edges);
     for (const std::uint32_t h : sides)
       if (const std::uint32_t other = is_joined(h) ? end : beyond_fan(h); other != end) join(h, other);

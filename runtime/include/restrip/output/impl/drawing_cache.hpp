@@ -6,10 +6,13 @@
 // its last miss. A trial has such numbers of its own, which the next trial ignores.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "restrip/precondition.hpp"
 
 namespace restrip::detail {
 
@@ -17,24 +20,20 @@ class DrawingCache {
  public:
   enum class Lookup : std::uint8_t { hit, first_miss, later_miss };
 
-  /// `for_each_use` calls its argument with a vertex below `vertices` and an item below `items`, for every use, and the
-  /// same each time.
-  template <class ForEachUse>
-  DrawingCache(std::uint32_t size, std::size_t vertices, std::size_t items, ForEachUse&& for_each_use)
-      : size_(size),
-        misses_(size),
-        // An empty cache: what was missed is a vertex without uses. A vertex that was never missed is not cached.
-        missed_(size + std::size_t{1}, static_cast<std::uint32_t>(vertices)),
-        vertices_(vertices + 1),
-        first_(vertices + 1, 0),
-        end_(vertices + 1, 0),
-        drawn_(items, false),
-        tried_(items, 0) {
-    for_each_use([this](std::size_t v, std::uint32_t) { ++vertices_[v].left_to_draw; });
+  /// `uses`: the vertices of all items, one item after the other; item i ends before ends[i].
+  RESTRIP_COLD DrawingCache(std::uint32_t size, const std::vector<std::uint32_t>& uses,
+                            const std::vector<std::uint32_t>& ends)
+      : size_(size), misses_(size), items_(uses.size()), drawn_(ends.size(), false), tried_(ends.size(), 0) {
+    const std::size_t vertices = uses.empty() ? 0 : *std::max_element(uses.begin(), uses.end()) + std::size_t{1};
+    // An empty cache: what was missed is a vertex without uses. A vertex that was never missed is not cached.
+    missed_.assign(size + std::size_t{1}, static_cast<std::uint32_t>(vertices));
+    vertices_.resize(vertices + 1);
+    for (const std::uint32_t v : uses) ++vertices_[v].left_to_draw;
+    first_.resize(vertices + 1);
     for (std::size_t v = 0; v < vertices; ++v) first_[v + 1] = first_[v] + vertices_[v].left_to_draw;
     end_ = first_;
-    items_.resize(first_.back());
-    for_each_use([this](std::size_t v, std::uint32_t item) { items_[end_[v]++] = item; });
+    for (std::uint32_t item = 0, i = 0; item < ends.size(); ++item)
+      for (; i < ends[item]; ++i) items_[end_[uses[i]]++] = item;
   }
 
   // ---- drawing
@@ -112,7 +111,7 @@ class DrawingCache {
   // Removes items that have been drawn from the list. Ends if `visit` returns false.
   template <class Visit>
   void for_each_at(std::uint32_t v, Visit&& visit) {
-    for (std::size_t i = first_[v]; i < end_[v];) {
+    for (std::uint32_t i = first_[v]; i < end_[v];) {
       if (drawn_[items_[i]])
         items_[i] = items_[--end_[v]];
       else if (!visit(items_[i++]))
@@ -126,8 +125,8 @@ class DrawingCache {
   std::vector<std::uint32_t> recent_;  // the same, without vertices that have nothing left
   std::vector<Vertex> vertices_;       // and one without uses
   // By vertex, the items that use it.
-  std::vector<std::size_t> first_;
-  std::vector<std::size_t> end_;
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> end_;
   std::vector<std::uint32_t> items_;
   std::vector<bool> drawn_;
   std::vector<std::uint32_t> tried_;  // by item: in which round

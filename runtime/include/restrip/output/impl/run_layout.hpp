@@ -34,7 +34,7 @@ inline constexpr std::uint32_t looked_at_for_an_index = 30;  // by compact(), in
 
 // ---- from scratch
 
-inline void StripBuffer::order_runs() {
+RESTRIP_COLD inline void StripBuffer::order_runs() {
   std::vector<detail::Run> runs;
   std::vector<std::uint32_t> place;
   for (std::uint32_t p = places_.next(detail::RunPlaces::head); p != detail::RunPlaces::head; p = places_.next(p)) {
@@ -84,11 +84,12 @@ inline std::span<const StripBuffer::Neighbor> StripBuffer::neighbors(std::uint32
     else if (count < neighbors_.size())
       neighbors_[count++] = {place, 1};
   }
-  const auto order = [](const Neighbor& a, const Neighbor& b) {
+  const auto before = [](const Neighbor& a, const Neighbor& b) {
     return a.edges != b.edges ? a.edges > b.edges : a.place < b.place;
   };
   const std::size_t tried = (std::min<std::size_t>)(count, detail::neighbors_tried);
-  std::partial_sort(neighbors_.data(), neighbors_.data() + tried, neighbors_.data() + count, order);
+  for (std::size_t i = 0; i < tried; ++i)
+    std::swap(neighbors_[i], *std::min_element(neighbors_.data() + i, neighbors_.data() + count, before));
   return {neighbors_.data(), tried};
 }
 

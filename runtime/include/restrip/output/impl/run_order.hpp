@@ -9,33 +9,38 @@
 // and in the runs after it. The simulation begins some indices before the place.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "restrip/output/impl/cells.hpp"
 #include "restrip/output/impl/drawing_cache.hpp"
 #include "restrip/output/impl/run_places.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip::detail {
 
 /// Numbers of runs, in an order for a cache of `cache` vertices, first in, first out. `cells` has the indices of the
 /// runs, each with a separator at its end.
-inline std::vector<std::uint32_t> order_of_runs(const Cells& cells, const std::vector<Run>& runs, std::uint32_t cache) {
+RESTRIP_COLD inline std::vector<std::uint32_t> order_of_runs(const Cells& cells, const std::vector<Run>& runs,
+                                                             std::uint32_t cache) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
   constexpr unsigned most_tried = 64;
-  const auto count = static_cast<std::uint32_t>(runs.size());
-  const auto for_each_vertex = [&](std::uint32_t r, auto&& visit) {
-    for (std::uint32_t i = runs[r].first; i + 1 < runs[r].end(); ++i) visit(cells[i]);
+  std::vector<std::uint32_t> vertices;  // of all runs
+  std::vector<std::uint32_t> ends;      // of each run, there
+  vertices.reserve(cells.size());
+  ends.reserve(runs.size());
+  for (const Run& run : runs) {
+    for (std::uint32_t i = run.first; i + 1 < run.end(); ++i) vertices.push_back(cells[i]);
+    ends.push_back(static_cast<std::uint32_t>(vertices.size()));
+  }
+  const auto vertices_of = [&](std::uint32_t r) {
+    const std::uint32_t* const begin = vertices.data() + (r == 0 ? 0 : ends[r - 1]);
+    return std::span(begin, vertices.data() + ends[r]);
   };
-  const auto for_each_use = [&](auto&& use) {
-    for (std::uint32_t r = 0; r < count; ++r) for_each_vertex(r, [&](std::uint32_t v) { use(v, r); });
-  };
-  std::size_t vertices = 0;
-  for_each_use([&](std::uint32_t v, std::uint32_t) { vertices = (std::max)(vertices, v + std::size_t{1}); });
-  DrawingCache drawing(cache, vertices, runs.size(), for_each_use);
+  DrawingCache drawing(cache, vertices, ends);
 
   struct Trial {
     std::uint32_t run = none;
@@ -49,7 +54,7 @@ inline std::vector<std::uint32_t> order_of_runs(const Cells& cells, const std::v
     drawing.for_each_near(most_tried, 8 * most_tried, [&](std::uint32_t r) {
       const std::uint32_t before = drawing.try_from_here();
       std::uint32_t misses = before;
-      for_each_vertex(r, [&](std::uint32_t v) { drawing.try_look_up(v, misses); });
+      for (const std::uint32_t v : vertices_of(r)) drawing.try_look_up(v, misses);
       const Trial here{r, misses - before, runs[r].triangles};
       if (best.run == none || here.misses * best.triangles < best.misses * here.triangles) best = here;
       return 1U;
@@ -65,7 +70,7 @@ inline std::vector<std::uint32_t> order_of_runs(const Cells& cells, const std::v
     }
     order.push_back(best.run);
     drawing.draw(best.run);
-    for_each_vertex(best.run, [&](std::uint32_t v) { drawing.look_up(v); });
+    for (const std::uint32_t v : vertices_of(best.run)) drawing.look_up(v);
   }
   return order;
 }

@@ -40,7 +40,7 @@ inline SeenTriangle seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noex
 }  // namespace detail
 
 template <NumberedMesh Mesh>
-void StripBuffer::rebuild(const Mesh& mesh) {
+RESTRIP_COLD void StripBuffer::rebuild(const Mesh& mesh) {
   stale_ = rebuilt_ = true;
   places_ = {};
   cells_.clear();

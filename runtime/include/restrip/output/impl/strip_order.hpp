@@ -49,9 +49,7 @@ class CacheOrder {
       : row_(row),
         cache_(static_cast<std::uint32_t>((std::min<std::size_t>)(cache.size, largest_cache))),
         longest_((std::min)(cache_ + cache_ / 2, longest_run)),
-        drawing_(cache_, vertices_of(row), row.size(), [&row](auto&& use) {
-          for (std::size_t i = 0; i < row.corners.size(); ++i) use(row.corners[i], static_cast<std::uint32_t>(i / 3));
-        }) {
+        drawing_(cache_, row.corners, ends_of(row)) {
     const double indices = read_row();
     miss_ = static_cast<Cost>(std::llround(weight_of(cache, indices / (std::max)(row.size(), 1U)) * unit));
     first_miss_ = first_miss_share * miss_ / 100;
@@ -178,8 +176,11 @@ class CacheOrder {
       places_[p].apex = {corner(p, row_.next[p] + 2), corner(p, row_.previous[p] + 2)};
     return indices;
   }
-  static std::size_t vertices_of(const StripRow& row) noexcept {
-    return row.corners.empty() ? 0 : *std::max_element(row.corners.begin(), row.corners.end()) + std::size_t{1};
+  // Of the corners of each place.
+  static std::vector<std::uint32_t> ends_of(const StripRow& row) {
+    std::vector<std::uint32_t> ends(row.size());
+    for (std::uint32_t p = 0; p < ends.size(); ++p) ends[p] = 3 * p + 3;
+    return ends;
   }
 
   // ---- candidates
