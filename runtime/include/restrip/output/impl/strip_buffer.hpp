@@ -453,7 +453,8 @@ inline void StripBuffer::close_gaps() noexcept {
     const std::uint64_t needed = places_.used() - std::uint64_t{places_.cuts()} * (stitched_ ? 8 : 5) / 4;
     const bool wasteful = 1000 * (places_.length() - needed) > layout_.waste * needed;
     const std::uint32_t before = places_.find_gap(run.length);
-    if (!wasteful || moved >= std::uint64_t{layout_.work} * changed_ || before == nothing) return;
+    // The gap that makes a length even lies after the last run, which cannot move there.
+    if (!wasteful || moved >= std::uint64_t{layout_.work} * changed_ || before == nothing || before == last) return;
     if (places_.gap(before) < run.length && places_.next(before) != last) {
       const std::uint32_t missing = run.length - places_.gap(before);
       const std::uint32_t cost = widen(before, places_.next(before), missing, detail::moved_for_a_gap);
