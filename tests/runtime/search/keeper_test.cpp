@@ -57,6 +57,8 @@ TEST(Keeper, SearchesOfAnySize) {
     for (int i = 0; i < 50; ++i) random_operation(keeper, random, i % 2 == 0);
     expect_right(keeper);
     EXPECT_EQ(keeper.locator() != nullptr, states != 0);
+    keeper.improve(100);
+    expect_right(keeper);
   }
 }
 
