@@ -235,13 +235,6 @@ std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned thr
   return sections;
 }
 
-std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads) {
-  std::vector<Patches> patches = patches_of(families(), max_k);
-  std::erase_if(patches, [&](const Patches& one) { return one.certificate != certificate; });
-  if (patches.empty()) throw std::invalid_argument("unknown certificate " + certificate);
-  return solve_all(patches, threads);
-}
-
 Answers answers_of(const Description& description, const std::vector<Section>& known, unsigned max_k) {
   std::vector<Description> every{description};
   every[0].listed.clear();

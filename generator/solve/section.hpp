@@ -84,9 +84,6 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, const ch
 /// All sections in order; `threads` share the work, and the result does not depend on their number.
 [[nodiscard]] std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads);
 
-/// The sections of one certificate of the shipped families.
-[[nodiscard]] std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads);
-
 /// A position and the section whose rows answer its configurations.
 struct AnsweredPosition {
   Position position;

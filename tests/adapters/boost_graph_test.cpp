@@ -16,10 +16,9 @@
 #include <sstream>
 #include <vector>
 
-#include "../runtime/hand_made_mesh.hpp"
 #include "../runtime/random_operation.hpp"
 #include "../runtime/sample_meshes.hpp"
-#include "half_edge_mesh.hpp"
+#include "../support/half_edge_mesh.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip {
@@ -46,7 +45,7 @@ constexpr void models_concepts() {
   models_concepts<StripMesh>();
   models_concepts<const StripMesh>();
   models_concepts<half_edge::Mesh>();
-  models_concepts<sample::HandMade>();
+  models_concepts<half_edge::OnlyFlips>();
 }
 
 template <class Graph>
@@ -119,7 +118,7 @@ TEST(BoostGraph, StripsAreTheComponentsAfterEveryOperation) {
 TEST(BoostGraph, AlgorithmsRunOnForeignMeshes) {
   for (StripMesh mesh : sample::manifold_meshes()) {
     stripify(mesh);
-    sample::HandMade foreign(mesh);
+    half_edge::Mesh foreign = half_edge::copy_of(mesh);
     const DualGraph graph(foreign);  // its numbers begin at 7
     EXPECT_EQ(components(solid_edges(graph)), static_cast<int>(count_strips(mesh)));
     EXPECT_EQ(num_edges(graph), adjacent(mesh).size());

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "half_edge_mesh.hpp"
+#include "../support/half_edge_mesh.hpp"
 #include "lockstep.hpp"
 
 namespace restrip {
@@ -15,12 +15,7 @@ namespace {
 static_assert(SplittableMesh<half_edge::Mesh> && CollapsibleMesh<half_edge::Mesh> && FlippableMesh<half_edge::Mesh> &&
               NumberedMesh<half_edge::Mesh>);
 
-half_edge::Mesh copy_of(const StripMesh& from) {
-  std::vector<std::uint32_t> corners;
-  for (const auto& triangle : sample::triangles_of(from))
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
-  return half_edge::Mesh(corners);
-}
+using half_edge::copy_of;
 
 class Foreign {
  public:
@@ -28,7 +23,7 @@ class Foreign {
   using Vertex = std::uint32_t;
   explicit Foreign(const StripMesh& from) : mesh_(copy_of(from)) {}
   half_edge::Mesh& strips() { return mesh_; }
-  static Vertex vertex(restrip::Vertex v) { return v; }
+  static Vertex vertex(restrip::Vertex v) { return v + half_edge::first_vertex; }
   static std::uint32_t number(Vertex v) { return v; }
   [[nodiscard]] Halfedge find(Vertex v, Vertex w) const { return mesh_.find(v, w); }
   [[nodiscard]] bool exists(Halfedge h) const { return h != Halfedge{} && !mesh_.on_boundary(h); }

@@ -1,7 +1,7 @@
 // The C interface does what the library does: driven at random under every policy and cost, in step with a StripMesh
 // and its keeper, a mesh has the same triangles, colours and index buffers after every operation, and the same
 // refusals. The reported change is what counting finds. A copy of the live buffer that receives only the reported
-// ranges draws the triangles of the mesh.
+// ranges draws the triangles of the mesh, in every form and width.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -238,47 +238,6 @@ void upload(const void* indices, std::span<const restrip_range> ranges, std::siz
   }
 }
 
-void follow_live_buffer(std::int32_t form, std::int32_t bits, std::mt19937& random) {
-  const Handle mesh = handle_of(sample::tube(9, 12));
-  const auto width = static_cast<std::size_t>(bits) / 8;
-  std::vector<std::byte> device;
-  const auto expect_drawn = [&] {
-    const auto ranges = updated(mesh.get());
-    const restrip_buffer_view view = live_view(mesh.get());
-    device.resize(view.index_count * width);
-    upload(view.indices, ranges, width, device);
-    form_reader::Reader reader(device, width);
-    if (form == RESTRIP_FORM_LIST)
-      reader.list(0, view.index_count);
-    else
-      reader.strip(0, view.index_count, true);
-    ASSERT_EQ(std::move(reader).triangles(), sorted_triangles(mesh.get()));
-  };
-  ASSERT_EQ(begin_live(mesh.get(), form, bits), RESTRIP_OK);
-  for (int round = 0; round < 12; ++round) {
-    expect_drawn();
-    if (round == 4) {
-      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
-    }
-    if (round == 8) {
-      ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_QUICK, &fewest_strips), RESTRIP_OK);
-    }
-    play(mesh.get(), random, 25);
-    if (testing::Test::HasFatalFailure()) return;
-  }
-  device.clear();  // the buffer is restarted half-way
-  ASSERT_EQ(begin_live(mesh.get(), form, bits), RESTRIP_OK);
-  expect_drawn();
-}
-
-TEST(CInterface, ReportedRangesCoverAllChanges) {
-  std::mt19937 random(18);
-  for (int round = 0; round < 3; ++round) {
-    for (const std::int32_t form : {RESTRIP_FORM_RESTART, RESTRIP_FORM_LIST})
-      for (const std::int32_t bits : {16, 32}) follow_live_buffer(form, bits, random);
-  }
-}
-
 form_reader::Triangles read_view(const void* indices, std::size_t bytes, const restrip_buffer_view& view) {
   const auto width = static_cast<std::size_t>(view.index_bits) / 8;
   form_reader::Reader reader({static_cast<const std::byte*>(indices), bytes}, width);
@@ -291,74 +250,7 @@ form_reader::Triangles read_view(const void* indices, std::size_t bytes, const r
   return std::move(reader).triangles();
 }
 
-/// Undo and redo restore triangles, numbers, colours and indices exactly, also of strips from scratch.
-TEST(CInterface, FramesAreUndone) {
-  std::mt19937 random(37);
-  const Handle mesh = handle_of(sample::tube(9, 12));
-  std::size_t undoable = 9;
-  std::size_t redoable = 9;
-  std::int32_t done = 9;
-  ASSERT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_OK);
-  EXPECT_EQ(undoable + redoable, 0U);
-  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
-  EXPECT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
-  EXPECT_EQ(done, 0);
-  ASSERT_EQ(begin_live(mesh.get(), RESTRIP_FORM_RESTART, 32, 1'000'000), RESTRIP_OK);
-  EXPECT_EQ(live_view(mesh.get()).index_count, 0U);
-  const auto end_frame = [&] {
-    updated(mesh.get());
-    const restrip_buffer_view view = live_view(mesh.get());
-    ASSERT_EQ(read_view(view.indices, 4 * view.index_count, view), sorted_triangles(mesh.get()));
-  };
-  struct State {
-    std::vector<Corners> corners;
-    std::vector<std::uint8_t> colors;
-    bool operator==(const State&) const = default;
-  };
-  const auto state = [&] { return State{corners_of(mesh.get()), colors_of(mesh.get())}; };
-  end_frame();
-  std::vector<State> states{state()};
-  std::size_t at = 0;
-  for (int round = 0; round < 400; ++round) {
-    if (random() % 2 == 0) {
-      play(mesh.get(), random, 1 + static_cast<int>(random() % 6));
-      const State after = state();
-      if (after != states[at] && random() % 4 == 0) {  // undo() ends the frame
-        ASSERT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
-        ASSERT_EQ(state(), states[at]);
-        ASSERT_EQ(restrip_live_redo(mesh.get(), &done), RESTRIP_OK);
-      } else {
-        end_frame();
-      }
-      ASSERT_EQ(state(), after);
-      ASSERT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_OK);
-      ASSERT_TRUE(undoable > at || after == states[at]);
-      if (undoable > at) {
-        states.resize(++at);
-        states.push_back(after);
-      }
-    }
-    const bool forward = random() % 2 == 0;
-    const bool left = forward ? at + 1 < states.size() : at != 0;
-    ASSERT_EQ(forward ? restrip_live_redo(mesh.get(), &done) : restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
-    ASSERT_EQ(done, left ? 1 : 0);
-    if (left) forward ? ++at : --at;
-    ASSERT_EQ(state(), states[at]);
-    ASSERT_EQ(strip_count(mesh.get()), counted(mesh.get()).strips);
-    ASSERT_EQ(restrip_live_history_size(mesh.get(), &undoable, &redoable), RESTRIP_OK);
-    ASSERT_EQ(undoable, at);
-    ASSERT_EQ(redoable, states.size() - 1 - at);
-    if (random() % 2 == 0) end_frame();
-  }
-  EXPECT_GT(states.size(), 5U);
-  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
-  ASSERT_EQ(restrip_live_undo(mesh.get(), &done), RESTRIP_OK);
-  EXPECT_EQ(done, 1);
-  EXPECT_EQ(state(), states[at]);
-  end_frame();
-}
-
-/// All observable state of a mesh and its buffer.
+/// What can be seen of a mesh and its buffer, in its place.
 struct Sight {
   std::vector<Corners> corners;
   std::vector<std::uint8_t> colors;
@@ -420,11 +312,22 @@ TEST(CInterface, UndoAndSavingLeaveNoTrace) {
           frame(one, random);
           ASSERT_EQ(restrip_live_history_size(one, &undoable, &redoable), RESTRIP_OK);
           ASSERT_GT(undoable, before);
-          for (; undoable > before; --undoable) {
-            std::int32_t done = 0;
-            ASSERT_EQ(restrip_live_undo(one, &done), RESTRIP_OK);
+          const Sight end(one);
+          const auto go = [&](restrip_status (*step)(restrip_mesh*, std::int32_t*), std::size_t frames) {
+            std::int32_t done = 1;
+            for (; frames > 0; --frames) ASSERT_EQ(step(one, &done), RESTRIP_OK);
             ASSERT_EQ(done, 1);
-          }
+          };
+          go(restrip_live_undo, undoable - before);
+          ASSERT_EQ(Sight(one), start);
+          ASSERT_EQ(restrip_live_history_size(one, &undoable, &redoable), RESTRIP_OK);
+          ASSERT_EQ(undoable, before);
+          go(restrip_live_redo, redoable);
+          ASSERT_EQ(Sight(one), end);
+          std::int32_t more = 1;
+          ASSERT_EQ(restrip_live_redo(one, &more), RESTRIP_OK);
+          ASSERT_EQ(more, 0);
+          go(restrip_live_undo, redoable);
           ASSERT_EQ(Sight(one), start);
         }
         std::mt19937 same = random;
@@ -503,6 +406,12 @@ TEST(CInterface, BuffersInEveryForm) {
         for (const restrip_range& range : std::span(ranges, count)) ASSERT_EQ(range.first * width % 16, 0U);
         upload(view.indices, {ranges, count}, width, device);
         ASSERT_EQ(read_view(device.data(), view.index_count * width, view), sorted_triangles(mesh.get()));
+        if (round == 8) {
+          ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
+        }
+        if (round == 12) {
+          ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_LOCAL, &fewest_strips), RESTRIP_OK);
+        }
         play(mesh.get(), random, 8);
       }
       ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);

@@ -1,13 +1,10 @@
 // Simplification through the C interface is that of the programs: the same triangles and records, which lead back to
-// the mesh when the interface plays them. A height field never faces down and keeps its outline. What stops short says
-// why, and arguments that are wrong are named.
+// the mesh when the interface plays them. What stops short says why, and arguments that are wrong are named.
 #include "lod/simplify.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -119,46 +116,6 @@ TEST(CSimplify, LevelsAreThoseOfTheProgramsAndLeadBack) {
         }
         EXPECT_EQ(sorted(corners_of(made)), sorted({soup.triangles.begin(), soup.triangles.end()}));
       }
-}
-
-/// Twice the area of a triangle from above; negative if it faces down.
-double from_above(const Input& input, const Corners& t) {
-  const auto at = [&](unsigned corner, unsigned axis) { return input.points[3 * std::size_t{t[corner]} + axis]; };
-  return (at(1, 0) - at(0, 0)) * (at(2, 1) - at(0, 1)) - (at(2, 0) - at(0, 0)) * (at(1, 1) - at(0, 1));
-}
-
-TEST(CSimplify, AHeightFieldNeverFacesDown) {
-  constexpr std::uint32_t n = 40;
-  Soup island = tools::sheet(n);
-  for (auto& p : island.points) {
-    const double r = (p.x - 25.0) * (p.x - 25.0) + (p.y - 17.0) * (p.y - 17.0);
-    p.z = decltype(p.z)(std::max(0.0, 8 * std::exp(-r / 40) - 1));
-  }
-  const Input input(island);
-  for (const std::int32_t boundary : {RESTRIP_BOUNDARY_LOCK, RESTRIP_BOUNDARY_MOVE})
-    for (const std::size_t wanted : {2'000U, 600U, 180U}) {
-      Levels levels;
-      ASSERT_EQ(input.simplify(wanted, boundary, levels), RESTRIP_OK);
-      double whole = 0;
-      std::set<std::uint32_t> left;
-      for (const Corners& t : triangles_of(view_of(levels))) {
-        EXPECT_GT(from_above(input, t), 0);
-        whole += from_above(input, t) / 2;
-        left.insert(t.begin(), t.end());
-      }
-      EXPECT_NEAR(whole, n * n, 1e-6);
-      EXPECT_LE(view_of(levels).base_count, 3 * wanted);
-      std::size_t on_boundary = 0;
-      for (const std::uint32_t v : left) {
-        const double x = input.points[3 * std::size_t{v}];
-        const double y = input.points[3 * std::size_t{v} + 1];
-        on_boundary += x == 0 || y == 0 || x == n || y == n ? 1U : 0U;
-      }
-      if (boundary == RESTRIP_BOUNDARY_LOCK)
-        EXPECT_EQ(on_boundary, 4 * n);
-      else
-        EXPECT_LT(on_boundary, wanted == 2'000 ? 4 * n : 2 * n);
-    }
 }
 
 TEST(CSimplify, WhatIsLeftOutIsCounted) {

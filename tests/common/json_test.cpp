@@ -120,8 +120,11 @@ TEST(Json, WhatIsRefusedIsNamed) {
   EXPECT_EQ(said([&] { return all["a"]["c"]["d"].text(); }), "f:2:1: a: expected a member \"c.d\"");
   EXPECT_EQ(said([&] { return all["x"].at(0); }), "f:1:1: expected a member \"x\"");
   EXPECT_EQ(said([&] { return all["a"].size(); }), "f:2:1: a: expected a list, found an object");
-  for (const char* text : {"", "{", "[1,]", "[1] 2", "{\"a\"}", "nul", "\"\\ud800\"", "[01]", "1e999"})
-    EXPECT_NE(complaint(text, lenient).find(": not JSON: "), std::string::npos) << text;
+  for (const char* text :
+       {"", "{", "[1,]", "[1] 2", "{\"a\"}", "nul", "\"\\ud800\"", "[01]", "1e999", "{\"a\": 3,}", "{a: 3}",
+        "{\"a\": [1, 2}", "[1.]", "[+1]", "[\"b\n\"]", "[\"\\x\"]", "[\"\\u12g4\"]", "[\"\xff\"]", "[\"\xc0\xaf\"]"})
+    for (const bool strict : {false, true})
+      EXPECT_NE(complaint(text, {.strict = strict}).find(": not JSON: "), std::string::npos) << text;
   const JsonLimits inside{.strict = false, .has_lines = false};
   EXPECT_EQ(refusal_of([&] { (void)parse_json("f.glb", "{\"a\":\n\"x\"}", inside)["a"].whole(); }),
             "f.glb: byte 6 of its JSON: a: expected a number, found \"x\"");

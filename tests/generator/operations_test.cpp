@@ -9,7 +9,7 @@
 
 #include "../support/refusal_of.hpp"
 #include "describe/description_file.hpp"
-#include "solve/section.hpp"
+#include "solved.hpp"
 
 namespace restrip::generator {
 namespace {

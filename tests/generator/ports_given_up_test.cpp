@@ -11,7 +11,7 @@
 
 #include "../runtime/naive_patch.hpp"
 #include "describe/description_file.hpp"
-#include "solve/section.hpp"
+#include "solved.hpp"
 
 namespace restrip::generator {
 namespace {

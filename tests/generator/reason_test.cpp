@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "describe/description_file.hpp"
-#include "solve/section.hpp"
+#include "solved.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "certify/certificate.hpp"
 #include "common/digest.hpp"
+#include "solved.hpp"
 #include "tables/packing.hpp"
 
 namespace restrip::generator {

@@ -1,7 +1,7 @@
-// The best recolouring of a patch with given strips outside, found on the explicit graph: nodes are the triangles of
-// the patch and the strips outside, edges the inner edges and the ports. Edges are decided one after the other; of all
-// decisions that leave the same degrees and the same connected components at the nodes that still have edges to come,
-// the best is kept. Independent of fans, arcs and pairs of neighbours; strips outside may cross in any way.
+// The best recolouring of a patch of whose outside only the pairs of ports are known that may be joined inside, found
+// on the explicit graph: nodes are the triangles of the patch. Edges are decided one after the other; of all decisions
+// that leave the same degrees and the same connected components at the nodes that still have edges to come, the best is
+// kept. Independent of fans, arcs and pairs of neighbours.
 #pragma once
 
 #include <algorithm>
@@ -25,15 +25,8 @@ class OutsideFrontier {
     const auto [low, high] = std::minmax(u, v);
     edges_[static_cast<std::size_t>(low)].push_back(high);
   }
-  /// A solid port whose strip ends outside.
-  void add_end(int u) { ports_[static_cast<std::size_t>(u)].push_back(end); }
-  /// Two solid ports that are joined outside.
-  void add_strip(int u, int v) {
-    for (const int at : {u, v}) ports_[static_cast<std::size_t>(at)].push_back(first_strip + strips_);
-    ++strips_;
-  }
   /// A solid port of which nothing is known. It may be joined inside only to those for which may_join(name, other).
-  void add_hidden(int u, int name) { ports_[static_cast<std::size_t>(u)].push_back(-1 - name); }
+  void add_hidden(int u, int name) { ports_[static_cast<std::size_t>(u)].push_back(name); }
 
   /// solid * 10^6 - isolated
   long best(const std::function<bool(int, int)>& may_join) const {
@@ -44,23 +37,13 @@ class OutsideFrontier {
       for (const auto& [state, value] : states) step(state, value, next);
       states.swap(next);
     };
-    std::map<int, int> seen;  // how often a strip has been met
     for (int u = 0; u < n_; ++u) {
       each_state([&](const State& state, long value, auto& next) { keep(next, with(state, u), value); });
-      for (const int port : ports_[static_cast<std::size_t>(u)]) {
+      for (const int port : ports_[static_cast<std::size_t>(u)])
         each_state([&](State state, long value, auto& next) {
-          if (++degree(state, u) > 2) return;
-          if (port < 0) {
-            if (!give_name(state, component(state, u), -port)) return;
-          } else if (port != end) {
-            state = with(state, port);
-            if (!unite(state, u, port)) return;
-          }
+          if (++degree(state, u) > 2 || !give_name(state, component(state, u), port + 1)) return;
           keep(next, state, value);
         });
-        if (port > end && ++seen[port] == 2)
-          each_state([&](State state, long value, auto& next) { keep(next, without(state, port), value); });
-      }
       for (const int v : edges_[static_cast<std::size_t>(u)])
         each_state([&](State state, long value, auto& next) {
           state = with(state, v);
@@ -78,8 +61,6 @@ class OutsideFrontier {
   }
 
  private:
-  static constexpr int end = 1'000'000;
-  static constexpr int first_strip = end + 1;
   static constexpr int both = 1'000'000;
 
   /// Nodes with edges to come: number, degree, component, and the hidden port of the component (0: none).
@@ -138,7 +119,6 @@ class OutsideFrontier {
   }
 
   int n_;
-  int strips_ = 0;
   std::vector<std::vector<int>> ports_;
   std::vector<std::vector<int>> edges_;
   mutable const std::function<bool(int, int)>* may_join_ = nullptr;

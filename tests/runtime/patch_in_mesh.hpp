@@ -61,34 +61,6 @@ class PatchInMesh {
     return result;
   }
 
-  /// The best value with the strips outside.
-  long best_here() const {
-    naive::UnionFind outside(mesh_->triangle_bound());
-    for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
-      if (mesh_->alive(t) && node_.count(t) == 0)
-        for_each_side(t, [&](Halfedge h, Halfedge there) {
-          const Triangle u = StripMesh::triangle(there);
-          if (mesh_->solid(h) && node_.count(u) == 0) outside.unite(t, u);
-        });
-    naive::OutsideFrontier graph = inner_graph();
-    std::map<std::size_t, int> first_node;  // of a strip outside that has been met once
-    std::map<std::size_t, int> second_node;
-    for (const Triangle t : triangles_)
-      for_each_side(t, [&](Halfedge h, Halfedge there) {
-        if (is_inner(h) || !mesh_->solid(h)) return;
-        const Triangle u = StripMesh::triangle(there);
-        EXPECT_EQ(node_.count(u), 0U) << "a port back into the patch";
-        const auto [entry, fresh] = first_node.emplace(outside.find(u), node_.at(t));
-        if (!fresh) second_node.emplace(entry->first, node_.at(t));
-      });
-    for (const auto& [strip, node] : first_node)
-      if (second_node.count(strip) == 0)
-        graph.add_end(node);
-      else
-        graph.add_strip(node, second_node.at(strip));
-    return graph.best([](int, int) { return false; });
-  }
-
   /// The best value in every world that allows these pairs inside.
   long best_anywhere(const std::set<std::pair<std::uint32_t, std::uint32_t>>& before) const {
     naive::OutsideFrontier graph = inner_graph();

@@ -151,6 +151,24 @@ inline std::vector<Triangle> all_triangles(const StripMesh& mesh) {
   return all;
 }
 
+// Repeats run() until it lowers the cost no more. Colours stay valid, changes are reported, and in the end none of the
+// moves around the triangles that `where` lists lowers the cost.
+template <class Run, class Where>
+void expect_ends_where_no_move_pays(StripMesh& mesh, const Cost& cost, Run&& run, Where&& where, bool clears) {
+  const ColoringChange before = cost_of(mesh);
+  ColoringChange sum;
+  for (ColoringChange reported{-1, -1, -1}; reported.price(cost) < 0;) {
+    reported = run();
+    ASSERT_TRUE(check_coloring(mesh).valid);
+    sum += reported;
+    EXPECT_EQ(sum, cost_of(mesh) - before);
+    EXPECT_LE(reported.price(cost), 0);
+  }
+  std::multiset<Changes> all;
+  for (const Triangle t : where(mesh)) all.merge(moves_around(mesh, t, clears));
+  EXPECT_GE(best_price(mesh, cost, all), 0);
+}
+
 // Calls visit(mesh, cost) for every valid colouring of every sample mesh of fewer than eight triangles, and of some
 // more; one of some_costs with each.
 template <class Visit>

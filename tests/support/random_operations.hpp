@@ -30,8 +30,6 @@ inline constexpr auto all_operations = std::to_array<OperationShare>({{Operation
 static_assert(all_operations.size() == static_cast<std::size_t>(OperationKind::merge) + 1, "a row for each kind");
 inline constexpr auto splits_collapses_flips =
     std::to_array<OperationShare>({{OperationKind::flip}, {OperationKind::split, 5}, {OperationKind::collapse, 5}});
-inline constexpr auto refinements = std::to_array<OperationShare>(
-    {{OperationKind::split_face}, {OperationKind::join_faces}, {OperationKind::bisect}, {OperationKind::merge}});
 
 /// What happens to the number of triangles: no operation drawn removes any (grow) or adds any (shrink).
 enum class Trend : std::uint8_t { any, grow, shrink };

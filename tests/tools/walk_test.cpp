@@ -151,30 +151,23 @@ TEST(Walk, FindsAFaultAndShrinksIt) {
   EXPECT_TRUE(report.trace.back().starts_with("then: "));
 }
 
-TEST(Walk, FindsAnOperationThatMiscountsItsStrips) {
-  struct Miscounting : Operations {
-    using Operations::Operations;
-    Rewrite<Halfedge> flip(Halfedge h) override {
-      auto done = restrip::flip(mesh_, h);
-      if (done.strips > 0) --done.strips;
-      return done;
-    }
-  };
-  StripMesh mesh = stripified(make_mesh(1000));
-  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, begin<Miscounting>).fault.find("strips, but"), std::string::npos);
-}
+/// Reports one strip or one isolated triangle too few, now and then.
+template <bool isolated>
+struct Miscounting : Operations {
+  using Operations::Operations;
+  Rewrite<Halfedge> flip(Halfedge h) override {
+    auto done = Operations::flip(h);
+    if (mesh_.solid(h)) --(isolated ? done.isolated : done.strips);
+    return done;
+  }
+};
 
-TEST(Walk, FindsAnOperationThatMiscountsItsIsolatedTriangles) {
-  struct Miscounting : Operations {
-    using Operations::Operations;
-    Rewrite<Halfedge> flip(Halfedge h) override {
-      auto done = restrip::flip_and_join(mesh_, h);
-      if (done.valence == 4 && mesh_.solid(h)) --done.isolated;
-      return done;
-    }
-  };
-  StripMesh mesh = stripified(make_mesh(1000));
-  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, begin<Miscounting>).fault.find("isolated triangles, but"), std::string::npos);
+TEST(Walk, FindsOperationsThatMiscount) {
+  for (const auto& [faulty, said] :
+       {std::pair{begin<Miscounting<false>>, "strips, but"}, {begin<Miscounting<true>>, "isolated triangles, but"}}) {
+    StripMesh mesh = stripified(make_mesh(1000));
+    EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, faulty).fault.find(said), std::string::npos);
+  }
 }
 
 // A witness counts the effects of operations that do not report them; it agrees with operations that do.

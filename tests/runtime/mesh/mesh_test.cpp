@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "hand_made_mesh.hpp"
+#include "../../support/half_edge_mesh.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -31,7 +31,8 @@ static_assert(ColoredMesh<StripMesh> && SplittableMesh<StripMesh> && Collapsible
 static_assert(FlippableMesh<StripMesh>);
 static_assert(ColoredMesh<FiveFunctions> && !SplittableMesh<FiveFunctions> && !CollapsibleMesh<FiveFunctions>);
 static_assert(!FlippableMesh<FiveFunctions>);
-static_assert(FlippableMesh<sample::HandMade> && !SplittableMesh<sample::HandMade>);
+static_assert(SplittableMesh<half_edge::Mesh> && FlippableMesh<half_edge::OnlyFlips>);
+static_assert(!SplittableMesh<half_edge::OnlyFlips> && !CollapsibleMesh<half_edge::OnlyFlips>);
 static_assert(!ColoredMesh<const StripMesh>, "what cannot be coloured keeps no strips");
 
 TEST(MeshSteps, AreMadeOfFiveFunctions) {

@@ -7,21 +7,19 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hand_made_mesh.hpp"
+#include "../../support/half_edge_mesh.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
 namespace {
 
-struct NoBound : sample::HandMade {
-  using HandMade::HandMade;
+struct NoBound : half_edge::Mesh {
   void triangle_bound() const {}
 };
-struct NoFrom : sample::HandMade {
-  using HandMade::HandMade;
-  void from(int h) const = delete;
+struct NoFrom : half_edge::Mesh {
+  void from(Halfedge h) const = delete;
 };
-static_assert(NumberedMesh<StripMesh> && NumberedMesh<sample::HandMade>);
+static_assert(NumberedMesh<StripMesh> && NumberedMesh<half_edge::Mesh>);
 static_assert(!NumberedMesh<NoBound> && !NumberedMesh<NoFrom>);
 
 template <NumberedMesh Mesh>
@@ -41,9 +39,9 @@ std::size_t triangles_numbered(const Mesh& mesh) {
 }
 
 TEST(NumberedMeshes, NumbersNameTriangles) {
-  for (const StripMesh& mesh : sample::meshes()) {
+  for (const StripMesh& mesh : sample::manifold_meshes()) {
     EXPECT_EQ(triangles_numbered(mesh), mesh.triangle_count());
-    EXPECT_EQ(triangles_numbered(sample::HandMade(mesh)), mesh.triangle_count());
+    EXPECT_EQ(triangles_numbered(half_edge::copy_of(mesh)), mesh.triangle_count());
   }
 }
 

@@ -1,5 +1,5 @@
 // The buffer draws the mesh after every update, indices not reported have not changed, and it is never much longer than
-// the strips: for StripMesh and for a mesh made by hand, with indices of 32 and of 16 bits.
+// the strips, with indices of 32 and of 16 bits. Buffers of other meshes are in tests/adapters.
 #include "restrip/output/strip_buffer.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "buffer_changes.hpp"
-#include "hand_made_mesh.hpp"
 #include "random_operation.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"
@@ -266,59 +265,6 @@ TEST(StripBuffer, SixteenBitIndices) {
   changed.clear();
   EXPECT_EQ(kept.update(grown, changed).size(), 1U);
   EXPECT_EQ(triangles_of_strips(kept.indices16()), sample::triangles_of(grown));
-}
-
-// A buffer of 16-bit indices may end with one that makes its length even, where no run can move.
-TEST(StripBuffer, TheLastRunDoesNotMoveBehindItself) {
-  std::mt19937 random(3);
-  for (const Policy policy : {Policy::bare, Policy::local, Policy::quick}) {
-    for (StripMesh& mesh : sample::meshes()) {
-      stripify(mesh, Effort::fast, Cost::indices());
-      Keeper keeper(mesh, policy);
-      std::vector<Triangle> changed;
-      mesh.watch(&changed);
-      StripBuffer buffer(StripForm::restart, {.cache = 8, .waste = 0, .work = 1}, IndexWidth::bits16);
-      for (int round = 0; round < 300; ++round) {
-        for (auto n = random() % 5; n < 5; ++n) random_operation(keeper, random, mesh.triangle_count() < 30);
-        buffer.update(mesh, changed);
-        changed.clear();
-        ASSERT_EQ(triangles_of_strips(buffer.indices16()), sample::triangles_of(mesh)) << round;
-      }
-      mesh.watch(nullptr);
-    }
-  }
-}
-
-static_assert(NumberedMesh<sample::HandMade> && NumberedMesh<StripMesh> && FlippableMesh<sample::HandMade>);
-
-// With a keeper: the mesh has custom numbers, and only flips.
-TEST(StripBuffer, FollowsAMeshMadeByHand) {
-  std::mt19937 random(14);
-  for (const Cost& cost : {Cost::strips(), Cost::indices()})
-    for (const PolicyRow& row : policies) {
-      StripMesh colored = sample::rectangle(9, 8);
-      stripify(colored, Effort::fast, cost);
-      sample::HandMade mesh(colored);
-      Keeper keeper(mesh, row.policy, cost);
-      StripBuffer buffer(mesh);
-      int flips = 0;
-      for (int n = 0; n < 300; ++n) {
-        const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
-        if (!mesh.can_flip(h)) continue;
-        keeper.flip(h);
-        ++flips;
-        if (n % 100 == 0) keeper.improve(100);
-        const ColoringReport report = check_coloring(mesh);
-        ASSERT_TRUE(report.valid) << row.name;
-        ASSERT_EQ(keeper.strips(), report.strips) << row.name;
-        ASSERT_EQ(keeper.isolated(), report.isolated) << row.name;
-        ASSERT_EQ(keeper.swaps(), count_swaps(mesh)) << row.name;
-        buffer.update(mesh, mesh.changed);
-        mesh.changed.clear();
-        ASSERT_EQ(triangles_of_strips(buffer.indices()), mesh.triangles());
-      }
-      EXPECT_GT(flips, 100);
-    }
 }
 
 TEST(StripBuffer, NothingChangedNothingWritten) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "form_reader.hpp"
-#include "hand_made_mesh.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/check_buffer.hpp"
@@ -198,38 +197,6 @@ TEST(CheckColoring, FindsWhatIsWrong) {
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.strips, 4U);
   EXPECT_EQ(report.isolated, 3U);
-}
-
-// A mesh of another structure gets the same strips as a StripMesh of the same triangles.
-TEST(Strips, OfAMeshMadeByHand) {
-  for (const StripMesh& shape : {sample::rectangle(7, 4), sample::torus(6, 5), sample::octahedron()}) {
-    StripMesh mesh = shape;
-    sample::HandMade dashed(mesh);
-    EXPECT_EQ(count_strips(dashed), mesh.triangle_count());
-    EXPECT_EQ(check_coloring(dashed).isolated, mesh.triangle_count());
-    stripify(mesh, Effort::fast, Cost::strips());
-    sample::HandMade other(mesh);
-    EXPECT_EQ(count_strips(other), count_strips(mesh));
-    const ColoringReport report = check_coloring(other);
-    EXPECT_TRUE(report.valid);
-    EXPECT_EQ(report.triangles, mesh.triangle_count());
-    EXPECT_EQ(report.strips, count_strips(mesh));
-    const Strips strips = extract_strips(other);
-    EXPECT_EQ(strips.size(), count_strips(mesh));
-    std::vector<std::uint32_t> indices = strip_indices(other);
-    EXPECT_EQ(indices.size(), strip_indices(mesh).size());
-    EXPECT_EQ(indices.size(), strip_index_count(other, strips));
-    EXPECT_EQ(indices, strip_indices(other, strips));
-    // Vertices are numbered from 1000 there.
-    for (std::uint32_t& index : indices) index -= index == restart_index ? 0 : 1000;
-    EXPECT_EQ(form_reader::read_strips(indices), sample::triangles_of(mesh));
-    EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), sample::triangles_of(mesh));
-    // A solid cycle around a vertex, and a triangle with three solid edges.
-    for (int h = 0; h < other.size(); ++h)
-      if (!other.on_boundary(other.opposite(h))) other.set_solid(h, true);
-    EXPECT_FALSE(check_coloring(other).valid);
-    EXPECT_THROW((void)count_strips(other), std::invalid_argument);
-  }
 }
 
 }  // namespace

@@ -58,26 +58,14 @@ TEST(Moves, ArePricedAsCountedInRandomColorings) {
 // One call continues from the triangles that it touches; what moves make possible further away, the next call finds.
 TEST(Descent, RepeatedEndsWhereNoMoveImproves) {
   std::mt19937 random(11);
-  for (StripMesh& mesh : sample::meshes()) {
-    for (const Cost& cost : some_costs) {
+  for (StripMesh& mesh : sample::meshes())
+    for (const Cost& cost : some_costs)
       for (const std::uint32_t tries : {0U, 3U}) {
         sample::color_at_random(mesh, 0.6, random);
-        const ColoringChange before = cost_of(mesh);
         Descent descent(cost);
-        ColoringChange sum;
-        for (ColoringChange reported{-1, -1, -1}; reported.price(cost) < 0;) {
-          reported = descent.run(mesh, all_triangles(mesh), {.tries = tries, .worse = 1});
-          ASSERT_TRUE(check_coloring(mesh).valid);
-          sum += reported;
-          EXPECT_EQ(sum, cost_of(mesh) - before);
-          EXPECT_LE(reported.price(cost), 0);
-        }
-        std::multiset<Changes> all;
-        for (const Triangle t : all_triangles(mesh)) all.merge(moves_around(mesh, t, true));
-        EXPECT_GE(best_price(mesh, cost, all), 0);
+        const auto run = [&] { return descent.run(mesh, all_triangles(mesh), {.tries = tries, .worse = 1}); };
+        expect_ends_where_no_move_pays(mesh, cost, run, all_triangles, true);
       }
-    }
-  }
 }
 
 // Chains end lower, all taken together, and each descent of single moves can be gone on with by chains.

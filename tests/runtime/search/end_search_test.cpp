@@ -77,19 +77,9 @@ TEST(EndSearch, RepeatedEndsWhereNoMoveAtAnEndPays) {
     for (const Cost& cost : some_costs)
       for (const EndLimits& limits : {EndLimits{}, EndLimits{.looks = 300, .length = 3, .worse = 1}}) {
         sample::color_at_random(mesh, 0.6, random);
-        const ColoringChange before = cost_of(mesh);
         EndSearch search(cost);
-        ColoringChange sum;
-        for (ColoringChange reported{-1, -1, -1}; reported.price(cost) < 0;) {
-          reported = run_everywhere(mesh, search, limits);
-          ASSERT_TRUE(check_coloring(mesh).valid);
-          sum += reported;
-          EXPECT_EQ(sum, cost_of(mesh) - before);
-          EXPECT_LE(reported.price(cost), 0);
-        }
-        std::multiset<Changes> all;
-        for (const Triangle end : all_ends(mesh)) all.merge(moves_around(mesh, end, false));
-        EXPECT_GE(best_price(mesh, cost, all), 0);
+        expect_ends_where_no_move_pays(
+            mesh, cost, [&] { return run_everywhere(mesh, search, limits); }, all_ends, false);
       }
 }
 

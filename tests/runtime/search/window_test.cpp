@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "../../support/half_edge_mesh.hpp"
 #include "coloring_cost.hpp"
-#include "hand_made_mesh.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -233,8 +233,8 @@ TEST(Window, IsAsGoodOnAMeshOfAnotherKind) {
     Window window;
     const WindowChange expected = window.around(own, t, {.triangles = 12, .slack = WindowLimits::no_limit});
     std::vector<Triangle> patch(window.triangles().begin(), window.triangles().end());
-    sample::HandMade other(mesh);
-    for (Triangle& triangle : patch) triangle += 7;  // as they are numbered there
+    half_edge::Mesh other = half_edge::copy_of(mesh);
+    for (Triangle& triangle : patch) triangle += half_edge::first_triangle;
     auto sides = by_sides(other);
     const WindowChange done = window.inside(sides, patch, exact);
     EXPECT_TRUE(expected.proven && done.proven);

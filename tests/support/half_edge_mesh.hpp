@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 
 namespace half_edge {
 
@@ -52,8 +52,10 @@ class Mesh {
   using Halfedge = half_edge::Halfedge;
   using Spokes = restrip::VertexSplit<Halfedge>::Spokes;
 
-  /// Three corners for each triangle, counter-clockwise, of an oriented manifold; vertices are numbered without gaps.
-  explicit Mesh(std::span<const std::uint32_t> corners) {
+  /// Three corners for each triangle, counter-clockwise, of an oriented manifold. Triangles are numbered from
+  /// `first_triangle` on: numbers need not be the indices of an array.
+  explicit Mesh(std::span<const std::uint32_t> corners, std::uint32_t first_triangle = 0) {
+    triangles_.records.resize(first_triangle);
     std::map<std::pair<std::uint32_t, std::uint32_t>, Halfedge> by_ends;
     for (std::size_t c = 0; c < corners.size(); c += 3) {
       for (std::size_t i = c; i < c + 3; ++i)
@@ -208,6 +210,36 @@ class Mesh {
   Pool<HalfedgeRecord> halfedges_;
   Pool<TriangleRecord> triangles_;
   Pool<VertexRecord> vertices_;
+};
+
+// ---- for tests
+
+inline constexpr std::uint32_t first_triangle = 7;
+inline constexpr std::uint32_t first_vertex = 1000;
+
+/// The halfedge of a copy that was this one of the StripMesh.
+inline Halfedge named(const Mesh& copy, const restrip::StripMesh& of, restrip::StripMesh::Halfedge h) {
+  return copy.find(of.from(h) + first_vertex, of.to(h) + first_vertex);
+}
+/// A copy with other numbers, and the same colours.
+inline Mesh copy_of(const restrip::StripMesh& from) {
+  std::vector<std::uint32_t> corners;
+  std::vector<restrip::StripMesh::Halfedge> solid;
+  for (restrip::Triangle t = 0; t < from.triangle_bound(); ++t)
+    for (unsigned side = 0; from.alive(t) && side < 3; ++side) {
+      corners.push_back(from.corners(t)[side] + first_vertex);
+      if (const auto h = restrip::StripMesh::halfedge(t, side); from.solid(h)) solid.push_back(h);
+    }
+  Mesh mesh(corners, first_triangle);
+  for (const auto h : solid) mesh.set_solid(named(mesh, from, h), true);
+  return mesh;
+}
+
+/// Without vertices that are inserted or removed.
+struct OnlyFlips : Mesh {
+  explicit OnlyFlips(const restrip::StripMesh& from) : Mesh(copy_of(from)) {}
+  Halfedge insert_vertex(const restrip::VertexSplit<Halfedge>&) = delete;
+  Halfedge remove_vertex(Halfedge) = delete;
 };
 
 }  // namespace half_edge
