@@ -2,14 +2,19 @@
 """Writes the copies of the table of policies (runtime/include/restrip/search/policy.hpp), or compares them with it (--check).
 
 The copies: README's table, the codes in restrip.h, the types of JavaScript, the names in Python, the menus of the viewer.
+The prices in the table are those of docs/results-policies.csv, which --measure writes.
 """
 import argparse
+import csv
+import json
 import re
+import subprocess
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 SEARCH = ROOT / "runtime/include/restrip/search"
+MEASURED = ROOT / "docs/results-policies.csv"
 
 
 class Row:
@@ -25,6 +30,40 @@ def rows():
     if sorted(policy for policy, _ in found) != sorted(names):
         sys.exit("policies.py: the table does not have one row for each policy of the enumeration")
     return [Row(names.index(policy), *re.findall(r'"([^"]*)"', texts)) for policy, texts in found]
+
+
+def prices():
+    """By policy: the least and the greatest time of an operation, in times of the mesh update alone, to one digit."""
+    times = {"bare": [1.0]}
+    with open(MEASURED, encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            times.setdefault(row["policy"], []).extend(float(row[part]) for part in ("split", "collapse"))
+    ends = {policy: [f"{float(f'{end(all_of):.1g}'):,.0f}" for end in (min, max)] for policy, all_of in times.items()}
+    return {policy: least if least == most_of_all else f"{least} to {most_of_all}" for policy, (least, most_of_all) in ends.items()}
+
+
+def expect_prices(listed):
+    measured = prices()
+    for row in listed:
+        if row.price != measured.get(row.name):
+            sys.exit(f"policies.py: the price of {row.name} in policy.hpp is {row.price}, by {MEASURED.name} "
+                     f"{measured.get(row.name, 'unknown; run scripts/policies.py --measure')}")
+
+
+def measure(program, meshes, listed):
+    """Replays each mesh from 2 % of its triangles to all of them and back."""
+    with open(MEASURED, "w", encoding="utf-8", newline="\n") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["policy", "cost", "mesh", "split", "collapse"])
+        for row in listed:
+            if row.name == "bare":
+                continue
+            for cost in ("strips",) if row.for_indices == "nothing" else ("strips", "indices"):
+                for mesh in meshes:
+                    report = json.loads(subprocess.check_output(
+                        [program, "replay", mesh, "--base", "0.02", "--policy", row.name, "--cost", cost, "--json", "-"]))
+                    times = [report[time] / report[time + "_bare"] for time in ("ns_per_operation", "ns_per_collapse")]
+                    table.writerow([row.name, cost, Path(mesh).stem, *(f"{time:.3g}" for time in times)])
 
 
 def most(what):
@@ -77,9 +116,14 @@ COPIES = [  # a file, what is before the copy, what is after it, and the copy
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
                                      epilog="Example: scripts/policies.py --check")
-    parser.add_argument("--check", action="store_true", help="write nothing; exit status 1 if a copy differs")
+    parser.add_argument("--check", action="store_true", help="write nothing; exit status 1 if a copy or a price differs")
+    parser.add_argument("--measure", nargs="+", metavar=("RESTRIP", "MESH"),
+                        help="the program, and meshes of some 50,000 triangles: write docs/results-policies.csv first")
     arguments = parser.parse_args()
     listed = rows()
+    if arguments.measure:
+        measure(arguments.measure[0], arguments.measure[1:], listed)
+    expect_prices(listed)
     stale = []
     for file, before, after, copy in COPIES:
         path = ROOT / file

@@ -323,7 +323,8 @@ TEST(CInterface, UndoAndSavingLeaveNoTrace) {
           ASSERT_EQ(restrip_live_history_size(one, &undoable, &redoable), RESTRIP_OK);
           ASSERT_EQ(undoable, before);
           go(restrip_live_redo, redoable);
-          ASSERT_EQ(Sight(one), end);
+          ASSERT_EQ(corners_of(one), end.corners);  // the buffer may have been compacted at the end of its frame
+          ASSERT_EQ(colors_of(one), end.colors);
           std::int32_t more = 1;
           ASSERT_EQ(restrip_live_redo(one, &more), RESTRIP_OK);
           ASSERT_EQ(more, 0);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "common/shrink.hpp"
 #include "lod/coloring_check.hpp"
@@ -163,8 +165,8 @@ struct Miscounting : Operations {
 };
 
 TEST(Walk, FindsOperationsThatMiscount) {
-  for (const auto& [faulty, said] :
-       {std::pair{begin<Miscounting<false>>, "strips, but"}, {begin<Miscounting<true>>, "isolated triangles, but"}}) {
+  for (const auto& [faulty, said] : std::vector<std::pair<BeginMaintainer, const char*>>{
+           {begin<Miscounting<false>>, "strips, but"}, {begin<Miscounting<true>>, "isolated triangles, but"}}) {
     StripMesh mesh = stripified(make_mesh(1000));
     EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, faulty).fault.find(said), std::string::npos);
   }

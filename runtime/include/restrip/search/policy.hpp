@@ -59,7 +59,7 @@ inline constexpr std::array policies{
               "ends of strips that meet are joined",
               "4 looks at the strip ends of the patch",
               "none",
-              "2 to 5",
+              "3 to 5",
               {},
               {IndexPlan::From::ends, {.looks = 4}}},
     PolicyRow{Policy::quick,
@@ -67,7 +67,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "12 looks, chains of 8 moves",
               "a locator of the strips",
-              "9 to 30",
+              "10 to 30",
               {56, 150},
               {IndexPlan::From::patch, {.looks = 12, .length = EndSearch::max_length, .worse = 1}}},
     PolicyRow{Policy::full,
@@ -83,7 +83,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "the same, then a window of 40 triangles",
               "a locator of the strips",
-              "500 to 1,000",
+              "300 to 600",
               {1024, 0},
               {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}, 40}}};
 
