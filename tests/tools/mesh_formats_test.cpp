@@ -138,6 +138,14 @@ TEST(MeshFormats, TheFinestLevelIsTheMeshThatWasSimplified) {
   }
 }
 
+/// Corner by corner.
+std::vector<Point> corner_points(const Soup& soup) {
+  std::vector<Point> points;
+  for (const Corners& t : soup.triangles)
+    for (const std::uint32_t v : t) points.push_back(soup.points[v]);
+  return points;
+}
+
 // Coordinates far from the origin: text and PLY keep every digit. If 32 bits would join vertices, that is reported.
 TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
   const std::string far =
@@ -154,7 +162,7 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
         << format.extension;
     if (format.write_mesh == nullptr || format.rounds) continue;
     const Soup again = std::get<Soup>(parsed(format, format.write_mesh(soup)));
-    EXPECT_TRUE(again.points == soup.points) << format.extension;
+    EXPECT_TRUE(corner_points(again) == corner_points(soup)) << format.extension;
   }
   // 64-bit input is written in 64 bits; otherwise only as many bits as matter.
   const auto ply = [](const char* type) {
