@@ -244,7 +244,6 @@ TEST(Complexity, CompactingIsLinearInItsBudget) {
   for (const unsigned budget : {0U, 1U}) EXPECT_TRUE(grows_at_most(1.3, compacting[0][budget], compacting[1][budget]));
 }
 
-// Searches of twice the states take little more than twice the steps: chains get longer by a move or two.
 // Under the default policy and cost. The same operations next to one torus and next to three.
 TEST(Complexity, UndoTakesTheTimeOfTheFrameNotOfTheMesh) {
   std::array<Work, 2> undo;
@@ -269,6 +268,7 @@ TEST(Complexity, UndoTakesTheTimeOfTheFrameNotOfTheMesh) {
   EXPECT_TRUE(grows_at_most(constant, redo[0], redo[1]));
 }
 
+// Searches of twice the states take little more than twice the steps: chains get longer by a move or two.
 TEST(Complexity, SearchesAreLinearInTheirStates) {
   Work searching[2];
   for (const unsigned size : {0U, 1U}) {
@@ -314,6 +314,27 @@ TEST(Complexity, WindowsDoNotDependOnTheSizeOfTheMesh) {
     EXPECT_EQ(solving[size].allocations, 0U);
   }
   EXPECT_TRUE(grows_at_most(constant, solving[0], solving[1]));
+}
+
+// The same searches at the same budget in a mesh of sixteen times the triangles, and background work beside them.
+TEST(Complexity, OperationsByCostDoNotDependOnTheSizeOfTheMesh) {
+  for (const Policy policy : searching_policies()) {
+    std::array<Work, 2> operations;
+    std::array<Work, 2> improving;
+    for (const unsigned size : {0U, 1U}) {
+      std::mt19937 random(24);
+      StripMesh mesh = sample::torus(25U << 2 * size, 25U << 2 * size);
+      stripify(mesh, Effort::full, Cost::indices());
+      Keeper keeper(mesh, policy, Cost::indices());
+      operations[size] = work_of([&] {
+        for (int done = 0; done < 1000;) done += random_operation(keeper, random, done % 2 == 0) ? 1 : 0;
+      });
+      improving[size] = work_of([&] { keeper.improve(1000); });
+    }
+    SCOPED_TRACE("policy " + std::to_string(static_cast<int>(policy)));
+    EXPECT_TRUE(grows_at_most(1.3, operations[0], operations[1]));
+    EXPECT_TRUE(grows_at_most(linear, improving[0], improving[1]));
+  }
 }
 
 TEST(Complexity, OperationsAllocateNothing) {

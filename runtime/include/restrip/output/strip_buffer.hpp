@@ -247,7 +247,7 @@ class StripBuffer {
   std::uint32_t letters_ = 0;  // the number in use of text_
   std::vector<Text> texts_;
   std::vector<std::uint32_t> across_;  // triangles
-  std::array<Neighbor, 40> neighbors_;
+  std::array<Neighbor, 40> neighbors_{};
   std::uint32_t slack_ = 0;    // indices that it may still slide for its runs, besides their share
   std::uint32_t changed_ = 0;  // indices of the runs read or written, whichever are more
 };

@@ -123,8 +123,9 @@ class FewestStrips {
       solid ? locator_.link(sides, g) : locator_.cut(sides, g);
     };
     const auto absorb_at = [&](StripMesh::Halfedge h) {
-      change += absorb_with<std::remove_cvref_t<decltype(sides)>>(sides, h, default_absorptions, paint,
-                                                                  [](StripMesh::Halfedge) {});
+      const ColoringChange absorbed = absorb_with<std::remove_cvref_t<decltype(sides)>>(
+          sides, h, default_absorptions, paint, [](StripMesh::Halfedge) {});
+      change += absorbed;
     };
     if (isolated + change.isolated > 0 || may_isolate == MayIsolate::everywhere)
       for (const Triangle t : patch_) absorb_at(StripMesh::halfedge(t, 0));
