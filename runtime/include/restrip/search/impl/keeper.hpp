@@ -128,7 +128,7 @@ std::size_t Keeper<Mesh>::improve(std::size_t budget) {
   begin();
   if (baked_) baked_->leave_step();
   const std::size_t before = cost();
-  counted({by_engine([&](auto& engine) { return engine.improve(*mesh_, budget); }), {}, 0});
+  counted({by_engine([&](auto& engine) { return engine.improve(*mesh_, budget); }), Halfedge{}, 0});
   return before - cost();
 }
 
