@@ -267,6 +267,27 @@ TEST(StripBuffer, SixteenBitIndices) {
   EXPECT_EQ(triangles_of_strips(kept.indices16()), sample::triangles_of(grown));
 }
 
+// A buffer of 16-bit indices may end with one that makes its length even, where no run can move.
+TEST(StripBuffer, TheLastRunDoesNotMoveBehindItself) {
+  std::mt19937 random(3);
+  for (const Policy policy : {Policy::bare, Policy::local, Policy::quick}) {
+    for (StripMesh& mesh : sample::meshes()) {
+      stripify(mesh, Effort::fast, Cost::indices());
+      Keeper keeper(mesh, policy);
+      std::vector<Triangle> changed;
+      mesh.watch(&changed);
+      StripBuffer buffer(StripForm::restart, {.cache = 8, .waste = 0, .work = 1}, IndexWidth::bits16);
+      for (int round = 0; round < 300; ++round) {
+        for (auto n = random() % 5; n < 5; ++n) random_operation(keeper, random, mesh.triangle_count() < 30);
+        buffer.update(mesh, changed);
+        changed.clear();
+        ASSERT_EQ(triangles_of_strips(buffer.indices16()), sample::triangles_of(mesh)) << round;
+      }
+      mesh.watch(nullptr);
+    }
+  }
+}
+
 TEST(StripBuffer, NothingChangedNothingWritten) {
   StripMesh mesh = sample::torus(10, 10);
   StripBuffer buffer(mesh);
