@@ -18,11 +18,13 @@
 namespace restrip::tools {
 
 // The readers of meshes/read_NAME.cpp. `name` is for messages.
+// NOLINTBEGIN(readability-redundant-declaration): of sources that are checked as one, some follow the readers
 Soup read_obj(std::string_view bytes, const std::string& name, ReadAttributes attributes);
 Soup read_off(std::string_view bytes, const std::string& name);
 Soup read_ply(std::string_view bytes, const std::string& name, ReadAttributes attributes);
 /// Merges corners at exactly the same position, because STL has no indices.
 Soup read_stl(std::string_view bytes, const std::string& name);
+// NOLINTEND(readability-redundant-declaration)
 
 namespace {
 
