@@ -250,7 +250,7 @@ form_reader::Triangles read_view(const void* indices, std::size_t bytes, const r
   return std::move(reader).triangles();
 }
 
-/// What can be seen of a mesh and its buffer, in its place.
+/// All observable state of a mesh and its buffer.
 struct Sight {
   std::vector<Corners> corners;
   std::vector<std::uint8_t> colors;
