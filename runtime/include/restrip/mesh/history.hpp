@@ -58,7 +58,7 @@ class ArrayChange {
     take_bytes(named, last.size(), now.size(), last.data(), now.data(), sizeof(Value));
     last.resize(now.size(), beyond);
   }
-  /// Exchanges the values with those of the array, and writes them into the copy as well. Throws nothing if both have
+  /// Exchanges the values with those of the array, and writes them into the copy, too. Throws nothing if both have
   /// room for the larger size.
   template <class Value>
   void exchange(std::vector<Value>& array, std::vector<Value>& copy, Value beyond) {

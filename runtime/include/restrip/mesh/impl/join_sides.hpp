@@ -30,7 +30,7 @@ RESTRIP_INLINE std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::
 /// Edges with three sides or more, and edges with two sides of the same direction, are *odd*. Sides of opposite
 /// directions are joined in pairs, so that windings stay right: first sides that close the fan around one of their
 /// ends, so that sheets continue; then any. A triangle and its back (the same corners in reverse) are joined only if
-/// nothing else is left. The result depends on the numbers of sides, not on those of vertices: files renumber them.
+/// no other pair is left. The result depends on the numbers of sides, not on those of vertices: files renumber them.
 ///
 /// `Sides`: triangle_bound(); takes(t), whether t has sides; corner(h), the vertex that h leaves; link(h), a place for
 /// a number of 32 bits, written before it is read; joined(h), its content if h is across, or not_joined; odd_edge(v,
