@@ -3,8 +3,12 @@
 # HEAD). The tests of a source are the file of its name under tests/, NAME_test, and every test that includes it.
 # scripts/test.sh does the rest.
 #
-#   scripts/check.sh [BASE]
+#   scripts/check.sh [BASE]   BASE: another commit to compare with
 set -Eeuo pipefail
+case "${1:-}" in
+  --help) sed -n '2,7s/^# \{0,1\}//p' "$0"; exit 0 ;;
+  -*) echo "check.sh: unknown: $1; --help explains" >&2; exit 2 ;;
+esac
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
@@ -24,6 +28,9 @@ fi
 say "walls and tests of public headers"
 cmake -DROOT="$PWD" -P tests/cross/walls.cmake
 cmake -DROOT="$PWD" -P tests/cross/header_tests.cmake
+
+say "words that readers stop at, in changed lines"
+scripts/words.py "$base"
 
 say "references, copies of the policies, and that deliberate faults fit the code"
 python3 -B tests/cross/references_test.py

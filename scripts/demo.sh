@@ -1,8 +1,16 @@
 #!/usr/bin/env bash
-# Sets this machine up, builds, generates the tables again and proves them, then keeps a mesh's strips through a whole
-# level-of-detail replay. Argument: a mesh file; without one a built-in closed mesh. Safe to repeat.
-# demo.sh --bin FOLDER [MESH] takes programs that are built already: nothing is installed or built, and no pages are made.
+# Installs the packages it needs, as root or with sudo (Debian, Ubuntu), builds restrip in build/programs, generates the tables
+# again, proves them, maintains the strips of a mesh through a whole level-of-detail replay, and makes the pages for a
+# browser. Safe to repeat; the first run takes about six minutes on two processors.
+#
+#   scripts/demo.sh [MESH]                 MESH: an OBJ, PLY, OFF, STL or glTF file; without one, a built-in closed mesh
+#   scripts/demo.sh --bin FOLDER [MESH]    with programs that are built already: no installation, no build, no pages
 set -Eeuo pipefail
+case "${1:-}" in
+  --help) sed -n '2,7s/^# \{0,1\}//p' "$0"; exit 0 ;;
+  --bin) ;;
+  -*) echo "demo.sh: unknown: $1; --help explains" >&2; exit 2 ;;
+esac
 if [ "${1:-}" = --bin ]; then
   [ -d "${2:-}" ] || { echo "demo.sh: --bin needs the folder of the programs" >&2; exit 2; }
   bin=$(realpath -- "$2")

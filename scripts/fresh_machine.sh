@@ -6,7 +6,7 @@
 #
 # RELEASE is a name such as trixie, or stable for the newest. FOLDER is made if it does not exist. COMMAND runs in
 # FOLDER/root/project, a clone of HEAD without changes that are not committed, or in FOLDER/root/files, a copy of the folder
-# SOURCE. The exit code is that of COMMAND, or 77 if no machine can be made here.
+# SOURCE. The exit code is COMMAND's, or 77 if no machine can be made here.
 # Remove FOLDER/root/project/build for a first build again, FOLDER for a machine without packages.
 set -euo pipefail
 usage() { sed -n '2,10s/^# \{0,1\}//p' "$0"; }
