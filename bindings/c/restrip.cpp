@@ -734,14 +734,6 @@ restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view
     return RESTRIP_OK;
   });
 }
-restrip_status restrip_live_compact(restrip_mesh* mesh, std::size_t budget, std::size_t* written) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
-    const std::size_t moved = mesh->live.compact(budget);
-    if (written != nullptr) *written = moved;
-    return RESTRIP_OK;
-  });
-}
 restrip_status restrip_live_undo(restrip_mesh* mesh, std::int32_t* done) {
   if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&] { return *done = mesh->live.undo() ? 1 : 0, RESTRIP_OK; });

@@ -147,9 +147,6 @@ export class StripMesh implements Disposable {
   recolor(options?: { effort?: Effort; cost?: Cost }): number;
   /** For idle time: searches on, by about `budget` steps of some 60 ns, and returns the cost saved. */
   improve(budget: number): number;
-  /** For idle time: moves strips in the buffer to places where a vertex cache misses less often, and returns the number of indices
-   *  written, about `budget`. Changes since the last update() count as a frame. */
-  compact(budget: number): number;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
    * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin() or
    * until it is undone, because records no longer fit the mesh. */

@@ -327,7 +327,6 @@ export class StripMesh {
     return this.#wasm.restrip_recolor(page, efforts.indexOf(effort), ...weights(cost));
   }
   improve(budget) { return this.#wasm.restrip_improve(this.#kept, whole('the budget', budget)); }
-  compact(budget) { return this.#wasm.restrip_compact(this.#kept, whole('the budget', budget)); }
 
   /// The records, while the mesh is made of them: after split(), collapse() or flip() they no longer fit it.
   get #inRecords() {

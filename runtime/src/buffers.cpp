@@ -6,10 +6,8 @@ namespace restrip {
 
 template void LiveBuffer::rebuild(const StripMesh&);
 template Upload LiveBuffer::update(const StripMesh&, std::span<const std::uint32_t>, const RangeOptions&);
-template std::size_t LiveBuffer::compact(const StripMesh&, std::size_t);
 template void StripBuffer::rebuild(const StripMesh&);
 template std::span<const IndexRange> StripBuffer::update(const StripMesh&, std::span<const std::uint32_t>,
                                                          const RangeOptions&);
-template std::size_t StripBuffer::compact(const StripMesh&, std::size_t);
 
 }  // namespace restrip

@@ -79,7 +79,6 @@ TEST(CArguments, NullIsACode) {
                                   restrip_live_update(m, 2, 4, &ranges, nullptr, nullptr),
                                   restrip_live_buffer(nullptr, &view, &size),
                                   restrip_live_buffer(m, nullptr, &size),
-                                  restrip_live_compact(nullptr, 1, &size),
                                   restrip_live_undo(nullptr, &done),
                                   restrip_live_undo(m, nullptr),
                                   restrip_live_redo(nullptr, &done),

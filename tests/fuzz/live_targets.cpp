@@ -240,7 +240,6 @@ class Caller {
     undo,
     redo,
     move,
-    compact,
     recolor,
     keep
   };
@@ -252,8 +251,6 @@ class Caller {
                                          Attention::undo,
                                          Attention::redo,
                                          Attention::move,
-                                         Attention::compact,
-                                         Attention::compact,
                                          Attention::recolor,
                                          Attention::keep};
   void attend(Attention choice) {
@@ -271,7 +268,6 @@ class Caller {
     if ((choice == Attention::undo && move(false)) || (choice == Attention::redo && move(true)))
       if (input_.byte() % 4 != 0) update();
     if (choice == Attention::move) move(input_.byte() % 2 == 0);
-    if (choice == Attention::compact) compact();
     const Cost cost = input_.one_of(std::array{Cost::indices(), Cost::strips()});
     if (choice == Attention::recolor) {
       changed_ = true;
@@ -281,18 +277,6 @@ class Caller {
       const Policy policy = policies[input_.byte() % (policies.size() - 1)].policy;  // the best takes too long
       done([&] { live_.keep(policy, cost); });
     }
-  }
-
-  void compact() {
-    const std::size_t budget = input_.one_of(std::array<std::size_t, 8>{0, 1, 30, 100, 300, 1000, 10'000, none});
-    if (input_.byte() % 4 != 0) update();
-    const bool ends_a_frame = changed_;
-    const std::size_t size = live_.bytes().size() / live_.index_bytes();
-    std::size_t written = 0;
-    if (!done([&] { written = live_.compact(budget); }) || ends_a_frame) lose_track();
-    promise(ends_a_frame || written <= std::min(budget, size) + 300, "compact() keeps to its budget");
-    note_bytes();
-    if (input_.byte() % 4 != 0) update();
   }
 
   void update_with_options() {
@@ -441,7 +425,7 @@ class Caller {
   std::size_t at_ = 0;         // the one that the mesh is at
   bool any_before_ = false;    // perhaps frames before these can be undone, or after these redone
   bool any_after_ = false;
-  std::vector<std::byte> bytes_;    // of the buffer after the last update, undo, redo or compact()
+  std::vector<std::byte> bytes_;    // of the buffer after the last update, undo or redo
   bool changed_ = false;            // perhaps, since the last update
   std::uint32_t memory_fails_ = 0;  // in the next call: twice the number of the allocation, plus one for good
 };

@@ -77,7 +77,6 @@ Results work_on(LiveMesh& live, std::mt19937& random) {
     const std::vector<std::uint8_t> dashed(live.mesh().triangle_bound(), 0);
     results.push_back(std::uint64_t{live.recolor(dashed)});
   }
-  if (random() % 5 == 0) results.push_back(live.compact(random() % 500));
   return results;
 }
 

@@ -225,25 +225,6 @@ TEST(Complexity, NoUpdateOfABufferTakesLong) {
   EXPECT_TRUE(grows_at_most(1.6, longest[0], longest[1]));
 }
 
-// The same budget takes the same time in a mesh of twice the size; budgets are small, so that none is left over.
-TEST(Complexity, CompactingIsLinearInItsBudget) {
-  Work compacting[2][2];
-  for (const unsigned size : {0U, 1U}) {
-    StripMesh mesh = sample::torus(60, 60U << size, 3);
-    stripify(mesh, Effort::fast, Cost::indices());
-    // By the numbers of triangles, and then for a cache.
-    for (const unsigned budget : {0U, 1U}) {
-      StripBuffer buffer(StripForm::restart, {.cache = 32, .waste = 1'000'000});
-      buffer.rebuild(mesh);
-      std::size_t written = 0;
-      compacting[size][budget] = work_of([&] { written = buffer.compact(mesh, 200U << budget); });
-      EXPECT_LE(written, (200U << budget) + 200U);
-    }
-    EXPECT_TRUE(grows_at_most(linear, compacting[size][0], compacting[size][1]));
-  }
-  for (const unsigned budget : {0U, 1U}) EXPECT_TRUE(grows_at_most(1.3, compacting[0][budget], compacting[1][budget]));
-}
-
 // Under the default policy and cost. The same operations next to one torus and next to three.
 TEST(Complexity, UndoTakesTheTimeOfTheFrameNotOfTheMesh) {
   std::array<Work, 2> undo;

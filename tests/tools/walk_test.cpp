@@ -56,20 +56,8 @@ TEST(Walk, MeasuresLiveBuffers) {
     EXPECT_EQ(buffer.states[1].triangles, mesh.triangle_count());
     EXPECT_LT(buffer.states[0].fifo_32, buffer.states[1].fifo_32) << "the order decays";
     EXPECT_LE(buffer.states[1].fifo_32, buffer.states[1].fifo_16);
-    EXPECT_EQ(buffer.compact_bytes_per_operation, 0);
   }
   EXPECT_LT(plain.live_buffers[1].bytes_per_operation, plain.live_buffers[0].bytes_per_operation);
-  options.buffer.compact = 10;
-  mesh = start;
-  const WalkReport compacted = walk(mesh, options, by("local"));
-  for (std::size_t i = 0; i < 2; ++i) {
-    const LiveBufferReport& buffer = compacted.live_buffers[i];
-    EXPECT_LT(buffer.states[1].fifo_32, plain.live_buffers[i].states[1].fifo_32);
-    // Ten per cent after every 1,000 operations, and the ranges that join what is written.
-    const double most = 4 * 0.1 / 1000 * static_cast<double>(buffer.states[1].indices);
-    EXPECT_GT(buffer.compact_bytes_per_operation, most / 4);
-    EXPECT_LT(buffer.compact_bytes_per_operation, 2 * most);
-  }
 }
 
 TEST(Walk, EveryWay) {

@@ -694,7 +694,7 @@ function misuseThrows() {
   throws(() => mesh.keep({ policy: 'baked' }), /unknown policy 'baked': expected one of bare, .*best$/);
   throws(() => mesh.keep({ effort: 'fast' }), /keep has no option 'effort'/);
   throws(() => mesh.recolor({ effort: 'slow' }), /unknown effort 'slow': expected one of fast, full, best/);
-  for (const budget of [-1, 0.5, undefined]) for (const name of ['improve', 'compact']) throws(() => mesh[name](budget), /the budget is/);
+  for (const budget of [-1, 0.5, undefined]) throws(() => mesh.improve(budget), /the budget is/);
   throws(() => mesh.fromScratch({ form: 'list' }), /has no option 'form'/);
   for (const most of [-1, NaN, '5']) throws(() => mesh.moveTo(1, most), /the number of operations is/);
   throws(() => mesh.approach([1, 1]), /there are 2 marks/);
@@ -1028,12 +1028,7 @@ function keepsAndRecolors() {
   };
   const [ordered, plain] = [open({ layout: { cache: 32 } }), open({ layout: { cache: 0, work: 0 } })];
   for (const each of [ordered, plain]) drawnSame(each, triangles);
-  for (let n = 0; n < 200; ++n) {
-    ordered.compact(10000);
-    ordered.update();
-  }
   assert.ok(misses([...ordered.indices]) < 0.95 * misses([...plain.indices]), `${misses([...ordered.indices])}, ${misses([...plain.indices])}`);
-  drawnSame(ordered, triangles);
 }
 
 /// Every refusal is a sentence about the vertices that the caller named, and leaves the mesh as it was. The mesh has a boundary, a

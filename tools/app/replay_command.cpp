@@ -181,11 +181,6 @@ Subcommand add_replay(CLI::App& app) {
       ->delimiter(',')
       ->check(whole_number_from(1, 1'000'000'000))
       ->capture_default_str();
-  sub->add_option("--compact", command.replay.buffer.compact,
-                  "per cent of the index buffer that may be written in idle time after every 1,000 operations, to draw "
-                  "it with fewer misses of the vertex cache")
-      ->check(whole_number_from(0, 100))
-      ->capture_default_str();
   sub->add_option("--cycles", command.replay.cycles, "times down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();

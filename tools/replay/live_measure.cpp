@@ -26,13 +26,8 @@ std::size_t LiveMeasure::update() {
 }
 
 void LiveMeasure::count_operation() {
-  constexpr std::size_t compacted_every = 1000;
   ++operations_;
   if (operations_ % report_.operations_per_update == 0) written_ += update();
-  if (options_.compact == 0 || operations_ % compacted_every != 0) return;
-  written_ += update();
-  buffer_.compact(mesh_, buffer_.size() * options_.compact / 100);
-  compacted_ += update();
 }
 
 BufferState LiveMeasure::look(const std::string& at, std::vector<std::string>& faults) {
@@ -58,7 +53,6 @@ LiveBufferReport LiveMeasure::report() const {
   if (operations_ == 0) return report;
   const double bytes = static_cast<double>(buffer_.index_bytes()) / static_cast<double>(operations_);
   report.bytes_per_operation = bytes * static_cast<double>(written_);
-  report.compact_bytes_per_operation = bytes * static_cast<double>(compacted_);
   return report;
 }
 

@@ -15,7 +15,6 @@ namespace restrip::tools {
 struct BufferOptions {
   StripForm form = StripForm::restart;                     ///< or a list, for comparison
   std::vector<std::size_t> operations_per_update{1, 100};  ///< one run for each
-  unsigned compact = 0;  ///< per cent of the buffer that compact() may write after every 1,000 operations
 };
 
 /// The buffer at one moment.
@@ -30,8 +29,7 @@ struct BufferState {
 
 struct LiveBufferReport {
   std::size_t operations_per_update = 0;
-  double bytes_per_operation = 0;          ///< written by updates
-  double compact_bytes_per_operation = 0;  ///< written by compact()
+  double bytes_per_operation = 0;  ///< written by updates
   std::vector<BufferState> states;
 };
 
@@ -61,7 +59,6 @@ class LiveMeasure {
   std::vector<Triangle> changed_;
   std::size_t operations_ = 0;
   std::size_t written_ = 0;  // indices, by updates
-  std::size_t compacted_ = 0;
   LiveBufferReport report_;
 };
 

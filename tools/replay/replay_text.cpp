@@ -38,7 +38,6 @@ Json json_of(const std::vector<LiveBufferReport>& buffers) {
                         {"acmr_32", state.fifo_32}});
     json.push_back({{"operations_per_update", buffer.operations_per_update},
                     {"bytes_per_operation", buffer.bytes_per_operation},
-                    {"compact_bytes_per_operation", buffer.compact_bytes_per_operation},
                     {"states", std::move(states)}});
   }
   return json;
@@ -54,8 +53,6 @@ std::string as_text(const std::vector<LiveBufferReport>& buffers) {
   for (const LiveBufferReport& buffer : buffers) {
     text += fmt::format("\n  live buffer, {} an update: {:.0f} bytes an operation",
                         counted(buffer.operations_per_update, "operation"), buffer.bytes_per_operation);
-    if (buffer.compact_bytes_per_operation > 0)
-      text += fmt::format(", and {:.0f} by compact()", buffer.compact_bytes_per_operation);
     text += fmt::format("\n  {:<14} {:>10} {:>12} {:>14} {:>22} {:>6}\n", "", "triangles", "indices", "of strips'",
                         "ACMR in a cache of 16", "of 32");
     for (const BufferState& state : buffer.states)

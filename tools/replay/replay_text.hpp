@@ -22,7 +22,7 @@
 //    and up; of more than 1024 the last one and every second, fourth … before it
 //  - ns_per_operation, ns_per_operation_bare: a split with strips kept, and the same mesh update without (medians)
 //  - ns_per_collapse, ns_per_collapse_bare: the same for the way down
-//  - live_buffers: [{operations_per_update, bytes_per_operation, compact_bytes_per_operation, states}], index buffers
+//  - live_buffers: [{operations_per_update, bytes_per_operation, states}], index buffers
 //    kept in step on the way up and down; states: [{at, triangles, indices, strip_indices, acmr, acmr_32}] at the base,
 //    at the finest level and at the base again. The levels show the first buffer
 //  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,

@@ -424,9 +424,6 @@ RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, size_t merge_
 /* The buffer after the last update; empty before the first. `room` may be null, or receives the number of indices that
  * the device should have room for. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
 RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
-/* For idle frames: moves strips in the buffer to places where a vertex cache misses less often. `written` may be null,
- * or receives the number of indices written, about `budget`; the next update returns their ranges. */
-RESTRIP_API restrip_status restrip_live_compact(restrip_mesh* mesh, size_t budget, size_t* written);
 /* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when
  * no frame is left. Triangles, numbers, halfedges, colours, indices of strips and baked levels are restored: every
  * later result is the same as without the frame. The history begins again after restrip_baked_restart and some errors.

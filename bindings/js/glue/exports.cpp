@@ -223,9 +223,6 @@ RESTRIP_EXPORT(std::uint32_t, restrip_recolor)
 RESTRIP_EXPORT(std::uint32_t, restrip_improve)(Page* page, std::uint32_t budget) {
   return word(page->session->live().improve(budget));
 }
-RESTRIP_EXPORT(std::uint32_t, restrip_compact)(Page* page, std::uint32_t budget) {
-  return word(page->session->live().compact(budget));
-}
 RESTRIP_EXPORT(void, restrip_play)(Page* page, const std::uint32_t* records, std::uint32_t count) {
   page->session->play({records, count});
 }

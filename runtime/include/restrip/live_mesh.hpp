@@ -110,11 +110,6 @@ class LiveMesh {
 
   /// For idle time: see Keeper::improve. Returns the cost saved. Leaves the levels of baked strips.
   std::size_t improve(std::size_t budget);
-  /// For idle time: moves strips in the buffer to places where a vertex cache misses less often, and returns the number
-  /// of indices that this writes, about `budget`: the last move may exceed it. Changes since the last update() count as
-  /// a frame; the moves are none. Call update() next, which returns the ranges. Time: linear in the budget and the
-  /// changes.
-  std::size_t compact(std::size_t budget);
 
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
   /// Upload::outgrown says that the buffer on the device is too small.

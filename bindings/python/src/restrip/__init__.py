@@ -534,13 +534,6 @@ class LiveMesh:
         lib.call("live_begin", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1), layout, history)
         self._index = index
 
-    def compact(self, budget: int) -> int:
-        """For idle time: moves strips in the buffer to places where a vertex cache misses less often. Returns the number of
-        indices written, about `budget`; the next update returns them."""
-        written = ctypes.c_size_t()
-        lib.call("live_compact", self._mesh, _number("budget", budget, _MOST), written)
-        return written.value
-
     def undo(self) -> bool:
         """Undoes the last frame; changes since the last update are a frame. Faces, numbers, strips, indices and all later
         results are the same as without it. False if no frame is left. The next update returns what to copy. Linear in the frame."""

@@ -85,7 +85,6 @@ _checked = {
     "live_begin": [_mesh, c.POINTER(Format), c.POINTER(Layout), _size],
     "live_update": [_mesh, _size, _size, c.POINTER(c.POINTER(Range)), c.POINTER(_size), c.POINTER(_int)],
     "live_buffer": [_mesh, c.POINTER(BufferView), c.POINTER(_size)],
-    "live_compact": [_mesh, _size, c.POINTER(_size)],
     "mesh_save": [_mesh, c.POINTER(c.c_void_p), c.POINTER(_size)],
     "mesh_load": [c.c_char_p, _size, _size, c.c_char_p, _size, c.POINTER(_mesh)],
     **{f"live_{name}": [_mesh, c.POINTER(_int)] for name in ("undo", "redo")},

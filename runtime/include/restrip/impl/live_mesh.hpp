@@ -108,15 +108,6 @@ struct LiveMesh::Parts {
     changed.clear();
     return upload;
   }
-  std::size_t compact(std::size_t budget) {
-    end_frame({});
-    buffer.keep_upload();
-    interrupted = true;
-    const std::size_t written = buffer.compact(mesh, budget);
-    if (history) history->buffer.frame(buffer, changed, false, history->mesh.undoable());
-    interrupted = false;
-    return written;
-  }
   bool step(bool forward) {
     if (most_history == 0) return false;
     end_frame({});  // begins a missing history
@@ -234,7 +225,6 @@ RESTRIP_INLINE std::size_t LiveMesh::move_to_level(std::size_t level, std::size_
 RESTRIP_INLINE void LiveMesh::restart() { parts_->restart(); }
 
 RESTRIP_INLINE std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
-RESTRIP_INLINE std::size_t LiveMesh::compact(std::size_t budget) { return parts_->compact(budget); }
 
 RESTRIP_INLINE Upload LiveMesh::update(const RangeOptions& ranges) {
   const Upload upload = parts_->end_frame(ranges);

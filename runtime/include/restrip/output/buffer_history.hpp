@@ -54,7 +54,7 @@ class BufferHistory {
     triangles_.insert(triangles_.end(), changed.begin(), changed.end());
     for (std::uint32_t i = 0; i < buffer.links_; ++i) triangles_.push_back(buffer.strip_[i].triangle);
   }
-  /// Call it before the update of a frame: what was noted since the last frame, by compact() for example, then does not
+  /// Call it before the update of a frame: what was noted since the last frame then does not
   /// belong to it. Its undo leaves that as it is.
   void before_update(StripBuffer& buffer) {
     const bool same = cells_.empty() && triangles_.empty() && buffer.places_.changed_.empty() &&

@@ -54,9 +54,6 @@ class LiveBuffer {
   /// update writes everything. The result is valid until the next call.
   template <NumberedMesh Mesh>
   Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {});
-  /// As the compact() of a buffer of strips, at the same time; 0 for a list.
-  template <NumberedMesh Mesh>
-  std::size_t compact(const Mesh& mesh, std::size_t budget);
   /// Makes the next update also return the ranges of the last one, for a caller that has not uploaded them. It reports
   /// an outgrown buffer if the device's, as it was before the last update, is outgrown then.
   void keep_upload() noexcept {
@@ -180,13 +177,6 @@ Upload LiveBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> chang
   return {ranges, outgrown};
 }
 
-template <NumberedMesh Mesh>
-std::size_t LiveBuffer::compact(const Mesh& mesh, std::size_t budget) {
-  if (whole_) return 0;
-  auto* strips = std::get_if<StripBuffer>(&buffer_);
-  return strips != nullptr ? strips->compact(mesh, budget) : 0;
-}
-
 template <class Mesh>
 RESTRIP_COLD void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
   whole_ = all_changed_ = true;  // also if no memory is left for a buffer of the other width
@@ -202,7 +192,6 @@ RESTRIP_COLD void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
 #ifdef RESTRIP_COMPILED
 extern template void LiveBuffer::rebuild(const StripMesh&);
 extern template Upload LiveBuffer::update(const StripMesh&, std::span<const std::uint32_t>, const RangeOptions&);
-extern template std::size_t LiveBuffer::compact(const StripMesh&, std::size_t);
 #endif
 
 }  // namespace restrip

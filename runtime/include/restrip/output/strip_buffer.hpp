@@ -27,8 +27,7 @@
 // vertex, are always degenerate, and stitched runs can move like others.
 //
 // Order. At first runs are in an order that a vertex cache likes (impl/run_order.hpp). A run that does not fit into its
-// place any more is put next to runs that share its edges; compact() improves places in idle time
-// (impl/run_layout.hpp).
+// place any more is put in the cheapest room next to a run that shares its edges (impl/run_layout.hpp).
 //
 // Length. A cut takes three indices, less the repeated index that it saves, and the buffer has gaps. When cuts and gaps
 // together exceed 9.5 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer
@@ -103,13 +102,6 @@ class StripBuffer {
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
                                 const RangeOptions& ranges = {});
-
-  /// Moves runs to places where the cache misses less often, for idle time: writes at most some `budget` indices, and
-  /// returns their number. The next call continues where this one stopped. Call it when the buffer is in step with
-  /// the mesh; the next update() returns the ranges. Time: linear in the budget. Throws std::bad_alloc, or what the
-  /// mesh throws; then the moves so far are done.
-  template <NumberedMesh Mesh>
-  std::size_t compact(const Mesh& mesh, std::size_t budget);
 
   /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them; the same
   /// for ranges that a BufferHistory has written.
@@ -211,14 +203,9 @@ class StripBuffer {
   template <class Mesh>
   void note_across(const Mesh& mesh, std::uint32_t t);
   std::span<const Neighbor> neighbors(std::uint32_t begin, std::uint32_t end) noexcept;
-  [[nodiscard]] int added_misses(std::span<const std::uint32_t> run, std::uint32_t before,
-                                 std::uint32_t without) const noexcept;
   [[nodiscard]] std::uint32_t price_of_room(std::uint32_t before, std::uint32_t length,
                                             std::uint32_t most) const noexcept;
   [[nodiscard]] bool store_near(const Text& text) noexcept;
-  template <class Mesh>
-  std::size_t improve(const Mesh& mesh, std::uint32_t place);
-  void swap(std::uint32_t one, std::uint32_t other, std::span<const std::uint32_t> text_of_one) noexcept;
   void mark(std::size_t first, std::size_t end) noexcept;
   /// The index that fills gaps. For stitched strips any vertex will do: a gap draws only degenerate triangles.
   [[nodiscard]] std::uint32_t filling() const noexcept { return stitched_ ? 0 : cells_.restart(); }

@@ -4,12 +4,8 @@
 // cache over the whole run, among the runs that have a cached vertex. If no run has one, it is a run at the vertex
 // that was missed last among the vertices with runs. Linear time: for each run drawn, at most 64 runs of bounded length
 // are tried.
-//
-// Later, one run at a time: AddedMisses prices a place for a run by the misses that it adds there, in the run itself
-// and in the runs after it. The simulation begins some indices before the place.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -74,50 +70,5 @@ RESTRIP_COLD inline std::vector<std::uint32_t> order_of_runs(const Cells& cells,
   }
   return order;
 }
-
-/// The misses of two sequences of vertices in caches of their own: with a run in the middle, and without it.
-class AddedMisses {
- public:
-  static constexpr std::uint32_t largest_cache = 64;
-
-  explicit AddedMisses(std::uint32_t cache) noexcept : cache_(cache) { slots_.fill({empty, 0, 0}); }
-  /// The next vertex of both, of the sequence with the run, or of both again. At most 300 different vertices in all.
-  void before(std::uint32_t v) noexcept {
-    Slot& slot = at(v);
-    look_up(slot.with, with_);
-    look_up(slot.without, without_);
-  }
-  void run(std::uint32_t v) noexcept { added_ += look_up(at(v).with, with_) ? 1 : 0; }
-  void after(std::uint32_t v) noexcept {
-    Slot& slot = at(v);
-    added_ += (look_up(slot.with, with_) ? 1 : 0) - (look_up(slot.without, without_) ? 1 : 0);
-  }
-  [[nodiscard]] int added() const noexcept { return added_; }
-
- private:
-  static constexpr std::uint32_t empty = 0xFFFFFFFFU;
-  struct Slot {
-    std::uint32_t vertex;
-    std::uint32_t with;  // number of its last miss; 0: never
-    std::uint32_t without;
-  };
-  Slot& at(std::uint32_t v) noexcept {
-    std::size_t i = (v * 0x9E3779B1U) >> 23U;
-    while (slots_[i].vertex != v && slots_[i].vertex != empty) i = (i + 1) % slots_.size();
-    if (slots_[i].vertex == empty) slots_[i] = {v, 0, 0};
-    return slots_[i];
-  }
-  bool look_up(std::uint32_t& came_in, std::uint32_t& misses) const noexcept {
-    if (came_in != 0 && misses - came_in < cache_) return false;
-    came_in = ++misses;
-    return true;
-  }
-
-  std::uint32_t cache_;
-  std::uint32_t with_ = 0;
-  std::uint32_t without_ = 0;
-  int added_ = 0;
-  std::array<Slot, 512> slots_;
-};
 
 }  // namespace restrip::detail
