@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "common/stopwatch.hpp"
+#include "measure/vertex_cache.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "shared.hpp"
 

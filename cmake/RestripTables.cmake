@@ -332,7 +332,7 @@ function(restrip_verify_tables target)
   else()
     set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/dump)
     if(NOT EXISTS ${sources}/dump_tables.cpp)  # not installed: restrip is a subdirectory
-      set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../runtime)
+      set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../tables/dump)
     endif()
     add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_digests.cpp ${sources}/dump_tables.cpp)
     target_link_libraries(${target}_dump PRIVATE ${target})

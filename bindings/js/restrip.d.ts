@@ -206,8 +206,6 @@ export class StripMesh implements Disposable {
   readonly figures: Figures;
   /** Indices of a buffer written from scratch, without gaps. Linear time. */
   readonly plainIndices: number;
-  /** A lower bound: every index buffer of this mesh has at least this many indices. Some eighty passes over the mesh. */
-  readonly indexBound: number;
   /** Checks the colouring from its definition. Linear time. */
   readonly valid: boolean;
 

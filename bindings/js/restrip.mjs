@@ -522,7 +522,6 @@ export class StripMesh {
       played: this.#records.count, inOrder: this.#records.inOrder, updates: this.#updates, indicesWritten: this.#indicesWritten };
   }
   get plainIndices() { return this.#wasm.restrip_plain_indices(this.#kept); }
-  get indexBound() { return this.#wasm.restrip_index_bound(this.#kept); }
   get valid() { return this.#wasm.restrip_valid(this.#kept) === 1; }
 
   get ribbon() { return this.#list(this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }

@@ -18,9 +18,9 @@
 
 #include "../runtime/sample_meshes.hpp"
 #include "../support/random_operations.hpp"
+#include "measure/check_buffer.hpp"
 #include "restrip/mesh/watched.hpp"
 #include "restrip/operations/test_adapter.hpp"
-#include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"

@@ -161,7 +161,7 @@ def dump_program(copy, scratch):
     """The dump program, compiled from the headers of the copy; or what the compiler said."""
     program = scratch / (copy.name + "-dump")
     done = run(ARGUMENTS.compiler, "-std=c++20", "-O0", "-I", copy / "runtime/include", "-I", copy / "tables/include",
-               *(ROOT / f"runtime/dump_{part}.cpp" for part in ("automaton", "digests", "tables")), "-o", program)
+               *(ROOT / f"tables/dump/dump_{part}.cpp" for part in ("automaton", "digests", "tables")), "-o", program)
     return program if done.returncode == 0 else done
 
 

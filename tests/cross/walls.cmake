@@ -6,15 +6,17 @@ set(allowed_in_generator "${std}|\"common/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)
 set(allowed_in_verify "${std}|\"common/(counted|digest|file_error|json|printable|reading|share).hpp\"|<(boost|fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-z0-9_]+).hpp\"")
-set(allowed_in_tools "${std}|\"(restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
+set(allowed_in_tools "${std}|\"(restrip|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<boost/graph/.*>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_bindings/js "${allowed_in_web}")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
-string(APPEND allowed_in_bench "|\"(common|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
+string(APPEND allowed_in_bench "|\"(common|measure|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
 # Deliberate exceptions: adapters to other libraries.
 set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
+# The program that prints what the compiled look-ups answer.
+set(door_dump "\"restrip/(rules|operations)/[a-z]+.hpp\"")
 # Only the verifying programs write files.
 set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The page "Make a rule": one file is the generator's, one the verifier's; what is below them has neither.
@@ -38,7 +40,7 @@ set(never_in_bench "/impl/")
 set(floors_runtime tables precondition.hpp fwd.hpp rules|mesh operations|output search|formats live_mesh.hpp live_apply.hpp restrip.hpp)
 set(floors_generator common describe solve certify tables automaton emit commands)
 set(floors_verify common model definition certificate judge explain automaton)
-set(floors_tools restrip common meshes pictures lod replay paper app)
+set(floors_tools restrip common measure meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
 function(floor_of room folder out)
@@ -100,7 +102,8 @@ function(judge room source line out)
       endif()
     endif()
   endif()
-  if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
+  if(source MATCHES "/tables/dump/" AND what MATCHES "^(${door_dump})$"
+     OR source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
      OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"

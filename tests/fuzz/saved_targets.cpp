@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
+#include "measure/check_buffer.hpp"
 #include "restrip/formats/baked_format.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/output/check_buffer.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/policy.hpp"

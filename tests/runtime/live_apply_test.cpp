@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "restrip/output/check_buffer.hpp"
+#include "measure/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/tables/operations/merge.hpp"
 #include "restrip/tables/operations/refine_face.hpp"

@@ -9,10 +9,10 @@
 #include <random>
 #include <vector>
 
+#include "measure/check_buffer.hpp"
 #include "random_operation.hpp"
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/live_mesh.hpp"
-#include "restrip/output/check_buffer.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/stripify.hpp"

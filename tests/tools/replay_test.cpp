@@ -8,10 +8,10 @@
 
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
+#include "measure/vertex_cache.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
 #include "restrip/output/live_buffer.hpp"
-#include "restrip/output/vertex_cache.hpp"
 #include "shapes.hpp"
 #include "support/sanitizers.hpp"
 

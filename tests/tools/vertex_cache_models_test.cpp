@@ -11,9 +11,9 @@
 
 #include "../runtime/sample_meshes.hpp"
 #include "lod/mesh_files.hpp"
+#include "measure/vertex_cache.hpp"
 #include "real_meshes.hpp"
 #include "restrip/output/strip_order.hpp"
-#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {

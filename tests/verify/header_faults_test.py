@@ -79,7 +79,7 @@ with tempfile.TemporaryDirectory() as folder:
         opened.write(SWITCH)
     program = os.path.join(folder, "dump")
     subprocess.run([compiler, "-std=c++20", "-O1", "-include", os.path.join(folder, "switch.hpp"), "-I", include, "-o", program]
-                   + [os.path.join(source, "runtime", name) for name in ("dump_tables.cpp", "dump_automaton.cpp", "dump_digests.cpp")], check=True)
+                   + [os.path.join(source, "tables", "dump", name) for name in ("dump_tables.cpp", "dump_automaton.cpp", "dump_digests.cpp")], check=True)
     code, output = verify(program, 0)
     assert code == 0 and "\nverified: " in output, output
     survivors = []

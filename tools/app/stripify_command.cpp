@@ -15,12 +15,12 @@
 #include "common/stopwatch.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
+#include "measure/index_bound.hpp"
+#include "measure/vertex_cache.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "restrip/output/check_buffer.hpp"
+#include "measure/check_buffer.hpp"
+#include "measure/vertex_cache.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/output/vertex_cache.hpp"
 
 namespace restrip::tools {
 

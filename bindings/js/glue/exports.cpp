@@ -349,10 +349,6 @@ RESTRIP_EXPORT(const Figures*, restrip_figures)(Page* page) { return &page->sess
 RESTRIP_EXPORT(std::uint32_t, restrip_plain_indices)(const Page* page) {
   return word(strip_indices(page->session->mesh()).size());
 }
-/// A lower bound on indices of this mesh: the quick one, because a page waits for it.
-RESTRIP_EXPORT(std::uint32_t, restrip_index_bound)(const Page* page) {
-  return word(strip_index_lower_bound(page->session->mesh(), 0).indices);
-}
 /// 1: the colouring is valid, checked from its definition.
 RESTRIP_EXPORT(std::uint32_t, restrip_valid)(const Page* page) {
   return check_coloring(page->session->mesh()).valid ? 1 : 0;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "buffer_changes.hpp"
+#include "measure/check_buffer.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/history.hpp"
-#include "restrip/output/check_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "buffer_changes.hpp"
+#include "measure/check_buffer.hpp"
+#include "measure/vertex_cache.hpp"
 #include "random_operation.hpp"
-#include "restrip/output/check_buffer.hpp"
-#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "restrip/output/check_buffer.hpp"
-#include "restrip/output/vertex_cache.hpp"
+#include "measure/check_buffer.hpp"
+#include "measure/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "sheets.hpp"

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "form_reader.hpp"
+#include "measure/check_buffer.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/output/check_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 

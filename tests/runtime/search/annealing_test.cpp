@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "restrip/output/index_bound.hpp"
+#include "measure/index_bound.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "form_reader.hpp"
-#include "restrip/output/check_buffer.hpp"
+#include "measure/check_buffer.hpp"
 #include "sample_meshes.hpp"
 #include "sheets.hpp"
 

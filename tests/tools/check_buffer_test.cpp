@@ -1,11 +1,11 @@
 // A buffer that missed a change is detected, with the number of triangles.
-#include "restrip/output/check_buffer.hpp"
+#include "measure/check_buffer.hpp"
 
 #include <gtest/gtest.h>
 
 #include "restrip/mesh/checks.hpp"
 #include "restrip/search/stripify.hpp"
-#include "sample_meshes.hpp"
+#include "runtime/sample_meshes.hpp"
 
 namespace restrip {
 namespace {

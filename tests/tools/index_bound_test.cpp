@@ -1,7 +1,7 @@
 // No index buffer has fewer indices than the bound: all buffers of small meshes are tried, with degenerate triangles
 // and windings of any kind. The bound is never below the sum of ceil(n / 3) over the vertices, counted here; a zigzag
 // of triangles reaches it; and its cuts prove it, added up arrow by arrow.
-#include "restrip/output/index_bound.hpp"
+#include "measure/index_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
-#include "sample_meshes.hpp"
+#include "runtime/sample_meshes.hpp"
 
 namespace restrip {
 namespace {

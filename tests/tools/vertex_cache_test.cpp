@@ -1,5 +1,5 @@
 // Misses are counted with a queue of vertices, index by index.
-#include "restrip/output/vertex_cache.hpp"
+#include "measure/vertex_cache.hpp"
 
 #include <gtest/gtest.h>
 
