@@ -189,7 +189,7 @@ function(restrip_generate_tables)
   add_library(${arg_TARGET} INTERFACE)
   add_dependencies(${arg_TARGET} ${arg_TARGET}_files)
   # The compiled library has the shipped tables.
-  target_link_libraries(${arg_TARGET} INTERFACE $<IF:$<BOOL:${with_tables}>,restrip::header_only,restrip::restrip>)
+  target_link_libraries(${arg_TARGET} INTERFACE $<IF:$<BOOL:${with_tables}>,restrip::rules,restrip::restrip>)
   set_target_properties(${arg_TARGET} PROPERTIES RESTRIP_FOLDER ${folder} RESTRIP_OF_FANS ${with_tables} RESTRIP_MAX_K ${arg_MAX_K}
                                                  RESTRIP_C_CHECK "${check}" RESTRIP_OPERATIONS "${operations}"
                                                  RESTRIP_OTHER_LANGUAGES "${other_languages}")

@@ -1,24 +1,23 @@
 #!/usr/bin/env python3
-"""Joins the library's headers and tables into one file: everything that restrip/restrip.hpp includes.
-
-With --stand-ins, FILE lies in a folder restrip/, and next to it is written a file for every other header of the library:
-one that includes FILE, for a header that is part of it, and a copy of the others (adapters). So sources that
-include single headers, as our tests do, can be compiled against FILE.
+"""Joins the library into two files for programs that copy it: restrip.hpp has all public headers and the tables,
+restrip.cpp the sources. Compile restrip.cpp once with your program: c++ -std=c++20 main.cpp restrip.cpp
 """
 import argparse
 import os
 import re
 import sys
 
-OURS = re.compile(r'^#include "(restrip/[^"]+)"$')
+OURS = re.compile(r'^#include "([^"]+)"$')
 STANDARD = re.compile(r"^#include <([a-z_0-9]+)>$")
 FIRST = "restrip/restrip.hpp"
 
 
 class Amalgamation:
-    def __init__(self, folders):
+    """The text of files and of what they include, each once. `included` are files that are there already."""
+
+    def __init__(self, folders, included=()):
         self.folders = folders
-        self.seen = set()  # names of headers, as they are included
+        self.seen = set(included)  # names of headers, as they are included
         self.standard = set()
         self.lines = []
 
@@ -42,7 +41,7 @@ class Amalgamation:
                 self.add(ours[1])
             elif standard:
                 self.standard.add(standard[1])
-            elif line.startswith("#include"):
+            elif line.startswith("#include") and line != "#include RESTRIP_USER_CONFIG":
                 sys.exit(f"amalgamate.py: {name}:{number}: an include of neither restrip nor the standard library: {line}")
             elif line != "#pragma once":
                 body.append(line)
@@ -53,50 +52,47 @@ class Amalgamation:
             self.lines += ["", f"// ---- {name}", ""] + body
         body.clear()
 
+    def includes(self):
+        return [f"#include <{name}>" for name in sorted(self.standard)]
+
 
 def write(path, lines):
-    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
-        file.write("\n".join(lines) + "\n")
-
-
-def write_stand_ins(folder, joined):
-    for source in joined.folders:
-        for place, _, files in os.walk(source):
-            for name in (os.path.relpath(os.path.join(place, file), source) for file in files if file.endswith(".hpp")):
-                if name not in joined.seen:
-                    write(os.path.join(folder, name), joined.read(name))
-                elif name != FIRST:
-                    write(os.path.join(folder, name), ["#pragma once", f'#include "{FIRST}"'])
+        file.write(re.sub(r"\n{3,}", "\n\n", "\n".join(lines) + "\n"))
 
 
 def main():
     here = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     epilog="Example: scripts/amalgamate.py -o restrip.hpp")
-    parser.add_argument("-o", "--out", required=True, metavar="FILE")
-    parser.add_argument("--stand-ins", action="store_true", help="write the headers that include FILE as well")
+                                     epilog="Example: scripts/amalgamate.py --out my-project/restrip")
+    parser.add_argument("-o", "--out", required=True, metavar="FOLDER", help="is made; receives restrip.hpp and restrip.cpp")
     parser.add_argument("--tables", metavar="FOLDER", help="take tables from here: the include folder that restrip-generate wrote")
     arguments = parser.parse_args()
-    if arguments.stand_ins and not os.path.abspath(arguments.out).endswith("/" + FIRST):
-        sys.exit(f"amalgamate.py: {arguments.out}: with --stand-ins the file must be called {FIRST}")
     folders = [os.path.join(here, "runtime/include"), os.path.join(here, "tables/include")]
     if arguments.tables:
         if not os.path.exists(os.path.join(arguments.tables, "restrip/tables/split.hpp")):
             sys.exit(f"amalgamate.py: {arguments.tables}: no tables there; make some with restrip-generate tables --out")
         folders.insert(0, arguments.tables)
-    joined = Amalgamation(folders)
-    joined.add(FIRST)
+    os.makedirs(arguments.out, exist_ok=True)
+
     with open(os.path.join(here, "LICENSE"), encoding="utf-8") as file:
         licence = ["// " + line if line else "//" for line in file.read().splitlines()]
-    text = ["// restrip in one header, made by scripts/amalgamate.py. Do not edit.", "//"] + licence + ["#pragma once", ""]
+    banner = ["// restrip in two files, made by scripts/amalgamate.py. Do not edit.", "//"] + licence
+    public = Amalgamation(folders)
+    public.add(FIRST)
     # First the description and the check of the standard in restrip.hpp: otherwise a compiler of an older standard
     # would first miss headers.
-    begin = joined.lines.index("#else") + 1
-    text += joined.lines[:begin] + [""] + [f"#include <{name}>" for name in sorted(joined.standard)] + joined.lines[begin:]
-    write(arguments.out, re.sub(r"\n{3,}", "\n\n", "\n".join(text)).split("\n"))
-    if arguments.stand_ins:
-        write_stand_ins(os.path.dirname(os.path.dirname(os.path.abspath(arguments.out))), joined)
+    begin = public.lines.index("#else") + 1
+    write(os.path.join(arguments.out, "restrip.hpp"),
+          banner + ["#pragma once", ""] + public.lines[:begin] + [""] + public.includes() + public.lines[begin:])
+
+    sources = os.path.join(here, "runtime/src")
+    private = Amalgamation([sources] + folders, public.seen)
+    for place, inner, files in sorted(os.walk(sources)):
+        for name in sorted(file for file in files if file.endswith(".cpp")):
+            private.add(os.path.relpath(os.path.join(place, name), sources))
+    write(os.path.join(arguments.out, "restrip.cpp"),
+          banner + ["", '#include "restrip.hpp"', ""] + private.includes() + private.lines)
 
 
 main()

@@ -37,7 +37,6 @@ python3 -B tests/cross/references_test.py
 python3 -B scripts/policies.py --check
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-python3 -B tests/runtime/mutate.py tests/runtime/mutants.txt runtime/include "$scratch/runtime"
 python3 -B tests/runtime/mutate.py tests/verify/mutants.txt verify "$scratch/verify" ""
 
 # Test files: changed ones, ones named after changed sources, ones that include a changed header.

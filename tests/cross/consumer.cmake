@@ -1,5 +1,5 @@
-# Builds a consumer's project, with every warning on and fatal, in one of four ways: an installed package, a
-# subdirectory, headers copied by hand, or the single header installed with the package.
+# Builds a consumer's project, with every warning on and fatal, as an installed package or as a
+# subdirectory.
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 function(run)
@@ -15,20 +15,11 @@ if(WAY STREQUAL "package")
   list(APPEND arguments -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix -DRESTRIP_SOURCE=${ROOT} -DRULES=${SCRATCH}/rules/include)
 elseif(WAY STREQUAL "subdirectory")
   list(APPEND arguments -DRESTRIP_SOURCE=${ROOT})
-elseif(WAY STREQUAL "single")
-  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix --component runtime)
-  list(APPEND arguments -DRESTRIP_HEADERS=${SCRATCH}/prefix/share)
-else()
-  file(COPY ${ROOT}/runtime/include/restrip ${ROOT}/tables/include/restrip DESTINATION ${SCRATCH}/headers)
-  list(APPEND arguments -DRESTRIP_HEADERS=${SCRATCH}/headers)
 endif()
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/build -DWAY=${WAY}
     -DCMAKE_CXX_COMPILER=${COMPILER} ${arguments})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
-if(WAY STREQUAL "subdirectory")
-  run(${SCRATCH}/build/header_only_consumer)
-endif()
 if(WAY STREQUAL "package")
   run(${SCRATCH}/build/c_consumer)
   run(${SCRATCH}/build/c_static_consumer)

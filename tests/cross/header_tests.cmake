@@ -1,5 +1,5 @@
 # Each public header of the runtime has a test of the same name: tests/runtime has the folders of
-# runtime/include/restrip, and tests/adapters has the adapters to other libraries. The test includes the header before
+# runtime/include/restrip. The test includes the header before
 # all other headers of the project. So if the test is compiled alone (in every preset without shared units), the header
 # is shown to be self-contained.
 
@@ -27,9 +27,6 @@ endfunction()
 function(test_of header out)
   string(REGEX REPLACE "^restrip/(.*).hpp$" "\\1" name "${header}")
   set(${out} ${ROOT}/tests/runtime/${name}_test.cpp PARENT_SCOPE)
-  if(name MATCHES "/adapters/(.*)$")
-    set(${out} ${ROOT}/tests/adapters/${CMAKE_MATCH_1}_test.cpp PARENT_SCOPE)
-  endif()
 endfunction()
 
 file(GLOB_RECURSE headers RELATIVE ${ROOT}/runtime/include ${ROOT}/runtime/include/*.hpp)

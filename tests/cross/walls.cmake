@@ -7,14 +7,12 @@ set(allowed_in_verify "${std}|\"common/(counted|digest|file_error|json|printable
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-z0-9_]+).hpp\"")
 set(allowed_in_tools "${std}|\"(restrip|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
-set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<boost/graph/.*>")
+set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_bindings/js "${allowed_in_web}")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(common|measure|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
-# Deliberate exceptions: adapters to other libraries.
-set(door_adapters "<(OpenMesh|CGAL|boost)/.*>")
 # The program that prints what the compiled look-ups answer.
 set(door_dump "\"restrip/(rules|operations)/[a-z]+.hpp\"")
 # Only the verifying programs write files.
@@ -103,7 +101,6 @@ function(judge room source line out)
     endif()
   endif()
   if(source MATCHES "/tables/dump/" AND what MATCHES "^(${door_dump})$"
-     OR source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
      OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"

@@ -1,16 +1,5 @@
 // User-defined handlers replace the abort, with and without NDEBUG, and the exceptions; they receive the sentence, and
 // for a precondition also the function.
-#include <stdexcept>
-#include <string>
-
-inline void fail_with(const char* function, const char* sentence) {
-  throw std::logic_error(std::string(function) + ": " + sentence);
-}
-#define RESTRIP_ASSERT(condition, function, sentence) \
-  ((condition) ? static_cast<void>(0) : fail_with(function, sentence))
-[[noreturn]] inline void refuse(const char* sentence) { throw std::string(sentence); }
-#define RESTRIP_THROW(exception, sentence) refuse(sentence)
-
 #include <gtest/gtest.h>
 
 #include "restrip/operations/operations.hpp"

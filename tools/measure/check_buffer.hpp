@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/triangle_list_buffer.hpp"
 

@@ -180,6 +180,3 @@ class LiveMesh {
 
 }  // namespace restrip
 
-#ifndef RESTRIP_COMPILED
-#include "restrip/impl/live_mesh.hpp"
-#endif

@@ -10,9 +10,10 @@
 // false condition prints "restrip: function: sentence" with the source line and aborts. With NDEBUG nothing is
 // evaluated, so functions stay constexpr and noexcept, and lose no speed.
 //
-// To handle failures yourself, define the macro before the first header of restrip, identically in all sources of a
-// program. Your macro is used with NDEBUG as well. If a handler returns, the function continues with its arguments as
-// they are. A handler that throws must not be used with functions that are noexcept.
+// To handle failures yourself, define the macro in a header, and compile the library and your program with
+// RESTRIP_USER_CONFIG defined as the name of that header, in quotes. Your macro is used with NDEBUG as well. If a
+// handler returns, the function continues with its arguments as they are. A handler that throws must not be used with
+// functions that are noexcept.
 //
 // A check costs O(valence) at most, so that debug builds stay usable. Do not rely on it for operations from an
 // untrusted source: checks.hpp has the same checks as functions that return a value, in every build.
@@ -32,13 +33,8 @@
 #error "restrip needs C++20: compile with -std=c++20 (MSVC: /std:c++20) or a later standard"
 #endif
 
-// Where the bodies are. In programs that link the compiled library (the CMake target restrip::restrip),
-// RESTRIP_COMPILED is defined: headers then leave out the bodies that the library has, and do not instantiate its
-// templates for StripMesh again. Without the macro everything is in the headers.
-#ifdef RESTRIP_COMPILED
-#define RESTRIP_INLINE
-#else
-#define RESTRIP_INLINE inline
+#ifdef RESTRIP_USER_CONFIG
+#include RESTRIP_USER_CONFIG
 #endif
 
 // Functions that run once for a mesh or rarely: compiled for size, which also shortens the compilation.

@@ -1,5 +1,4 @@
-// restrip: maintains triangle strips while a mesh changes, by proven rules. C++20, standard library only; all in
-// headers, or compiled as a library.
+// restrip: maintains triangle strips while a mesh changes, by proven rules. C++20, standard library only.
 //
 // Start with live_mesh.hpp (mesh, strips and index buffer in one object), with search/strips_of.hpp for a mesh that
 // does not change, or with mesh/mesh.hpp (the interface of a custom mesh) and search/keeper.hpp. Each folder includes
@@ -10,11 +9,6 @@
 //   operations/, output/     operations with strips kept; strips and index buffers out
 //   search/, formats/        searches beyond a patch: strips from scratch, keepers with a policy; reading files
 //   live_mesh.hpp            all of it in one object; live_apply.hpp for its custom operations
-//
-// Not included here: mesh/adapters/ and operations/adapters/ (need OpenMesh or CGAL), operations/test_adapter.hpp (for
-// tests).
-//
-// scripts/amalgamate.py makes a single header of all this.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
@@ -34,12 +28,10 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/triangle_list.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/mesh/watched.hpp"
 #include "restrip/operations/absorb.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/checked.hpp"
-#include "restrip/operations/hooks.hpp"
 #include "restrip/operations/join.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"

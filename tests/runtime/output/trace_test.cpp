@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "random_operation.hpp"
-#include "restrip/mesh/watched.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -114,17 +113,18 @@ TEST(Trace, LetsAReaderFollowTheMesh) {
 // docs/reference/file-formats.md shows this one.
 TEST(Trace, IsWhatTheDocumentShows) {
   StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}, 5);
-  Watched watched(mesh);
-  watched.set_solid(mesh.spoke(1, 2), true);
-  Trace trace(watched, Trace::Claim::best);
-  watched.changed().clear();
-  watched.set_solid(mesh.spoke(2, 3), true);
-  trace.add(watched, watched.changed(), {Traced::Kind::other, 0, 0, -1, -1});
-  watched.changed().clear();
-  watched.set_solid(mesh.spoke(2, 3), false);
-  watched.turn_edge(mesh.spoke(2, 3));
-  watched.set_solid(mesh.spoke(1, 4), true);
-  trace.add(watched, watched.changed(), {Traced::Kind::flip, 2, 3, 0, 0});
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  mesh.set_solid(mesh.spoke(1, 2), true);
+  Trace trace(mesh, Trace::Claim::best);
+  changed.clear();
+  mesh.set_solid(mesh.spoke(2, 3), true);
+  trace.add(mesh, changed, {Traced::Kind::other, 0, 0, -1, -1});
+  changed.clear();
+  mesh.set_solid(mesh.spoke(2, 3), false);
+  mesh.turn_edge(mesh.spoke(2, 3));
+  mesh.set_solid(mesh.spoke(1, 4), true);
+  trace.add(mesh, changed, {Traced::Kind::flip, 2, 3, 0, 0});
   trace.end();
   EXPECT_EQ(trace.text(),
             "restrip-trace 1\n"

@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "../../support/half_edge_mesh.hpp"
 #include "coloring_cost.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -223,25 +222,6 @@ TEST(Window, IsNeverWorseThanBefore) {
         EXPECT_EQ(window.counts().refused, 0U);
       }
   EXPECT_EQ(windows, meshes.size() * window_costs.size() * 2 * windows_each);
-}
-
-TEST(Window, IsAsGoodOnAMeshOfAnotherKind) {
-  StripMesh mesh = sample::rectangle(9, 8);
-  stripify(mesh, Effort::fast, Cost::strips());
-  for (Triangle t = 0; t < mesh.triangle_bound(); t += 7) {
-    StripMesh own = mesh;
-    Window window;
-    const WindowChange expected = window.around(own, t, {.triangles = 12, .slack = WindowLimits::no_limit});
-    std::vector<Triangle> patch(window.triangles().begin(), window.triangles().end());
-    half_edge::Mesh other = half_edge::copy_of(mesh);
-    for (Triangle& triangle : patch) triangle += half_edge::first_triangle;
-    auto sides = by_sides(other);
-    const WindowChange done = window.inside(sides, patch, exact);
-    EXPECT_TRUE(expected.proven && done.proven);
-    EXPECT_EQ(done.change.price(Cost::indices()) + done.windings,
-              expected.change.price(Cost::indices()) + expected.windings);
-    EXPECT_TRUE(check_coloring(other).valid);
-  }
 }
 
 }  // namespace

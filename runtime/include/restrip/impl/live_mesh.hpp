@@ -162,32 +162,32 @@ struct LiveMesh::Parts {
   bool undelivered = false;  // the last frame has ended, but nothing was returned
 };
 
-RESTRIP_COLD RESTRIP_INLINE LiveMesh::LiveMesh(StripMesh mesh, const LiveOptions& options, Colors colors) {
+RESTRIP_COLD LiveMesh::LiveMesh(StripMesh mesh, const LiveOptions& options, Colors colors) {
   if (colors == Colors::from_scratch) stripify(mesh, options.effort, options.cost);
   parts_ = std::make_unique<Parts>(std::move(mesh), options);
 }
-RESTRIP_INLINE LiveMesh::LiveMesh(std::shared_ptr<const BakedFile> file, const LiveOptions& options)
+LiveMesh::LiveMesh(std::shared_ptr<const BakedFile> file, const LiveOptions& options)
     : parts_(std::make_unique<Parts>(Parts::base_of(*file), options, file)) {}
-RESTRIP_INLINE LiveMesh::LiveMesh(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
-RESTRIP_INLINE LiveMesh::LiveMesh(LiveMesh&& other) noexcept = default;
-RESTRIP_INLINE LiveMesh& LiveMesh::operator=(LiveMesh&& other) noexcept = default;
-RESTRIP_COLD RESTRIP_INLINE LiveMesh::~LiveMesh() = default;
+LiveMesh::LiveMesh(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
+LiveMesh::LiveMesh(LiveMesh&& other) noexcept = default;
+LiveMesh& LiveMesh::operator=(LiveMesh&& other) noexcept = default;
+RESTRIP_COLD LiveMesh::~LiveMesh() = default;
 
-RESTRIP_INLINE LiveMesh::Halfedge LiveMesh::edge(Vertex v, Vertex w) const noexcept {
+LiveMesh::Halfedge LiveMesh::edge(Vertex v, Vertex w) const noexcept {
   return v < mesh().vertex_bound() ? mesh().spoke(v, w) : Halfedge{};
 }
 
-RESTRIP_INLINE Checked LiveMesh::split(const VertexSplit<Halfedge>& where, Vertex new_vertex) {
+Checked LiveMesh::split(const VertexSplit<Halfedge>& where, Vertex new_vertex) {
   return checked_split(parts_->keeper, where, new_vertex);
 }
-RESTRIP_INLINE Checked LiveMesh::collapse(Halfedge chord) { return checked_collapse(parts_->keeper, chord); }
-RESTRIP_INLINE Checked LiveMesh::flip(Halfedge h) { return checked_flip(parts_->keeper, h); }
-RESTRIP_INLINE Checked LiveMesh::split_face(Halfedge h) { return checked_split_face(parts_->keeper, h); }
-RESTRIP_INLINE Checked LiveMesh::join_faces(Halfedge chord) { return checked_join_faces(parts_->keeper, chord); }
-RESTRIP_INLINE Checked LiveMesh::bisect(Halfedge h) { return checked_bisect(parts_->keeper, h); }
-RESTRIP_INLINE Checked LiveMesh::merge(Halfedge chord) { return checked_merge(parts_->keeper, chord); }
-RESTRIP_INLINE void LiveMesh::keep(Policy policy, const Cost& cost) { parts_->keeper.keep(policy, cost); }
-RESTRIP_INLINE std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit) {
+Checked LiveMesh::collapse(Halfedge chord) { return checked_collapse(parts_->keeper, chord); }
+Checked LiveMesh::flip(Halfedge h) { return checked_flip(parts_->keeper, h); }
+Checked LiveMesh::split_face(Halfedge h) { return checked_split_face(parts_->keeper, h); }
+Checked LiveMesh::join_faces(Halfedge chord) { return checked_join_faces(parts_->keeper, chord); }
+Checked LiveMesh::bisect(Halfedge h) { return checked_bisect(parts_->keeper, h); }
+Checked LiveMesh::merge(Halfedge chord) { return checked_merge(parts_->keeper, chord); }
+void LiveMesh::keep(Policy policy, const Cost& cost) { parts_->keeper.keep(policy, cost); }
+std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit) {
   StripMesh other = mesh();
   const std::size_t strips = stripify(other, effort, cost, limit);
   std::vector<std::uint8_t> solid_sides(other.triangle_bound(), 0);
@@ -196,7 +196,7 @@ RESTRIP_INLINE std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, st
   parts_->recolor(solid_sides);
   return strips;
 }
-RESTRIP_INLINE bool LiveMesh::recolor(std::span<const std::uint8_t> solid_sides) {
+bool LiveMesh::recolor(std::span<const std::uint8_t> solid_sides) {
   if (solid_sides.size() != mesh().triangle_bound()) return false;
   for (Triangle t = 0; t < solid_sides.size(); ++t)
     for (unsigned side = 0; side < 8; ++side) {
@@ -214,27 +214,27 @@ RESTRIP_INLINE bool LiveMesh::recolor(std::span<const std::uint8_t> solid_sides)
   return true;
 }
 
-RESTRIP_INLINE const BakedFile* LiveMesh::baked() const noexcept { return parts_->file.get(); }
-RESTRIP_INLINE std::optional<std::size_t> LiveMesh::level() const noexcept {
+const BakedFile* LiveMesh::baked() const noexcept { return parts_->file.get(); }
+std::optional<std::size_t> LiveMesh::level() const noexcept {
   const auto* const player = parts_->keeper.baked();
   return player != nullptr && player->in_step() ? std::optional(player->level()) : std::nullopt;
 }
-RESTRIP_INLINE std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
+std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
   return parts_->move_to_level(level, most);
 }
-RESTRIP_INLINE void LiveMesh::restart() { parts_->restart(); }
+void LiveMesh::restart() { parts_->restart(); }
 
-RESTRIP_INLINE std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
+std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
 
-RESTRIP_INLINE Upload LiveMesh::update(const RangeOptions& ranges) {
+Upload LiveMesh::update(const RangeOptions& ranges) {
   const Upload upload = parts_->end_frame(ranges);
   parts_->undelivered = false;
   return upload;
 }
-RESTRIP_INLINE void LiveMesh::keep_upload() noexcept { parts_->undelivered = true; }
-RESTRIP_INLINE bool LiveMesh::undo() { return parts_->step(false); }
-RESTRIP_INLINE bool LiveMesh::redo() { return parts_->step(true); }
-RESTRIP_INLINE std::vector<std::byte> LiveMesh::save() {
+void LiveMesh::keep_upload() noexcept { parts_->undelivered = true; }
+bool LiveMesh::undo() { return parts_->step(false); }
+bool LiveMesh::redo() { return parts_->step(true); }
+std::vector<std::byte> LiveMesh::save() {
   using State = detail::LiveState;
   parts_->end_frame({});
   State::Writer out;
@@ -246,7 +246,7 @@ RESTRIP_INLINE std::vector<std::byte> LiveMesh::save() {
   out.put(baked_format::fnv1a(std::span<const std::byte>(out.bytes)));
   return std::move(out.bytes);
 }
-RESTRIP_INLINE LiveMesh LiveMesh::load(std::span<const std::byte> bytes, std::size_t history) {
+LiveMesh LiveMesh::load(std::span<const std::byte> bytes, std::size_t history) {
   using State = detail::LiveState;
   State::Reader in(bytes);
   LiveOptions options = State::read_header(in);
@@ -254,18 +254,18 @@ RESTRIP_INLINE LiveMesh LiveMesh::load(std::span<const std::byte> bytes, std::si
   StripMesh mesh = State::read_mesh(in);
   return LiveMesh(std::make_unique<Parts>(std::move(mesh), options, in));
 }
-RESTRIP_INLINE std::size_t LiveMesh::undoable() const noexcept {
+std::size_t LiveMesh::undoable() const noexcept {
   return parts_->can_step() ? parts_->history->mesh.undoable() : 0;
 }
-RESTRIP_INLINE std::size_t LiveMesh::redoable() const noexcept {
+std::size_t LiveMesh::redoable() const noexcept {
   return parts_->can_step() ? parts_->history->mesh.redoable() : 0;
 }
 
-RESTRIP_INLINE std::size_t LiveMesh::frame() const noexcept {
+std::size_t LiveMesh::frame() const noexcept {
   return parts_->can_step() ? parts_->history->dropped + parts_->history->mesh.undoable() : 0;
 }
 
-RESTRIP_INLINE void LiveMesh::begin_buffer(const StripFormat& format, const LayoutOptions& layout,
+void LiveMesh::begin_buffer(const StripFormat& format, const LayoutOptions& layout,
                                            std::size_t history) {
   LiveBuffer buffer(format, layout);
   parts_->mesh.watch(nullptr);
@@ -276,25 +276,25 @@ RESTRIP_INLINE void LiveMesh::begin_buffer(const StripFormat& format, const Layo
   parts_->interrupted = true;
   parts_->undelivered = false;
 }
-RESTRIP_INLINE void LiveMesh::reserve(std::size_t triangles, std::size_t vertices) {
+void LiveMesh::reserve(std::size_t triangles, std::size_t vertices) {
   parts_->mesh.reserve(triangles, vertices);
   parts_->buffer.reserve(triangles);
   parts_->keeper.reserve(triangles);
 }
 
-RESTRIP_INLINE std::span<const std::uint32_t> LiveMesh::indices() const noexcept { return parts_->buffer.indices(); }
-RESTRIP_INLINE std::span<const std::uint16_t> LiveMesh::indices16() const noexcept {
+std::span<const std::uint32_t> LiveMesh::indices() const noexcept { return parts_->buffer.indices(); }
+std::span<const std::uint16_t> LiveMesh::indices16() const noexcept {
   return parts_->buffer.indices16();
 }
-RESTRIP_INLINE std::span<const std::byte> LiveMesh::bytes() const noexcept { return parts_->buffer.bytes(); }
-RESTRIP_INLINE std::size_t LiveMesh::index_bytes() const noexcept { return parts_->buffer.index_bytes(); }
-RESTRIP_INLINE std::size_t LiveMesh::room() const noexcept { return parts_->buffer.room(); }
-RESTRIP_INLINE const StripMesh& LiveMesh::mesh() const noexcept { return parts_->mesh; }
-RESTRIP_INLINE std::size_t LiveMesh::strips() const noexcept { return parts_->keeper.strips(); }
-RESTRIP_INLINE std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
-RESTRIP_INLINE const RuleCounts& LiveMesh::rule_counts() const noexcept { return parts_->keeper.rule_counts(); }
-RESTRIP_INLINE Keeper<StripMesh>& LiveMesh::keeper() noexcept { return parts_->keeper; }
-RESTRIP_INLINE const Keeper<StripMesh>& LiveMesh::keeper() const noexcept { return parts_->keeper; }
-RESTRIP_INLINE const LiveBuffer& LiveMesh::buffer() const noexcept { return parts_->buffer; }
+std::span<const std::byte> LiveMesh::bytes() const noexcept { return parts_->buffer.bytes(); }
+std::size_t LiveMesh::index_bytes() const noexcept { return parts_->buffer.index_bytes(); }
+std::size_t LiveMesh::room() const noexcept { return parts_->buffer.room(); }
+const StripMesh& LiveMesh::mesh() const noexcept { return parts_->mesh; }
+std::size_t LiveMesh::strips() const noexcept { return parts_->keeper.strips(); }
+std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
+const RuleCounts& LiveMesh::rule_counts() const noexcept { return parts_->keeper.rule_counts(); }
+Keeper<StripMesh>& LiveMesh::keeper() noexcept { return parts_->keeper; }
+const Keeper<StripMesh>& LiveMesh::keeper() const noexcept { return parts_->keeper; }
+const LiveBuffer& LiveMesh::buffer() const noexcept { return parts_->buffer; }
 
 }  // namespace restrip

@@ -54,7 +54,7 @@ inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size
 
 /// Whether the vertex may be split there. `new_vertex`: the name of the new vertex; by default the next free one.
 /// O(1).
-[[nodiscard]] RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+[[nodiscard]] Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
                                                  Vertex new_vertex);
 
 namespace detail {
@@ -95,16 +95,12 @@ template <class Shared>
 /// Whether the edge of `chord` may be collapsed (link condition: Dey, Edelsbrunner, Guha, Nekhayev 1999). A few steps
 /// on ordinary meshes; at worst O(n log n) for n = the sum of the valences of its two ends. Allocates only if both
 /// exceed 32.
-[[nodiscard]] RESTRIP_INLINE Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
+[[nodiscard]] Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
 
 /// Whether the edge of h may be flipped. O(valence).
-[[nodiscard]] RESTRIP_INLINE Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
 
 // NOLINTEND(readability-redundant-declaration)
 
 }  // namespace restrip
 
-#ifndef RESTRIP_COMPILED
-#include "restrip/mesh/impl/checks.hpp"
-#include "restrip/mesh/impl/replace.hpp"
-#endif

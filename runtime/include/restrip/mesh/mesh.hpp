@@ -17,6 +17,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 
 #include "restrip/precondition.hpp"
 
@@ -164,5 +166,16 @@ template <ColoredMesh Mesh>
   if (!mesh.solid(out)) return {};
   return {true, mesh.opposite(out)};
 }
+
+/// A mesh that numbers its triangles and vertices. `triangle` and `from` are called only for halfedges with a triangle,
+/// `halfedge` only for triangles of the mesh, `has_triangle` only for numbers below the bound.
+template <class Mesh>
+concept NumberedMesh = ColoredMesh<Mesh> && requires(const Mesh& mesh, typename Mesh::Halfedge h, std::uint32_t t) {
+  { mesh.triangle(h) } -> std::convertible_to<std::uint32_t>;
+  { mesh.halfedge(t) } -> std::same_as<typename Mesh::Halfedge>;
+  { mesh.has_triangle(t) } -> std::convertible_to<bool>;
+  { mesh.triangle_bound() } -> std::convertible_to<std::size_t>;
+  { mesh.from(h) } -> std::convertible_to<std::uint32_t>;
+};
 
 }  // namespace restrip

@@ -346,14 +346,14 @@ class StripMesh {
 
 // Preconditions that the operations check in debug builds; defined in checks.hpp.
 // The default argument is here, because templates ask for check_split(mesh, where) before checks.hpp is read.
-[[nodiscard]] RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+[[nodiscard]] Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
                                                  Vertex new_vertex = none);
-[[nodiscard]] RESTRIP_INLINE Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
-[[nodiscard]] RESTRIP_INLINE Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
+[[nodiscard]] Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
 /// Whether the triangles `in` may replace `out` (StripMesh::replace). The rules of checks.hpp hold, with these
 /// differences: all vertices must be different, and no mesh edge may be made that exists already. Quadratic in the
 /// triangles, and linear in the valence of the vertices between which there are new edges.
-[[nodiscard]] RESTRIP_INLINE Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
+[[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                                    std::span<const StripMesh::Places> in,
                                                    std::span<const Vertex> vertices);
 
@@ -363,7 +363,3 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 
 }  // namespace restrip
 
-#ifndef RESTRIP_COMPILED
-#include "restrip/mesh/checks.hpp"
-#include "restrip/mesh/impl/strip_mesh.hpp"
-#endif

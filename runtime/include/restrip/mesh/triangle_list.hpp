@@ -106,12 +106,9 @@ void find_neighbors(const TriangleList<Element>& list, std::size_t vertex_count,
 namespace detail {
 
 /// The root of t in a forest in which a root is its own parent. Shortens the way to it.
-RESTRIP_INLINE std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept;
+std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept;
 
 }  // namespace detail
 
 }  // namespace restrip
 
-#ifndef RESTRIP_COMPILED
-#include "restrip/mesh/impl/join_sides.hpp"
-#endif

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip {

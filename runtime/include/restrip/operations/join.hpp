@@ -21,7 +21,6 @@
 #include <cstddef>
 
 #include "restrip/mesh/mesh.hpp"
-#include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/operations/absorb.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/operations.hpp"

@@ -24,7 +24,7 @@
 #include <variant>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strip_format.hpp"
 #include "restrip/output/triangle_list_buffer.hpp"
@@ -189,9 +189,7 @@ RESTRIP_COLD void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
   whole_ = false;
 }
 
-#ifdef RESTRIP_COMPILED
 extern template void LiveBuffer::rebuild(const StripMesh&);
 extern template Upload LiveBuffer::update(const StripMesh&, std::span<const std::uint32_t>, const RangeOptions&);
-#endif
 
 }  // namespace restrip

@@ -14,7 +14,7 @@
 // Draw the whole buffer as one triangle strip with primitive restart (strips.hpp); without restart for
 // StripForm::stitched. With StripForm::lengths draw the runs that draws() lists. Indices have 32 bits, or 16 with
 // IndexWidth::bits16, for meshes whose vertices are numbered below 65,535. The mesh must number its triangles and
-// vertices (mesh/numbered_mesh.hpp). triangle_list_buffer.hpp says when a triangle list is the better choice.
+// vertices (mesh/mesh.hpp). triangle_list_buffer.hpp says when a triangle list is the better choice.
 //
 // How it works. An update follows the strips from the changed triangles to the ends of their runs and divides the
 // triangles read into new runs. It prefers to cut where the strip repeats an index, which the cut saves. A new run
@@ -49,7 +49,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/output/impl/cells.hpp"
 #include "restrip/output/impl/run_order.hpp"
 #include "restrip/output/impl/run_places.hpp"

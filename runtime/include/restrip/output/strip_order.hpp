@@ -15,7 +15,7 @@
 
 #include <cstddef>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip {

@@ -1,7 +1,7 @@
 // From colours to strips: check a colouring, list the triangles of each strip, write the index buffer.
 //
 // Everything here is computed from scratch in linear time and is the same on every machine, for any mesh that numbers
-// its triangles and vertices (mesh/numbered_mesh.hpp). Exceptions of the mesh leave these functions. The index buffer
+// its triangles and vertices (mesh/mesh.hpp). Exceptions of the mesh leave these functions. The index buffer
 // is the plain triangle strip of OpenGL, Vulkan, Direct3D and WebGPU with primitive restart: after the first two
 // indices of a strip each index v_{i+2} draws the triangle (v_i, v_{i+1}, v_{i+2}) when i is even and (v_{i+1}, v_i,
 // v_{i+2}) when i is odd. A strip that turns twice the same way repeats one index there (a *swap*; Evans, Skiena,
@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip {

@@ -31,7 +31,7 @@
 #include <string_view>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 
 namespace restrip {
 

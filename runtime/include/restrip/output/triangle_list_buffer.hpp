@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/output/impl/cells.hpp"
 #include "restrip/output/strip_buffer.hpp"
 

@@ -32,7 +32,7 @@
 #include <type_traits>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/join.hpp"
@@ -226,7 +226,6 @@ class Keeper {
 
 #include "restrip/search/impl/keeper.hpp"
 
-#ifdef RESTRIP_COMPILED
 namespace restrip {
 
 extern template class Keeper<StripMesh>;
@@ -234,4 +233,3 @@ extern template Rewrite<StripMesh::Halfedge> Keeper<StripMesh>::split(const Vert
 extern template Rewrite<StripMesh::Halfedge> Keeper<StripMesh>::split(const VertexSplit<StripMesh::Halfedge>&, Vertex);
 
 }  // namespace restrip
-#endif

@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip {

@@ -106,8 +106,6 @@ std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit, 
   return annealing.strips();
 }
 
-#ifdef RESTRIP_COMPILED
 extern template std::size_t stripify(StripMesh&, Effort, Cost, std::uint64_t, std::uint64_t);
-#endif
 
 }  // namespace restrip

@@ -37,7 +37,7 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
 
 }  // namespace detail
 
-RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
                                    Vertex new_vertex) {
   using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
@@ -56,13 +56,13 @@ RESTRIP_INLINE Refusal check_split(const StripMesh& mesh, const VertexSplit<Stri
   return detail::refusal_of_name(mesh, new_vertex);
 }
 
-RESTRIP_INLINE Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
+Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
   return detail::check_collapse_with(mesh, chord, [&mesh](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
     return detail::share_neighbor(mesh, v_s, v_t, v_l, v_r);
   });
 }
 
-RESTRIP_INLINE Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h) {
+Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h) {
   if (!mesh.alive(h)) return Refusal::no_such_edge;
   const StripMesh::Halfedge back = mesh.opposite(h);
   if (StripMesh::on_boundary(h) || StripMesh::on_boundary(back)) return Refusal::boundary_edge;

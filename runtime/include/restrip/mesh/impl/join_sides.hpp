@@ -16,7 +16,7 @@ namespace restrip {
 
 namespace detail {
 
-RESTRIP_INLINE std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept {
+std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept {
   while (parent[t] != t) t = parent[t] = parent[parent[t]];
   return t;
 }
@@ -236,7 +236,7 @@ class ListedSides {
   BuildReport* report_;
 };
 
-RESTRIP_INLINE void expect_vertices(std::size_t vertex_count) {
+void expect_vertices(std::size_t vertex_count) {
   if (vertex_count > none) RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
 }
 

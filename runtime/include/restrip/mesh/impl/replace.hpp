@@ -115,7 +115,7 @@ inline bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, con
 
 }  // namespace detail
 
-RESTRIP_INLINE Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
+Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                      std::span<const StripMesh::Places> in, std::span<const Vertex> vertices) {
   if (out.empty() || in.empty() || out.size() > StripMesh::most_replaced || in.size() > StripMesh::most_replaced)
     return Refusal::other_patch;
@@ -153,7 +153,7 @@ RESTRIP_INLINE Refusal check_replace(const StripMesh& mesh, std::span<const Tria
   return Refusal::granted;
 }
 
-RESTRIP_INLINE void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in,
+void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in,
                                        std::span<Vertex> vertices, std::span<Triangle> made) {
   RESTRIP_ASSERT_GRANTED(check_replace(*this, out, in, vertices), "StripMesh::replace");
   RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "`made` must have one element for each new triangle");

@@ -13,14 +13,14 @@
 
 namespace restrip {
 
-RESTRIP_INLINE void StripMesh::join(Halfedge g, Halfedge h) noexcept {
+void StripMesh::join(Halfedge g, Halfedge h) noexcept {
   if (!on_boundary(g)) link_of(g) = on_boundary(h) ? edge_of_mesh : h.id << 1;
   if (!on_boundary(h)) link_of(h) = on_boundary(g) ? edge_of_mesh : g.id << 1;
   touch(triangle(g));
   touch(triangle(h));
 }
 
-RESTRIP_INLINE Triangle StripMesh::take_triangle() {
+Triangle StripMesh::take_triangle() {
   if (free_.empty()) {
     triangles_.emplace_back();
     return static_cast<Triangle>(triangles_.size() - 1);
@@ -30,12 +30,12 @@ RESTRIP_INLINE Triangle StripMesh::take_triangle() {
   return t;
 }
 
-RESTRIP_INLINE void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept {
+void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept {
   triangles_[t] = {{a, b, c}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}};
   touch(t);
 }
 
-RESTRIP_INLINE void StripMesh::expect_touches_around(Vertex v) {
+void StripMesh::expect_touches_around(Vertex v) {
   if (watch_.changed == nullptr) return;
   std::size_t triangles = 0;
   Halfedge h = spoke(v);
@@ -46,13 +46,13 @@ RESTRIP_INLINE void StripMesh::expect_touches_around(Vertex v) {
   expect_touches(triangles + most_other_touches);
 }
 
-RESTRIP_INLINE Vertex StripMesh::next_vertex() const noexcept {
+Vertex StripMesh::next_vertex() const noexcept {
   const auto free = std::find_if(free_vertices_.rbegin(), free_vertices_.rend(),
                                  [this](Vertex v) { return v < spoke_.size() && spoke_[v] == none; });
   return free != free_vertices_.rend() ? *free : static_cast<Vertex>(spoke_.size());
 }
 
-RESTRIP_INLINE Vertex StripMesh::new_vertex(Vertex wanted) {
+Vertex StripMesh::new_vertex(Vertex wanted) {
   if (wanted == none) {
     // Vertices that were named by a caller in the meantime are in use again: skip them.
     while (!free_vertices_.empty()) {
@@ -72,7 +72,7 @@ RESTRIP_INLINE Vertex StripMesh::new_vertex(Vertex wanted) {
   return wanted;
 }
 
-RESTRIP_INLINE StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
+StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   RESTRIP_ASSERT(wanted >= spoke_.size() || spoke_[wanted] == none, "StripMesh::take_room",
                  describe(Refusal::vertex_in_use));
@@ -91,13 +91,13 @@ RESTRIP_INLINE StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spoke
   return room;
 }
 
-RESTRIP_INLINE void StripMesh::give_back(const Room& room) {
+void StripMesh::give_back(const Room& room) {
   if (room.right != none) free_.push_back(room.right);
   if (room.left != none) free_.push_back(room.left);
   free_vertices_.push_back(room.vertex);
 }
 
-RESTRIP_INLINE void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
+void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
   triangles_.reserve(triangles);
   free_.reserve(triangles);
   spoke_.reserve(vertices);
@@ -105,13 +105,13 @@ RESTRIP_INLINE void StripMesh::reserve(std::size_t triangles, std::size_t vertic
   free_vertices_.reserve(vertices);
 }
 
-RESTRIP_INLINE void StripMesh::clear_colors() noexcept {
+void StripMesh::clear_colors() noexcept {
   for (Record& record : triangles_)
     for (std::uint32_t& link : record.link)
       if (link != edge_of_mesh) link &= ~1U;
 }
 
-RESTRIP_INLINE void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
+void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
   expect_touches(triangle_count());
   for (Triangle t = 0; t < triangles_.size(); ++t) {
     if (!alive(t)) continue;
@@ -129,7 +129,7 @@ RESTRIP_INLINE void StripMesh::set_colors(std::span<const std::uint8_t> solid_si
   }
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
+StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   const Halfedge first = spoke(v);
   if (first.id == none) return first;
   Halfedge h = first;
@@ -141,14 +141,14 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const no
   return {none};
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
+StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
                                                             std::span<const Halfedge> moved, Vertex wanted) {
   RESTRIP_ASSERT_GRANTED(check_split(*this, {left, right}, wanted), "StripMesh::insert_vertex");
   expect_touches(moved.size() + most_other_touches);
   return insert_vertex(left, right, moved, take_room(VertexSplit<Halfedge>::Spokes::both, wanted));
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
+StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
                                                             std::span<const Halfedge> moved,
                                                             const Room& room) noexcept {
   const Vertex v_s = from(left);
@@ -172,13 +172,13 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfe
   return chord;
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
+StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
   RESTRIP_ASSERT_GRANTED(check_split(*this, where, wanted), "StripMesh::insert_vertex");
   expect_touches_around(from(where.spoke()));
   return insert_vertex(where, take_room(where.spokes, wanted));
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where,
+StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where,
                                                             const Room& room) noexcept {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
@@ -251,12 +251,12 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Ha
   return chord;
 }
 
-RESTRIP_INLINE void StripMesh::expect_back() {
+void StripMesh::expect_back() {
   detail::make_room(free_, 2);
   detail::make_room(free_vertices_, 1);
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
+StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
   expect_back();
   expect_touches_around(to(chord));
@@ -266,7 +266,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   return merged;
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
+StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
   const Halfedge back = opposite(chord);
   const bool has_left = !on_boundary(chord);
   const bool has_right = !on_boundary(back);
@@ -294,7 +294,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room
   return merged;
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
+StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
   RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
   expect_back();
   expect_touches(moved.size() + most_other_touches);
@@ -304,7 +304,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std:
   return merged;
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved,
+StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved,
                                                             Room& freed) noexcept {
   const Vertex v_s = from(chord);
   const Vertex v_t = to(chord);
@@ -317,7 +317,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std:
 }
 
 /// Joins the neighbours on both sides of the triangles at the chord, and empties these triangles.
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
+StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
                                                      Room& freed) noexcept {
   freed.left = freed.right = none;
   Halfedge merged{};
@@ -348,7 +348,7 @@ RESTRIP_INLINE StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge ba
   return merged;
 }
 
-RESTRIP_INLINE StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
+StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   RESTRIP_ASSERT_GRANTED(check_flip(*this, h), "StripMesh::turn_edge");
   expect_touches(most_other_touches);
   const Halfedge g = opposite(h);
@@ -440,7 +440,7 @@ StripMesh StripMesh::build_of(const TriangleList<Element>& list, std::size_t ver
   return mesh;
 }
 
-RESTRIP_INLINE void StripMesh::find_non_manifold_vertices(BuildReport& report) {
+void StripMesh::find_non_manifold_vertices(BuildReport& report) {
   std::vector<std::uint32_t> corners(spoke_.size(), 0);
   for (Triangle t = 0; t < triangles_.size(); ++t) {
     for (unsigned s = 0; s < 3; ++s) {

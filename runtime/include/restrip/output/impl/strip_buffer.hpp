@@ -511,10 +511,8 @@ inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end
   ranges.resize(kept);
 }
 
-#ifdef RESTRIP_COMPILED
 extern template void StripBuffer::rebuild(const StripMesh&);
 extern template std::span<const IndexRange> StripBuffer::update(const StripMesh&, std::span<const std::uint32_t>,
                                                                 const RangeOptions&);
-#endif
 
 }  // namespace restrip

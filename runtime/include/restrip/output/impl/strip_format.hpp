@@ -189,7 +189,7 @@ class StripFormatter {
 
 }  // namespace detail
 
-RESTRIP_INLINE IndexBuffer format_strips(std::span<const std::uint32_t> indices, const StripFormat& format) {
+IndexBuffer format_strips(std::span<const std::uint32_t> indices, const StripFormat& format) {
   return detail::StripFormatter(indices, format).run();
 }
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::detail {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/join.hpp"
