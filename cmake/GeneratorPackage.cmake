@@ -4,5 +4,5 @@ foreach(name IN ITEMS generate verify verify-automaton dump-tables)
   set_target_properties(restrip-${name} PROPERTIES EXPORT_NAME ${name})
 endforeach()
 install(TARGETS restrip-generate restrip-verify restrip-verify-automaton restrip-dump-tables EXPORT restripGeneratorTargets
-        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT generator)
-install(EXPORT restripGeneratorTargets NAMESPACE restrip:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/restrip COMPONENT generator)
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${in_generator})
+install(EXPORT restripGeneratorTargets NAMESPACE restrip:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/restrip ${in_generator})

@@ -1,9 +1,10 @@
-# Writes the package.json of the npm package. Version, authors and repository come from CMakeLists.txt; without a repository
-# its links are left out.
+# Writes the package.json of the npm package, with what cmake/project.cmake says; links to empty addresses are left out.
 function(restrip_package_json file)
   file(READ ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/package.json text)
-  if(NOT RESTRIP_REPOSITORY)
-    string(REGEX REPLACE "[^\n]*@RESTRIP_REPOSITORY@[^\n]*\n" "" text "${text}")
-  endif()
+  foreach(address IN ITEMS REPOSITORY HOMEPAGE ISSUES)
+    if(NOT RESTRIP_${address})
+      string(REGEX REPLACE "[^\n]*@RESTRIP_${address}@[^\n]*\n" "" text "${text}")
+    endif()
+  endforeach()
   file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
 endfunction()

@@ -21,11 +21,11 @@ except ImportError:  # before setuptools 70.1
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE / "sources" if (HERE / "sources").is_dir() else HERE.parents[1]
-SOURCES = ("CMakeLists.txt", "LICENSE", "bindings/c", "runtime/include", "tables/include")  # the parts of the repository that the archive contains
+SOURCES = ("cmake/project.cmake", "LICENSE", "bindings/c", "runtime/include", "tables/include")  # the parts of the repository that the archive contains
 C = ROOT / "bindings/c"
-VERSION = re.search(r"project\(\s*restrip VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
-REPOSITORY = re.search(r'set\(RESTRIP_REPOSITORY "(.*)"\)', (ROOT / "CMakeLists.txt").read_text())[1]
-LINKS = {"Source": REPOSITORY, "Issues": f"{REPOSITORY}/issues"} if REPOSITORY else {}
+PROJECT = dict(re.findall(r'^set\(RESTRIP_(\w+) "?(.*?)"?\)', (ROOT / "cmake/project.cmake").read_text(), re.M))
+VERSION = PROJECT["VERSION"]
+LINKS = {name: PROJECT[key] for name, key in (("Homepage", "HOMEPAGE"), ("Source", "REPOSITORY"), ("Issues", "ISSUES")) if PROJECT[key]}
 SCRATCH = tempfile.mkdtemp()  # nothing is written into the sources
 NAME = {"darwin": "librestrip_c.dylib", "win32": "restrip_c.dll"}.get(sys.platform, "librestrip_c.so")
 
@@ -72,7 +72,7 @@ class OfThisMachine(bdist_wheel):
 
 
 setup(name="restrip", version=VERSION, description="Triangle strips, made from scratch and maintained while a mesh changes", license="MIT",
-      author="The restrip authors", keywords=["triangle strips", "level of detail", "mesh", "index buffer"],
+      author=PROJECT["AUTHORS"], keywords=["triangle strips", "level of detail", "mesh", "index buffer"],
       project_urls={"Paper": "https://doi.org/10.2312/LocalChapterEvents/ItalChap/ItalianChapConf2007/023-029", **LINKS},
       classifiers=["Development Status :: 5 - Production/Stable", "Intended Audience :: Developers", "License :: OSI Approved :: MIT License",
                    "Programming Language :: C++", "Programming Language :: Python :: 3", "Topic :: Multimedia :: Graphics :: 3D Modeling", "Typing :: Typed"],

@@ -21,8 +21,10 @@ run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
 if(WAY STREQUAL "package")
-  run(${SCRATCH}/build/c_consumer)
-  run(${SCRATCH}/build/c_static_consumer)
+  run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer/c -B ${SCRATCH}/c ${arguments})
+  run(${CMAKE_COMMAND} --build ${SCRATCH}/c)
+  run(${SCRATCH}/c/c_consumer)
+  run(${SCRATCH}/c/c_static_consumer)
   run(${SCRATCH}/build/own_operation)
   run(${SCRATCH}/build/own_family)
   run(${SCRATCH}/prefix/bin/restrip-verify --operation ${ROOT}/examples/own_family.json
