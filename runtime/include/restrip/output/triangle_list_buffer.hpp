@@ -117,7 +117,7 @@ class TriangleListBuffer {
         slot_[owner_[last]] = slot;
       }
       owner_.pop_back();
-      cells_.resize(cells_.size() - 3);
+      cells_.drop_last(3);
     }
     free_.clear();
     pad();
