@@ -1,7 +1,7 @@
 // Claims: no recorded collapse turns a triangle by 90 degrees or takes its area, breaks the link condition or takes a
 // boundary vertex from the boundary; height fields never face down and keep their outline; flat faces and sharp edges
-// stay exact; what stops short says why. An oracle that knows a list of triangles only replays every record and
-// computes all of this again.
+// stay exact; details of any size follow the same rules; fixed vertices stay; what stops short says why. An oracle that
+// knows a list of triangles only replays every record and computes all of this again.
 #include "restrip/search/simplify.hpp"
 
 #include <gtest/gtest.h>
@@ -451,6 +451,56 @@ TEST(Simplify, PointsThatAreNotFiniteStay) {
     EXPECT_NE(record.v_t, 7U);
     EXPECT_NE(record.v_t, 99U);
   }
+}
+
+// The oracle's squares would underflow, so triangles are judged as if the grid were 1 wide.
+TEST(Simplify, DetailsOfAnySizeNeverTurnOver) {
+  Random random(1);
+  Model grid = field(11, [](unsigned, unsigned) { return 0.0; });
+  for (Point& p : grid.points)
+    for (unsigned i = 0; i < 2; ++i) p[i] += 0.4 * random.unit();
+  for (const double low : {0.0, -1.0})  // the corner of the box, or its middle, is at the detail
+    for (const double size : {1.0, 1e-40, 1e-75, 1e-80, 1e-82, 1e-100, 1e-150, 1e-160}) {
+      Model model = grid;
+      for (Point& p : model.points)
+        for (double& x : p) x *= size;
+      const auto n = static_cast<Vertex>(model.points.size());
+      for (const Point& p : {Point{low, low, 1}, Point{1, low, 1}, Point{low, 1, 1}}) model.points.push_back(p);
+      model.triangles.push_back({n, n + 1, n + 2});
+      Simplifier simplifier(mesh_of(model), model.points);
+      EXPECT_TRUE(simplifier.run(60));
+      EXPECT_LE(simplifier.mesh().triangle_count(), 60U) << size;
+      for (const Corners& t : sample::triangles_of(simplifier.mesh())) {
+        if (t[0] < n) {
+          EXPECT_GT(normal_of(grid.points, t)[2], 0) << size;
+        }
+      }
+    }
+}
+
+TEST(Simplify, FixedVerticesStay) {
+  const Model model = joined(torus(20, 12), letter(12), 20);
+  Random random(4);
+  for (const BoundaryPolicy policy : {BoundaryPolicy::lock, BoundaryPolicy::move}) {
+    std::set<Vertex> chosen;
+    for (unsigned i = 0; i < 40; ++i) chosen.insert(random.below(model.points.size()));
+    const std::vector<Vertex> fixed(chosen.begin(), chosen.end());
+    Simplifier simplifier(mesh_of(model), model.points, policy, fixed);
+    EXPECT_TRUE(simplifier.run(1));
+    EXPECT_GT(simplifier.collapses().size(), 50U);
+    Oracle oracle(model, mesh_of(model));
+    for (const SplitRecord& record : simplifier.collapses()) {
+      EXPECT_FALSE(chosen.contains(record.v_t));
+      EXPECT_EQ(oracle.collapse(record, policy), "");
+    }
+  }
+  std::vector<Vertex> all(model.points.size());
+  for (Vertex v = 0; v < all.size(); ++v) all[v] = v;
+  Simplifier simplifier(mesh_of(model), model.points, BoundaryPolicy::move, all);
+  EXPECT_TRUE(simplifier.run(1));
+  EXPECT_TRUE(simplifier.collapses().empty());
+  ASSERT_EQ(simplifier.obstacles().size(), 1U);
+  EXPECT_STREQ(simplifier.obstacles().front().why, "both ends stay where they are");
 }
 
 }  // namespace

@@ -21,15 +21,17 @@
 //    normals, no triangle ever faces the other way.
 // Collapses that turn a triangle by more than 60 degrees wait until no other is left, then corners of the outline.
 //
-// The result is the same on every machine, if the compiler does not fuse multiplications and additions
-// (-ffp-contract=off; compilers for x86-64 and WebAssembly do so only on request): it uses IEEE arithmetic and square
-// roots alone, and ties are broken by the numbers of vertices.
+// The same input gives the same collapses on every machine, as long as the library is compiled with -ffp-contract=off,
+// as its CMake targets are, and without -ffast-math: all arithmetic is IEEE additions, multiplications, divisions and
+// square roots, and ties are broken by the numbers of vertices. Compilers for ARM and others otherwise fuse
+// multiplications and additions, which may change the choice between collapses of almost the same cost.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,6 +39,10 @@
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip {
+
+namespace detail::simplify {
+class Engine;  // simplify.cpp
+}
 
 enum class BoundaryPolicy : std::uint8_t {
   lock,  ///< only edges between two interior vertices collapse: every split divides a closed fan
@@ -58,9 +64,14 @@ class Simplifier {
   /// few enough neighbours, it takes part.
   static constexpr std::size_t most_neighbors = 256;
 
-  /// Time O(n log n). `points` has one for each vertex of the mesh; coordinates may be of any size. Vertices whose
-  /// coordinates are not finite stay. About 250 bytes a vertex and 100 a triangle.
-  Simplifier(StripMesh mesh, std::span<const Point> points, BoundaryPolicy boundary = BoundaryPolicy::move);
+  /// Time O(n log n). `points` has one for each vertex of the mesh; coordinates may be of any size, also in the details
+  /// of a mesh (the shape of a triangle counts, not its size). Vertices whose coordinates are not finite stay, and so
+  /// do the vertices in `fixed`: others may collapse into them. About 250 bytes a vertex and 100 a triangle.
+  Simplifier(StripMesh mesh, std::span<const Point> points, BoundaryPolicy boundary = BoundaryPolicy::move,
+             std::span<const Vertex> fixed = {});
+  ~Simplifier();
+  Simplifier(Simplifier&& other) noexcept;
+  Simplifier& operator=(Simplifier&& other) noexcept;
 
   /// Collapses edges until at most `wanted` triangles are left, no further edge may collapse, or `most` collapses are
   /// done. Returns whether it is finished: call it again until then, between reports of progress. A few microseconds a
@@ -68,66 +79,16 @@ class Simplifier {
   bool run(std::size_t wanted, std::size_t most = (std::numeric_limits<std::size_t>::max)());
 
   /// The mesh as it is now. Non-manifold vertices, and what check_collapse() refuses, are unchanged.
-  [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
+  [[nodiscard]] const StripMesh& mesh() const noexcept;
   /// From fine to coarse: read backward, the splits from mesh() to the original mesh.
-  [[nodiscard]] const std::vector<SplitRecord>& collapses() const noexcept { return collapses_; }
+  [[nodiscard]] const std::vector<SplitRecord>& collapses() const noexcept;
   /// After run() has stopped short: for each remaining edge, why it may not collapse; the most frequent reason first.
   [[nodiscard]] std::vector<Obstacle> obstacles();
   /// The number of vertices with more than most_neighbors neighbours.
   [[nodiscard]] std::size_t large_vertices() const noexcept;
 
  private:
-  using Halfedge = StripMesh::Halfedge;
-
-  struct Vector {
-    double x = 0;
-    double y = 0;
-    double z = 0;
-  };
-  // The weighted squared distances to some planes, x'Ax + 2 b'x + c, as a function of the way x from a vertex. Being
-  // relative to the vertex it loses no digits to the distance from the origin.
-  struct Quadric;
-  // What each vertex carries.
-  struct Site;
-  // A neighbour of the vertex that is being judged, and the triangle from there to the next neighbour.
-  struct Spoke;
-  // The cheapest collapse of a vertex. It is out of date if the vertex has another version by now.
-  struct Candidate;
-  // The collapses that are granted, from the preferred ones to all.
-  enum class Stage : std::uint8_t { careful, any_turn, corners };
-  static constexpr std::array stages{Stage::careful, Stage::any_turn, Stage::corners};
-
-  void place(std::span<const Point> points);
-  void find_normals();
-  void find_directions();
-  void add_planes();
-  void find_corners();
-  [[nodiscard]] Vector direction_of(Triangle t) const;
-  void begin(Stage stage);
-  void propose(Vertex v, const Candidate* after = nullptr);
-  void gather(Vertex v);
-  [[nodiscard]] double cost_of(const Quadric& quadric, std::size_t to) const;
-  [[nodiscard]] bool keeps_direction(Triangle t, const Vector& before, const Vector& after, double squared) const;
-  [[nodiscard]] Refusal refusal_of(Halfedge chord);
-  void collapse(Halfedge chord);
-
-  StripMesh mesh_;
-  BoundaryPolicy boundary_;
-  Stage stage_ = Stage::careful;
-  std::vector<Site> sites_;             // by vertices
-  std::vector<Vector> original_;        // normals, by triangles
-  std::vector<Vector> directions_;      // that the triangles of some components face
-  std::vector<std::uint32_t> faces_;    // by triangles: their component, if any has a direction
-  std::vector<std::uint32_t> first_;    // by components: the first of its directions
-  std::vector<Candidate> queue_;        // a heap
-  std::vector<SplitRecord> collapses_;  // the finest first
-  std::uint32_t mark_ = 0;
-  // The fan of the vertex that is being judged.
-  std::vector<Spoke> fan_;
-  std::size_t fan_triangles_ = 0;
-  std::vector<Vertex> around_;
+  std::unique_ptr<detail::simplify::Engine> engine_;
 };
 
 }  // namespace restrip
-
-#include "restrip/search/impl/simplify.hpp"
