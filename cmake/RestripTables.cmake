@@ -268,7 +268,7 @@ int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@id
     if(command)
       add_test(NAME ${target}.operation.${name}.${language} COMMAND ${verify} --dump-command ${command})
     else()
-      message(STATUS "restrip_verify_tables: ${target}: no program here runs ${language}, so its look-up of ${name} is not judged")
+      message(STATUS "restrip_verify_tables: ${target}: no program here runs ${language}, so its look-up of ${name} is not judged; install a compiler or interpreter of ${language} and configure again")
     endif()
   endforeach()
 endfunction()

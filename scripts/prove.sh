@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
-# Runs the four checks of docs/explanation/what-is-proven.md: the definition (search, automaton, operations),
-# reasons, a recorded run, and Coq. Writes their coverage, claim by claim, to docs/coverage.csv and the table made from
-# it, and prints one page. Safe to repeat, from any directory.
+# Runs the four checks of docs/explanation/what-is-proven.md: the definition (search, automaton, operations), reasons, a
+# recorded run, and Coq. Prints one page. Safe to repeat, from any directory.
 #
-#   scripts/prove.sh             all four
-#   scripts/prove.sh --no-coq    all but Coq: two minutes; its rows stay as they are
-#   scripts/prove.sh --full      all four, and coqchk for all theorems: hours
-#   --programs DIR               with these; otherwise they are built into build/programs
-#   --compare                    writes nothing: docs/coverage.csv and the table must be what the reports say
+#   scripts/prove.sh [--no-coq | --full] [--programs DIR] [--compare]
+#
+#   --no-coq         all but Coq, whose rows stay as they were recorded
+#   --full           also coqchk for all theorems
+#   --programs DIR   with the programs of this folder; otherwise they are built into build/programs
+#   --compare        writes nothing: docs/coverage.csv and the table must be what the reports say
+#
+# Installs (Debian, Ubuntu, where they are missing): a C++ compiler, CMake, the packages of the programs, Python, OCaml;
+# for Coq also coq, make and time.
+# Writes: build/programs, logs in build/proof; docs/coverage.csv and the table in docs/explanation/what-is-proven.md.
+# Takes, on two processors: building five minutes, --no-coq two, Coq one to two hours, --full some hours more.
 set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
@@ -18,6 +23,7 @@ bin=
 compare=
 while [ $# -gt 0 ]; do
   case "$1" in
+    -h | --help) sed -n '2,/^set /{/^set /d; s/^# \{0,1\}//; p}' "$0"; exit 0 ;;
     --no-coq) coq=no ;;
     --full) coq_options=(--full) ;;
     --compare) compare=yes ;;
@@ -145,4 +151,5 @@ scripts/coverage.py check
 echo
 scripts/coverage.py table
 echo
-echo "All checks passed, $SECONDS s. What must still be trusted: docs/explanation/what-is-proven.md."
+if [ "$coq" = no ]; then echo "Coq: not run, its rows are as recorded."; fi
+echo "All checks that were run passed, $SECONDS s. What must still be trusted: docs/explanation/what-is-proven.md."
