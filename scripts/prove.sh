@@ -12,7 +12,7 @@
 # Installs (Debian, Ubuntu, where they are missing): a C++ compiler, CMake, the packages of the programs, Python, OCaml;
 # for Coq also coq, make and time.
 # Writes: build/programs, logs in build/proof; docs/coverage.csv and the table in docs/explanation/what-is-proven.md.
-# Takes, on two processors: building five minutes, --no-coq two, Coq one to two hours, --full some hours more.
+# Takes: --no-coq two minutes, Coq some fifteen minutes of processor time, --full an hour or more; building comes first.
 set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
