@@ -40,7 +40,7 @@ class Classes:
     def panels(self, witness):
         """One picture with its caption for each case of a class."""
         for case, cost in self.costs[self.number[witness]].items():
-            text = f"{witness}, case {case}: cost {cost}"
+            text = f"{witness} {case}: cost {cost}"
             yield pictures.arc_picture(witness, self.links(witness, case), text), text
 
 
@@ -52,7 +52,7 @@ def main():
     arguments = parser.parse_args()
     classes = Classes(arguments.certificate)
     rows = [list(classes.panels(witness)) for witness in WITNESSES]
-    Path(arguments.out).write_text(pictures.sheet(rows, pictures.PATCHES), encoding="utf-8")
+    Path(arguments.out).write_text(pictures.sheet(rows, pictures.PATCHES + "text { font-size: 36px; }\n"), encoding="utf-8")
 
 
 if __name__ == "__main__":
