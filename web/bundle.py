@@ -5,8 +5,8 @@ are put inside.
 bundle.py PAGE.html OUT.html --place PLACE [--address URL] [--style FILE…] [--script FILE…] [--worker FILE…] [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
 Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
 names at their top levels must differ; whole-line comments and indentation are left out. Scripts of a worker are bundled in the same way. --part replaces <!--NAME--> by the file as
-it is, --code by its text, to be read, --put by the file, compressed and in base64. --place is the place of the page in the site, for <!--NAVIGATION-->; --address of the site makes the address of the page's
-picture absolute."""
+it is, --code by its text, coloured, --put by the file, compressed and in base64. --place is the place of the page in the site, for <!--NAVIGATION-->; title and description become its whole head, in which --address of
+the site makes the address of the page's picture absolute."""
 import argparse
 import base64
 import gzip
@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from pages import navigation, picture  # noqa: E402
+from pages import head, navigation  # noqa: E402
 
 
 def inlined(scripts):
@@ -62,13 +62,15 @@ def main():
         name, file = part.split("=", 1)
         parts[f"<!--{name}-->\n"] = Path(file).read_text(encoding="utf-8")
     for code in given.code:
+        from highlight import highlighted  # Pygments, which pages without code do not need
         name, file = code.split("=", 1)
-        parts[f"<!--{name}-->"] = html.escape(Path(file).read_text(encoding="utf-8").rstrip("\n"), quote=False)
+        parts[f"<!--{name}-->"] = highlighted(Path(file).read_text(encoding="utf-8").rstrip("\n"), "js" if file.endswith(".mjs") else "cpp").rstrip("\n")
     for put in given.put:
         name, file = put.split("=", 1)
         parts[f"<!--{name}-->"] = packed(file)
     parts["<!--NAVIGATION-->"] = navigation(given.place)
-    page = page.replace('content="docs/ribbon.png"', f'content="{html.escape(picture(given.place, given.address))}"')
+    page = re.sub(r'<title>(.*)</title>\n<meta name="description" content="(.*)">\n',
+                  lambda found: head(html.unescape(found[1]), html.unescape(found[2]), given.place, given.address), page, count=1)
     for mark, text in parts.items():
         if text and mark not in page:
             sys.exit(f"bundle.py: {given.page}: has no {mark}")

@@ -1,43 +1,29 @@
 #!/usr/bin/env python3
-"""Makes pages of the documents: documents.py ROOT OUT_FOLDER --style FILE… --script FILE… --put NAME=FILE… [--address URL]
+"""Makes pages of the documents: documents.py ROOT OUT_FOLDER --style FILE… --script FILE… --put NAME=FILE… [--address URL] [--repository URL]
 
-README.md becomes index.html, below the live hare of web/documents/landing.html instead of its heading and its picture; CONTRIBUTING.md,
-CHANGELOG.md and the pages below docs/ keep their names. Links between them lead from page to page, to headings as GitHub names them; pictures and data in docs/ come along. A link to another file of the repository, which the
+web/documents/landing.html becomes index.html, with what README.md guarantees; README.md, CONTRIBUTING.md, CHANGELOG.md and the pages
+below docs/ keep their names. Links between them lead from page to page, to headings as GitHub names them; pictures and data in docs/ come along. A link to another file of the repository, which the
 pages do not have, is left as text with the file's name. A link to a file or heading that does not exist is refused.
 Needs markdown-it-py and Pygments (packages python3-markdown-it and python3-pygments)."""
 import argparse
+import json
 import os
 import re
 import shutil
 import sys
-from html import escape
+from html import escape, unescape
 from pathlib import Path
 
 from markdown_it import MarkdownIt
-from pygments.lexers import get_lexer_by_name
-from pygments.token import Token
 from pygments.util import ClassNotFound
 
 from bundle import inlined, packed
-from pages import navigation, picture
+from highlight import highlighted
+from pages import head, navigation
 
+SEARCH = ('<form id="search" role="search" hidden><label>Search the documents <input type="search" name="words" autocomplete="off"></label>'
+          '<ul id="found" aria-live="polite"></ul></form>')
 FOLDER = Path(__file__).resolve().parent / "documents"
-# The class of a word of code, by its kind; the first that fits.
-CLASSES = {Token.Comment.Preproc: "k", Token.Comment.PreprocFile: "s", Token.Comment: "c", Token.Keyword: "k", Token.Operator.Word: "k",
-           Token.Literal.String: "s", Token.Literal.Number: "n", Token.Name.Function: "f", Token.Name.Class: "f", Token.Name.Tag: "f",
-           Token.Name.Builtin: "f", Token.Name.Attribute: "f"}
-
-
-def highlighted(code, language):
-    """The code as HTML, with the classes of documents.css."""
-    lexer = get_lexer_by_name({"wgsl": "rust"}.get(language, language), stripnl=False)  # older versions do not know WGSL, which looks like Rust
-    spans = []
-    for kind, text in lexer.get_tokens(code):
-        name = next((name for of, name in CLASSES.items() if kind in of), None)
-        spans.append(f'<span class="{name}">{escape(text, quote=False)}</span>' if name else escape(text, quote=False))
-    return "".join(spans)
-
-
 class Documents:
     def __init__(self, root):
         self.root = root
@@ -60,7 +46,7 @@ class Documents:
         return {token.attrGet("id") for token in tokens if token.type == "heading_open"}
 
     def page_of(self, file):
-        return Path("index.html") if file == self.root / "README.md" else file.relative_to(self.root).with_suffix(".html")
+        return file.relative_to(self.root).with_suffix(".html")
 
     def target(self, file, link):
         """The target of a link on a page, or None for a file that is not part of the pages."""
@@ -131,25 +117,87 @@ def aligned(table):
     return re.sub(r"<(t[hd])>", lambda cell: f'<{cell[1]} class="number">' if next(place) else cell[0], table)
 
 
-def landing(page, scripts, put):
-    """The page of README.md with the live hare above it, which has the same heading and picture."""
+def contents(body):
+    """The headings of a page as a list of links."""
+    heads = re.findall(r'<h2 id="([^"]*)">(.*?)</h2>', body)
+    if len(heads) < 3:
+        return ""
+    links = "".join(f'<li><a href="#{name}">{re.sub(r"</?a[^>]*>", "", text)}</a></li>' for name, text in heads)
+    return f'<nav class="contents" aria-label="Contents of this page"><details open><summary>On this page</summary><ul>{links}</ul></details></nav>'
+
+
+def anchored(body):
+    """Headings below the first lead to themselves."""
+    return re.sub(r'<(h[23]) id="([^"]*)">(.*?)</\1>', r'<\1 id="\2">\3 <a class="anchor" href="#\2" aria-label="Link to this heading">#</a></\1>', body)
+
+
+def words_of(html):
+    return " ".join(sorted({word for word in re.findall(r"[a-z0-9_]{2,}", plain(html).lower())}))
+
+
+def search_index(bodies, documents):
+    """A script with a row for each section of each page: [page, title, anchor, heading, its words]."""
+    rows = []
+    for file, body in bodies.items():
+        title = plain(re.search(r"<h1[^>]*>(.*?)</h1>", body)[1])
+        for part in re.split(r"(?=<h[123] )", body):
+            heading = re.match(r'<h[123] id="([^"]*)"[^>]*>(.*?)</h[123]>', part)
+            if heading:
+                rows.append([documents.page_of(file).as_posix(), title, heading[1], plain(heading[2]), words_of(part)])
+    return f"window.restripIndex = {json.dumps(rows, ensure_ascii=False, separators=(',', ':'))};\n"
+
+
+def neighbours(root, documents):
+    """The pages before and after each, in the order in which docs/README.md leads to them."""
+    first = root / "docs/README.md"
+    order = [first]
+    for link in re.findall(r"\]\(([^)#:]+\.md)\)", first.read_text(encoding="utf-8")):
+        to = Path(os.path.normpath(first.parent / link))
+        if to in documents.tokens and to not in order:
+            order.append(to)
+    return {page: (order[n - 1] if n else None, order[n + 1] if n + 1 < len(order) else None) for n, page in enumerate(order)}
+
+
+def steps(file, beside, titles, documents):
+    """Links to the pages before and after."""
+    def link(to, kind, arrow):
+        if to is None:
+            return "<span></span>"
+        page = os.path.relpath(documents.page_of(to), documents.page_of(file).parent)
+        return f'<a rel="{kind}" href="{page}">{arrow.format(titles[to])}</a>'
+    before, after = beside.get(file, (None, None))
+    return f'<nav class="steps" aria-label="Previous and next">{link(before, "prev", "← {}")}{link(after, "next", "{} →")}</nav>' if before or after else ""
+
+
+def commands(folder):
+    """What to type in each language: TEXT after #, a line of prose with links; the rest as code."""
+    out = []
+    for name in ("cpp", "npm", "python", "c"):
+        lines = (folder / f"{name}.txt").read_text(encoding="utf-8").rstrip("\n").split("\n")
+        out.append(f'<div class="get-{name}"><div class="code"><pre tabindex="0"><code>{escape(chr(10).join(lines[1:]), quote=False)}</code></pre></div><p>{lines[0]}</p></div>')
+    return "\n".join(out)
+
+
+def landing(readme, scripts, put, source):
+    """The first page; `readme`: the page of README.md."""
     text = (FOLDER / "landing.html").read_text(encoding="utf-8").replace("/*SCRIPT*/", inlined(scripts))
     for name, file in (item.split("=", 1) for item in put):
         text = text.replace(f"<!--{name}-->", packed(file))
-    rest, count = re.subn(r"<h1[^>]*>.*?</h1>\n|<p><img[^>]*></p>\n", "", page, flags=re.S)
-    if count != 2:
-        sys.exit(f"documents.py: README.md has not one heading and one picture of its own, which the first page replaces, but {count} of both")
-    return text, rest
+    chosen = re.findall(r'<h2 id="what-is-guaranteed">.*?(?=<h2)|<p>The idea is due to.*?</p>', readme, flags=re.S)
+    if len(chosen) != 2:
+        sys.exit("documents.py: README.md has not one section 'What is guaranteed' and one paragraph 'The idea is due to', which the first page shows")
+    return text.replace("<!--SOURCE-->", escape(source)).replace("<!--GET-->", commands(FOLDER / "get")).replace("<!--GUARANTEES-->", "".join(chosen))
 
 
-def whole(title, body, style, page, address, head=""):
+def whole(title, description, body, style, page, address):
     up = "../" * page.count("/")
-    return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-            f'<meta name="color-scheme" content="light dark">\n<title>{escape(title)}</title>\n'
-            f'<meta property="og:title" content="{escape(title)}">\n<meta property="og:image" content="{escape(picture(page, address))}">\n'
-            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n{navigation(page)}\n{head}<main class="prose">{body}</main>\n'
-            f'<footer><a href="{up}CHANGELOG.html">Changes</a> <a href="{up}CONTRIBUTING.html">Contributing</a></footer>\n'
-            f'<script>{(FOLDER / "copy.js").read_text(encoding="utf-8")}</script>\n</body>\n</html>\n')
+    return (f'<!doctype html>\n<html lang="en">\n{head(title, description, page, address)}<style>{style}</style>\n<body>\n{navigation(page)}\n{body}\n'
+            f'<footer><a href="{up}README.html">README</a> <a href="{up}CHANGELOG.html">Changes</a> <a href="{up}CONTRIBUTING.html">Contributing</a></footer>\n'
+            f'<script>{"".join((FOLDER / name).read_text(encoding="utf-8") for name in ("copy.js", "search.js"))}</script>\n</body>\n</html>\n')
+
+
+def plain(html):
+    return unescape(re.sub(r"<[^>]*>", "", html)).replace("\n", " ").strip()
 
 
 def main():
@@ -160,20 +208,27 @@ def main():
     parser.add_argument("--script", nargs="+", required=True)
     parser.add_argument("--put", nargs="+", required=True)
     parser.add_argument("--address", default="")
+    parser.add_argument("--repository", default="")
     given = parser.parse_args()
     documents = Documents(given.root.resolve())
     style = "".join(Path(s).read_text(encoding="utf-8") for s in given.style)
     bodies = {file: documents.body(file) for file in documents.tokens}
     if documents.faults:
         sys.exit("".join(f"documents.py: {fault}\n" for fault in documents.faults))
+    titles = {file: plain(re.search(r"<h1[^>]*>(.*?)</h1>", body)[1]) for file, body in bodies.items()}
+    beside = neighbours(documents.root, documents)
+    (given.out / "docs").mkdir(parents=True, exist_ok=True)
+    (given.out / "docs/search-index.js").write_text(search_index(bodies, documents), encoding="utf-8")
     for file, body in bodies.items():
         page = documents.page_of(file)
-        title = re.sub(r"<[^>]*>", "", re.search(r"<h1[^>]*>(.*?)</h1>", body)[1])
         (given.out / page).parent.mkdir(parents=True, exist_ok=True)
-        head = ""
-        if page.name == "index.html":
-            title, (head, body) = "restrip: triangle strips maintained while the mesh changes", landing(body, given.script, given.put)
-        (given.out / page).write_text(whole(title, body, style, page.as_posix(), given.address, head), encoding="utf-8")
+        title = titles[file]
+        first = re.search(r"<p>(?!<img)(.*?)</p>", body, re.S)
+        description = re.match(r".{1,200}?[.:](?= |$)|.{1,200}", plain(first[1]) if first else title)[0]
+        (given.out / page).write_text(whole(f"{title} – restrip", description, f'<main class="prose">{SEARCH}{contents(body)}{anchored(body)}{steps(file, beside, titles, documents)}</main>', style, page.as_posix(), given.address), encoding="utf-8")
+    text = landing(bodies[documents.root / "README.md"], given.script, given.put, given.repository or os.path.relpath(documents.root, given.out))
+    (given.out / "index.html").write_text(whole("restrip: triangle strips maintained while the mesh changes", "About half the indices of a triangle list, "
+                                                "while the mesh changes: strips are repaired around each change by proved rules.", text, style, "index.html", given.address), encoding="utf-8")
     for name in documents.copied:
         shutil.copyfile(documents.root / name, given.out / name)
 

@@ -97,7 +97,7 @@ class Page {
     return result.value;
   }
   async until(code, ...values) {
-    for (const end = Date.now() + 120000; Date.now() < end;) {
+    for (const end = Date.now() + 300000; Date.now() < end;) {
       if (await this.run(code, ...values)) return;
       await new Promise((done) => setTimeout(done, 50));
     }

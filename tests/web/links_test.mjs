@@ -1,6 +1,7 @@
 // Every link and picture of every page leads to a file of the pages, and to an element of it that has the name after #.
 // A page with a dead link or a dead anchor is noticed. Documents are pages: no Markdown is shown as it is written. Each
-// page leads to the first page, the viewer, Make a rule, the atlas and the documents, and marks the one that it is. With
+// page leads to the first page, the viewer, Make a rule, the atlas and the documents, and marks the one that it is; it has a
+// title of its own and a description. With
 // an address the picture of a link to a page has an absolute address.
 //   node links_test.mjs WEB_FOLDER
 import assert from 'node:assert/strict';
@@ -37,13 +38,17 @@ for (const [name, text] of pages) {
   count += found.count;
   assert.doesNotMatch(text.replace(/<(pre|code|script|style)[^]*?<\/\1>/g, ''), /\]\([\w./#-]+\)|^\| --- \|/m, `${name} shows Markdown as it is written`);
 }
+const titles = new Map();
 const main = ['index.html', 'maker.html', 'viewer.html', 'atlas/index.html', 'docs/README.html'];
 for (const [name, text] of pages) {
   const navigation = /<nav aria-label="Pages">(.*?)<\/nav>/s.exec(text)?.[1] ?? '';
-  const links = [...navigation.matchAll(/href="([^"]*)"( aria-current="page")?/g)];
+  const links = [...navigation.matchAll(/href="([^"]*)"( aria-current="page"| aria-current="true")?/g)];
   assert.deepEqual(links.map(([, link]) => posix.join(posix.dirname(name), link)), main, name);
-  assert.deepEqual(links.flatMap(([, , own], n) => (own ? [main[n]] : [])), main.filter((each) => each === name), name);
+  assert.deepEqual(links.flatMap(([, , own], n) => (own?.includes('page') ? [main[n]] : [])), main.filter((each) => each === name), name);
+  assert.equal(/aria-current="true">Documents/.test(navigation), /^docs\/|^[A-Z]+\.html/.test(name) && name !== 'docs/README.html', name);
+  titles.set(name, /<title>(.*)<\/title>\n<meta name="description" content="(.+)">/.exec(text)?.[1]);
 }
+assert.equal(new Set(titles.values()).size, pages.size - [...pages.keys()].filter((name) => name.includes('-from-')).length, 'titles');
 const made = mkdtempSync(join(tmpdir(), 'restrip-links-'));
 const pictureOf = (text) => /property="og:image" content="([^"]*)"/.exec(text)[1];
 const source = (name) => fileURLToPath(new URL(`../../web/${name}`, import.meta.url));

@@ -31,8 +31,8 @@ export const standIn = `export class BufferAttribute {
 export function printed(folder) {
   const page = readFileSync(join(folder, 'viewer.html'), 'utf8');
   const part = page.slice(page.indexOf('id="part-use"'), page.indexOf('</section>', page.indexOf('id="part-use"')));
-  const blocks = [...part.matchAll(/<code>([^<]*\n[^<]*)<\/code><\/pre>/g)]
-    .map(([, text]) => text.replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&'));
+  const blocks = [...part.matchAll(/<pre tabindex="0"><code>([^]*?)<\/code><\/pre>/g)]
+    .map(([, text]) => text.replace(/<[^>]*>/g, '').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&'));
   assert.equal(blocks.length, 6);
   const [live, ...scripts] = blocks;
   const compiled = readFileSync(fileURLToPath(new URL('../../web/viewer/use/live.inc', import.meta.url)), 'utf8');

@@ -19,7 +19,7 @@ WEB = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(WEB.parent / "scripts"))
 sys.path.insert(0, str(WEB))
 from bundle import inlined  # noqa: E402
-from pages import navigation  # noqa: E402
+from pages import head, navigation  # noqa: E402
 from operations import Refused, bits, certificate, configurations, pairs_of, positions_of, strips_added  # noqa: E402
 from pictures import side_picture  # noqa: E402
 from plots import escaped, grouped  # noqa: E402
@@ -41,7 +41,8 @@ class Page:
         self.description, self.after = positions[0].description, positions[0].after
         family = self.description.certificate
         self.name = "-".join([family, *(word for word in section.text.split() if word.isdigit())])
-        self.title = family if self.name == family else f"{family}: {section.text}"
+        self.words = in_short(section.text)  # its place in words
+        self.title = family.replace("-", " ").capitalize() + (f", {self.words}" if self.words else "")
         self.met = sum(n for rule, n in met.items() if rule.startswith(f"{self.name}-"))  # splits of real meshes at its position
         self.unit, self.units, self.made = UNITS[self.description.constraint]
         self.known = configurations(positions, section)
@@ -79,6 +80,15 @@ class Page:
 
 
 # ---- words
+
+def in_short(text):
+    """The place of a section: "k 6 a 3" is "6 triangles, 3 on one side"."""
+    numbers = dict(zip(text.split()[::2], text.split()[1::2]))
+    if not set(numbers) <= {"k", "a"} or not all(value.isdigit() for value in numbers.values()):
+        return text if any(word.isdigit() for word in text.split()) else ""
+    k = f"{numbers['k']} triangle{'' if numbers['k'] == '1' else 's'}" if "k" in numbers else ""
+    return k + (f", {numbers['a']} on one side" if "a" in numbers else "")
+
 
 def in_words(tree, edges):
     def name(edge):
@@ -251,23 +261,23 @@ def index_body(groups, picture, met):
         with_met = any(page.met for page in pages)
         for page in pages:
             claims = page.section.claims
-            rows += (f'<tr><td><a href="{page.name}.html">{escaped(page.section.text)}</a></td><td>{grouped(len(page.section.rules))}</td>'
+            rows += (f'<tr><td><a href="{page.name}.html"><span class="thumb">{page.thumbnail}</span> {escaped(page.words or page.title)}</a></td><td>{grouped(len(page.section.rules))}</td>'
                      f'<td>{grouped(claims["valid"])}</td><td>{grouped(page.costing)}</td><td>{signed(claims["worst-isolated"])}</td>'
                      + (f"<td>{100 * page.met / sum(met.values()):.1f} %</td>" if with_met else "") + "</tr>")
         table = ('<div class="wide" tabindex="0"><table class="index"><thead><tr><td></td><th>rules</th><th>valid configurations</th>'
                  f'<th>of which cost a {pages[0].unit}</th><th>most triangles isolated</th>{"<th>splits of real meshes</th>" if with_met else ""}'
                  f'</tr></thead><tbody>{rows}</tbody></table></div>')
         abouts = dict.fromkeys(position.description.about for page in pages for position in page.positions)
-        body += (f"<h2>{escaped(name)}</h2><p>{escaped(' '.join(abouts))}</p>" +
+        body += (f'<h2 id="{name}">{escaped(name.replace("-", " ").capitalize())}</h2><p>{escaped(" ".join(abouts))}</p>' +
                  (table if len(pages) < 20 else f"<details><summary>{len(pages)} positions</summary>{table}</details>"))
     total = sum(len(page.section.rules) for pages in groups.values() for page in pages)
     return body + f"<p>{grouped(total)} rules in all" + (
         ", for interior vertices of up to 8 triangles. For larger ones and on the boundary a finite automaton answers, exactly as well; the painter asks it.</p>" if met else ".</p>")
 
 
-def whole(title, body, nav):
-    return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-            f'<meta name="color-scheme" content="light dark">\n<title>{escaped(title)} – restrip</title>\n<link rel="icon" href="data:,">\n'
+def whole(title, body, nav, place, has_picture):
+    description = f"Rules that repair triangle strips: {title}, each drawn with the reason why none is better."
+    return (f'<!doctype html>\n<html lang="en">\n{head(f"{title} – restrip", description, place, "", has_picture)}'
             '<link rel="stylesheet" href="atlas.css">\n<script src="atlas.js" defer></script>\n<body>\n'
             f'{nav}\n<main>{body}</main>\n</body>\n</html>\n')
 
@@ -306,6 +316,7 @@ def write(given, met):
             except Refused as fault:
                 raise Refused(f"{page.title}: {fault}") from None
             sides = sides[0], sides[1][0]
+            page.thumbnail = "".join(side_picture(side, 0, 0, "") for side in (sides[0][0], sides[1])).replace('role="img" aria-label=""', 'aria-hidden="true"')
             for part in page.parts():
                 texts[part] = page.title, body_of(page, sides, met, part)
             if page.name == "split-5-2":  # one of its rules is the picture of the index
@@ -314,13 +325,19 @@ def write(given, met):
                 picture = ('<div class="pictures"><figure>' + side_picture(sides[0][position], inner, ports, "before") +
                            "<figcaption>before the split</figcaption></figure><figure>" + side_picture(sides[1], colors, kept, "after") +
                            "<figcaption>after it, by its rule</figcaption></figure></div>" + legend(page))
+    if given.drawn:
+        drawn = defaultdict(list)
+        for position in positions_of(given.files[0]):
+            before, after = drawings([position.before], [position.after])
+            drawn[position.description.name].append([position.text, before[0], after[0]])
+        given.drawn.write_text(json.dumps(drawn, separators=(",", ":")), encoding="utf-8")
     texts["index"] = "Atlas of rules", index_body(groups, picture, met)
     given.out.mkdir(parents=True, exist_ok=True)
     (given.out / "atlas.css").write_text("".join(style.read_text(encoding="utf-8") for style in STYLES), encoding="utf-8")
     (given.out / "atlas.js").write_text("(() => {\n" + inlined(SCRIPTS) + "\n})();\n", encoding="utf-8")
     for name, (title, body) in texts.items():
         nav = navigation(f"atlas/{name}.html") if met else '<nav><a href="index.html">Atlas of rules</a></nav>'
-        (given.out / f"{name}.html").write_text(whole(title, body, nav), encoding="utf-8")
+        (given.out / f"{name}.html").write_text(whole(title, body, nav, f"atlas/{name}.html", bool(met)), encoding="utf-8")
     for name, pages in groups.items():
         rules = sum(len(page.section.rules) for page in pages)
         count = sum(len(page.parts()) for page in pages)
@@ -333,6 +350,7 @@ def main():
     parser.add_argument("--certificates", type=Path, required=True, metavar="FOLDER")
     parser.add_argument("-o", dest="out", type=Path, required=True, metavar="OUT")
     parser.add_argument("--met", type=Path, metavar="CSV")
+    parser.add_argument("--drawn", type=Path, metavar="JSON", help="is written: the drawings of all positions of the first FILE, for the painter")
     given = parser.parse_args()
     met = {}
     if given.met:

@@ -1,22 +1,23 @@
 // The page "Make a rule".
 import { embedded } from '../viewer/embedded.mjs';
-import { changed, rowsOf } from './certificate.mjs';
 import { Drawing, edgesOf, operationAt, picture, sides, size } from './surface.mjs';
 
 const field = (id) => document.getElementById(id);
 const base = { restrip_operation: 1, constraint: 'strips' };
-const star = ['a', 'b', 'c', 'd', 'e', 'f'].map((name, i, all) => [name, all[(i + 1) % 6], 'm']);
+const star = (k) => [...'abcdef'.slice(0, k)].map((name, i, all) => [name, all[(i + 1) % k], 'm']);
 const quad = [['a', 'b', 'c'], ['b', 'a', 'd']];
+/// Those that say `give_up` have cases in which no repair keeps all strips.
 const examples = {
+  'Edge flip': { ...base, name: 'my-edge-flip', before: quad, after: [['c', 'd', 'b'], ['d', 'c', 'a']], give_up: 'all' },
   'Face split': { ...base, name: 'my-face-split', before: [['a', 'b', 'c']], after: [['a', 'b', 'm'], ['b', 'c', 'm'], ['m', 'c', 'a']] },
   Bisection: { ...base, name: 'my-bisection', before: quad, after: [['b', 'c', 'm'], ['c', 'a', 'm'], ['a', 'd', 'm'], ['m', 'd', 'b']] },
-  'Hexagon fan': { ...base, name: 'my-hexagon-fan', before: star, after: [['a', 'b', 'c'], ['a', 'c', 'd'], ['a', 'd', 'e'], ['a', 'e', 'f']], give_up: 'all' },
-  'Edge flip': { ...base, name: 'my-edge-flip', before: quad, after: [['c', 'd', 'b'], ['d', 'c', 'a']], give_up: 'all' },
-  'Vertex removal': { ...base, name: 'my-vertex-removal', before: [['a', 'b', 'm'], ['b', 'c', 'm'], ['c', 'd', 'm'], ['d', 'a', 'm']], after: [['a', 'b', 'c'], ['c', 'd', 'a']], give_up: 'all' },
+  '4 to 2': { ...base, name: 'my-4-to-2', before: star(4), after: [['a', 'b', 'c'], ['c', 'd', 'a']], give_up: 'all' },
+  'Vertex removal': { ...base, name: 'my-vertex-removal', before: star(5), after: [['a', 'b', 'c'], ['a', 'c', 'd'], ['a', 'd', 'e']], give_up: 'all' },
+  'Hexagon fan': { ...base, name: 'my-hexagon-fan', before: star(6), after: [['a', 'b', 'c'], ['a', 'c', 'd'], ['a', 'd', 'e'], ['a', 'e', 'f']], give_up: 'all' },
 };
 const family = `{
   "restrip_operation": 1,
-  "name": "my-vertex-removal",
+  "name": "my-vertex-removals",
   "about": "A vertex of k triangles goes, and its hole becomes a fan around one of its neighbours.",
   "numbers": ["k"],
   "where": "k >= 3",
@@ -30,6 +31,8 @@ const languages = ['c++', 'c', 'glsl', 'json', 'wgsl'];
 const kinds = { cert: 'certificate', hpp: 'C++', h: 'C', glsl: 'GLSL', wgsl: 'WGSL', json: 'table as JSON', bin: 'table, binary' };
 const hex = (mask) => mask.toString(16);
 const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
+const counted = (n, what) => `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 's'}`;
+const parsed = (text) => { try { return JSON.parse(text); } catch { return null; } };
 
 /// The programs in their worker. A new question of a kind makes older ones of it void; `stop` ends them all.
 class Programs {
@@ -65,64 +68,140 @@ class Programs {
 }
 
 class Page {
-  past = [];
+  states = [];  // { text, places, step }: what can be undone and redone
+  at = -1;
+  drawing = null;  // of the text, or null if it is not drawn
   made = null;
   mine = null;  // the recolouring that the visitor tries, or null
   run = 0;
 
   constructor(programs) {
     this.programs = programs;
-    field('example').innerHTML = `<option value="">–</option>${Object.keys(examples).map((name) => `<option>${name}</option>`).join('')}<option value="family">A family: vertex removal for every valence</option>`;
-    field('example').onchange = () => {
-      const { value } = field('example');
-      if (examples[value]) return this.show(new Drawing(structuredClone(examples[value])));
-      if (value !== 'family') return undefined;
-      field('text').value = family;
-      return this.typed();
-    };
-    field('claims-of').open = innerWidth > 1000;
-    field('corners').onchange = () => field('corners').value && this.show(Drawing.outline(+field('corners').value));
-    field('undo').onclick = () => this.show(this.past.pop(), false);
+    this.#fillGallery();
+    field('undo').onclick = () => this.travel(-1);
+    field('redo').onclick = () => this.travel(1);
+    addEventListener('keydown', (event) => {
+      const key = event.key.toLowerCase();
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || !['z', 'y'].includes(key) || event.target.id === 'name') return;
+      event.preventDefault();
+      this.travel(key === 'y' || event.shiftKey ? 1 : -1);
+    });
+    addEventListener('hashchange', () => this.follow());
     for (const form of document.forms) form.onsubmit = (event) => event.preventDefault();
     for (const id of ['name', 'constraint', 'give_up', 'cost']) field(id).onchange = () => this.choose(id, field(id).value);
-    field('text').oninput = () => this.typed();
+    field('allow').onclick = () => {
+      this.choose('give_up', 'all');
+      field('proof').querySelector('summary').focus();
+    };
+    field('text').oninput = () => this.set({ text: field('text').value, step: 'typed' });
     field('stop').onclick = () => this.programs.stop();
     for (const side of sides) this.#listen(side);
     field('previous').onclick = () => this.step(-1);
     field('next').onclick = () => this.step(1);
     field('costing').onchange = () => this.step(0);
     field('position').onchange = () => this.place(+field('position').value);
-    const paint = (event) => {
-      const { inner, port } = event.target.dataset ?? {};
-      if ((inner ?? port) === undefined || (event.key && event.key !== 'Enter' && event.key !== ' ')) return;
-      event.preventDefault();
-      const before = event.currentTarget.id === 'case-before';
-      const to = before ? this.case : (this.mine ??= this.rule());
-      if (inner !== undefined) to.inner ^= 1 << inner;
-      else to.ports ^= 1 << port;
-      if (before) this.mine = null;
-      this.look();
-      field(before ? 'case-before' : 'case-after').querySelector(inner !== undefined ? `[data-inner="${inner}"]` : `[data-port="${port}"]`)?.focus();
-    };
-    for (const id of ['case-before', 'case-after']) for (const kind of ['click', 'keydown']) field(id).addEventListener(kind, paint);
-    field('judge').onclick = () => this.judge();
+    for (const side of ['before', 'after', 'mine']) for (const kind of ['click', 'keydown']) field(`case-${side}`).addEventListener(kind, (event) => this.#paint(side, event));
     field('repair').onclick = () => { this.mine = null; this.look(); };
     field('copy').onclick = async () => {
-      const address = await this.link();
-      history.replaceState(null, '', address);
-      field('copied').textContent = await navigator.clipboard?.writeText(address).then(() => 'copied', () => 'it is in the address bar') ?? 'it is in the address bar';
+      await this.address();
+      field('copied').textContent = await navigator.clipboard?.writeText(location.href).then(() => 'copied', () => 'it is in the address bar') ?? 'it is in the address bar';
     };
+  }
+  #fillGallery() {
+    const small = (operation) => sides.map((side) => picture(new Drawing(structuredClone(operation)), side, '')).join('<b aria-hidden="true">→</b>');
+    const button = (name, pictures, note = '') => `<button type="button" value="${name}"><span class="two">${pictures}</span>${name}${note && `<small>${note}</small>`}</button>`;
+    field('gallery').innerHTML = Object.entries(examples).map(([name, one]) => button(name, small(one), one.give_up && 'strips may be cut')).join('') +
+      button('Family', '<b>k → k − 2</b>', 'vertex removal for every k') +
+      `<label>Empty outline <select id="corners"><option value="">–</option>${[3, 4, 5, 6, 7, 8].map((n) => `<option value="${n}">${n} corners</option>`).join('')}</select></label>`;
+    for (const svg of field('gallery').querySelectorAll('svg')) svg.setAttribute('aria-hidden', 'true');
+    field('gallery').onclick = ({ target }) => {
+      const name = target.closest('button')?.value;
+      if (name) this.set(name === 'Family' ? { text: family } : Page.drawn(new Drawing(structuredClone(examples[name]))));
+    };
+    field('corners').onchange = () => {
+      if (field('corners').value) this.set(Page.drawn(Drawing.outline(+field('corners').value)));
+      field('corners').value = '';
+    };
+  }
+
+  // ---- states
+  static drawn(drawing, step = '') { return { text: drawing.text(), places: drawing.places, step }; }
+  /// Continues with a state, which can be undone. One that follows a state of the same step takes its place.
+  set({ text, places = this.drawing?.places ?? {}, step = '' }, focus = null) {
+    const merges = step !== '' && this.states[this.at]?.step === step;
+    this.states.splice(merges ? this.at : this.at + 1, Infinity, { text, places: { ...places }, step });
+    this.at = this.states.length - 1;
+    this.#show(focus);
+  }
+  travel(by) {
+    if (!this.states[this.at + by]) return;
+    this.at += by;
+    this.#show();
+    this.states[this.at].step = '';  // what follows is a step of its own
+  }
+  #show(focus = null) {
+    const { text, places } = this.states[this.at];
+    const operation = parsed(text);
+    try { this.drawing = operation && Drawing.of(text, places); } catch { this.drawing = null; /* the generator says what is wrong, and where */ }
+    field('undo').disabled = this.at === 0;
+    field('redo').disabled = this.at + 1 === this.states.length;
+    field('drawing').hidden = operation && !this.drawing;
+    field('drawn').textContent = operation && !this.drawing ? 'Families and graphs are not drawn here. Change the operation file below.' : '';
+    if (!this.drawing) field('file').open = true;
+    if (field('text').value !== text) field('text').value = text;
+    if (operation) {
+      const { name = '', constraint = 'strips', give_up: cut = 'none', cost } = operation;
+      field('name').value = name;
+      field('constraint').value = constraint;
+      field('give_up').value = cut === 'none' ? cut : 'all';
+      field('cost').value = cost === undefined ? '' : JSON.stringify(cost) === JSON.stringify(costs.cuts) ? 'cuts' : 'own';
+    }
+    this.draw(focus);
+    this.address();
+    if (text !== this.asked) this.make(text);
+    else if (this.shown && this.drawing) {  // vertices were moved
+      this.shown = this.drawing;
+      this.look();
+    }
+  }
+  choose(id, value) {
+    const operation = parsed(field('text').value);
+    if (!operation || (id === 'cost' && value === 'own')) return;
+    if (id === 'cost' && value === '') delete operation.cost;
+    else operation[id] = id === 'cost' ? costs[value] : value;
+    this.set(this.drawing ? Page.drawn(new Drawing(operation, this.drawing.places)) : { text: `${JSON.stringify(operation, null, 2)}\n` });
+  }
+  /// The address of what is on the page, which a reload and a copied link show again.
+  async address() {
+    const { text, places } = this.states[this.at];
+    const state = JSON.stringify({ text, places }, (_, value) => (typeof value === 'number' ? Math.round(value) : value));
+    const packed = await new Response(new Blob([state]).stream().pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer();
+    if (this.states[this.at].text !== text) return;
+    history.replaceState(null, '', `#operation=${btoa(String.fromCharCode(...new Uint8Array(packed))).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`);
+  }
+  /// Shows what the address says. False: nothing, or it is damaged.
+  async follow() {
+    const packed = /^#operation=(.+)$/.exec(location.hash)?.[1];
+    if (!packed) return false;
+    try {
+      const bytes = Uint8Array.from(atob(packed.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+      this.set(JSON.parse(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).text()));
+      return true;
+    } catch {
+      field('drawn').textContent = 'The link is damaged: it does not contain a whole operation.';
+      return false;
+    }
   }
 
   // ---- drawing
   #listen(side) {
     const element = field(`draw-${side}`);
-    const edit = (change) => {
+    /// `focus`: a selector of what has the focus afterwards.
+    const edit = (change, focus) => {
       const next = this.drawing.copy();
       const refused = change(next);
       if (refused) field('drawn').textContent = refused;
-      else this.show(next);
-      return !refused;
+      else this.set(Page.drawn(next), focus && `#draw-${side} ${focus(next)}`);
     };
     const point = (event) => {
       const box = element.querySelector('svg').getBoundingClientRect();
@@ -130,15 +209,19 @@ class Page {
     };
     const press = (target, at) => {
       const { triangle, flip } = target.dataset;
-      if (triangle !== undefined) edit((next) => next.add(side, +triangle, at));
-      else if (flip !== undefined) edit((next) => next.flip(side, +flip));
+      const known = this.drawing.vertices(side);
+      if (triangle !== undefined) edit((next) => next.add(side, +triangle, at), (next) => `[data-vertex="${next.vertices(side).find((name) => !known.includes(name))}"]`);
+      else if (flip !== undefined) edit((next) => next.flip(side, +flip), (next) => {
+        const was = new Set(edgesOf(this.drawing.operation[side]).inner.map(([, , ...ends]) => ends.sort().join()));
+        return `[data-flip="${edgesOf(next.operation[side]).inner.findIndex(([, , ...ends]) => !was.has(ends.sort().join()))}"]`;
+      });
     };
     let drag = null;
     element.addEventListener('pointerdown', (event) => {
       const vertex = event.target.closest('[data-vertex]')?.dataset.vertex;
       if (!vertex) return;
       event.preventDefault();
-      drag = { vertex, from: point(event), moved: false, was: this.drawing.copy() };
+      drag = { vertex, from: point(event), moved: false };
       element.setPointerCapture(event.pointerId);
     });
     element.addEventListener('pointermove', (event) => {
@@ -149,9 +232,9 @@ class Page {
     });
     element.addEventListener('pointerup', () => {
       if (!drag) return;
-      const { vertex, moved, was } = drag;
+      const { vertex, moved } = drag;
       drag = null;
-      if (moved) this.past.push(was), field('undo').disabled = false;
+      if (moved) this.set(Page.drawn(this.drawing));
       else if (this.drawing.isInner(side, vertex)) edit((next) => next.remove(side, vertex));
     });
     element.addEventListener('click', (event) => press(event.target, point(event)));
@@ -159,76 +242,49 @@ class Page {
       const vertex = event.target.dataset.vertex;
       const way = { ArrowLeft: [-8, 0], ArrowRight: [8, 0], ArrowUp: [0, -8], ArrowDown: [0, 8] }[event.key];
       if (vertex && way) {
-        this.drawing.move(vertex, this.drawing.places[vertex].map((c, n) => c + way[n]));
-        this.draw();
-        element.querySelector(`[data-vertex="${vertex}"]`).focus();
+        const refused = this.drawing.move(vertex, this.drawing.places[vertex].map((c, n) => c + way[n]));
+        if (refused) field('drawn').textContent = refused;
+        else this.set(Page.drawn(this.drawing, `${side} ${vertex}`));
       } else if (vertex && (event.key === 'Delete' || event.key === 'Backspace')) edit((next) => next.remove(side, vertex));
       else if (event.key === 'Enter' || event.key === ' ') press(event.target);
       else return;
       event.preventDefault();
     });
   }
-  draw() {
-    for (const side of sides) field(`draw-${side}`).innerHTML = picture(this.drawing, side, `the patch ${side} the operation`, { edit: true });
+  /// What has the focus keeps it, or its side of the drawing.
+  draw(focus = null) {
+    const { activeElement: active } = document;
+    const side = sides.find((one) => field(`draw-${one}`).contains(active));
+    const [name, value] = Object.entries(active?.dataset ?? {})[0] ?? [];
+    for (const one of sides) field(`draw-${one}`).innerHTML = this.drawing ? picture(this.drawing, one, `the patch ${one} the operation`, { edit: true }) : '';
+    if (side) (document.querySelector(focus ?? `#draw-${side} [data-${name}="${value}"]`) ?? field(`draw-${side}`).querySelector('[tabindex]') ?? field('undo')).focus();
   }
-  show(drawing, remember = true) {
-    if (remember && this.drawing) this.past.push(this.drawing);
-    this.drawing = drawing;
-    field('undo').disabled = this.past.length === 0;
-    this.#drawable(true);
-    this.draw();
-    field('text').value = drawing.text();
-    this.settle();
-  }
-  /// Sets the choices as the operation has them, and starts the programs.
-  settle() {
-    const { name = '', constraint = 'strips', give_up: cut = 'none', cost } = this.drawing.operation;
-    field('name').value = name;
-    field('constraint').value = constraint;
-    field('give_up').value = cut === 'all' || cut === 'none' ? cut : 'all';
-    field('cost').value = cost === undefined ? '' : JSON.stringify(cost) === JSON.stringify(costs.cuts) ? 'cuts' : 'own';
-    this.make();
-  }
-  choose(id, value) {
-    const next = this.drawing.copy();
-    if (id === 'cost' && value === '') delete next.operation.cost;
-    else if (id !== 'cost' || costs[value]) next.operation[id] = id === 'cost' ? costs[value] : value;
-    this.show(next);
-  }
-  typed() {
-    const text = field('text').value;
-    let drawing = null;
-    try { drawing = Drawing.of(text, this.drawing.places); } catch { /* the generator says what is wrong, and where */ }
-    const isWhole = (() => { try { return !!JSON.parse(text); } catch { return false; } })();
-    if (!field('drawing').hidden) this.past.push(this.drawing);
-    field('undo').disabled = this.past.length === 0;
-    this.#drawable(!isWhole || drawing !== null);
-    if (!drawing) return this.make(text);
-    this.drawing = drawing;
-    this.draw();
-    return this.settle();
-  }
-  #drawable(is) {
-    field('drawing').hidden = !is;
-    field('drawn').textContent = is ? '' : 'Families and graphs are not drawn here; change the file below. Undo goes back to the drawing.';
-    if (!is) field('file').open = true;
+  #paint(side, event) {
+    const { inner, port } = event.target.dataset ?? {};
+    if ((inner ?? port) === undefined || (event.key && event.key !== 'Enter' && event.key !== ' ')) return;
+    event.preventDefault();
+    this.mine = side === 'before' ? null : { ...(side === 'mine' ? this.mine : this.rule()) };
+    const to = this.mine ?? (this.case = { ...this.case });
+    if (inner !== undefined) to.inner ^= 1 << inner;
+    else to.ports ^= 1 << port;
+    this.look();
+    field(side === 'before' ? 'case-before' : 'case-mine').querySelector(inner !== undefined ? `[data-inner="${inner}"]` : `[data-port="${port}"]`)?.focus();
   }
 
   // ---- the programs
-  /// Generates and proves the text, by default the drawing's.
-  async make(text = field('text').value) {
+  /// Generates and proves the text.
+  async make(text) {
     const run = ++this.run;
     if (this.working) this.programs.stop();
     this.working = true;
-    this.made = null;
-    this.mine = null;
+    this.asked = text;
+    this.made = this.shown = this.mine = null;
     const name = `${/"name":\s*"([\w-]+)"/.exec(text)?.[1] ?? 'operation'}.json`;
-    field('fault').hidden = true;
-    for (const id of ['look', 'take']) field(id).hidden = true;
+    for (const id of ['fault', 'look', 'take', 'impossible']) field(id).hidden = true;
     field('state').className = '';
     field('state').textContent = 'Generating …';
+    field('counted').textContent = '';
     field('claims').tBodies[0].innerHTML = '';
-    field('claims-head').textContent = 'Claims of the verifier';
     field('stop').hidden = false;
     const begun = performance.now();
     const answer = await this.programs.ask({ what: 'make', name, text, options: { languages } }, ({ label, done, total, claim }) => {
@@ -239,33 +295,25 @@ class Page {
         return void (field('state').textContent = `Generating: ${label} …`);
       }
       field('state').textContent = 'Proving …';
-      field('claims').tBodies[0].insertAdjacentHTML('beforeend', `<tr><td>${claim.holds ? '✓' : '✗'} ${escaped(claim.claim)} <small>${escaped(claim.method)}</small></td><td>${claim.cases.toLocaleString('en')}</td></tr>`);
+      field('claims').tBodies[0].insertAdjacentHTML('beforeend', `<tr><td>${claim.holds ? '✓' : '✗'} ${escaped(claim.claim)}</td><td>${escaped(claim.method)}</td><td>${claim.cases.toLocaleString('en')}</td></tr>`);
     });
     if (run !== this.run) return;
     this.working = false;
     field('progress').hidden = true;
     field('stop').hidden = true;
     if (answer.stopped) return void (field('state').textContent = 'Stopped. Change the operation to start again.');
-    const error = answer.error ?? answer.verdict.error;
-    if (error) {
-      field('state').textContent = 'Not an operation that has a table:';
-      field('fault').hidden = false;
-      const [, line, column] = /:(\d+):(\d+): /.exec(error) ?? [];
-      field('fault').innerHTML = `${escaped(error)}${line ? ' <button type="button">Show the place</button>' : ''}`;
-      if (line) field('fault').querySelector('button').onclick = () => this.showPlace(+line, +column);
-      return;
-    }
-    const { report: [figures], verdict } = answer;
     this.name = name;
     this.text = text;
+    const error = answer.error ?? answer.verdict.error;
+    if (error) return this.#refused(error);
+    const { report: [figures], verdict } = answer;
     this.made = answer;
-    const most = (n, what) => `${n} ${what}${n === 1 ? '' : 's'}`;
     const ok = verdict.failed === 0;
-    const twice = verdict.claims.some(({ claim }) => claim === 'the orbits, counted again');
     field('state').className = 'verified';
-    field('state').innerHTML = `${ok ? '✓ verified' : '✗ NOT verified'} in ${((performance.now() - begun) / 1000).toFixed(2)} s: ${most(figures.valid, 'case')}, ${most(figures.keys, 'rule')}, `
-      + `${figures.worst_strips > 0 ? `at worst ${most(figures.worst_strips, 'strip')} more than before` : 'never more strips than before'}. ${twice ? '' : 'Orbits were not counted twice: this page was built without the source of nauty.'}`;
-    field('claims-head').textContent = `${most(verdict.claims.length, 'claim')} of the verifier: ${ok ? 'all hold' : `${verdict.failed} fail`}`;
+    field('state').textContent = `${ok ? '✓ proved' : '✗ NOT proved'}, ${counted(figures.valid, 'case')}, in ${((performance.now() - begun) / 1000).toFixed(2)} s: `
+      + `${figures.worst_strips > 0 ? `at worst ${counted(figures.worst_strips, 'strip')} more than before` : 'never more strips than before'}`;
+    field('counted').textContent = `${counted(figures.keys, 'rule')}; ${counted(verdict.claims.length, 'claim')} of the verifier, of which ${ok ? 'all hold' : `${verdict.failed} fail`}.`
+      + (verdict.claims.some(({ claim }) => claim === 'the orbits, counted again') ? '' : ' Orbits were counted once: this page was built without the source of nauty.');
     if (!ok) {
       field('fault').hidden = false;
       field('fault').textContent = verdict.claims.find(({ holds }) => !holds).counterexample;
@@ -275,16 +323,37 @@ class Page {
     this.tables = JSON.parse(Object.entries(answer.files).find(([file]) => file.endsWith('.json'))[1]);
     const { positions, numbers } = this.tables;
     field('positions').hidden = positions.length === 1;
-    field('judge').hidden = positions.length > 1;
     field('position').innerHTML = positions.map((one, n) => `<option value="${n}">${numbers.map((number, i) => `${number} = ${one.numbers[i]}`).join(', ')}</option>`).join('');
     return this.place(0);
+  }
+  /// The generator's sentence; if a case has no rule, the case as well, and what stands in its way.
+  async #refused(error) {
+    const [, inner, ports] = /the configuration ([0-9a-f]+) ([0-9a-f]+) .*has no sound recolouring/.exec(error) ?? [];
+    if (!inner) {
+      field('state').textContent = 'Not an operation that has a table:';
+      field('fault').hidden = false;
+      const [, line, column] = /:(\d+):(\d+): /.exec(error) ?? [];
+      field('fault').innerHTML = `${escaped(error)}${line ? ' <button type="button">Show the place</button>' : ''}`;
+      if (line) field('fault').querySelector('button').onclick = () => this.showPlace(+line, +column);
+      return;
+    }
+    field('state').textContent = 'No rule: there is a case in which no repair keeps every strip that enters the patch. Such a strip has to be cut.';
+    field('impossible').hidden = false;
+    field('hindrance').innerHTML = '';
+    if (!this.drawing) return;
+    const { run } = this;
+    const { sets = [] } = await this.programs.ask({ what: 'explain', name: this.name, text: this.text, request: { before: inner, ports, numbers: [] } });
+    if (run !== this.run) return;
+    const colors = { inner: parseInt(inner, 16), ports: parseInt(ports, 16) };
+    field('hindrance').innerHTML = `<div class="pictures draw"><figure>${picture(this.drawing, 'before', 'the case that has no rule', { colors })}<figcaption>The case: all its ports stay solid.</figcaption></figure></div>
+      <p>After the operation, every choice of solid edges has one of these faults:</p>${this.sets(sets, this.drawing)}`;
   }
   /// Shows the cases of a position.
   place(n) {
     const position = this.tables.positions[n];
     const values = Object.fromEntries(this.tables.numbers.map((number, i) => [number, position.numbers[i]]));
     const at = operationAt(JSON.parse(this.text), values);
-    this.shown = at && Drawing.of(JSON.stringify(at), this.tables.numbers.length === 0 ? this.drawing.places : {});
+    this.shown = at && Drawing.of(JSON.stringify(at), this.tables.numbers.length === 0 ? this.drawing?.places : {});
     field('look').hidden = !this.shown;
     const id = this.name.replace('.json', '').replaceAll('-', '_');
     const table = this.tables.numbers.length === 0 ? `restrip::tables::${id}_rules` : `position_of(restrip::tables::${id}_rules, {${position.numbers.join(', ')}})`;
@@ -302,7 +371,7 @@ class Page {
     for (let one = 0; one < 1 << edges; ++one)
       if (!this.table.matching || isMatching(one))
         for (let ports = 0; ports < 1 << position.ports; ++ports) if (this.rule({ inner: one, ports })) this.cases.push({ inner: one, ports });
-    this.case = this.cases[Math.min(1, this.cases.length - 1)];
+    this.case = { ...this.cases[Math.min(1, this.cases.length - 1)] };
     this.mine = null;
     return this.look();
   }
@@ -331,7 +400,7 @@ class Page {
     for (let n = by ? 1 : 0; n <= cases.length; ++n) {
       const one = cases[(from + n * (by || 1) + n * cases.length) % cases.length];
       if (field('costing').checked && this.added(one, this.rule(one)) <= 0) continue;
-      this.case = one;
+      this.case = { ...one };
       this.mine = null;
       return this.look();
     }
@@ -340,62 +409,46 @@ class Page {
   }
   number() { return Math.max(0, this.cases.findIndex(({ inner, ports }) => inner === this.case.inner && ports === this.case.ports)); }
   async look() {
-    const { case: one, shown: drawing } = this;
+    const { case: one, shown: drawing, mine } = this;
     const rule = this.rule();
-    const colors = this.mine ?? rule;
     field('case-before').innerHTML = picture(drawing, 'before', 'the case before', { colors: one, paint: 'inner ports' });
-    field('case-after').innerHTML = picture(drawing, 'after', 'after', { colors: colors ?? { inner: 0, ports: one.ports }, paint: colors ? 'inner' : '' });
+    field('case-after').innerHTML = picture(drawing, 'after', 'after, by the best rule', { colors: rule ?? { inner: 0, ports: one.ports }, paint: rule ? 'inner' : '' });
+    field('mine').hidden = field('repair').hidden = !mine;
+    if (mine) field('case-mine').innerHTML = picture(drawing, 'after', 'after, by your rule', { colors: mine, paint: 'inner' });
     field('which').textContent = rule ? `case ${(this.number() + 1).toLocaleString('en')} of ${this.cases.length.toLocaleString('en')}` : 'not a case';
-    field('repair').disabled = !this.mine;
-    field('judge').disabled = !this.mine;
-    field('broken').textContent = '';
-    const request = { before: hex(one.inner), ports: hex(one.ports), numbers: this.table.numbers, ...(colors ? { after: hex(colors.inner), ports_after: hex(colors.ports) } : {}) };
+    const request = (colors) => ({ before: hex(one.inner), ports: hex(one.ports), numbers: this.table.numbers, ...(colors ? { after: hex(colors.inner), ports_after: hex(colors.ports) } : {}) });
     const run = this.run;
-    const told = await this.programs.ask({ what: 'explain', name: this.name, text: this.text, request });
-    if (run !== this.run || one !== this.case || told.stopped) return;
-    const say = (text) => { field('case').textContent = text; };
+    const explained = await this.programs.ask({ what: 'explain', name: this.name, text: this.text, request: request(mine ?? rule) });
+    if (run !== this.run || one !== this.case || mine !== this.mine || explained.stopped) return;
+    const say = (text, verdict = '') => {
+      field('case').textContent = text;
+      field('verdict').textContent = verdict;
+    };
     field('why').innerHTML = '';
-    if (told.error) return say(told.error);
-    if (told.invalid) return say(`Strips cannot look like this: ${told.invalid}.`);
-    const added = this.added(one, colors);
-    const strips = added === 0 ? 'as many strips as before' : `${Math.abs(added)} strip${Math.abs(added) === 1 ? '' : 's'} ${added > 0 ? 'more' : 'fewer'}`;
-    if (this.mine && told.verdict !== 'best') {
-      say(`Your rule is ${told.verdict}: ${told.because}.`);
-      if (told.obstacle) this.drawSets([told.obstacle], 'The edges that show it, and what is connected outside:');
+    if (explained.error) return say(explained.error);
+    if (explained.invalid) return say(`Strips cannot look like this: ${explained.invalid}.`);
+    const strips = (colors) => {
+      const added = this.added(one, colors);
+      return added === 0 ? 'as many strips as before' : `${counted(Math.abs(added), 'strip')} ${added > 0 ? 'more' : 'fewer'}`;
+    };
+    const best = `The best rule leaves ${strips(rule)}.`;
+    const { sets, cheaper, equally_good: good, verdict, because, obstacle } = explained;
+    if (!mine) {
+      say(`${best} ${good > 1 ? `${good - 1} other rule${good > 2 ? 's are' : ' is'} as good.` : 'Every other rule is unsound or costs more.'}`);
+      if (sets.length > 0) field('why').innerHTML = `<p>${counted(cheaper, 'recolouring')} would cost less; each has all edges of one of these sets, which cannot be:</p>${this.sets(sets)}`;
       return undefined;
     }
-    say(`This rule leaves ${strips}. ${told.equally_good > 1 ? `${told.equally_good - 1} other rule${told.equally_good > 2 ? 's are' : ' is'} as good.` : 'Every other rule is unsound or costs more.'}`);
-    if (told.sets.length > 0) this.drawSets(told.sets, `${told.cheaper} recolouring${told.cheaper === 1 ? '' : 's'} would cost less; each has all edges of one of these sets, which cannot be:`);
+    say(best, verdict === 'best' || verdict === 'equally good' ? `Your rule leaves ${strips(mine)}, and is as good.` : `Your rule is ${verdict}: ${because}.`);
+    if (obstacle) field('why').innerHTML = `<p>The edges that show it, and what is connected outside:</p>${this.sets([obstacle])}`;
     return undefined;
   }
-  drawSets(sets, words) {
+  /// Pictures of edges that cannot all be solid, each in its world.
+  sets(sets, drawing = this.shown) {
     const mask = (text) => parseInt(text, 16);
-    field('why').innerHTML = `<p>${words}</p><div class="pictures">${sets.slice(0, 8).map((set) => {
+    return `<div class="pictures sets">${sets.slice(0, 8).map((set) => {
       const edges = { inner: mask(set.inner), ports: mask(set.ports) };
-      return `<figure>${picture(this.shown, 'after', escaped(set.why), { colors: edges, marked: edges, world: set.world })}<figcaption>${escaped(set.why)}</figcaption></figure>`;
+      return `<figure>${picture(drawing, 'after', escaped(set.why), { colors: edges, marked: edges, world: set.world })}<figcaption>${escaped(set.why)}</figcaption></figure>`;
     }).join('')}</div>${sets.length > 8 ? `<p>And ${sets.length - 8} more.</p>` : ''}`;
-  }
-  /// The row of the certificate whose key the case has: of the rows with its ports, the one with most of its joined pairs.
-  row() {
-    const { inner, ports } = this.case;
-    const edges = edgesOf(this.drawing.operation.before, this.drawing.operation.boundary);
-    const parent = Array.from({ length: this.table.before.triangles }, (_, t) => t);
-    const root = (t) => (parent[t] === t ? t : root(parent[t]));
-    edges.inner.forEach(([s, t], n) => { if (inner >> n & 1) parent[root(s)] = root(t); });
-    let joined = 0n;
-    for (let j = 1; j < edges.ports.length; ++j)
-      for (let i = 0; i < j; ++i) if ((ports >> i & 1) && (ports >> j & 1) && root(edges.ports[i][0]) === root(edges.ports[j][0])) joined |= 1n << BigInt(j * (j - 1) / 2 + i);
-    const within = (row) => (row.joined & ~joined) === 0n;
-    const size = (row) => row.joined.toString(2).replaceAll('0', '').length;
-    return rowsOf(this.made.certificate).filter((row) => row.ports === ports && within(row)).sort((a, b) => size(b) - size(a))[0];
-  }
-  async judge() {
-    const row = this.row();
-    const certificate = changed(this.made.certificate, row.line, this.mine.inner);
-    field('broken').textContent = 'Proving …';
-    const verdict = await this.programs.ask({ what: 'judge', name: this.name, text: this.text, options: { certificate } });
-    field('broken').textContent = verdict.error ?? (verdict.failed === 0 ? verdict.last
-      : `${verdict.last.trim()}\n\n${verdict.claims.filter(({ holds }) => !holds).map(({ claim, counterexample }) => `✗ ${claim}\n${counterexample}`).join('\n')}`);
   }
 
   // ---- results
@@ -409,23 +462,12 @@ class Page {
       return `<a class="button" download="${file}" href="${URL.createObjectURL(new Blob([content]))}">${n === 0 ? 'operation file' : kinds[file.split('.').at(-1)]} <small>${file}</small></a>`;
     }).join(' ');
   }
-  async link() {
-    const state = JSON.stringify({ text: this.text ?? field('text').value, places: this.drawing.places }, (_, value) => (typeof value === 'number' ? Math.round(value) : value));
-    const packed = await new Response(new Blob([state]).stream().pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer();
-    return `${location.href.replace(/#.*/, '')}#operation=${btoa(String.fromCharCode(...new Uint8Array(packed))).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
-  }
-  static async linked() {
-    const packed = /^#operation=([\w-]+)$/.exec(location.hash)?.[1];
-    if (!packed) return null;
-    const bytes = Uint8Array.from(atob(packed.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
-    return JSON.parse(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).text());
-  }
 }
 
-const [compiled, linked] = await Promise.all([embedded('wasm').then(WebAssembly.compile), Page.linked().catch(() => null)]);
-const page = new Page(new Programs(compiled));
+const page = new Page(new Programs(await WebAssembly.compile(await embedded('wasm'))));
 window.restripMaker = page;
-const first = linked && (() => { try { return Drawing.of(linked.text, linked.places); } catch { return null; } })();
-if (!linked) field('example').value = 'Face split';
-page.show(first ?? new Drawing(structuredClone(examples['Face split'])));
-if (linked && !first) field('text').value = linked.text, page.typed();
+if (!await page.follow()) {
+  const damaged = field('drawn').textContent;
+  page.set(Page.drawn(new Drawing(structuredClone(examples['Edge flip']))));
+  if (damaged) field('drawn').textContent = `${damaged} This is an example.`;
+}

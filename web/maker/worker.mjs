@@ -1,5 +1,5 @@
 // The worker of the page: the two programs, asked by messages { id, what, … } and answering with { id, answer }.
-import { judged, made, program } from './programs.mjs';
+import { made, program } from './programs.mjs';
 
 let programs = null;
 let asking = 0;
@@ -14,7 +14,6 @@ onmessage = async ({ data }) => {
   asking = id;
   const answers = {
     make: () => made({ generate, judge }, name, text, options),
-    judge: () => judged(judge, name, text, options),
     explain: () => judge({ files: { [name]: text }, operation: name, ...request }),
   };
   postMessage({ id, answer: await answers[what]() });

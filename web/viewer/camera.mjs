@@ -24,6 +24,28 @@ export class Camera {
     this.size = Math.hypot(...low.map((l, i) => high[i] - l)) / 2 || 1;
     this.distance = this.size / Math.sin(this.fov / 2) * 0.95;
   }
+  /// Moves, without turning, so that points fill `share` of a window.
+  fill(points, aspect, share = 0.92) {
+    this.fit(points);
+    const f = 1 / Math.tan(this.fov / 2) * Math.min(1, aspect);
+    for (let step = 0; step < 4; ++step) {  // nearer points need more room
+      const { eye } = this;
+      const axes = this.axes();
+      const ends = [Infinity, -Infinity, Infinity, -Infinity];
+      for (let i = 0; i < points.length; i += 3) {
+        const p = [0, 1, 2].map((n) => points[i + n] - eye[n]);
+        const deep = -dot(p, axes.back);
+        const [x, y] = [dot(p, axes.right) / deep * f / aspect, dot(p, axes.up) / deep * f];
+        ends[0] = Math.min(ends[0], x);
+        ends[1] = Math.max(ends[1], x);
+        ends[2] = Math.min(ends[2], y);
+        ends[3] = Math.max(ends[3], y);
+      }
+      const [across, upwards] = [(ends[0] + ends[1]) / 2 * aspect, (ends[2] + ends[3]) / 2].map((c) => c * this.distance / f);
+      this.target = this.target.map((c, n) => c + across * axes.right[n] + upwards * axes.up[n]);
+      this.distance *= Math.max(ends[1] - ends[0], ends[3] - ends[2]) / 2 / share;
+    }
+  }
   get eye() {
     const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
     return [this.target[0] + this.distance * cp * sy, this.target[1] + this.distance * sp, this.target[2] + this.distance * cp * cy];

@@ -25,16 +25,20 @@ export function listen(viewer, by) {
   by('down').addEventListener('click', () => viewer.step(-1));
   by('up').addEventListener('click', () => viewer.step(1));
   by('single').addEventListener('click', () => {
-    by('policy').value = by('policy').value === 'baked' ? 'quick' : 'baked';
+    by('policy').value = viewer.mesh.figures.baked ? 'quick' : 'baked';
+    if (by('policy').value === 'baked') by('mode').value = 'level';
     viewer.begin();
   });
-  for (const id of ['policy', 'cost']) by(id).addEventListener('change', () => viewer.begin());
-  by('mode').addEventListener('change', () => {
-    // Out of order baked strips are lost; the base has them again.
-    const lost = by('policy').value === 'baked' && by('mode').value === 'level' && !viewer.mesh.figures.baked;
-    if (lost) viewer.begin();
+  // Baked strips are of levels in order, which view-dependent modes do not keep.
+  const exclude = (id, other, usual) => by(id).addEventListener('change', () => {
+    const both = by('policy').value === 'baked' && by('mode').value !== 'level';
+    if (both) by(other).value = usual;
+    if (id === 'policy' || both) viewer.begin();
     else viewer.changed();
   });
+  exclude('policy', 'mode', 'level');
+  exclude('mode', 'policy', 'quick');
+  by('cost').addEventListener('change', () => viewer.begin());
   by('style').addEventListener('change', () => viewer.ask());
   document.addEventListener('keydown', (event) => {
     if (['SELECT', 'INPUT'].includes(event.target.tagName)) return;

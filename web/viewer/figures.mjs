@@ -22,10 +22,12 @@ export function showLevel(by, played, levels, level) {
   by('up').disabled = level === levels;
 }
 
-export function showFigures(by, { figures: { triangles, strips }, source }) {
+export function showFigures(by, { figures: { triangles, strips, baked }, source }) {
   const name = source.name === 'hare' ? 'this hare' : 'this mesh';
   by('claim').textContent = strips === 1 ? `One strip runs over all ${asNumber(triangles)} triangles of ${name}.`
     : `${asNumber(strips)} strips run over the ${asNumber(triangles)} triangles of ${name}.`;
+  by('single').setAttribute('aria-pressed', String(baked));
+  by('one-why').hidden = !baked;
   by('f-triangles').textContent = asNumber(triangles);
   by('f-strips').textContent = asNumber(strips);
   by('f-length').textContent = asNumber(triangles / strips, 1);
@@ -37,6 +39,7 @@ export function showReads(by, { mesh, figures: { triangles }, source }) {
   const list = 3 * triangles;
   const rows = [['Triangle list', list], ['Strips from scratch', mesh.fromScratch({ cost: 'indices' }).length],
     ['These strips, maintained', mesh.plainIndices], ['The live buffer with them', mesh.indices.length]];
+  by('reads').parentElement.removeAttribute('aria-busy');
   by('reads').innerHTML = rows.map(([name, count]) =>
     barRow(name, [asBytes(count * indexWidth(source)), asNumber(count / triangles, 2)], 0, count / list, false)).join('');
 }
@@ -52,6 +55,7 @@ export function showMesh(by, source, { levels }) {
   const { name, leftOut } = source;
   by('coarser').href = `#part=cut&level=${levels >> 1}`;
   by('mesh-text').textContent = `${name}: ${asNumber(fineTriangles(source))} triangles, ${asNumber(levels)} levels below.` +
-    (leftOut.triangles ? ` ${leftOut.triangles} degenerate triangles were left out.` : '') +
-    (leftOut.nonManifoldVertices ? ` The mesh is not a manifold at ${leftOut.nonManifoldVertices} vertices, which stay as they are.` : '');
+    (leftOut.triangles ? ` ${leftOut.triangles} degenerate triangle${leftOut.triangles === 1 ? ' was' : 's were'} left out.` : '') +
+    (leftOut.nonManifoldVertices === 1 ? ' The mesh is not a manifold at one vertex, which stays as it is.'
+      : leftOut.nonManifoldVertices ? ` The mesh is not a manifold at ${asNumber(leftOut.nonManifoldVertices)} vertices, which stay as they are.` : '');
 }

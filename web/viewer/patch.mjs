@@ -12,6 +12,8 @@ export function rimOf(k, a) {
 }
 
 const written = (places, between = ' ') => places.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(between);
+/// From one place through another to a third, without a kink.
+const curve = (from, through, to) => `M${written([from])}Q${written([through.map((c, n) => 2 * c - (from[n] + to[n]) / 2), to])}`;
 const outline = (corners) => `M${written(corners, 'L')}z`;
 
 export class Patch {
@@ -27,8 +29,7 @@ export class Patch {
   }
   stroke(from, to, style) { this.strokes[style] += `M${written([from, to], 'L')}`; }
   join(i, j, across, style) {
-    this.stroke(this.nodes[i], across, style);
-    this.stroke(across, this.nodes[j], style);
+    this.strokes[style] += curve(this.nodes[i], across, this.nodes[j]);
   }
   port(i, a, b, style) {
     const door = middle(a, b);

@@ -203,6 +203,7 @@ export class Race {
       const place = (Math.log10(frames) - by('frames').min) / (by('frames').max - by('frames').min);
       const mark = by('frames-row').getElementsByTagName('i')[n];
       mark.hidden = !(place > 0 && place < 1);
+      mark.className = place > 0.5 ? 'late' : '';
       mark.style.left = `calc(9px + ${place} * (100% - 18px))`;
       return frames;
     });

@@ -34,7 +34,7 @@ export class Turn {
         this.#paint(this[colors]);
       });
     by('turn-back').addEventListener('click', () => this.go(this.number - 1));
-    by('turn-next').addEventListener('click', () => this.go(this.#unsolved(this.number + 1)));
+    for (const id of ['turn-next', 'turn-on']) by(id).addEventListener('click', () => this.go(this.#unsolved(this.number + 1)));
     by('turn-daily').addEventListener('click', () => this.go(this.puzzles.daily(this.day)));
     by('turn-copy').addEventListener('click', () => navigator.clipboard.writeText(this.by('turn-result').textContent));
     by('turn-number').addEventListener('change', () => this.go(Math.round(+by('turn-number').value) - 1));
@@ -155,12 +155,15 @@ export class Turn {
 
   // ---- text
   #describeVerdict({ verdict, because, fault }) {
-    const { puzzle, inner, best } = this;
+    const { puzzle, inner, best, clicks } = this;
+    const begins = clicks === 0 && this.seen === null && inner === this.first;
     const solved = verdict === 'best' || verdict === 'equally good';
     const changes = fault ? '' : ` Yours: ${puzzle.change(inner)}.${solved ? ' No recolouring is better.' : ` The rule: ${puzzle.change(best)}.`}`;
-    this.by('turn-verdict').className = fault ? 'unsafe' : solved ? 'solved' : '';
-    this.by('turn-verdict').innerHTML = `<span>${this.seen === null ? '' : 'Not your colours. '}<b>${verdict}</b>${because && `: ${because}`}.${changes}</span>`;
-    if (solved && this.clicks > 0) this.#remember();
+    this.by('turn-verdict').className = begins ? '' : fault ? 'unsafe' : solved ? 'solved' : '';
+    this.by('turn-on').hidden = !solved || clicks <= 0 || this.seen !== null;
+    this.by('turn-text').innerHTML = begins ? 'Click an edge: a solid one joins two triangles into a strip. Leave as few strips as you can.' : `<span>${this.seen === null ? '' : 'Not your colours. '}<b>${verdict}</b>${because && `: ${because}`}.${changes}${solved && clicks > 0 ? ` Solved in ${counted(clicks, 'click')}!` : ''}</span>`;
+    if (solved && clicks > 0) this.#remember();
+    this.#count();
   }
   /// A puzzle that the visitor solved; the one of the day has a result to copy.
   #remember() {
@@ -171,10 +174,10 @@ export class Turn {
       `solved in ${counted(clicks, 'click')}. ${location.href.replace(/#.*/, '')}#part=turn&puzzle=${puzzle.name}`;
     by('turn-share').hidden = false;
   }
+  #count() { this.by('turn-count').textContent = `of ${this.puzzles.count.toLocaleString('en')}, ${this.solved.size.toLocaleString('en')} solved`; }
   #describePatch(found, own) {
     const { k, a } = this.puzzle;
     this.by('turn-share').hidden = true;
-    this.by('turn-count').textContent = `of ${this.puzzles.count.toLocaleString('en')}, ${this.solved.size.toLocaleString('en')} solved`;
     const where = this.by('turn-where');
     where.textContent = `${own ? 'The patch that you cut: a' : 'A'} vertex of ${k} triangles, ${a} of which go to one end of the new edge. `;
     if (!found) return;

@@ -45,7 +45,7 @@ class Viewer {
 
   constructor(restrip, wasm) {
     this.restrip = restrip;
-    this.light = !still.matches;
+    this.light = false;
     this.pane = new Pane(by('canvas'), this.camera, {
       changed: () => this.ask(),
       lost: () => this.lost(),
@@ -87,6 +87,7 @@ class Viewer {
     this.camera.fit(mesh.points);
     this.home = this.camera.place;
     this.scene.setPoints(mesh.points, indexWidth(source));
+    by('reads').parentElement.setAttribute('aria-busy', 'true');  // the bars are another mesh's
     showMesh(by, source, mesh);
     by('level').max = mesh.levels;
     this.level = Math.round(mesh.levels * 0.1);
@@ -101,7 +102,6 @@ class Viewer {
     this.cut.end();
     this.painter.ribbon = null;
     const baked = by('policy').value === 'baked';
-    by('single').setAttribute('aria-pressed', String(baked));
     by('cost').closest('label').hidden = baked;  // the file was baked with one
     this.#shownOperations = -1;
     this.pace = new Pace();
