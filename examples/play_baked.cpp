@@ -13,7 +13,7 @@ using restrip::Vertex;
 /// A vertex split of the progressive mesh: v_t is split off v_s, between the spokes to v_l and v_r.
 struct SplitRecord {
   Vertex v_s, v_t, v_l, v_r;
-  [[nodiscard]] restrip::VertexSplit<StripMesh::Halfedge> where(const StripMesh& mesh) const {
+  [[nodiscard]] restrip::VertexSplit where(const StripMesh& mesh) const {
     return {mesh.spoke(v_s, v_l), mesh.spoke(v_s, v_r)};
   }
 };
@@ -45,8 +45,8 @@ std::vector<SplitRecord> coarsen(StripMesh& mesh) {
 
 /// Plays all splits twice from the base, once with a keeper and once without flips. A record flips the colours that
 /// then differ.
-restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std::vector<SplitRecord>& records) {
-  restrip::BakedRecords<StripMesh::Halfedge> baked;
+restrip::BakedRecords bake(const StripMesh& base, const std::vector<SplitRecord>& records) {
+  restrip::BakedRecords baked;
   StripMesh wanted = base;
   StripMesh plain = base;
   restrip::Keeper keeper(wanted, restrip::Policy::full, restrip::Cost::strips());

@@ -41,11 +41,8 @@ class Bare {
  public:
   explicit Bare(StripMesh& mesh) : mesh_(mesh) {}
   [[nodiscard]] const StripMesh& mesh() const { return mesh_; }
-  restrip::Rewrite<Halfedge> bisect(Halfedge h) {
-    const Halfedge left = mesh_.opposite(mesh_.next(mesh_.next(h))), back = mesh_.opposite(h);
-    if (StripMesh::on_boundary(back))
-      return {{}, mesh_.insert_vertex({left, {}, restrip::VertexSplit<Halfedge>::Spokes::left_only})};
-    return {{}, mesh_.insert_vertex({left, mesh_.next(back)})};
+  void apply(const restrip::OperationView& table, Halfedge h, restrip::NewVertices* added) {
+    restrip::apply(mesh_, table, h, added);
   }
   void collapse(Halfedge h) { mesh_.remove_vertex(h); }
   void flip(Halfedge h) { mesh_.turn_edge(h); }
@@ -65,9 +62,11 @@ class Remesher {
     for_each_edge([&](Halfedge h) {
       if (distance(h) <= long_) return;
       const Point3 middle = (points_[mesh_.from(h)] + points_[mesh_.to(h)]) * 0.5;
-      const Vertex v_t = mesh_.to(keeper_.bisect(h).halfedge);
+      const restrip::OperationPlace at = bisect_at(mesh_, h);
+      restrip::NewVertices added;
+      keeper_.apply(at.table, at.where, &added);
       points_.resize(mesh_.vertex_bound());
-      points_[v_t] = middle;
+      points_[added[0]] = middle;
       ++operations;
     });
     for_each_edge([&](Halfedge h) {

@@ -44,7 +44,8 @@ class Terrain {
     for (Vertex v = 4; v < mesh.vertex_bound(); ++v) {
       if (mesh.spoke(v).id == restrip::none) continue;
       const Halfedge chord = mesh.spoke(tails_[v], v);
-      if (chord.id == restrip::none || restrip::check_merge(mesh, chord) != restrip::Refusal::granted) continue;
+      if (chord.id == restrip::none || check_apply(mesh, restrip::merge_at(mesh, chord)) != restrip::Refusal::granted)
+        continue;
       bool newest = true;  // no triangle at v has been bisected since
       restrip::for_each_spoke(mesh, v, [&](Halfedge h) {
         if (!StripMesh::on_boundary(h) && !(longest(h) == StripMesh::next(h))) newest = false;
@@ -85,7 +86,7 @@ class Terrain {
     return std::abs(a.x - b.x) + std::abs(a.y - b.y) > 128 || error * error > x * x + y * y;
   }
   template <class Operation>
-  restrip::Rewrite<Halfedge> timed(Operation&& operation) {
+  restrip::Checked timed(Operation&& operation) {
     const auto start = Clock::now();
     const auto done = operation();
     spent += Clock::now() - start;
@@ -97,15 +98,16 @@ class Terrain {
     while (!StripMesh::on_boundary(mesh.opposite(h)) && !(longest(mesh.opposite(h)) == mesh.opposite(h)))
       refine(longest(mesh.opposite(h)));
     const Point a = point(h), b = point(StripMesh::next(h));
-    const Halfedge chord = timed([&] { return restrip::bisect(mesh, h); }).halfedge;
+    const Vertex tail = mesh.from(h);
+    const Vertex made = timed([&] { return restrip::bisect(mesh, h); }).new_vertex();
     points_.resize(mesh.vertex_bound());
     tails_.resize(mesh.vertex_bound());
-    points_[mesh.to(chord)] = {(a.x + b.x) / 2, (a.y + b.y) / 2};
-    tails_[mesh.to(chord)] = mesh.from(chord);
+    points_[made] = {(a.x + b.x) / 2, (a.y + b.y) / 2};
+    tails_[made] = tail;
   }
 
   std::vector<Point> points_;
-  std::vector<Vertex> tails_;  // of the chord with which a vertex was made
+  std::vector<Vertex> tails_;  // an end of the edge on which a vertex was made
 };
 
 }  // namespace

@@ -321,8 +321,8 @@ bool known(const restrip_mesh* mesh, restrip_halfedge h) noexcept {
 
 // ---- operations
 
-VertexSplit<StripMesh::Halfedge> where_of(restrip_halfedge left, restrip_halfedge right) noexcept {
-  using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+VertexSplit where_of(restrip_halfedge left, restrip_halfedge right) noexcept {
+  using Spokes = VertexSplit::Spokes;
   const Spokes spokes = right == RESTRIP_NONE  ? Spokes::left_only
                         : left == RESTRIP_NONE ? Spokes::right_only
                                                : Spokes::both;
@@ -352,16 +352,30 @@ restrip_status done(restrip_mesh* mesh, restrip_status allowed, restrip_change* 
 /// The operations that take one halfedge, in the order of their numbers.
 struct AtHalfedge {
   Refusal (*check)(const StripMesh&, StripMesh::Halfedge);
-  Rewrite<StripMesh::Halfedge> (Keeper<StripMesh>::*apply)(StripMesh::Halfedge);
+  Rewrite (*apply)(Keeper<StripMesh>&, StripMesh::Halfedge);
   bool adds_vertex;
 };
+/// One that has a table.
+template <OperationPlace (*at)(const StripMesh&, StripMesh::Halfedge)>
+constexpr AtHalfedge by_table(bool adds_vertex) {
+  return {[](const StripMesh& mesh, StripMesh::Halfedge h) { return check_apply(mesh, at(mesh, h)); },
+          [](Keeper<StripMesh>& keeper, StripMesh::Halfedge h) {
+            const OperationPlace place = at(keeper.mesh(), h);
+            const Vertex from = keeper.mesh().from(h);
+            NewVertices added;
+            Rewrite done = keeper.apply(place.table, place.where, &added);
+            if (!added.empty()) done.halfedge = keeper.mesh().spoke(from, added[0]);
+            return done;
+          },
+          adds_vertex};
+}
 constexpr std::array<AtHalfedge, 6> at_halfedge{{
-    {check_collapse, &Keeper<StripMesh>::collapse, false},
-    {check_flip, &Keeper<StripMesh>::flip, false},
-    {check_split_face, &Keeper<StripMesh>::split_face, true},
-    {check_join_faces, &Keeper<StripMesh>::join_faces, false},
-    {check_bisect, &Keeper<StripMesh>::bisect, true},
-    {check_merge, &Keeper<StripMesh>::merge, false},
+    {check_collapse, [](Keeper<StripMesh>& keeper, StripMesh::Halfedge h) { return keeper.collapse(h); }, false},
+    {check_flip, [](Keeper<StripMesh>& keeper, StripMesh::Halfedge h) { return keeper.flip(h); }, false},
+    by_table<split_face_at>(true),
+    by_table<join_faces_at>(false),
+    by_table<bisect_at>(true),
+    by_table<merge_at>(false),
 }};
 
 restrip_status check(const restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h) noexcept {
@@ -374,7 +388,7 @@ restrip_status check(const restrip_mesh* mesh, std::int32_t operation, restrip_h
 }
 restrip_status apply(restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h, restrip_change* change) noexcept {
   return done(mesh, check(mesh, operation, h), change,
-              [&](auto& keeper) { return (keeper.*at_halfedge[static_cast<std::size_t>(operation)].apply)({h}); });
+              [&](auto& keeper) { return at_halfedge[static_cast<std::size_t>(operation)].apply(keeper, {h}); });
 }
 
 /// What is wrong with the arguments of a function that does an operation at each of n halfedges.

@@ -43,7 +43,7 @@ TEST(CBaked, EveryLevelIsThatOfThePlayer) {
     std::vector<std::vector<std::array<std::uint32_t, 3>>> corners;
     std::vector<std::vector<std::uint8_t>> colors;
     StripMesh played = file.mesh;
-    BakedPlayer<StripMesh> player(played, file.records);
+    BakedPlayer player(played, file.records);
     for (std::size_t i = 0;; ++i) {
       corners.push_back(corners_of(played));
       colors.push_back(colors_of(played));

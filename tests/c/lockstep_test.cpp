@@ -78,10 +78,10 @@ struct AtHalfedge {
 constexpr std::array<AtHalfedge, 6> at_halfedge{{
     {restrip_mesh_collapse, check_collapse},
     {restrip_mesh_flip, check_flip},
-    {restrip_mesh_split_face, check_split_face},
-    {restrip_mesh_join_faces, check_join_faces},
-    {restrip_mesh_bisect, check_bisect},
-    {restrip_mesh_merge, check_merge},
+    {restrip_mesh_split_face, [](const StripMesh& m, Halfedge h) { return check_apply(m, split_face_at(m, h)); }},
+    {restrip_mesh_join_faces, [](const StripMesh& m, Halfedge h) { return check_apply(m, join_faces_at(m, h)); }},
+    {restrip_mesh_bisect, [](const StripMesh& m, Halfedge h) { return check_apply(m, bisect_at(m, h)); }},
+    {restrip_mesh_merge, [](const StripMesh& m, Halfedge h) { return check_apply(m, merge_at(m, h)); }},
 }};
 const AtHalfedge& row_of(const Move& move) { return at_halfedge.at(static_cast<std::size_t>(move.kind) - 1); }
 
@@ -101,33 +101,32 @@ restrip_status ask(const restrip_mesh* mesh, const Move& move) {
 
 /// The operations of refine.hpp, whose halfedge is the same under every policy and cost.
 template <class Keeper>
-Rewrite<Halfedge> refine(Keeper& keeper, const Move& move) {
+Rewrite refine(Keeper& keeper, const Move& move) {
   const Halfedge h{move.a};
-  const auto by = [&](auto& subject, auto& mesh) {
-    if (move.kind == Move::Kind::split_face) return std::pair{subject.split_face(h), split_face(mesh, h)};
-    if (move.kind == Move::Kind::join_faces) return std::pair{subject.join_faces(h), join_faces(mesh, h)};
-    if (move.kind == Move::Kind::bisect) return std::pair{subject.bisect(h), bisect(mesh, h)};
-    return std::pair{subject.merge(h), merge(mesh, h)};
-  };
+  const auto at = move.kind == Move::Kind::split_face   ? split_face_at(keeper.mesh(), h)
+                  : move.kind == Move::Kind::join_faces ? join_faces_at(keeper.mesh(), h)
+                  : move.kind == Move::Kind::bisect     ? bisect_at(keeper.mesh(), h)
+                                                        : merge_at(keeper.mesh(), h);
   StripMesh copy = keeper.mesh();
-  const auto [done, plain] = by(keeper, copy);
+  const Rewrite plain = apply(copy, at.table, at.where);
+  const Rewrite done = keeper.apply(at.table, at.where);
   EXPECT_EQ(done.halfedge, plain.halfedge);
   return done;
 }
 
 /// Does the move by the library. The codes 1 to 13 are the refusals in their order.
 template <class Keeper>
-std::pair<Refusal, Rewrite<Halfedge>> apply(Keeper& keeper, const Move& move) {
-  using Spokes = VertexSplit<Halfedge>::Spokes;
+std::pair<Refusal, Rewrite> apply(Keeper& keeper, const Move& move) {
+  using Spokes = VertexSplit::Spokes;
   const StripMesh& mesh = keeper.mesh();
   if (move.kind == Move::Kind::split) {
-    VertexSplit<Halfedge> where{{move.a}, {move.b}, Spokes::both};
+    VertexSplit where{{move.a}, {move.b}, Spokes::both};
     if (move.b == RESTRIP_NONE)
       where.spokes = Spokes::left_only;
     else if (move.a == RESTRIP_NONE)
       where.spokes = Spokes::right_only;
     const Refusal refusal = check_split(mesh, where);
-    return {refusal, refusal == Refusal::granted ? keeper.split(where) : Rewrite<Halfedge>{}};
+    return {refusal, refusal == Refusal::granted ? keeper.split(where) : Rewrite{}};
   }
   const Refusal refusal = row_of(move).refusal(mesh, {move.a});
   if (refusal != Refusal::granted) return {refusal, {}};

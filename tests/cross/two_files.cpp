@@ -67,7 +67,7 @@ void print(const char* what, const StripMesh& mesh) {
 }
 
 void by_rules(const char* what, StripMesh& mesh) {
-  using Where = restrip::VertexSplit<Halfedge>;
+  using Where = restrip::VertexSplit;
   down_and_up(
       mesh, [&](Halfedge h) { restrip::collapse(mesh, h); }, [&](const Where& where) { restrip::split(mesh, where); });
   print(what, mesh);
@@ -101,7 +101,7 @@ void by_keeper(restrip::Policy policy, const char* what) {
   restrip::Keeper keeper(mesh, policy, restrip::Cost::strips());
   down_and_up(
       mesh, [&](Halfedge h) { restrip::checked_collapse(keeper, h); },
-      [&](const restrip::VertexSplit<Halfedge>& where) { restrip::checked_split(keeper, where); });
+      [&](const restrip::VertexSplit& where) { restrip::checked_split(keeper, where); });
   const std::size_t ranges = buffer.update(mesh, changed).size();
   keeper.improve(5000);
   std::printf("%u strips, %u runs, %u ranges\n", static_cast<unsigned>(keeper.strips()),
@@ -113,7 +113,7 @@ void by_keeper(restrip::Policy policy, const char* what) {
 void by_record() {
   StripMesh mesh = sheet(2);
   restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
-  restrip::BakedRecords<Halfedge> records;
+  restrip::BakedRecords records;
   records.flips = {mesh.spoke(4, 5)};
   records.first = {0, 1};
   restrip::BakedPlayer player(mesh, records);

@@ -183,8 +183,8 @@ class Caller {
       h = mesh().opposite(mesh().next(mesh().next(h)));
     return h;
   }
-  VertexSplit<Halfedge> place_of_split() noexcept {
-    using Spokes = VertexSplit<Halfedge>::Spokes;
+  VertexSplit place_of_split() noexcept {
+    using Spokes = VertexSplit::Spokes;
     const Halfedge left = side();
     const std::uint32_t how = input_.byte();
     constexpr std::array spokes{Spokes::both,      Spokes::both, Spokes::both, Spokes::both,
@@ -223,7 +223,7 @@ class Caller {
 
   void operate(OperationKind kind) {
     const bool splits = kind == OperationKind::split;
-    const DrawnOperation drawn{kind, splits ? Halfedge{} : side(), splits ? place_of_split() : VertexSplit<Halfedge>{}};
+    const DrawnOperation drawn{kind, splits ? Halfedge{} : side(), splits ? place_of_split() : VertexSplit{}};
     const Vertex name = splits ? new_vertex() : none;
     Checked result;
     const bool returned = done([&] { result = perform(live_, drawn, name); });

@@ -1,9 +1,9 @@
 // Custom operations on a LiveMesh: done under its policy and drawn, or refused; undone like any other.
-#include "restrip/live_apply.hpp"
-
 #include <gtest/gtest.h>
 
 #include "measure/check_buffer.hpp"
+#include "restrip/live_mesh.hpp"
+#include "restrip/operations/apply.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/tables/operations/merge.hpp"
 #include "restrip/tables/operations/refine_face.hpp"

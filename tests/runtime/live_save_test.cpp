@@ -55,7 +55,7 @@ void expect_same_results(const std::vector<Checked>& one, const std::vector<Chec
   for (std::size_t i = 0; i < one.size(); ++i) {
     ASSERT_EQ(one[i].refusal, other[i].refusal);
     ASSERT_EQ(one[i].rewrite.halfedge, other[i].rewrite.halfedge);
-    ASSERT_EQ(one[i].new_vertex, other[i].new_vertex);
+    ASSERT_EQ(one[i].new_vertex(), other[i].new_vertex());
     ASSERT_EQ(one[i].rewrite.strips, other[i].rewrite.strips);
   }
 }

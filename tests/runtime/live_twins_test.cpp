@@ -68,7 +68,7 @@ Results work_on(LiveMesh& live, std::mt19937& random) {
   for (auto n = random() % 12; n > 0; --n) {
     const Checked done = operate(live, random);
     for (const std::uint64_t number : {std::uint64_t(done.refusal), std::uint64_t{done.rewrite.halfedge.id},
-                                       std::uint64_t{done.new_vertex}, std::uint64_t(done.rewrite.strips)})
+                                       std::uint64_t{done.new_vertex()}, std::uint64_t(done.rewrite.strips)})
       results.push_back(number);
   }
   if (random() % 3 == 0) results.push_back(live.improve(random() % 2000));

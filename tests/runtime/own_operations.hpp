@@ -15,27 +15,6 @@
 
 namespace restrip {
 
-/// Calls visit(name, table) for every shipped operation that can be applied: a graph has no triangles.
-template <class Visit>
-void for_each_applicable(Visit&& visit) {
-  tables::for_each_operation([&](const char* name, const auto& table) {
-    if constexpr (SurfaceTable<std::remove_cvref_t<decltype(table)>>) visit(name, table);
-  });
-}
-
-/// The vertices of the triangles after an operation that were not there before, as they are met in the file.
-template <class Mesh, class Table>
-std::vector<Vertex> added_vertices(const Mesh& mesh, const Table& table, typename Mesh::Halfedge first) {
-  std::set<unsigned> met;
-  for (const tables::PatchTriangle& t : table.triangles_before) met.insert(t.vertex.begin(), t.vertex.end());
-  std::vector<Vertex> added;
-  const auto patch = detail::read_sides(mesh, table.triangles_after, first);
-  for (std::size_t t = 0; t < patch.sides().size(); ++t)
-    for (std::size_t s = 0; s < 3; ++s)
-      if (met.insert(table.triangles_after[t].vertex[s]).second) added.push_back(mesh.from(patch.side[t][s]));
-  return added;
-}
-
 /// A place for the operation, if one is found soon.
 template <class Table>
 std::optional<StripMesh::Halfedge> random_place(const StripMesh& mesh, const Table& table, std::mt19937& random) {
@@ -49,10 +28,10 @@ std::optional<StripMesh::Halfedge> random_place(const StripMesh& mesh, const Tab
 template <class Do>
 bool random_application(const StripMesh& mesh, std::mt19937& random, std::size_t size, Do&& done) {
   std::size_t count = 0;
-  for_each_applicable([&](const char*, const auto& table) { count += table.matching ? 0U : 1U; });
+  tables::for_each_operation([&](const char*, const auto& table) { count += table.matching ? 0U : 1U; });
   std::size_t left = random() % count;
   bool did = false;
-  for_each_applicable([&](const char*, const auto& table) {
+  tables::for_each_operation([&](const char*, const auto& table) {
     if (table.matching || left-- != 0) return;
     const bool grows = table.triangles_after.size() > table.triangles_before.size();
     if (grows ? mesh.triangle_count() > size : mesh.triangle_count() < size / 2) return;

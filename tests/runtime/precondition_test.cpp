@@ -28,7 +28,7 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 using sample::Corners;
 
 // What restrip writes before it aborts. The sentences contain no regex metacharacters.
@@ -129,7 +129,7 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
     EXPECT_REFUSED(keeper.collapse({}), "Keeper::collapse", no_such_edge);
     EXPECT_REFUSED(keeper.flip({}), "Keeper::flip", no_such_edge);
   }
-  const BakedRecords<Halfedge> records;
+  const BakedRecords records;
   BakedPlayer player(mesh, records);
   EXPECT_REFUSED(player.split(0, same), "BakedPlayer::split", same_spoke);
   EXPECT_REFUSED(player.collapse(0, {}), "BakedPlayer::collapse", no_such_edge);
@@ -150,13 +150,6 @@ TEST(PreconditionDeathTest, CustomOperations) {
   EXPECT_REFUSED(apply(pointed, tables::join_faces_rules, StripMesh::halfedge(0)), "apply", too_few_triangles);
   Keeper keeper(mesh, Policy::quick, Cost::strips());
   EXPECT_REFUSED(keeper.apply(tables::bisect_rules, inside), "Keeper::apply", other_patch);
-  const auto stay = [](const auto& patch) { return patch.side[0][0]; };
-  EXPECT_REFUSED(keeper.apply(tables::bisect_rules, inside, stay), "Keeper::apply", other_patch);
-  EXPECT_REFUSED((void)before_apply(mesh, tables::bisect_rules, inside), "apply", other_patch);
-  EXPECT_FAILED(apply(mesh, tables::split_face_rules, inside, [&](const auto&) { return rim; }),
-                "apply: the mesh does not have the triangles that the operation makes");
-  EXPECT_FAILED(apply(mesh, tables::split_face_rules, inside, [](const auto& patch) { return patch.between(0, 3); }),
-                "PatchSides::between: no triangle of the patch has this side");
   // A triangle put in the place of two others.
   std::array<Vertex, 3> vertices = mesh.corners(0);
   std::array<Triangle, 1> made{};
@@ -254,69 +247,6 @@ static_assert(noexcept(flip_rule(false, 0)) && flip_rule(false, 0).valid);
 static_assert(noexcept(exact::best(ring_with_chord(12, 5), 0, 0)) &&
               exact::best(ring_with_chord(12, 5), 0, 0).value.solid == 13);
 static_assert(noexcept(closed_fan(5).valid(0, 0)) && closed_fan(5).valid(0, 0));
-
-// A mesh with only the members of the concepts.
-class Plain {
- public:
-  using Halfedge = StripMesh::Halfedge;
-  explicit Plain(StripMesh& mesh) : mesh_(mesh) {}
-  [[nodiscard]] Halfedge next(Halfedge h) const { return StripMesh::next(h); }
-  [[nodiscard]] Halfedge opposite(Halfedge h) const { return mesh_.opposite(h); }
-  [[nodiscard]] bool on_boundary(Halfedge h) const { return StripMesh::on_boundary(h); }
-  [[nodiscard]] bool solid(Halfedge h) const { return mesh_.solid(h); }
-  void set_solid(Halfedge h, bool solid) { mesh_.set_solid(h, solid); }
-  Halfedge insert_vertex(const Where& where) { return mesh_.insert_vertex(where); }
-  Halfedge remove_vertex(Halfedge chord) { return mesh_.remove_vertex(chord); }
-  Halfedge turn_edge(Halfedge h) { return mesh_.turn_edge(h); }
-
- private:
-  StripMesh& mesh_;
-};
-
-// One mesh that knows its handles, and one that has its own checks.
-class Knowing : public Plain {
- public:
-  using Plain::Plain;
-  [[nodiscard]] bool alive(Halfedge h) const { return h.id != none; }
-};
-class Checking : public Plain {
- public:
-  using Plain::Plain;
-  friend Refusal check_split(const Checking& /*mesh*/, const Where& /*where*/) { return Refusal::vertex_in_use; }
-  friend Refusal check_collapse(const Checking& /*mesh*/, Halfedge /*h*/) { return Refusal::link_condition; }
-  friend Refusal check_flip(const Checking& /*mesh*/, Halfedge /*h*/) { return Refusal::edge_exists; }
-};
-
-TEST(PreconditionDeathTest, MeshesOfTheUsersOwn) {
-  StripMesh octahedron = sample::octahedron();
-  Plain plain(octahedron);
-  const Halfedge h = octahedron.spoke(4);
-  EXPECT_REFUSED(split(plain, {h, h}), "split", same_spoke);
-  EXPECT_REFUSED(split(plain, {h, octahedron.opposite(h)}), "split", different_vertices);
-  EXPECT_REFUSED(split(plain, {h, {}, Where::Spokes::left_only}), "split", spoke_on_boundary);
-  StripMesh four = tetrahedron();
-  Plain plain_four(four);
-  EXPECT_REFUSED(collapse(plain_four, four.spoke(0)), "collapse", too_few_triangles);
-  EXPECT_REFUSED(flip(plain_four, four.spoke(0)), "flip", too_few_triangles);
-  StripMesh two = build({{0, 1, 2}, {1, 0, 2}}, 3);
-  Plain plain_two(two);
-  EXPECT_REFUSED(split(plain_two, {two.spoke(0, 1), two.spoke(0, 2)}), "split", too_few_triangles);
-  StripMesh pair = two_triangles();
-  Plain plain_pair(pair);
-  EXPECT_REFUSED(collapse(plain_pair, pair.spoke(0, 2)), "collapse", joins_boundaries);
-  EXPECT_REFUSED(flip(plain_pair, pair.spoke(0, 1)), "flip", boundary_edge);
-  StripMesh one = build({{0, 1, 2}}, 3);
-  Plain plain_one(one);
-  EXPECT_REFUSED(collapse_and_join(plain_one, one.spoke(0)), "collapse_and_join", dangling_edge);
-  Knowing knowing(octahedron);
-  EXPECT_REFUSED(split(knowing, {h, {}}), "split", no_such_edge);
-  EXPECT_REFUSED(collapse(knowing, {}), "collapse", no_such_edge);
-  EXPECT_REFUSED(flip(knowing, {}), "flip", no_such_edge);
-  Checking checking(octahedron);
-  EXPECT_REFUSED(split(checking, {h, turn_ccw(octahedron, h)}), "split", vertex_in_use);
-  EXPECT_REFUSED(collapse(checking, h), "collapse", link_condition);
-  EXPECT_REFUSED(flip(checking, h), "flip", edge_exists);
-}
 
 // ---- errors of every build
 

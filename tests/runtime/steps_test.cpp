@@ -28,7 +28,7 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 using counter::Work;
 using counter::work_of;
 

@@ -8,7 +8,10 @@
 #include <cstdint>
 #include <random>
 
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/operations/checked.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
 
 namespace restrip {
@@ -65,8 +68,8 @@ constexpr OperationKind kind_at(const std::array<OperationShare, N>& list, unsig
 struct DrawnOperation {
   using Halfedge = StripMesh::Halfedge;
   OperationKind kind{};
-  Halfedge h;                   ///< all but splits
-  VertexSplit<Halfedge> where;  ///< splits
+  Halfedge h;         ///< all but splits
+  VertexSplit where;  ///< splits
 };
 
 /// A side of a triangle.
@@ -84,10 +87,9 @@ inline StripMesh::Halfedge random_side(const StripMesh& mesh, std::mt19937& rand
 }
 
 /// A split at this spoke; a spoke that does not count is not to be looked at.
-inline VertexSplit<StripMesh::Halfedge> random_split(const StripMesh& mesh, StripMesh::Halfedge h,
-                                                     std::mt19937& random) {
-  using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
-  VertexSplit<StripMesh::Halfedge> where{h, h, Spokes::both};
+inline VertexSplit random_split(const StripMesh& mesh, StripMesh::Halfedge h, std::mt19937& random) {
+  using Spokes = VertexSplit::Spokes;
+  VertexSplit where{h, h, Spokes::both};
   for (auto turns = 1 + random() % 4; turns > 0 && !StripMesh::on_boundary(where.right); --turns)
     where.right = turn_ccw(mesh, where.right);
   if (mesh.leaves_boundary(h) && random() % 2 == 0) {
@@ -111,6 +113,13 @@ DrawnOperation draw(const StripMesh& mesh, std::mt19937& random, const std::arra
   return draw_at(mesh, random_halfedge(mesh, random), random, list, trend);
 }
 
+/// Of an operation that has a name and a table.
+inline OperationPlace place_of(const StripMesh& mesh, OperationKind kind, Halfedge h) {
+  if (kind == OperationKind::split_face) return split_face_at(mesh, h);
+  if (kind == OperationKind::join_faces) return join_faces_at(mesh, h);
+  return kind == OperationKind::bisect ? bisect_at(mesh, h) : merge_at(mesh, h);
+}
+
 inline Refusal check(const StripMesh& mesh, const DrawnOperation& drawn) {
   switch (drawn.kind) {
     case OperationKind::split:
@@ -119,16 +128,9 @@ inline Refusal check(const StripMesh& mesh, const DrawnOperation& drawn) {
       return check_collapse(mesh, drawn.h);
     case OperationKind::flip:
       return check_flip(mesh, drawn.h);
-    case OperationKind::split_face:
-      return check_split_face(mesh, drawn.h);
-    case OperationKind::join_faces:
-      return check_join_faces(mesh, drawn.h);
-    case OperationKind::bisect:
-      return check_bisect(mesh, drawn.h);
-    case OperationKind::merge:
-      return check_merge(mesh, drawn.h);
+    default:
+      return check_apply(mesh, place_of(mesh, drawn.kind, drawn.h));
   }
-  return Refusal::no_such_edge;
 }
 
 /// By a StripMesh, its keeper or a LiveMesh; refused if it is not legal. `name`: the vertex of a split.
@@ -137,7 +139,7 @@ Checked perform(Target& target, const DrawnOperation& drawn, Vertex name = none)
   using enum OperationKind;
   const OperationKind kind = drawn.kind;
   const StripMesh::Halfedge h = drawn.h;
-  const VertexSplit<StripMesh::Halfedge>& where = drawn.where;
+  const VertexSplit& where = drawn.where;
   if constexpr (requires {
                   { target.flip(h) } -> std::same_as<Checked>;
                 }) {
@@ -151,9 +153,13 @@ Checked perform(Target& target, const DrawnOperation& drawn, Vertex name = none)
     if (kind == split) return checked_split(target, where, name);
     if (kind == collapse) return checked_collapse(target, h);
     if (kind == flip) return checked_flip(target, h);
-    if (kind == split_face) return checked_split_face(target, h);
-    if (kind == join_faces) return checked_join_faces(target, h);
-    return kind == bisect ? checked_bisect(target, h) : checked_merge(target, h);
+    const StripMesh* mesh = nullptr;
+    if constexpr (std::same_as<Target, StripMesh>)
+      mesh = &target;
+    else
+      mesh = &target.mesh();
+    const OperationPlace at = place_of(*mesh, kind, h);
+    return checked_apply(target, at.table, at.where);
   }
 }
 

@@ -41,7 +41,7 @@ TEST(ComponentStrips, FollowSplits) {
   std::size_t spared = 0;
   for (const Record& record : source.splits) {
     const auto where = spokes_of(mesh, record);
-    using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+    using Spokes = VertexSplit::Spokes;
     boundary_splits += where.spokes == Spokes::both ? 0U : 1U;
     fan_triangles(mesh, where.spoke(), patch);
     counts.before_split(mesh, patch);

@@ -20,7 +20,7 @@ namespace restrip::tools {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 
 /// By one method of the list.
 BeginMaintainer by(const std::string& method) {
@@ -30,11 +30,9 @@ BeginMaintainer by(const std::string& method) {
 /// The rules, for tests to spoil.
 struct Operations : Maintainer {
   using Maintainer::Maintainer;
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) override {
-    return split_and_join(mesh_, where, v_t);
-  }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) override { return collapse_and_join(mesh_, chord); }
-  Rewrite<Halfedge> flip(Halfedge h) override { return flip_and_join(mesh_, h); }
+  Rewrite split(const Where& where, Vertex v_t, std::size_t) override { return split_and_join(mesh_, where, v_t); }
+  Rewrite collapse(Halfedge chord, std::size_t) override { return collapse_and_join(mesh_, chord); }
+  Rewrite flip(Halfedge h) override { return flip_and_join(mesh_, h); }
 };
 template <class Faulty>
 std::unique_ptr<Maintainer> begin(StripMesh& mesh) {
@@ -124,7 +122,7 @@ TEST(Walk, SameSeedSameWalk) {
 /// Some splits colour the chord against the rule.
 struct WithAFaultySplit : Operations {
   using Operations::Operations;
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) override {
+  Rewrite split(const Where& where, Vertex v_t, std::size_t) override {
     auto done = restrip::split(mesh_, where, v_t);
     if (done.valence == 9 && !StripMesh::on_boundary(mesh_.opposite(done.halfedge)))
       mesh_.set_solid(done.halfedge, !mesh_.solid(done.halfedge));
@@ -145,7 +143,7 @@ TEST(Walk, FindsAFaultAndShrinksIt) {
 template <bool isolated>
 struct Miscounting : Operations {
   using Operations::Operations;
-  Rewrite<Halfedge> flip(Halfedge h) override {
+  Rewrite flip(Halfedge h) override {
     auto done = Operations::flip(h);
     if (mesh_.solid(h)) --(isolated ? done.isolated : done.strips);
     return done;
@@ -167,23 +165,23 @@ TEST(Walk, AWitnessAgreesWithTheRules) {
       using Operations::Operations;
       std::string disagreement;
       Witness witness;
-      Rewrite<Halfedge> reported;
-      Halfedge noted(const Rewrite<Halfedge>& done) {
+      Rewrite reported;
+      Halfedge noted(const Rewrite& done) {
         reported = done;
         return done.halfedge;
       }
-      Rewrite<Halfedge> settle(const Rewrite<Halfedge>& seen) {
+      Rewrite settle(const Rewrite& seen) {
         if (reported.strips != seen.strips || reported.isolated != seen.isolated || reported.valence != seen.valence)
           disagreement = "the witness disagrees";
         return reported;
       }
-      Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) override {
+      Rewrite split(const Where& where, Vertex v_t, std::size_t) override {
         return settle(witness.split(mesh_, where, {}, [&] { return noted(restrip::split(mesh_, where, v_t)); }));
       }
-      Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) override {
+      Rewrite collapse(Halfedge chord, std::size_t) override {
         return settle(witness.collapse(mesh_, chord, {}, [&] { return noted(restrip::collapse(mesh_, chord)); }));
       }
-      Rewrite<Halfedge> flip(Halfedge h) override {
+      Rewrite flip(Halfedge h) override {
         return settle(witness.flip(mesh_, h, [&] { return noted(restrip::flip(mesh_, h)); }));
       }
       [[nodiscard]] std::string fault() const override { return disagreement; }

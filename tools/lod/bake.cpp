@@ -44,14 +44,14 @@ class Baker {
  protected:
   virtual void begin(StripMesh& base) = 0;
   /// Splits by split_plainly(), then may change colours.
-  virtual void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) = 0;
+  virtual void bake_split(const VertexSplit& where, Vertex v_t) = 0;
   [[nodiscard]] virtual std::size_t strips() const = 0;
   [[nodiscard]] virtual std::size_t states() const = 0;
 
   [[nodiscard]] StripMesh& mesh() { return mesh_; }
 
-  Rewrite<Halfedge> split_plainly(const VertexSplit<Halfedge>& where, Vertex v_t) {
-    const Rewrite<Halfedge> done = split_baked(mesh_, where, {}, v_t);
+  Rewrite split_plainly(const VertexSplit& where, Vertex v_t) {
+    const Rewrite done = split_baked(mesh_, where, {}, v_t);
     note_colors();
     return done;
   }
@@ -95,7 +95,7 @@ class Baker {
     report_.components = connected_components(mesh_);
     report_.base_strips = strips();
     count_level();
-    BakedRecords<Halfedge>& records = baked_.records;
+    BakedRecords& records = baked_.records;
     Progress progress("baking", baked_.mesh.splits.size());
     for (std::size_t i = 0; i < baked_.mesh.splits.size(); ++i) {
       bake_split(possible_split(mesh_, baked_.mesh, i), baked_.mesh.splits[i].v_t);
@@ -152,7 +152,7 @@ class StripBaker final : public Baker {
     counts_.emplace(base);
   }
 
-  void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) override {
+  void bake_split(const VertexSplit& where, Vertex v_t) override {
     const std::size_t before = strips();
     fan_triangles(mesh(), where.spoke(), patch_);
     locator_.before_patch(mesh(), patch_);
@@ -167,7 +167,7 @@ class StripBaker final : public Baker {
     };
     std::stable_partition(patch_.begin(), patch_.end(), inserted);
     // Both isolated: together they form one strip.
-    if (where.spokes == VertexSplit<Halfedge>::Spokes::both && mesh().solid_degree(patch_[0]) == 0 &&
+    if (where.spokes == VertexSplit::Spokes::both && mesh().solid_degree(patch_[0]) == 0 &&
         mesh().solid_degree(patch_[1]) == 0)
       locator_.link(mesh(), chord);
     add_strips_since(before);
@@ -270,8 +270,8 @@ class IndexBaker final : public Baker {
     strips_ = count_strips(base);
   }
 
-  void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) override {
-    const Rewrite<Halfedge> done = split_plainly(where, v_t);
+  void bake_split(const VertexSplit& where, Vertex v_t) override {
+    const Rewrite done = split_plainly(where, v_t);
     edge_triangles(mesh(), done.halfedge, from_);
     const Triangle inserted = from_.front();
     add_rings(mesh(), from_, 2);

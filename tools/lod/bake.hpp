@@ -23,7 +23,7 @@ struct BakeOptions {
 struct BakedMesh {
   ProgressiveMesh mesh;
   StripMesh base;
-  BakedRecords<StripMesh::Halfedge> records;
+  BakedRecords records;
   BakedPayload payload{};  ///< user data for each record
 };
 

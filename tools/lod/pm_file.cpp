@@ -92,7 +92,7 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   return mesh;
 }
 
-VertexSplit<StripMesh::Halfedge> possible_split(const StripMesh& now, const ProgressiveMesh& mesh, std::size_t number) {
+VertexSplit possible_split(const StripMesh& now, const ProgressiveMesh& mesh, std::size_t number) {
   const Record& record = mesh.splits[number];
   const auto where = spokes_of(now, record);
   if (const Refusal refusal = check_split(now, where, record.v_t); refusal != Refusal::granted)

@@ -37,7 +37,6 @@ struct ProgressiveMesh {
 
 /// The spokes of the split with this number. Throws BadInput, naming the file and the split, if `now`, the mesh after
 /// the previous splits, does not allow it (checks.hpp).
-[[nodiscard]] VertexSplit<StripMesh::Halfedge> possible_split(const StripMesh& now, const ProgressiveMesh& mesh,
-                                                              std::size_t number);
+[[nodiscard]] VertexSplit possible_split(const StripMesh& now, const ProgressiveMesh& mesh, std::size_t number);
 
 }  // namespace restrip::tools

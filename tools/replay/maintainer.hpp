@@ -21,7 +21,7 @@ inline constexpr std::size_t no_record = static_cast<std::size_t>(-1);
 class Maintainer {
  public:
   using Halfedge = StripMesh::Halfedge;
-  using Where = VertexSplit<Halfedge>;
+  using Where = VertexSplit;
 
   explicit Maintainer(StripMesh& on) : mesh_(on) {}
   Maintainer(const Maintainer&) = delete;
@@ -32,9 +32,9 @@ class Maintainer {
 
   /// Preconditions and results as in operations.hpp; `strips` and `isolated` count the whole mesh. `record`: the number
   /// of the record being played, or no_record; precomputed strips need it.
-  virtual Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) = 0;
-  virtual Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) = 0;
-  virtual Rewrite<Halfedge> flip(Halfedge h) = 0;
+  virtual Rewrite split(const Where& where, Vertex v_t, std::size_t record) = 0;
+  virtual Rewrite collapse(Halfedge chord, std::size_t record) = 0;
+  virtual Rewrite flip(Halfedge h) = 0;
   /// What the method does to all strips between two operations. Call it after each of the operations above; play_up()
   /// and play_down() do so themselves.
   virtual ColoringChange between() { return {}; }
@@ -69,9 +69,8 @@ class Witness {
   using Edges = std::span<const Halfedge>;
 
   template <class Operation>
-  Rewrite<Halfedge> split(const StripMesh& mesh, const VertexSplit<Halfedge>& where, Edges elsewhere,
-                          Operation&& operation) {
-    fan_triangles(mesh, where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
+  Rewrite split(const StripMesh& mesh, const VertexSplit& where, Edges elsewhere, Operation&& operation) {
+    fan_triangles(mesh, where.spokes == VertexSplit::Spokes::right_only ? where.right : where.left, patch_);
     const std::size_t valence = patch_.size();
     const Count before = count(mesh, elsewhere);
     const Halfedge chord = operation();
@@ -79,7 +78,7 @@ class Witness {
     return reported(chord, valence, before, count(mesh, elsewhere));
   }
   template <class Operation>
-  Rewrite<Halfedge> collapse(const StripMesh& mesh, Halfedge chord, Edges elsewhere, Operation&& operation) {
+  Rewrite collapse(const StripMesh& mesh, Halfedge chord, Edges elsewhere, Operation&& operation) {
     edge_triangles(mesh, chord, patch_);
     const Count before = count(mesh, elsewhere);
     const Halfedge spoke = operation();
@@ -88,7 +87,7 @@ class Witness {
     return reported(spoke, valence, before, count(mesh, elsewhere));
   }
   template <class Operation>
-  Rewrite<Halfedge> flip(const StripMesh& mesh, Halfedge h, Operation&& operation) {
+  Rewrite flip(const StripMesh& mesh, Halfedge h, Operation&& operation) {
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))});
     const Count before = count(mesh, {});
     const Halfedge turned = operation();
@@ -102,7 +101,7 @@ class Witness {
     int isolated = 0;
   };
   Count count(const StripMesh& mesh, Edges elsewhere);
-  static Rewrite<Halfedge> reported(Halfedge h, std::size_t valence, const Count& before, const Count& after) {
+  static Rewrite reported(Halfedge h, std::size_t valence, const Count& before, const Count& after) {
     return {
         {after.strips - before.strips, 0, after.isolated - before.isolated}, h, static_cast<std::uint32_t>(valence)};
   }
@@ -114,13 +113,13 @@ class Witness {
 class WitnessedMaintainer : public Maintainer {
  public:
   using Maintainer::Maintainer;
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t /*record*/) final {
+  Rewrite split(const Where& where, Vertex v_t, std::size_t /*record*/) final {
     return witness_.split(mesh_, where, {}, [&] { return do_split(where, v_t); });
   }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t /*record*/) final {
+  Rewrite collapse(Halfedge chord, std::size_t /*record*/) final {
     return witness_.collapse(mesh_, chord, {}, [&] { return do_collapse(chord); });
   }
-  Rewrite<Halfedge> flip(Halfedge h) final {
+  Rewrite flip(Halfedge h) final {
     return witness_.flip(mesh_, h, [&] { return do_flip(h); });
   }
 

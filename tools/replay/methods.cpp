@@ -14,7 +14,7 @@ namespace restrip::tools {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 
 /// The mesh alone: new and joined dual edges are dashed.
 class Bare final : public WitnessedMaintainer {
@@ -37,9 +37,9 @@ class UnderPolicy final : public Maintainer {
     plan.limits.looks = with.search.states;
     keeper_.set_plan(plan);
   }
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) override { return keeper_.split(where, v_t); }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) override { return keeper_.collapse(chord); }
-  Rewrite<Halfedge> flip(Halfedge h) override { return keeper_.flip(h); }
+  Rewrite split(const Where& where, Vertex v_t, std::size_t) override { return keeper_.split(where, v_t); }
+  Rewrite collapse(Halfedge chord, std::size_t) override { return keeper_.collapse(chord); }
+  Rewrite flip(Halfedge h) override { return keeper_.flip(h); }
   void restart(std::size_t) override { keeper_.rebuild(); }
   [[nodiscard]] RuleCounts rule_counts() const override { return keeper_.rule_counts(); }
   [[nodiscard]] std::string fault() const override {
@@ -55,19 +55,18 @@ class UnderPolicy final : public Maintainer {
 /// anywhere, so a witness counts for them.
 class Baked final : public Maintainer {
  public:
-  Baked(StripMesh& mesh, const BakedRecords<Halfedge>& records)
-      : Maintainer(mesh), keeper_(mesh, records), records_(records) {}
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) override {
+  Baked(StripMesh& mesh, const BakedRecords& records) : Maintainer(mesh), keeper_(mesh, records), records_(records) {}
+  Rewrite split(const Where& where, Vertex v_t, std::size_t record) override {
     if (!keeper_.baked()->can_split(record)) return keeper_.split_record(record, where, v_t);
     return witness_.split(mesh_, where, records_[record],
                           [&] { return keeper_.split_record(record, where, v_t).halfedge; });
   }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) override {
+  Rewrite collapse(Halfedge chord, std::size_t record) override {
     if (!keeper_.baked()->can_collapse(record)) return keeper_.collapse_record(record, chord);
     return witness_.collapse(mesh_, chord, records_[record],
                              [&] { return keeper_.collapse_record(record, chord).halfedge; });
   }
-  Rewrite<Halfedge> flip(Halfedge h) override { return keeper_.flip(h); }
+  Rewrite flip(Halfedge h) override { return keeper_.flip(h); }
   void restart(std::size_t level) override {
     keeper_.baked()->restart(level);
     keeper_.rebuild();
@@ -81,7 +80,7 @@ class Baked final : public Maintainer {
   void collapse_silently(Halfedge chord, std::size_t record) override { keeper_.collapse_record(record, chord); }
 
   Keeper<StripMesh> keeper_;
-  const BakedRecords<Halfedge>& records_;
+  const BakedRecords& records_;
   Witness witness_;
 };
 
@@ -95,16 +94,16 @@ class Traces final : public Maintainer {
   }
   ~Traces() override { mesh_.watch(nullptr); }
 
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) override {
+  Rewrite split(const Where& where, Vertex v_t, std::size_t record) override {
     const auto done = traced_->split(where, v_t, record);
     return added(Traced::Kind::split, mesh_.from(done.halfedge), mesh_.to(done.halfedge), done);
   }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) override {
+  Rewrite collapse(Halfedge chord, std::size_t record) override {
     const Vertex v_s = mesh_.from(chord);
     const Vertex v_t = mesh_.to(chord);
     return added(Traced::Kind::collapse, v_s, v_t, traced_->collapse(chord, record));
   }
-  Rewrite<Halfedge> flip(Halfedge h) override {
+  Rewrite flip(Halfedge h) override {
     const Vertex from = mesh_.from(h);
     const Vertex to = mesh_.to(h);
     return added(Traced::Kind::flip, from, to, traced_->flip(h));
@@ -127,7 +126,7 @@ class Traces final : public Maintainer {
     trace_->add(mesh_, changed_, done);
     changed_.clear();
   }
-  Rewrite<Halfedge> added(Traced::Kind kind, Vertex from, Vertex to, const Rewrite<Halfedge>& done) {
+  Rewrite added(Traced::Kind kind, Vertex from, Vertex to, const Rewrite& done) {
     add({kind, from, to, done.strips, done.isolated});
     return done;
   }

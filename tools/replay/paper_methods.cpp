@@ -20,7 +20,7 @@ namespace restrip::tools {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 using Spokes = Where::Spokes;
 
 bool around_four_triangles(const StripMesh& mesh, Halfedge spoke) {

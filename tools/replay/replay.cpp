@@ -71,7 +71,7 @@ class Replay {
     mesh_ = prepared_.base();
     maintainer_->restart(0);
   }
-  Rewrite<Halfedge> split_one(std::size_t i) {
+  Rewrite split_one(std::size_t i) {
     const auto done = maintainer_->split(spokes_of(mesh_, splits_[i]), splits_[i].v_t, i);
     return detail::with(done, maintainer_->between());
   }

@@ -16,7 +16,7 @@ namespace restrip::tools {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Split = VertexSplit<Halfedge>;
+using Split = VertexSplit;
 
 /// Strips and isolated triangles of a mesh, or a change in them.
 struct Account {
@@ -130,7 +130,7 @@ class Walker {
     return {};
   }
 
-  std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
+  std::string settle(const Rewrite& done, const std::array<Vertex, 4>& around) {
     const ColoringChange between = maintainer_->between();
     reported = reported + Account{done.strips + between.strips, done.isolated + between.isolated};
     for (const Vertex v : around) {

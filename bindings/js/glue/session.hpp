@@ -24,7 +24,7 @@ inline const char* stopped_because = nullptr;
 namespace restrip::web {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 using Corners = std::array<Vertex, 3>;
 using Record = SplitRecord;
 static_assert(sizeof(Corners) == 12 && sizeof(Record) == 16, "JavaScript passes these as numbers of 32 bits");
@@ -230,7 +230,7 @@ class Session {
     if (done) count(done.rewrite), new_vertex_ = done.new_vertex;
     return done.refusal;
   }
-  void count(const Rewrite<Halfedge>& done) {
+  void count(const Rewrite& done) {
     ++figures_.operations;
     if (done.strips > 0) ++figures_.adding_strip;
     if (done.isolated > 0) ++figures_.isolating;

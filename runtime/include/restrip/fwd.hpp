@@ -13,6 +13,7 @@ class StripMesh;
 class LiveMesh;
 struct LiveOptions;
 struct BakedFile;
+struct OperationView;
 class LiveBuffer;
 template <class Mesh>
 class Keeper;

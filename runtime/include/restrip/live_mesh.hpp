@@ -72,7 +72,7 @@ class LiveMesh {
   [[nodiscard]] Halfedge edge(Vertex v, Vertex w) const noexcept;
 
   /// Does the operation under the policy, or refuses it with a reason.
-  Checked split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
+  Checked split(const VertexSplit& where, Vertex new_vertex = none);
   Checked collapse(Halfedge chord);
   Checked flip(Halfedge h);
   /// The operations of refine.hpp, in the same way.
@@ -80,12 +80,10 @@ class LiveMesh {
   Checked join_faces(Halfedge chord);
   Checked bisect(Halfedge h);
   Checked merge(Halfedge chord);
-  /// A custom operation (apply.hpp). Its body is in live_apply.hpp; include that.
-  template <class Table>
-  Checked apply(const Table& table, Halfedge where);
-  /// The same in the first orientation that fits, with this triangle as the first of the operation (places()).
-  template <class Table>
-  Checked apply_anywhere(const Table& table, Triangle triangle);
+  /// A custom operation (operations/apply.hpp).
+  Checked apply(const OperationView& table, Halfedge where);
+  /// The same in the first orientation that fits, with this triangle as the first of the operation (first_place()).
+  Checked apply_anywhere(const OperationView& table, Triangle triangle);
 
   /// Another policy and cost for all later operations. Undo does not restore them. Linear time.
   void keep(Policy policy, const Cost& cost);
@@ -179,4 +177,3 @@ class LiveMesh {
 };
 
 }  // namespace restrip
-

@@ -8,7 +8,7 @@
 //   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
 //   operations/, output/     operations with strips kept; strips and index buffers out
 //   search/, formats/        searches beyond a patch: strips from scratch, keepers with a policy; reading files
-//   live_mesh.hpp            all of it in one object; live_apply.hpp for its custom operations
+//   live_mesh.hpp            all of it in one object
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
@@ -17,7 +17,6 @@
 
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/fwd.hpp"
-#include "restrip/live_apply.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/cost.hpp"

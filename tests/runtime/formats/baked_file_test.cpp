@@ -1,6 +1,6 @@
-// Bytes put together by hand from docs/reference/file-formats.md are read as the page says: the base with its colours,
-// a record with its flips, a payload. A change of any byte, and any missing byte, is refused. The tests of the tools
-// read files that programs write.
+// FileBytes put together by hand from docs/reference/file-formats.md are read as the page says: the base with its
+// colours, a record with its flips, a payload. A change of any byte, and any missing byte, is refused. The tests of the
+// tools read files that programs write.
 #include "restrip/formats/baked_file.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace restrip {
 namespace {
 
-class Bytes {
+class FileBytes {
  public:
   void u8(std::uint8_t value) { all_.push_back(std::byte{value}); }
   void u32(std::uint32_t value) {
@@ -36,7 +36,7 @@ class Bytes {
       hash ^= std::to_integer<std::uint64_t>(b);
       hash = (hash << 40) + (hash << 8) + hash * 0xb3;
     }
-    Bytes whole = *this;
+    FileBytes whole = *this;
     whole.u32(static_cast<std::uint32_t>(hash));
     whole.u32(static_cast<std::uint32_t>(hash >> 32));
     return whole.all_;
@@ -47,8 +47,8 @@ class Bytes {
 };
 
 /// A square of two triangles, 0 1 2 and 2 1 3, in one strip. The record splits vertex 1 along its spokes to 2 and 3.
-Bytes square(std::uint32_t version) {
-  Bytes bytes;
+FileBytes square(std::uint32_t version) {
+  FileBytes bytes;
   bytes.text("RestripB");
   bytes.u32(version);
   for (const std::uint32_t n : {4U, 2U, 1U}) bytes.u32(n);

@@ -24,7 +24,7 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 
 // All halfedges of the mesh, boundary ones included.
 std::vector<Halfedge> halfedges_of(const StripMesh& mesh) {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/join_sides.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "sample_meshes.hpp"
 

@@ -34,7 +34,7 @@ TEST(KeptApply, KeepersFollow) {
         for (std::size_t n = 0; n < test::large(1500); ++n) {
           if (row.policy == Policy::bare && n % 8 == 0) stripify(mesh, Effort::fast, Cost::strips()), keeper.rebuild();
           ColoringChange change = cost_of(mesh);
-          Rewrite<Halfedge> reported = stir(keeper, mesh, random, 2 * start.triangle_count()).rewrite;
+          Rewrite reported = stir(keeper, mesh, random, 2 * start.triangle_count()).rewrite;
           random_application(mesh, random, 3 * start.triangle_count(), [&](const auto& table, Halfedge h) {
             const auto rewrite = keeper.apply(table, h);
             reported.strips += rewrite.strips;

@@ -1,7 +1,6 @@
 // apply() does what an operation file says: on a StripMesh the triangles are those that are worked out on a bare list;
-// its check grants just the operations that leave the mesh as good; strips and isolated triangles change as reported;
-// and if a shipped function does the same operation, mesh and colours are the same. Keepers and other meshes:
-// apply_kept_test.cpp.
+// its check grants just the operations that leave the mesh as good; strips and isolated triangles change as reported.
+// Keepers: apply_kept_test.cpp.
 #include "restrip/operations/apply.hpp"
 
 #include <gtest/gtest.h>
@@ -15,6 +14,7 @@
 #include "../../support/sanitizers.hpp"
 #include "applied_lists.hpp"
 #include "own_operations.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -25,9 +25,6 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-
-static_assert(SurfaceTable<std::remove_const_t<decltype(tables::refine_face_rules)>>);
-static_assert(!SurfaceTable<tables::OperationTable<std::uint8_t, 8>>, "a graph has no triangles");
 
 // At every halfedge of small meshes, among them such with vertices of two and three triangles and non-manifold ones.
 TEST(Apply, DoesWhatTheFileSaysWhereItMay) {
@@ -46,7 +43,7 @@ TEST(Apply, DoesWhatTheFileSaysWhereItMay) {
     checked_apply(meshes.back(), tables::bisect_rules, StripMesh::halfedge(0));
     meshes.back().clear_colors();  // pairs are wanted as well as strips
   }
-  for_each_applicable([&](const char* name, const auto& table) {
+  tables::for_each_operation([&](const char* name, const auto& table) {
     std::size_t granted = 0;
     for (const StripMesh& mesh : meshes)
       granted += try_everywhere(
@@ -87,73 +84,45 @@ TEST(Apply, ReportsWhatItChanged) {
   EXPECT_GT(done, test::large(20'000) / 5);
 }
 
-// The mesh, the colours and the handles of the operation are the same as by the shipped functions.
-TEST(Apply, DoesWhatTheShippedFunctionsDo) {
+// The named operations find their table and the place of its first side, and undo each other.
+TEST(Apply, ByName) {
   std::mt19937 random(6);
-  std::array<std::size_t, 6> compared{};
-  const auto compare = [&](const StripMesh& start, std::size_t kind, const auto& table, Halfedge where,
-                           auto&& shipped) {
-    StripMesh by_function = start;
-    StripMesh by_table = start;
-    const auto wanted = shipped(by_function);
-    const auto done = checked_apply(by_table, table, where);
-    ASSERT_TRUE(done) << describe(done.refusal);
-    EXPECT_EQ(sample::triangles_of(by_table), sample::triangles_of(by_function));
-    EXPECT_EQ(solid_edges_of(by_table), solid_edges_of(by_function));
-    EXPECT_EQ(done.rewrite.strips, wanted.strips);
-    EXPECT_EQ(done.rewrite.isolated, wanted.isolated);
-    EXPECT_EQ(done.rewrite.valence, wanted.valence);
-    ++compared[kind];
-  };
+  std::array<std::size_t, 4> done{};
   for (const StripMesh& start : {sample::torus(6, 5), sample::rectangle(5, 4), sample::tube(5, 6)}) {
     StripMesh mesh = start;
     stripify(mesh, Effort::fast, Cost::strips());
     for (std::size_t n = 0; n < 2000; ++n) {
       stir(mesh, mesh, random, 3 * start.triangle_count());
-      random_application(mesh, random, 3 * start.triangle_count(),
-                         [&](const auto& table, Halfedge h) { apply(mesh, table, h); });
-      const Halfedge h = random_halfedge(mesh, random);
-      const Halfedge g = mesh.opposite(h);
-      const auto split = [&](StripMesh& m) { return split_face(m, h); };
-      const auto bisected = [&](StripMesh& m) { return bisect(m, h); };
-      const auto joined = [&](StripMesh& m) { return join_faces(m, g); };
-      const auto merged = [&](StripMesh& m) { return merge(m, g); };
-      if (check_split_face(mesh, h) == Refusal::granted) compare(mesh, 0, tables::split_face_rules, h, split);
-      if (check_join_faces(mesh, g) == Refusal::granted) compare(mesh, 1, tables::join_faces_rules, h, joined);
-      if (check_bisect(mesh, h) == Refusal::granted) {
-        if (StripMesh::on_boundary(g))
-          compare(mesh, 2, tables::bisect_boundary_rules, h, bisected);
-        else
-          compare(mesh, 3, tables::bisect_rules, h, bisected);
+      const Halfedge h = random_side(mesh, random);
+      const auto before = sample::triangles_of(mesh);
+      StripMesh copy = mesh;
+      const Vertex from = mesh.from(h);
+      const Vertex to = mesh.to(h);
+      if (const Checked split = split_face(copy, h)) {
+        ASSERT_EQ(split.new_vertices.size(), 1U);
+        ASSERT_EQ(copy.triangle_count(), mesh.triangle_count() + 2);
+        ASSERT_EQ(spoke_count(copy, split.new_vertex()), 3U);
+        ASSERT_TRUE(join_faces(copy, copy.spoke(from, split.new_vertex())));
+        ASSERT_EQ(sample::triangles_of(copy), before);
+        ++done[0];
       }
-      if (check_merge(mesh, g) != Refusal::granted) continue;
-      // h leaves the vertex to be removed.
-      if (StripMesh::on_boundary(g))
-        compare(mesh, 4, tables::merge_boundary_rules, h, merged);
-      else if (!mesh.leaves_boundary(h))
-        compare(mesh, 5, tables::merge_rules, detail::first_around(mesh, g), merged);
-      if (HasFatalFailure()) return;
+      copy = mesh;
+      if (const Checked halved = bisect(copy, h)) {
+        const bool rim = StripMesh::on_boundary(h) || StripMesh::on_boundary(mesh.opposite(h));
+        ASSERT_EQ(copy.spoke(from, to).id, none);
+        ASSERT_NE(copy.spoke(from, halved.new_vertex()).id, none);
+        ASSERT_NE(copy.spoke(halved.new_vertex(), to).id, none);
+        ASSERT_EQ(copy.triangle_count(), mesh.triangle_count() + (rim ? 1 : 2));
+        const Checked merged = merge(copy, copy.spoke(from, halved.new_vertex()));
+        ASSERT_TRUE(merged) << describe(merged.refusal);
+        ASSERT_EQ(sample::triangles_of(copy), before);
+        ++done[rim ? 1 : 2];
+      }
+      done[3] += merge(mesh, h) ? 1U : 0U;
+      if (mesh.triangle_count() < start.triangle_count() / 2) mesh = start;
     }
   }
-  for (const std::size_t times : compared) EXPECT_GT(times, 10U);
-}
-
-// The halves, for code that changes the mesh itself.
-TEST(Apply, InTwoHalves) {
-  StripMesh mesh = sample::torus(6, 6);
-  stripify(mesh, Effort::fast, Cost::strips());
-  for (Triangle t = 0; t < 60; ++t) {
-    StripMesh other = mesh;
-    const Halfedge h = StripMesh::halfedge(t, t % 3);
-    const auto pending = before_apply(other, tables::split_face_rules, h);
-    EXPECT_EQ(pending.patch().side[0][0], h);
-    EXPECT_TRUE(check_coloring(other).valid);
-    const Halfedge chord = other.insert_vertex(detail::split_into_face(other, h));
-    const auto reported = after_apply(other, pending, StripMesh::next(other.opposite(chord)));
-    const auto done = split_face(mesh, h);
-    EXPECT_EQ(reported.strips, done.strips);
-    EXPECT_EQ(solid_edges_of(other), solid_edges_of(mesh));
-  }
+  for (const std::size_t times : done) EXPECT_GT(times, 10U);
 }
 
 // Coarsening and refining again gives the same handles.
@@ -199,7 +168,8 @@ TEST(Apply, AnywhereFindsTheOrientationThatFits) {
     one_way += check_apply(mesh, tables::merge_boundary_rules, StripMesh::halfedge(t)) == Refusal::granted ? 1U : 0U;
     const bool fits = !places(mesh, tables::merge_boundary_rules, t).empty();
     const std::size_t before = mesh.triangle_count();
-    const Checked done = apply_anywhere(mesh, tables::merge_boundary_rules, t);
+    const Checked done =
+        checked_apply(mesh, tables::merge_boundary_rules, first_place(mesh, tables::merge_boundary_rules, t));
     ASSERT_EQ(done.granted(), fits);
     ASSERT_EQ(mesh.triangle_count(), before - (fits ? 1 : 0));
     ASSERT_TRUE(check_coloring(mesh).valid);
@@ -209,9 +179,9 @@ TEST(Apply, AnywhereFindsTheOrientationThatFits) {
   StripMesh torus = sample::torus(5, 5);
   EXPECT_EQ(places(torus, tables::split_face_rules, 7).size(), 3U);
   EXPECT_TRUE(places(torus, tables::merge_boundary_rules, 7).empty());
-  EXPECT_EQ(apply_anywhere(torus, tables::merge_boundary_rules, 7).refusal, Refusal::other_patch);
+  EXPECT_EQ(first_place(torus, tables::merge_boundary_rules, 7), StripMesh::halfedge(7));
   EXPECT_TRUE(places(torus, tables::split_face_rules, 50).empty());
-  EXPECT_EQ(apply_anywhere(torus, tables::split_face_rules, 50).refusal, Refusal::no_such_edge);
+  EXPECT_EQ(first_place(torus, tables::split_face_rules, 50), Halfedge{});
 }
 
 TEST(Apply, RefusesWithAReason) {

@@ -18,7 +18,7 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 using Spokes = Where::Spokes;
 using sample::colors_of;
 
@@ -78,7 +78,7 @@ struct Sequence {
   };
   StripMesh base;
   std::vector<Step> steps;
-  BakedRecords<Halfedge> records;
+  BakedRecords records;
   std::vector<std::vector<std::uint8_t>> levels;
 
   [[nodiscard]] static Where where(const StripMesh& mesh, const Step& step) {
@@ -115,7 +115,7 @@ TEST(Baked, RoundTripsAreTheSameBitForBit) {
   for (const StripMesh& start : {sample::sphere(2), sample::rectangle(6, 5), sample::torus(9, 7)}) {
     const Sequence sequence = sequence_on(start, 11, 300);
     StripMesh mesh = sequence.base;
-    BakedPlayer<StripMesh> player(mesh, sequence.records);
+    BakedPlayer player(mesh, sequence.records);
     const auto expect_level = [&](std::size_t level) {
       ASSERT_EQ(player.level(), level);
       std::vector<std::uint8_t> now = colors_of(mesh);
@@ -149,7 +149,7 @@ TEST(Baked, OutOfOrderIsNoticedAndDoneByTheRules) {
   const Sequence sequence = sequence_on(sample::rectangle(8, 8), 3, 400);
   const std::size_t n = sequence.steps.size();
   StripMesh mesh = sequence.base;
-  BakedPlayer<StripMesh> player(mesh, sequence.records);
+  BakedPlayer player(mesh, sequence.records);
   for (std::size_t i = 0; i < n / 2; ++i)
     player.split(i, Sequence::where(mesh, sequence.steps[i]), sequence.steps[i].v_t);
   EXPECT_TRUE(player.can_split(n / 2));
@@ -167,7 +167,7 @@ TEST(Baked, OutOfOrderIsNoticedAndDoneByTheRules) {
   std::size_t splits = 0;
   std::size_t collapses = 0;
   std::size_t strips = valid_strips(mesh);
-  const auto check = [&](const Rewrite<Halfedge>& done) {
+  const auto check = [&](const Rewrite& done) {
     ASSERT_FALSE(player.in_step());
     const std::size_t now = valid_strips(mesh);
     ASSERT_EQ(static_cast<int>(now), static_cast<int>(strips) + done.strips);

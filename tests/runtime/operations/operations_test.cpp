@@ -29,7 +29,7 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Where = VertexSplit<Halfedge>;
+using Where = VertexSplit;
 
 class Walk {
  public:
@@ -203,7 +203,7 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
 
 // A count finds the reported change, and no colouring of the patch is better that joins what was joined.
 void expect_best(const StripMesh& before, const std::set<Vertex>& centers, const StripMesh& after,
-                 const std::set<Vertex>& around, const Rewrite<Halfedge>& done) {
+                 const std::set<Vertex>& around, const Rewrite& done) {
   Census expected = census_of(before);
   EXPECT_EQ(census_of(after), expected += done);
   const PatchInMesh patch(after, around);

@@ -12,7 +12,7 @@ TEST(Result, IsTrueIfGranted) {
     result.refusal = static_cast<Refusal>(i);
     EXPECT_EQ(static_cast<bool>(result), result.refusal == Refusal::granted);
     EXPECT_EQ(result.granted(), static_cast<bool>(result));
-    EXPECT_EQ(result.new_vertex, none);
+    EXPECT_EQ(result.new_vertex(), none);
   }
 }
 

@@ -241,7 +241,7 @@ TEST(StripBuffer, SixteenBitIndices) {
   grown.watch(&changed);
   StripBuffer kept(grown, IndexWidth::bits16);
   const std::vector<std::uint16_t> before(kept.indices16().begin(), kept.indices16().end());
-  using Where = VertexSplit<StripMesh::Halfedge>;
+  using Where = VertexSplit;
   const auto chord = grown.insert_vertex(Where{grown.spoke(0, 2), {}, Where::Spokes::left_only}, 65'535);
   EXPECT_THROW(kept.update(grown, changed), std::length_error);
   EXPECT_TRUE(std::equal(before.begin(), before.end(), kept.indices16().begin(), kept.indices16().end()));

@@ -15,7 +15,9 @@
 #include "restrip/operations/apply.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
+#include "restrip/tables/operations/bisect.hpp"
 #include "restrip/tables/operations/refine_face.hpp"
+#include "restrip/tables/operations/split_face.hpp"
 #include "sample_meshes.hpp"
 #include "strip_moves.hpp"
 
@@ -289,12 +291,12 @@ TEST(RuleFirst, APatchAloneBecomesOneStrip) {
   for (const Policy policy : searching_policies()) {
     StripMesh triangle = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2}, 3);
     Keeper one(triangle, policy, cost);
-    one.split_face(StripMesh::halfedge(0));
+    one.apply(tables::split_face_rules, StripMesh::halfedge(0));
     expect_right(one);
     EXPECT_EQ(one.strips(), 1U);
     StripMesh pair = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, 4);
     Keeper two(pair, policy, cost);
-    two.bisect(StripMesh::halfedge(0, 2));
+    two.apply(tables::bisect_rules, StripMesh::halfedge(0, 2));
     expect_right(two);
     EXPECT_EQ(two.strips(), 1U);
   }
@@ -317,7 +319,8 @@ TEST(RuleFirst, BisectionKeepsIndicesFew) {
     const auto refine = [&](auto& self, StripMesh::Halfedge h) -> void {
       while (!mesh.on_boundary(mesh.opposite(h)) && !(halved(mesh.opposite(h)) == mesh.opposite(h)))
         self(self, halved(mesh.opposite(h)));
-      keeper.bisect(h);
+      const OperationPlace at = bisect_at(mesh, h);
+      keeper.apply(at.table, at.where);
     };
     std::mt19937 random(5);
     while (mesh.triangle_count() < 1000) {

@@ -34,7 +34,7 @@ struct BakedFile {
   std::vector<std::array<Vertex, 3>> base;   ///< triangle t of the base has handle t in `mesh`
   std::vector<SplitRecord> splits;           ///< from coarse to fine
   StripMesh mesh;                            ///< the base, in its colours
-  BakedRecords<StripMesh::Halfedge> records;
+  BakedRecords records;
   BakedPayload payload{};
 };
 

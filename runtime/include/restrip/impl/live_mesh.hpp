@@ -177,15 +177,33 @@ LiveMesh::Halfedge LiveMesh::edge(Vertex v, Vertex w) const noexcept {
   return v < mesh().vertex_bound() ? mesh().spoke(v, w) : Halfedge{};
 }
 
-Checked LiveMesh::split(const VertexSplit<Halfedge>& where, Vertex new_vertex) {
+Checked LiveMesh::split(const VertexSplit& where, Vertex new_vertex) {
   return checked_split(parts_->keeper, where, new_vertex);
 }
 Checked LiveMesh::collapse(Halfedge chord) { return checked_collapse(parts_->keeper, chord); }
 Checked LiveMesh::flip(Halfedge h) { return checked_flip(parts_->keeper, h); }
-Checked LiveMesh::split_face(Halfedge h) { return checked_split_face(parts_->keeper, h); }
-Checked LiveMesh::join_faces(Halfedge chord) { return checked_join_faces(parts_->keeper, chord); }
-Checked LiveMesh::bisect(Halfedge h) { return checked_bisect(parts_->keeper, h); }
-Checked LiveMesh::merge(Halfedge chord) { return checked_merge(parts_->keeper, chord); }
+Checked LiveMesh::apply(const OperationView& table, Halfedge where) {
+  return checked_apply(parts_->keeper, table, where);
+}
+Checked LiveMesh::apply_anywhere(const OperationView& table, Triangle triangle) {
+  return apply(table, first_place(parts_->mesh, table, triangle));
+}
+Checked LiveMesh::split_face(Halfedge h) {
+  const OperationPlace at = split_face_at(parts_->mesh, h);
+  return apply(at.table, at.where);
+}
+Checked LiveMesh::join_faces(Halfedge chord) {
+  const OperationPlace at = join_faces_at(parts_->mesh, chord);
+  return apply(at.table, at.where);
+}
+Checked LiveMesh::bisect(Halfedge h) {
+  const OperationPlace at = bisect_at(parts_->mesh, h);
+  return apply(at.table, at.where);
+}
+Checked LiveMesh::merge(Halfedge chord) {
+  const OperationPlace at = merge_at(parts_->mesh, chord);
+  return apply(at.table, at.where);
+}
 void LiveMesh::keep(Policy policy, const Cost& cost) { parts_->keeper.keep(policy, cost); }
 std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit) {
   StripMesh other = mesh();
@@ -219,9 +237,7 @@ std::optional<std::size_t> LiveMesh::level() const noexcept {
   const auto* const player = parts_->keeper.baked();
   return player != nullptr && player->in_step() ? std::optional(player->level()) : std::nullopt;
 }
-std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
-  return parts_->move_to_level(level, most);
-}
+std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) { return parts_->move_to_level(level, most); }
 void LiveMesh::restart() { parts_->restart(); }
 
 std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
@@ -254,19 +270,14 @@ LiveMesh LiveMesh::load(std::span<const std::byte> bytes, std::size_t history) {
   StripMesh mesh = State::read_mesh(in);
   return LiveMesh(std::make_unique<Parts>(std::move(mesh), options, in));
 }
-std::size_t LiveMesh::undoable() const noexcept {
-  return parts_->can_step() ? parts_->history->mesh.undoable() : 0;
-}
-std::size_t LiveMesh::redoable() const noexcept {
-  return parts_->can_step() ? parts_->history->mesh.redoable() : 0;
-}
+std::size_t LiveMesh::undoable() const noexcept { return parts_->can_step() ? parts_->history->mesh.undoable() : 0; }
+std::size_t LiveMesh::redoable() const noexcept { return parts_->can_step() ? parts_->history->mesh.redoable() : 0; }
 
 std::size_t LiveMesh::frame() const noexcept {
   return parts_->can_step() ? parts_->history->dropped + parts_->history->mesh.undoable() : 0;
 }
 
-void LiveMesh::begin_buffer(const StripFormat& format, const LayoutOptions& layout,
-                                           std::size_t history) {
+void LiveMesh::begin_buffer(const StripFormat& format, const LayoutOptions& layout, std::size_t history) {
   LiveBuffer buffer(format, layout);
   parts_->mesh.watch(nullptr);
   parts_->changed.clear();
@@ -283,9 +294,7 @@ void LiveMesh::reserve(std::size_t triangles, std::size_t vertices) {
 }
 
 std::span<const std::uint32_t> LiveMesh::indices() const noexcept { return parts_->buffer.indices(); }
-std::span<const std::uint16_t> LiveMesh::indices16() const noexcept {
-  return parts_->buffer.indices16();
-}
+std::span<const std::uint16_t> LiveMesh::indices16() const noexcept { return parts_->buffer.indices16(); }
 std::span<const std::byte> LiveMesh::bytes() const noexcept { return parts_->buffer.bytes(); }
 std::size_t LiveMesh::index_bytes() const noexcept { return parts_->buffer.index_bytes(); }
 std::size_t LiveMesh::room() const noexcept { return parts_->buffer.room(); }

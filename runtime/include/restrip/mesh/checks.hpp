@@ -24,8 +24,8 @@ namespace detail {
 
 /// The number of spokes of v, or `most` if there are more. O(most), for any size of the fan.
 inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t most) {
-  const StripMesh::Halfedge first = mesh.spoke(v);
-  StripMesh::Halfedge h = first;
+  const Halfedge first = mesh.spoke(v);
+  Halfedge h = first;
   for (std::size_t n = 1; n < most; ++n) {
     if (StripMesh::on_boundary(h)) return n;
     h = turn_ccw(mesh, h);
@@ -36,7 +36,7 @@ inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t mos
 
 /// Whether at least three triangles remain around the vertex that h leaves when `fewer` are removed, or the vertex is
 /// on the boundary. Constant time.
-inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size_t fewer) {
+inline bool keeps_enough(const StripMesh& mesh, Halfedge h, std::size_t fewer) {
   return mesh.leaves_boundary(h) || spokes_up_to(mesh, mesh.from(h), 3 + fewer) == 3 + fewer;
 }
 
@@ -54,17 +54,16 @@ inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size
 
 /// Whether the vertex may be split there. `new_vertex`: the name of the new vertex; by default the next free one.
 /// O(1).
-[[nodiscard]] Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
-                                                 Vertex new_vertex);
+[[nodiscard]] Refusal check_split(const StripMesh& mesh, const VertexSplit& where, Vertex new_vertex);
 
 namespace detail {
 
 /// check_collapse for callers with a custom test whether a vertex other than v_l and v_r is a neighbour of both v_s and
 /// v_t: shared(v_s, v_t, v_l, v_r). It is called last; everything else takes constant time.
 template <class Shared>
-[[nodiscard]] Refusal check_collapse_with(const StripMesh& mesh, StripMesh::Halfedge chord, Shared&& shared) {
+[[nodiscard]] Refusal check_collapse_with(const StripMesh& mesh, Halfedge chord, Shared&& shared) {
   if (!mesh.alive(chord)) return Refusal::no_such_edge;
-  const StripMesh::Halfedge back = mesh.opposite(chord);
+  const Halfedge back = mesh.opposite(chord);
   const Vertex v_s = mesh.from(chord);
   const Vertex v_t = mesh.to(chord);
   if (mesh.non_manifold(v_s) || mesh.non_manifold(v_t)) return Refusal::non_manifold_vertex;
@@ -78,8 +77,8 @@ template <class Shared>
   Vertex v_r = none;
   for (const auto& [there, inward, apex] : {std::tuple{left, chord, &v_l}, {right, back, &v_r}}) {
     if (!there) continue;
-    const StripMesh::Halfedge up = StripMesh::next(inward);
-    const StripMesh::Halfedge down = StripMesh::next(up);
+    const Halfedge up = StripMesh::next(inward);
+    const Halfedge down = StripMesh::next(up);
     *apex = mesh.from(down);
     if (StripMesh::on_boundary(mesh.opposite(up)) && StripMesh::on_boundary(mesh.opposite(down)))
       return Refusal::dangling_edge;
@@ -95,12 +94,11 @@ template <class Shared>
 /// Whether the edge of `chord` may be collapsed (link condition: Dey, Edelsbrunner, Guha, Nekhayev 1999). A few steps
 /// on ordinary meshes; at worst O(n log n) for n = the sum of the valences of its two ends. Allocates only if both
 /// exceed 32.
-[[nodiscard]] Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
+[[nodiscard]] Refusal check_collapse(const StripMesh& mesh, Halfedge chord);
 
 /// Whether the edge of h may be flipped. O(valence).
-[[nodiscard]] Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] Refusal check_flip(const StripMesh& mesh, Halfedge h);
 
 // NOLINTEND(readability-redundant-declaration)
 
 }  // namespace restrip
-

@@ -13,7 +13,7 @@
 
 #include <cstdint>
 
-#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip {
 
@@ -55,21 +55,7 @@ struct ColoringChange {
 namespace detail {
 
 /// Solid dual edges of the triangle to the left of h.
-template <ColoredMesh Mesh>
-constexpr unsigned solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
-  if constexpr (requires { mesh.solid_degree(mesh.triangle(h)); }) return mesh.solid_degree(mesh.triangle(h));
-  const auto second = mesh.next(h);
-  return unsigned{mesh.solid(h)} + unsigned{mesh.solid(second)} + unsigned{mesh.solid(mesh.next(second))};
-}
-
-/// The solid sides of the triangle of h other than h: bit 0 the next one, bit 1 the one before. If h is solid too, they
-/// say how the strip turns there: 1 or 2, or 0 if it ends.
-template <ColoredMesh Mesh>
-constexpr unsigned other_solid_sides(const Mesh& mesh, typename Mesh::Halfedge h) {
-  if constexpr (requires { mesh.other_solid_sides(h); }) return mesh.other_solid_sides(h);
-  const auto right = mesh.next(h);
-  return unsigned{mesh.solid(right)} | unsigned{mesh.solid(mesh.next(right))} << 1;
-}
+inline unsigned solid_degree(const StripMesh& mesh, Halfedge h) { return mesh.solid_degree(StripMesh::triangle(h)); }
 
 /// Whether a solid edge is a swap, from the turns on its two sides. Seen from the shared edge the triangles are
 /// mirrored, so equal turns appear on opposite sides.
@@ -79,9 +65,8 @@ constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(
 
 /// True when the dual edge of h, which must be solid, is a swap: both of its triangles have two solid edges, and the
 /// strip turns the same way in both. Constant time, four colours.
-template <ColoredMesh Mesh>
-[[nodiscard]] constexpr bool is_swap(const Mesh& mesh, typename Mesh::Halfedge h) {
-  return detail::is_swap(detail::other_solid_sides(mesh, h), detail::other_solid_sides(mesh, mesh.opposite(h))) != 0;
+[[nodiscard]] inline bool is_swap(const StripMesh& mesh, Halfedge h) {
+  return detail::is_swap(mesh.other_solid_sides(h), mesh.other_solid_sides(mesh.opposite(h))) != 0;
 }
 
 }  // namespace restrip

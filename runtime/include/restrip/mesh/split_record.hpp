@@ -21,18 +21,16 @@ struct SplitRecord {
 
 /// The spokes of a split of the mesh as it is before that split. Spokes that do not exist are {none}; check_split
 /// refuses them.
-[[nodiscard]] inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const SplitRecord& split) {
-  using Split = VertexSplit<StripMesh::Halfedge>;
+[[nodiscard]] inline VertexSplit spokes_of(const StripMesh& mesh, const SplitRecord& split) {
+  using Split = VertexSplit;
   if (split.v_r == none) return {mesh.spoke(split.v_s, split.v_l), {}, Split::Spokes::left_only};
   if (split.v_l == none) return {{}, mesh.spoke(split.v_s, split.v_r), Split::Spokes::right_only};
   return {mesh.spoke(split.v_s, split.v_l), mesh.spoke(split.v_s, split.v_r), Split::Spokes::both};
 }
 
 /// The record of the collapse of `chord`, v_s -> v_t, before it is done.
-[[nodiscard]] inline SplitRecord record_of_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
-  const auto apex = [&mesh](StripMesh::Halfedge h) {
-    return StripMesh::on_boundary(h) ? none : mesh.to(StripMesh::next(h));
-  };
+[[nodiscard]] inline SplitRecord record_of_collapse(const StripMesh& mesh, Halfedge chord) {
+  const auto apex = [&mesh](Halfedge h) { return StripMesh::on_boundary(h) ? none : mesh.to(StripMesh::next(h)); };
   return {mesh.from(chord), mesh.to(chord), apex(chord), apex(mesh.opposite(chord))};
 }
 

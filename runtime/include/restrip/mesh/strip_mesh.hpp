@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/refusal.hpp"
 #include "restrip/mesh/triangle_list.hpp"
 #include "restrip/precondition.hpp"
@@ -36,7 +35,57 @@ inline void sort_unique(std::vector<std::uint32_t>& numbers) {
 }
 }  // namespace detail
 
-/// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
+/// A directed mesh edge of a StripMesh: side s of triangle t runs from corner s to corner s + 1; the triangle lies to
+/// its left. A boundary halfedge lacks a triangle and is named by its opposite. The *colour of a halfedge* is the
+/// colour of the dual edge that crosses its mesh edge: the same for a halfedge and its opposite, and dashed on the
+/// boundary.
+struct Halfedge {
+  std::uint32_t id = none;
+  friend constexpr bool operator==(Halfedge, Halfedge) = default;
+};
+
+/// Where a vertex v_h is split: along its spokes to v_l and v_r, given as halfedges that leave v_h.
+///
+/// v_h stays as v_s; the new vertex v_t takes the triangles met when turning counter-clockwise from `right` to `left`.
+/// With both spokes, two triangles A = (v_s, v_t, v_l) and D = (v_t, v_s, v_r) are inserted. On a boundary vertex the
+/// order of the two spokes says which of the two vertices stays there. Turning counter-clockwise from one boundary edge
+/// of the fan to the other,
+///  - if `right` comes first, v_t takes the triangles between the spokes and is interior; v_s is on the boundary;
+///  - if `left` comes first, the turn from `right` to `left` continues across the boundary: v_t takes the triangles at
+///    both ends of the fan and is on the boundary; v_s keeps the triangles between the spokes and is interior.
+/// Both make the same mesh except for the names. Both are needed to undo collapses of an edge with one end on the
+/// boundary: the first undoes a collapse into that end, the second a collapse into the interior end.
+///
+/// On the boundary one spoke may be missing; then the new mesh edge is itself on the boundary, one triangle is
+/// inserted, and the other spoke is ignored:
+///  - left only: v_t takes the triangles clockwise of `left`, A is inserted;
+///  - right only: v_t takes the triangles counter-clockwise of `right`, D is inserted.
+struct VertexSplit {
+  enum class Spokes { both, left_only, right_only };
+  Halfedge left{};
+  Halfedge right{};
+  Spokes spokes = Spokes::both;
+
+  /// The left spoke, or the right one if it is alone.
+  [[nodiscard]] constexpr Halfedge spoke() const { return spokes == Spokes::right_only ? right : left; }
+};
+
+/// One triangle of a fan, seen from the vertex that h leaves: the colours of its port and of its dual edge to the next
+/// triangle counter-clockwise, and the spoke between the two.
+struct FanStep {
+  bool port = false;
+  bool edge = false;
+  Halfedge spoke{};
+};
+
+/// One triangle of a strip, entered over the dual edge of one of its halfedges: whether the strip continues, and over
+/// which halfedge of the next triangle.
+struct StripStep {
+  bool continues = false;
+  Halfedge in{};
+};
+
+/// An indexed triangle mesh with colored dual edges.
 ///
 /// Triangle handles are stable until the triangle is removed. The handle removed last is used by the next insertion, so
 /// coarsening and refining again gives the same handles. At most `max_triangles` triangles.
@@ -45,12 +94,7 @@ inline void sort_unique(std::vector<std::uint32_t>& numbers) {
 /// otherwise; debug builds check that (precondition.hpp).
 class StripMesh {
  public:
-  /// A directed mesh edge: side s of triangle t runs from corner s to corner s + 1. A boundary halfedge without a
-  /// triangle is named by its opposite.
-  struct Halfedge {
-    std::uint32_t id = none;
-    friend constexpr bool operator==(Halfedge, Halfedge) = default;
-  };
+  using Halfedge = restrip::Halfedge;
 
   static constexpr std::size_t max_triangles = RESTRIP_MAX_TRIANGLES;
   /// A new vertex may be named up to this far beyond vertex_bound(), and one further for each triangle: all vertices up
@@ -105,8 +149,8 @@ class StripMesh {
   /// The halfedge v -> w, or {none}. O(valence of v). Boundary halfedges are found too.
   [[nodiscard]] Halfedge spoke(Vertex v, Vertex w) const noexcept;
 
-  /// See restrip::fan_step. One read of the triangle's record.
-  [[nodiscard]] FanStep<Halfedge> fan_step(Halfedge h) const noexcept {
+  /// The triangle to the left of h, which must exist. One read of the triangle's record.
+  [[nodiscard]] FanStep fan_step(Halfedge h) const noexcept {
     RESTRIP_ASSERT(is_side(h), "StripMesh::fan_step", describe(Refusal::no_such_edge));
     RESTRIP_ASSERT(!on_boundary(h), "StripMesh::fan_step", describe(Refusal::boundary_edge));
     const Record& record = triangles_[triangle(h)];
@@ -117,8 +161,8 @@ class StripMesh {
     const std::uint32_t spoke = edge == edge_of_mesh ? ((h.id & ~3U) | before | outside) : edge >> 1;
     return {(port & 1U) != 0, (edge & 1U) != 0, {spoke}};
   }
-  /// See restrip::strip_step. halfedge(t, 3) begins at triangle t and leaves over its lowest solid side.
-  [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const noexcept {
+  /// halfedge(t, 3) begins at triangle t and leaves over its lowest solid side.
+  [[nodiscard]] StripStep strip_step(Halfedge in) const noexcept {
     const auto& link = triangles_[triangle(in)].link;
     const unsigned s = side(in);
     if (s == 3) {
@@ -179,19 +223,25 @@ class StripMesh {
   void set_colors(std::span<const std::uint8_t> solid_sides);
 
   // ---- operations on the mesh alone (restrip::split and its siblings maintain the strips as well)
-  /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given; vertices up to it are
-  /// allocated. Precondition: check_split() grants it. Throws std::length_error when another triangle or vertex does
-  /// not fit, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
-  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
+  /// Inserts the triangles described at VertexSplit and returns the chord v_s -> v_t. Other halfedges around the
+  /// vertex, except those of the two spokes, keep their meaning. The dual edges of the new triangles are dashed; all
+  /// others keep their colours. The new vertex is `new_vertex`, or the next free one when none is given; vertices up to
+  /// it are allocated. Precondition: check_split() grants it. Throws std::length_error when another triangle or vertex
+  /// does not fit, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
+  Halfedge insert_vertex(const VertexSplit& where, Vertex new_vertex = none);
   /// Splits an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go to the
   /// new vertex, counter-clockwise from `right`.
   Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, Vertex new_vertex = none);
-  /// See CollapsibleMesh. Precondition: check_collapse() grants it.
+  /// Collapses the mesh edge of v_s -> v_t: removes v_t and the triangles at the edge, and returns a halfedge that
+  /// leaves v_s: to v_l, the apex of the triangle to the left, or if that triangle does not exist, to v_r. Other
+  /// halfedges around the two vertices keep their meaning, except those of the removed triangles and of the edges that
+  /// are merged, whose dual edges are dashed; all others keep their colours. Precondition: check_collapse() grants it.
   Halfedge remove_vertex(Halfedge chord);
   /// Collapses a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t whose
   /// left triangles stay, counter-clockwise.
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
-  /// See FlippableMesh. Precondition: check_flip() grants it.
+  /// Flips an interior mesh edge: the edge of u -> v, with apexes l (left) and r (right), becomes the edge of r -> l,
+  /// which is returned. All dual edges keep their colours. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
   /// A triangle by its corners, counter-clockwise, each an index into a list of vertices.
   using Places = std::array<std::uint8_t, 3>;
@@ -222,7 +272,7 @@ class StripMesh {
   [[nodiscard]] bool alive(Triangle t) const noexcept {
     return t < triangles_.size() && triangles_[t].corner[0] != none;
   }
-  /// The same as alive(), for NumberedMesh.
+  /// The same as alive().
   [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   /// Vertices are below this bound.
   [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
@@ -258,11 +308,11 @@ class StripMesh {
     friend constexpr bool operator==(const Room&, const Room&) = default;
   };
   // Throws as insert_vertex does; then nothing has been taken.
-  [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex);
+  [[nodiscard]] Room take_room(VertexSplit::Spokes spokes, Vertex new_vertex);
   void give_back(const Room& room);
   // Room for the handles that a removal gives back, so that give_back does not throw.
   void expect_back();
-  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
+  Halfedge insert_vertex(const VertexSplit& where, const Room& room) noexcept;
   Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, const Room& room) noexcept;
   Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept;
@@ -346,20 +396,17 @@ class StripMesh {
 
 // Preconditions that the operations check in debug builds; defined in checks.hpp.
 // The default argument is here, because templates ask for check_split(mesh, where) before checks.hpp is read.
-[[nodiscard]] Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
-                                                 Vertex new_vertex = none);
-[[nodiscard]] Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
-[[nodiscard]] Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] Refusal check_split(const StripMesh& mesh, const VertexSplit& where, Vertex new_vertex = none);
+[[nodiscard]] Refusal check_collapse(const StripMesh& mesh, Halfedge chord);
+[[nodiscard]] Refusal check_flip(const StripMesh& mesh, Halfedge h);
 /// Whether the triangles `in` may replace `out` (StripMesh::replace). The rules of checks.hpp hold, with these
 /// differences: all vertices must be different, and no mesh edge may be made that exists already. Quadratic in the
 /// triangles, and linear in the valence of the vertices between which there are new edges.
 [[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                                                   std::span<const StripMesh::Places> in,
-                                                   std::span<const Vertex> vertices);
+                                    std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
 
 // Defined in walks.hpp, which the checks use; declared here because walks.hpp may be read after them.
 template <class Visit>
 void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 
 }  // namespace restrip
-

@@ -10,75 +10,17 @@
 // so operations that use it do not commute with their neighbours. Constant time a triangle, and rarely needed.
 #pragma once
 
-#include "restrip/mesh/mesh.hpp"
-#include "restrip/operations/impl/function_ref.hpp"
-#include "restrip/operations/operations.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/result.hpp"
 
 namespace restrip {
 
-namespace detail {
-
-/// The result of an operation and of the repair after it.
-template <class Halfedge>
-Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, const ColoringChange& repair) {
-  rewrite += repair;
-  return rewrite;
-}
-
+/// How often absorb() passes an isolated triangle on.
 inline constexpr int default_absorptions = 4;
-
-/// absorb() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
-/// triangle that has become a strip end, with one of its halfedges.
-template <class Mesh>
-ColoringChange absorb_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth,
-                           FunctionRef<void(typename Mesh::Halfedge, bool)> paint,
-                           FunctionRef<void(typename Mesh::Halfedge)> end) {
-  if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
-  for (const bool pass_on : {false, true}) {
-    if (pass_on && depth == 0) break;
-    for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
-      const auto across = mesh.opposite(h);
-      if (mesh.on_boundary(across)) continue;
-      const unsigned degree = solid_degree(mesh, across);
-      if (degree < 2) {  // the end of a strip, or isolated as well
-        paint(h, true);
-        end(h);
-        return {-1, 0, degree == 0 ? -2 : -1};
-      }
-      for (auto other = mesh.next(across); !(other == across); other = mesh.next(other)) {
-        if (!mesh.solid(other)) continue;
-        const auto beyond = mesh.opposite(other);
-        const bool spares_one = solid_degree(mesh, beyond) == 2;
-        if (!spares_one && !pass_on) continue;
-        paint(other, false);
-        paint(h, true);
-        ColoringChange done{0, 0, -1};
-        if (spares_one)
-          end(beyond);
-        else
-          done = absorb_with<Mesh>(mesh, beyond, depth - 1, paint, end);
-        if (done.isolated < 0) {
-          end(h);
-          return done;
-        }
-        paint(h, false);
-        paint(other, true);
-      }
-    }
-  }
-  return {};
-}
-
-}  // namespace detail
 
 /// Absorbs the triangle to the left of h if it is isolated and a neighbour can take it. If every neighbour would have
 /// to isolate another triangle, one of them does, and that triangle is absorbed in turn, `depth` times at most. If that
 /// fails as well, nothing has changed.
-template <ColoredMesh Mesh>
-ColoringChange absorb(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_absorptions) {
-  RESTRIP_ASSERT(detail::knows(mesh, h), "absorb", describe(Refusal::no_such_edge));
-  return detail::absorb_with<Mesh>(
-      mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); }, [](auto) {});
-}
+ColoringChange absorb(StripMesh& mesh, Halfedge h, int depth = default_absorptions);
 
 }  // namespace restrip

@@ -17,52 +17,35 @@
 // the operations of operations.hpp these do not commute with their neighbours.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
-#include "restrip/mesh/mesh.hpp"
-#include "restrip/operations/absorb.hpp"
-#include "restrip/operations/apply.hpp"
-#include "restrip/operations/operations.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/result.hpp"
 
 namespace restrip {
 
 /// Whether the triangles to the left of g and h, which must be two strip ends or isolated triangles, are ends of one
 /// strip. Time linear in the shorter strip.
-template <ColoredMesh Mesh>
-[[nodiscard]] bool same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Halfedge h);
+[[nodiscard]] bool same_strip(const StripMesh& mesh, Halfedge g, Halfedge h);
 
 /// If a strip ends in the triangle to the left of h, joins it with adjacent ends of other strips: at most two. Time
 /// linear in the shorter strip of each pair that meets.
-template <ColoredMesh Mesh>
-ColoringChange join_end(Mesh& mesh, typename Mesh::Halfedge h);
+ColoringChange join_end(StripMesh& mesh, Halfedge h);
 
 /// Joins all ends that meet in the whole mesh. Time: the number of triangles times the mean length of strips that end
 /// next to each other.
-template <NumberedMesh Mesh>
-ColoringChange join_all(Mesh& mesh);
+ColoringChange join_all(StripMesh& mesh);
 
 /// Steps 1 to 3 above, for custom operations and the operations of refine.hpp, after the operation: around the vertex
 /// that h leaves; or in the two triangles at the edge of h and their neighbours, where ports may have been cleared.
-template <ColoredMesh Mesh>
-ColoringChange join_around(Mesh& mesh, typename Mesh::Halfedge h);
-template <ColoredMesh Mesh>
-ColoringChange join_at_edge(Mesh& mesh, typename Mesh::Halfedge h);
+ColoringChange join_around(StripMesh& mesh, Halfedge h);
+ColoringChange join_at_edge(StripMesh& mesh, Halfedge h);
 
-/// split(), then steps 1 to 3. The Rewrite includes all changes. `name`: the new vertex, for meshes that let the caller
-/// name it.
-template <SplittableMesh Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_and_join(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                                Name... name);
+/// split(), then steps 1 to 3. The Rewrite includes all changes.
+Rewrite split_and_join(StripMesh& mesh, const VertexSplit& where, Vertex new_vertex = none);
 
 /// collapse(), likewise.
-template <CollapsibleMesh Mesh>
-Rewrite<typename Mesh::Halfedge> collapse_and_join(Mesh& mesh, typename Mesh::Halfedge chord);
+Rewrite collapse_and_join(StripMesh& mesh, Halfedge chord);
 
 /// flip(), likewise.
-template <FlippableMesh Mesh>
-Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfedge h);
+Rewrite flip_and_join(StripMesh& mesh, Halfedge h);
 
 }  // namespace restrip
-
-#include "restrip/operations/impl/join.hpp"

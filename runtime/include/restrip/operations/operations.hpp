@@ -4,38 +4,24 @@
 // colours. Nothing outside the patch is read or written, so operations on disjoint patches commute. The only state is
 // the colours. Fans of at most max_word_valence triangles need no allocation. Time is linear in the valence.
 //
-// Same preconditions as the mesh operation. Debug builds check them first and abort with the reason
-// (precondition.hpp). For a StripMesh they check all of checks.hpp. For other meshes they check what a walk around the
-// patch finds, and `bool alive(h)` if the mesh has it, then the mesh's own check_split(), check_collapse() and
-// check_flip(), if it has them (checked.hpp).
+// The preconditions are those of the mesh operation (checks.hpp); debug builds check them first and abort with the
+// reason (precondition.hpp). After an exception (std::bad_alloc, std::length_error) the colouring is valid, though
+// perhaps not optimal: first everything is read, then edges are cleared, then the mesh changes, then edges are set.
 #pragma once
 
-#include <cstdint>
-
-#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/result.hpp"
 
 namespace restrip {
 
-/// Splits a vertex and recolours the patch (VertexSplit describes the new triangles).
-template <NamesNewVertices Mesh>
-Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where);
-
-/// Splits a vertex of a mesh that lets the caller name the new one.
-template <SplittableMesh Mesh, class Vertex>
-requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
-Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                       Vertex new_vertex);
+/// Splits a vertex and recolours the patch (VertexSplit describes the new triangles). `new_vertex`: see check_split.
+Rewrite split(StripMesh& mesh, const VertexSplit& where, Vertex new_vertex = none);
 
 /// Collapses the mesh edge of `chord` = v_s -> v_t into v_s and recolours the patch.
-template <CollapsibleMesh Mesh>
-Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord);
+Rewrite collapse(StripMesh& mesh, Halfedge chord);
 
 /// Flips the interior mesh edge of h and recolours the patch. A port is cleared only if no sound recolouring keeps it.
 /// The triangle outside may then be isolated, which Rewrite::isolated counts.
-template <FlippableMesh Mesh>
-Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h);
+Rewrite flip(StripMesh& mesh, Halfedge h);
 
 }  // namespace restrip
-
-#include "restrip/operations/impl/operations.hpp"

@@ -24,19 +24,16 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <type_traits>
 
+#include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
-#include "restrip/operations/join.hpp"
-#include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/impl/fewest_strips.hpp"
 #include "restrip/search/impl/keeper_steps.hpp"
@@ -50,35 +47,15 @@
 
 namespace restrip {
 
-namespace detail {
-
-/// The player of baked strips, on a mesh that can split and collapse.
-template <class Mesh>
-struct PlayerOf {
-  void leave_step() const noexcept {}
-  void restart(std::size_t /*level*/) const noexcept {}
-  [[nodiscard]] bool in_step() const noexcept { return false; }
-  [[nodiscard]] std::size_t level() const noexcept { return 0; }
-  using type = PlayerOf;
-};
-template <class Mesh>
-requires SplittableMesh<Mesh> && CollapsibleMesh<Mesh>
-struct PlayerOf<Mesh> : std::type_identity<BakedPlayer<Mesh>> {
-};
-
-}  // namespace detail
-
 /// Maintains the strips of one mesh. While a keeper is in use, colour and change the mesh only through it; after any
 /// other change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is valid;
 /// check_coloring() in strips.hpp checks). Whenever the keeper reads the whole mesh, it throws std::invalid_argument if
-/// the colouring is not valid. It has the operations that the mesh has (mesh.hpp).
+/// the colouring is not valid.
 template <class Mesh>
 class Keeper {
-  static_assert(detail::has_members_of_numbered_mesh<Mesh>());
-
  public:
   using Halfedge = typename Mesh::Halfedge;
-  using Player = typename detail::PlayerOf<Mesh>::type;
+  using Player = BakedPlayer;
 
   explicit Keeper(Mesh& mesh, Policy policy = default_policy, Cost cost = default_cost)
       : mesh_(&mesh), policy_(policy), choice_(cost) {
@@ -90,8 +67,7 @@ class Keeper {
   }
   /// Plays baked strips (baked.hpp): split_record and collapse_record are then copied, while in step. Every other
   /// operation is done under Policy::local, and the keeper is out of step after it. `level`: records played so far.
-  Keeper(Mesh& mesh, const BakedRecords<Halfedge>& records, std::size_t level = 0)
-      : Keeper(mesh, Policy::local, Cost::strips()) {
+  Keeper(Mesh& mesh, const BakedRecords& records, std::size_t level = 0) : Keeper(mesh, Policy::local, Cost::strips()) {
     baked_.emplace(mesh, records, level);
   }
 
@@ -105,31 +81,17 @@ class Keeper {
     if (lowest_) lowest_->set_plan(plan);
   }
 
-  /// The operations of operations.hpp, with the same preconditions. `strips` and `isolated` of the result include the
-  /// changes by searches and repairs, so `strips` is often negative. `name`: the new vertex, for meshes that let the
-  /// caller name it.
-  template <class... Name>
-  Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Name... name);
-  Rewrite<Halfedge> collapse(Halfedge chord);
-  Rewrite<Halfedge> flip(Halfedge h);
-  /// The operations of refine.hpp, likewise. Under `bare` they are done as the split or collapse that changes the mesh
-  /// in the same way, with the `valence` of that operation.
-  Rewrite<Halfedge> split_face(Halfedge h);
-  Rewrite<Halfedge> bisect(Halfedge h);
-  Rewrite<Halfedge> join_faces(Halfedge chord);
-  Rewrite<Halfedge> merge(Halfedge chord);
-
-  /// Custom operations, see apply.hpp: on a StripMesh, or by a function that changes the mesh. Under `bare` all edges
-  /// of the patch become dashed.
-  template <SurfaceTable Table>
-  Rewrite<Halfedge> apply(const Table& table, Halfedge where) requires std::same_as<Mesh, StripMesh>;
-  template <SurfaceTable Table, class Change>
-  Rewrite<Halfedge> apply(const Table& table, Halfedge where, Change&& change);
+  /// The operations of operations.hpp and apply.hpp, with the same preconditions. `strips` and `isolated` of the result
+  /// include the changes by searches and repairs, so `strips` is often negative. Under `bare` an operation with a table
+  /// makes all edges of its patch dashed.
+  Rewrite split(const VertexSplit& where, Vertex new_vertex = none);
+  Rewrite collapse(Halfedge chord);
+  Rewrite flip(Halfedge h);
+  Rewrite apply(const OperationView& table, Halfedge where, NewVertices* added = nullptr);
 
   /// Split and collapse of a record of baked strips; by the rules if the keeper is not in step with it.
-  template <class... Name>
-  Rewrite<Halfedge> split_record(std::size_t record, const VertexSplit<Halfedge>& where, Name... name);
-  Rewrite<Halfedge> collapse_record(std::size_t record, Halfedge chord);
+  Rewrite split_record(std::size_t record, const VertexSplit& where, Vertex new_vertex = none);
+  Rewrite collapse_record(std::size_t record, Halfedge chord);
   /// Null unless baked strips are played (BakedPlayer).
   [[nodiscard]] Player* baked() noexcept { return baked_ ? &*baked_ : nullptr; }
   [[nodiscard]] const Player* baked() const noexcept { return baked_ ? &*baked_ : nullptr; }
@@ -204,10 +166,10 @@ class Keeper {
 
   void begin();
   template <class Step>
-  Rewrite<Halfedge> perform(const Step& step);
+  Rewrite perform(const Step& step);
   template <class Step>
-  Rewrite<Halfedge> bare(const Step& step);
-  Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done);
+  Rewrite bare(const Step& step);
+  Rewrite counted(const Rewrite& done);
 
   Mesh* mesh_;
   Policy policy_;
@@ -229,7 +191,11 @@ class Keeper {
 namespace restrip {
 
 extern template class Keeper<StripMesh>;
-extern template Rewrite<StripMesh::Halfedge> Keeper<StripMesh>::split(const VertexSplit<StripMesh::Halfedge>&);
-extern template Rewrite<StripMesh::Halfedge> Keeper<StripMesh>::split(const VertexSplit<StripMesh::Halfedge>&, Vertex);
+
+/// The operations if their checks grant them, in every build.
+Checked checked_split(Keeper<StripMesh>& keeper, const VertexSplit& where, Vertex new_vertex = none);
+Checked checked_collapse(Keeper<StripMesh>& keeper, Halfedge chord);
+Checked checked_flip(Keeper<StripMesh>& keeper, Halfedge h);
+Checked checked_apply(Keeper<StripMesh>& keeper, const OperationView& table, Halfedge where);
 
 }  // namespace restrip

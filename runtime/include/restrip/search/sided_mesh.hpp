@@ -30,7 +30,7 @@ concept SidedMesh = std::same_as<typename Mesh::Halfedge, StripMesh::Halfedge> &
   { mesh.solid_sides(t) } -> std::same_as<unsigned>;
   { mesh.solid_degree(t) } -> std::same_as<unsigned>;
   { mesh.other_solid_sides(h) } -> std::same_as<unsigned>;
-  { mesh.strip_step(h) } -> std::same_as<StripStep<StripMesh::Halfedge>>;
+  { mesh.strip_step(h) } -> std::same_as<StripStep>;
   { mesh.alive(t) } -> std::same_as<bool>;
   { mesh.triangle_bound() } -> std::same_as<std::size_t>;
   { mesh.triangle_count() } -> std::same_as<std::size_t>;
@@ -88,7 +88,7 @@ class SideView {
     return unsigned{mesh_->solid(side)} | unsigned{mesh_->solid(mesh_->next(side))} << 1;
   }
   /// From side 3, which is not a side, it leaves over the lowest solid side.
-  [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const {
+  [[nodiscard]] StripStep strip_step(Halfedge in) const {
     Halfedge out = StripMesh::side(in) == 3 ? halfedge(triangle(in), 0) : next(in);
     for (int tries = StripMesh::side(in) == 3 ? 3 : 2; tries > 0; --tries, out = next(out))
       if (solid(out)) return {true, opposite(out)};

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/mesh.hpp"
-#include "restrip/operations/impl/function_ref.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/key.hpp"
 
@@ -23,7 +22,6 @@ namespace restrip::detail {
 inline constexpr std::size_t max_interior_valence = 16;
 
 /// The closed fan of a vertex before a split or after a collapse, numbered as in docs/reference/notation.md.
-template <class Halfedge>
 struct InteriorFan {
   std::size_t k = 0;
   std::size_t a = 0;
@@ -34,8 +32,7 @@ struct InteriorFan {
 
   /// Colours kept loop edges. Edges are cleared before the mesh changes and set after it, so that the colouring is
   /// valid all the time (mesh.hpp, "Exceptions").
-  template <ColoredMesh Mesh>
-  void write(Mesh& mesh, Word edges, bool solid) const {
+  void write(StripMesh& mesh, Word edges, bool solid) const {
     const Word made = bit(a - 1) | bit(k - 1);
     for (Word rest = edges & ~made; rest != 0; rest &= rest - 1)
       mesh.set_solid(spokes[static_cast<std::size_t>(std::countr_zero(rest))], solid);
@@ -43,14 +40,12 @@ struct InteriorFan {
 };
 
 /// Reads the fan between two spokes of an interior vertex. False when it is open or too large.
-template <ColoredMesh Mesh>
-bool read_interior_fan(const Mesh& mesh, typename Mesh::Halfedge left, typename Mesh::Halfedge right,
-                       InteriorFan<typename Mesh::Halfedge>& fan) {
+inline bool read_interior_fan(const StripMesh& mesh, Halfedge left, Halfedge right, InteriorFan& fan) {
   auto h = left;
   std::size_t i = 0;
   do {
     if (i == max_interior_valence || mesh.on_boundary(h)) return false;
-    const auto step = fan_step(mesh, h);
+    const auto step = mesh.fan_step(h);
     fan.ports |= Word{step.port} << i;
     fan.loop |= Word{step.edge} << i;
     h = step.spoke;
@@ -69,19 +64,17 @@ constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
 
 /// Reads the ring with chord around an interior mesh edge whose ends are interior. False when they are not, or the fan
 /// is too large.
-template <ColoredMesh Mesh>
-bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<typename Mesh::Halfedge>& fan,
-               Word& inner) {
+inline bool read_ring(const StripMesh& mesh, Halfedge chord, InteriorFan& fan, Word& inner) {
   std::size_t i = 0;     // fan triangles met
   std::size_t edge = 0;  // inner edges met
   for (const auto start : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(start)) return false;
-    const auto removed = fan_step(mesh, start);  // the triangle to be removed
+    const auto removed = mesh.fan_step(start);  // the triangle to be removed
     inner |= Word{removed.edge} << edge++;
     auto h = removed.spoke;
     for (;;) {
       if (mesh.on_boundary(h)) return false;
-      const auto step = fan_step(mesh, h);
+      const auto step = mesh.fan_step(h);
       if (step.spoke == start) break;
       if (i == max_interior_valence) return false;
       if (i > 0) fan.spokes[i - 1] = h;
@@ -99,11 +92,7 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   return true;
 }
 
-// ---- All other cases. Their walks are compiled once for a mesh: visitors are references.
-
-/// visit(i, h): inner edge or port number i crosses the mesh edge of h.
-template <class Halfedge>
-using VisitEdge = FunctionRef<void(std::size_t, Halfedge)>;
+// ---- All other cases. Visitors: visit(i, h), inner edge or port number i crosses the mesh edge of h.
 
 /// Bits of a fan: one word, or allocated words once a bit beyond the first 64 is set.
 class FanBits {
@@ -160,10 +149,8 @@ struct SeenPatch {
 
 /// Reads the fan around the vertex that `where` splits. A closed fan is numbered from the left spoke, an open one from
 /// the boundary.
-template <ColoredMesh Mesh>
-SeenPatch read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
-  using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
-  using Halfedge = typename Mesh::Halfedge;
+inline SeenPatch read_fan(const StripMesh& mesh, const VertexSplit& where) {
+  using Spokes = VertexSplit::Spokes;
   const Halfedge start = where.spoke();
   const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
   SeenPatch fan;
@@ -205,9 +192,8 @@ SeenPatch read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>&
 }
 
 /// Visits the ports of a fan that has been read: port(i, h), port p_i crosses the mesh edge of h.
-template <ColoredMesh Mesh>
-void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const SeenPatch& fan,
-                VisitEdge<typename Mesh::Halfedge> port) {
+template <class Port>
+void walk_ports(const StripMesh& mesh, const VertexSplit& where, const SeenPatch& fan, Port&& port) {
   auto h = where.spoke();
   for (std::size_t i = fan.gap; i < fan.before.k; ++i) {
     port(i, mesh.next(h));
@@ -222,9 +208,9 @@ void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& wh
 
 /// Visits spokes counter-clockwise from the one after `from`, until the boundary or `from` again; edge number
 /// `edge_index` counts up. Returns the number of fan triangles met (not the ones at `from`).
-template <ColoredMesh Mesh>
-std::size_t walk_up(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t edge_index, std::size_t port_index,
-                    VisitEdge<typename Mesh::Halfedge> edge, VisitEdge<typename Mesh::Halfedge> port) {
+template <class Edge, class Port>
+std::size_t walk_up(const StripMesh& mesh, Halfedge from, std::size_t edge_index, std::size_t port_index, Edge&& edge,
+                    Port&& port) {
   std::size_t met = 0;
   auto h = turn_ccw(mesh, from);
   while (!mesh.on_boundary(h)) {
@@ -239,9 +225,8 @@ std::size_t walk_up(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t 
 }
 
 /// Visits spokes clockwise from the one after `from` until the boundary; edges count down from `top` - 1.
-template <ColoredMesh Mesh>
-void walk_down(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t top, VisitEdge<typename Mesh::Halfedge> edge,
-               VisitEdge<typename Mesh::Halfedge> port) {
+template <class Edge, class Port>
+void walk_down(const StripMesh& mesh, Halfedge from, std::size_t top, Edge&& edge, Port&& port) {
   auto h = turn_cw(mesh, from);
   while (!mesh.on_boundary(mesh.opposite(h))) {
     --top;
@@ -252,33 +237,18 @@ void walk_down(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t top, 
 }
 
 /// Fan triangles clockwise of `from`, not counting the one at it.
-template <ColoredMesh Mesh>
-std::size_t count_down(const Mesh& mesh, typename Mesh::Halfedge from) {
+inline std::size_t count_down(const StripMesh& mesh, Halfedge from) {
   std::size_t count = 0;
   walk_down(
       mesh, from, static_cast<std::size_t>(-1), [&](std::size_t, auto) { ++count; }, [](std::size_t, auto) {});
   return count;
 }
 
-/// True when the vertex that h leaves lies on the boundary. Linear in its valence, if the mesh lacks leaves_boundary().
-template <ColoredMesh Mesh>
-bool leaves_boundary(const Mesh& mesh, typename Mesh::Halfedge h) {
-  if constexpr (requires { mesh.leaves_boundary(h); }) return mesh.leaves_boundary(h);
-  auto g = h;
-  do {
-    if (mesh.on_boundary(g)) return true;
-    g = turn_ccw(mesh, g);
-  } while (!(g == h));
-  return false;
-}
-
 /// Visits the patch after a split, or before a collapse, whose chord is v_s -> v_t.
 ///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
 /// Returns its layout and SeenPatch::gap. The mesh is not changed by the walk; edge() may change colours.
-template <ColoredMesh Mesh>
-std::pair<Patch, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord,
-                                         VisitEdge<typename Mesh::Halfedge> edge,
-                                         VisitEdge<typename Mesh::Halfedge> port) {
+template <class Edge, class Port>
+std::pair<Patch, std::size_t> walk_patch(const StripMesh& mesh, Halfedge chord, Edge&& edge, Port&& port) {
   const auto back = mesh.opposite(chord);
   if (mesh.on_boundary(chord) || mesh.on_boundary(back)) {
     const auto inward = mesh.on_boundary(chord) ? back : chord;  // the triangle lies to its left
@@ -286,8 +256,8 @@ std::pair<Patch, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfed
     walk_down(mesh, mesh.opposite(inward), i, edge, port);
     return {path(i + walk_up(mesh, inward, i, i, edge, port), i), i};
   }
-  const bool tail_on_boundary = leaves_boundary(mesh, chord);
-  if (!tail_on_boundary && !leaves_boundary(mesh, back)) {
+  const bool tail_on_boundary = mesh.leaves_boundary(chord);
+  if (!tail_on_boundary && !mesh.leaves_boundary(back)) {
     const std::size_t a = walk_up(mesh, chord, 0, 0, edge, port);
     const std::size_t k = a + walk_up(mesh, back, a + 1, a, edge, port);
     edge(k + 2, chord);
@@ -307,9 +277,8 @@ std::pair<Patch, std::size_t> walk_patch(const Mesh& mesh, typename Mesh::Halfed
 /// Visits the loop edges of the fan around the vertex that `spoke` leaves: edge(i, h), loop edge i crosses the mesh
 /// edge of h. Closed: edge k - 1 crosses `spoke`, edges count up from there. Open: `spoke` lies in gap `gap`, which
 /// carries edge gap - 1. The mesh is not changed by the walk; edge() may change colours.
-template <ColoredMesh Mesh>
-void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, const Patch& fan, std::size_t gap,
-              VisitEdge<typename Mesh::Halfedge> edge) {
+template <class Edge>
+void walk_fan(const StripMesh& mesh, Halfedge spoke, const Patch& fan, std::size_t gap, Edge&& edge) {
   const std::size_t k = fan.k;
   if (fan.ring) {
     edge(k - 1, spoke);

@@ -144,7 +144,7 @@ class StripWriter {
       const Halfedge entry = mesh_.opposite(exit);
       const Halfedge after = mesh_.next(entry);
       const Halfedge before = mesh_.next(after);
-      const unsigned turn = other_solid_sides(mesh_, entry);
+      const unsigned turn = mesh_.other_solid_sides(entry);
       // The corner opposite the entry comes next; for a swap, the last but one comes again before it.
       if (turn == 0) {
         t = triangle_of(mesh_, entry);
@@ -208,7 +208,7 @@ std::size_t count_strips(const Mesh& mesh) {
   std::size_t triangles = 0;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.has_triangle(t)) continue;
-    if (detail::solid_degree(mesh, mesh.halfedge(t)) > 2) detail::throw_three_solid_edges();
+    if (mesh.solid_degree(t) > 2) detail::throw_three_solid_edges();
     ++triangles;
   }
   const Strips strips = extract_strips(mesh);
@@ -234,9 +234,9 @@ Strips extract_strips(const Mesh& mesh) {
   strips.order.reserve(mesh.triangle_bound());
   std::vector<bool> listed(mesh.triangle_bound(), false);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.has_triangle(t) || listed[t] || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
+    if (!mesh.has_triangle(t) || listed[t] || mesh.solid_degree(t) > 1) continue;
     // In an invalid colouring a strip may return to itself.
-    StripStep<typename Mesh::Halfedge> at{true, detail::into_end(mesh, t)};
+    StripStep at{true, detail::into_end(mesh, t)};
     for (; at.continues && !listed[detail::triangle_of(mesh, at.in)]; at = strip_step(mesh, at.in)) {
       strips.order.push_back(detail::triangle_of(mesh, at.in));
       listed[detail::triangle_of(mesh, at.in)] = true;
@@ -258,8 +258,7 @@ std::vector<std::uint32_t> strip_indices(const Mesh& mesh) {
   detail::StripWriter<Mesh> writer(mesh);
   std::vector<bool> written(mesh.triangle_bound(), false);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.has_triangle(t) && !written[t] && detail::solid_degree(mesh, mesh.halfedge(t)) <= 1)
-      written[writer.write(t, false)] = true;
+    if (mesh.has_triangle(t) && !written[t] && mesh.solid_degree(t) <= 1) written[writer.write(t, false)] = true;
   return writer.take();
 }
 

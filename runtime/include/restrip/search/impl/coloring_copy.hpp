@@ -64,7 +64,7 @@ class ColoringCopy {
     return static_cast<unsigned>(std::popcount(solid_[t]));
   }
   [[nodiscard]] unsigned other_solid_sides(Halfedge h) const noexcept { return turn(h.id); }
-  [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const noexcept {
+  [[nodiscard]] StripStep strip_step(Halfedge in) const noexcept {
     const std::uint32_t out = other(in.id);
     if (out == none) return {};
     return {true, {across(out)}};

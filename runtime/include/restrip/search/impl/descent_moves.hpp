@@ -29,7 +29,7 @@ typename Mesh::Halfedge neighbor_at(const Mesh& mesh, typename Mesh::Halfedge h,
 /// swap.
 template <ColoredMesh Mesh>
 int swap_beyond(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
-  return int{other_solid_sides(mesh, neighbor_at(mesh, h, turn)) == turn};
+  return int{mesh.other_solid_sides(neighbor_at(mesh, h, turn)) == turn};
 }
 
 /// The colours of a few triangles after a move, and of all others as in the mesh.

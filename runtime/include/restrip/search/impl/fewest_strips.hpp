@@ -15,12 +15,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/operations/absorb.hpp"
+#include "restrip/operations/impl/absorb.hpp"
 #include "restrip/operations/result.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/impl/keeper_steps.hpp"
@@ -62,7 +61,7 @@ class FewestStrips {
   }
 
   template <class Step>
-  Rewrite<Halfedge> perform(Mesh& mesh, RuleChoice<Mesh>& choice, Surroundings<Mesh>& /*around*/, const Step& step) {
+  Rewrite perform(Mesh& mesh, RuleChoice<Mesh>& choice, Surroundings<Mesh>& /*around*/, const Step& step) {
     choice.begin(false, false);
     if (tunnels()) return tunnel_from_patch(mesh, choice, step);
     if (!joins_) return step.by_rules(mesh, choice);
@@ -90,7 +89,7 @@ class FewestStrips {
 
  private:
   template <class Step>
-  Rewrite<Halfedge> tunnel_from_patch(Mesh& mesh, RuleChoice<Mesh>& choice, const Step& step) {
+  Rewrite tunnel_from_patch(Mesh& mesh, RuleChoice<Mesh>& choice, const Step& step) {
     step.find_patch(mesh, patch_);
     triangles_ -= patch_.size();
     locator_.before_patch(by_sides(mesh), patch_);
@@ -123,8 +122,7 @@ class FewestStrips {
       solid ? locator_.link(sides, g) : locator_.cut(sides, g);
     };
     const auto absorb_at = [&](StripMesh::Halfedge h) {
-      const ColoringChange absorbed = absorb_with<std::remove_cvref_t<decltype(sides)>>(
-          sides, h, default_absorptions, paint, [](StripMesh::Halfedge) {});
+      const ColoringChange absorbed = absorb_with(sides, h, default_absorptions, paint, [](StripMesh::Halfedge) {});
       change += absorbed;
     };
     if (isolated + change.isolated > 0 || may_isolate == MayIsolate::everywhere)

@@ -14,67 +14,36 @@ namespace restrip {
 // ---- operations
 
 template <class Mesh>
-template <class... Name>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split(const VertexSplit<Halfedge>& where, Name... name) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_split(*mesh_, where, name...), "Keeper::split");
-  return perform(detail::SplitStep<Mesh, Name...>{where, {name...}});
+Rewrite Keeper<Mesh>::split(const VertexSplit& where, Vertex new_vertex) {
+  RESTRIP_ASSERT_GRANTED(check_split(*mesh_, where, new_vertex), "Keeper::split");
+  return perform(detail::SplitStep<Mesh>{where, new_vertex});
 }
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse(Halfedge chord) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_collapse(*mesh_, chord), "Keeper::collapse");
+Rewrite Keeper<Mesh>::collapse(Halfedge chord) {
+  RESTRIP_ASSERT_GRANTED(check_collapse(*mesh_, chord), "Keeper::collapse");
   return perform(detail::CollapseStep<Mesh>{chord});
 }
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::flip(Halfedge h) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_flip(*mesh_, h), "Keeper::flip");
+Rewrite Keeper<Mesh>::flip(Halfedge h) {
+  RESTRIP_ASSERT_GRANTED(check_flip(*mesh_, h), "Keeper::flip");
   return perform(detail::FlipStep<Mesh>{{h}});
 }
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_face(Halfedge h) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_face_split(*mesh_, h), "Keeper::split_face");
-  return perform(detail::InsertStep<Mesh, false>(*mesh_, h));
-}
-template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::bisect(Halfedge h) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_bisection(*mesh_, h), "Keeper::bisect");
-  return perform(detail::InsertStep<Mesh, true>(*mesh_, h));
-}
-template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::join_faces(Halfedge chord) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_removal(*mesh_, chord, 3, 0), "Keeper::join_faces");
-  return perform(detail::RemoveStep<Mesh, false>{{chord}});
-}
-template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::merge(Halfedge chord) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_removal(*mesh_, chord, 4, 2), "Keeper::merge");
-  return perform(detail::RemoveStep<Mesh, true>{{chord}});
-}
-
-template <class Mesh>
-template <SurfaceTable Table, class Change>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table, Halfedge where, Change&& change) {
-  RESTRIP_ASSERT_GRANTED(detail::refusal_of_apply(*mesh_, table, where), "Keeper::apply");
-  return perform(detail::ApplyStep<Mesh, Table, std::remove_reference_t<Change>>{table, where, change});
-}
-template <class Mesh>
-template <SurfaceTable Table>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table,
-                                                     Halfedge where) requires std::same_as<Mesh, StripMesh> {
+Rewrite Keeper<Mesh>::apply(const OperationView& table, Halfedge where, NewVertices* added) {
   RESTRIP_ASSERT_GRANTED(check_apply(*mesh_, table, where), "Keeper::apply");
-  return apply(table, where, detail::replacing(*mesh_, table));
+  NewVertices unused;
+  return perform(detail::ApplyStep<Mesh>{table, where, added != nullptr ? *added : unused});
 }
 
 template <class Mesh>
-template <class... Name>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_record(std::size_t record, const VertexSplit<Halfedge>& where,
-                                                            Name... name) {
+Rewrite Keeper<Mesh>::split_record(std::size_t record, const VertexSplit& where, Vertex new_vertex) {
   RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper does not play baked strips");
-  if (!baked_->can_split(record)) return split(where, name...);
+  if (!baked_->can_split(record)) return split(where, new_vertex);
   begin();
-  return counted(baked_->split(record, where, name...));
+  return counted(baked_->split(record, where, new_vertex));
 }
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse_record(std::size_t record, Halfedge chord) {
+Rewrite Keeper<Mesh>::collapse_record(std::size_t record, Halfedge chord) {
   RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper does not play baked strips");
   if (!baked_->can_collapse(record)) return collapse(chord);
   begin();
@@ -91,7 +60,7 @@ void Keeper<Mesh>::begin() {
 // The rule, or colours that are as good; then the steps of the policy, which only lower the cost.
 template <class Mesh>
 template <class Step>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
+Rewrite Keeper<Mesh>::perform(const Step& step) {
   begin();
   if (baked_) baked_->leave_step();
   if (policy_ == Policy::bare) return bare(step);
@@ -99,7 +68,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
 }
 template <class Mesh>
 template <class Step>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::bare(const Step& step) {
+Rewrite Keeper<Mesh>::bare(const Step& step) {
   if (lowest_) lowest_->unsettle();
   std::vector<Triangle>& patch = choice_.start();
   around_.clear();
@@ -113,7 +82,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::bare(const Step& step) {
 }
 
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(const Rewrite<Halfedge>& done) {
+Rewrite Keeper<Mesh>::counted(const Rewrite& done) {
   strips_ += static_cast<std::size_t>(done.strips);
   swaps_ += static_cast<std::size_t>(done.swaps);
   isolated_ += static_cast<std::size_t>(done.isolated);

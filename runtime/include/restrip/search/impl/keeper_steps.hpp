@@ -13,15 +13,15 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
-#include "restrip/operations/join.hpp"
-#include "restrip/operations/refine.hpp"
+#include "restrip/operations/impl/absorb.hpp"
+#include "restrip/operations/impl/join.hpp"
+#include "restrip/operations/impl/patch_sides.hpp"
 #include "restrip/search/impl/descent.hpp"
 #include "restrip/search/impl/rule_choice.hpp"
 
@@ -96,31 +96,29 @@ void add_next_to(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triang
 /// Where an operation may leave isolated triangles, which can then be absorbed.
 enum class MayIsolate { as_reported, next_to_patch, everywhere };
 
-template <class Mesh, class... Name>
+template <class Mesh>
 struct SplitStep {
   using Halfedge = typename Mesh::Halfedge;
-  using Spokes = typename VertexSplit<Halfedge>::Spokes;
+  using Spokes = VertexSplit::Spokes;
   static constexpr bool counts_swaps = true;
   static constexpr unsigned rings = 0;
   static constexpr MayIsolate may_isolate = MayIsolate::as_reported;
-  VertexSplit<Halfedge> where;
-  std::tuple<Name...> names;
+  VertexSplit where;
+  Vertex new_vertex;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const { fan_triangles(mesh, where.spoke(), patch); }
-  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+  Rewrite by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto change = begin_split(choice, mesh, where);
     const auto done = finish_split(mesh, change, changed(mesh, change));
     choice.begin_after_split(mesh, change, done.halfedge);
     return done;
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+  Rewrite joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto change = begin_split(choice, mesh, where);
     choice.note(change);
     return finish_split_and_join(mesh, change, changed(mesh, change));
   }
-  Halfedge bare(Mesh& mesh) const {
-    return std::apply([&](auto... name) { return mesh.insert_vertex(where, name...); }, names);
-  }
+  Halfedge bare(Mesh& mesh) const { return mesh.insert_vertex(where, new_vertex); }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
     if (where.spokes != Spokes::right_only) around.add_next_to(mesh, where.left);
     if (where.spokes != Spokes::left_only) around.add_next_to(mesh, where.right);
@@ -130,8 +128,8 @@ struct SplitStep {
   }
 
  private:
-  auto changed(Mesh& mesh, const FanChange<Halfedge>& change) const {
-    return std::apply([&](auto... name) { return change_by_split(mesh, where, change, name...); }, names);
+  Halfedge changed(Mesh& mesh, const FanChange& change) const {
+    return change_by_split(mesh, where, change, new_vertex);
   }
 };
 
@@ -144,13 +142,13 @@ struct CollapseStep {
   Halfedge chord;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const { edge_triangles(mesh, chord, patch); }
-  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+  Rewrite by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto change = begin_collapse(choice, mesh, chord);
     const auto done = finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
     choice.begin_after_collapse(mesh, change, done.halfedge);
     return done;
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+  Rewrite joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto change = begin_collapse(choice, mesh, chord);
     choice.note(change);
     return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
@@ -175,10 +173,8 @@ struct FlipStep : CollapseStep<Mesh> {
     patch.clear();
     add_next_to(mesh, chord, patch);
   }
-  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.taken(restrip::flip(mesh, chord));
-  }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+  Rewrite by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const { return choice.taken(flip_by_rule(mesh, chord)); }
+  Rewrite joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
     const auto done = by_rules(mesh, choice);
     return with(done, join_at_edge(mesh, done.halfedge));
   }
@@ -191,109 +187,48 @@ struct FlipStep : CollapseStep<Mesh> {
   }
 };
 
-/// A new vertex in the triangle of h, or on its edge. It isolates no triangle.
-template <class Mesh, bool on_edge>
-struct InsertStep : SplitStep<Mesh> {
-  using Halfedge = typename Mesh::Halfedge;
-  static constexpr bool counts_swaps = false;
-  static constexpr unsigned rings = 1;
-  Halfedge h;
-
-  InsertStep(const Mesh& mesh, Halfedge at)
-      : SplitStep<Mesh>{on_edge ? split_on_edge(mesh, at) : split_into_face(mesh, at), {}}, h(at) {}
-  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
-    patch.clear();
-    if (on_edge)
-      add_next_to(mesh, h, patch);
-    else
-      patch.push_back(static_cast<Triangle>(mesh.triangle(h)));
-  }
-  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.chosen_by(
-        [&](auto&& choose) { return on_edge ? bisect_with(mesh, h, choose) : split_face_with(mesh, h, choose); });
-  }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    const auto done = by_rules(mesh, choice);
-    return with(done, join_around(mesh, mesh.opposite(done.halfedge)));
-  }
-  void find_new(const Mesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const {
-    fan_triangles(mesh, mesh.opposite(chord), patch);
-  }
-};
-
-/// The end of the chord is removed.
-template <class Mesh, bool from_edge>
-struct RemoveStep : CollapseStep<Mesh> {
-  using Halfedge = typename Mesh::Halfedge;
-  using CollapseStep<Mesh>::chord;
-  static constexpr bool counts_swaps = false;
-  static constexpr unsigned rings = 1;
-  static constexpr MayIsolate may_isolate = MayIsolate::everywhere;
-
-  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
-    fan_triangles(mesh, mesh.opposite(chord), patch);
-  }
-  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.chosen_by([&](auto&& choose) {
-      return from_edge ? merge_with(mesh, chord, choose) : join_faces_with(mesh, chord, choose);
-    });
-  }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    const auto done = by_rules(mesh, choice);
-    return with(done, join_at_edge(mesh, done.halfedge));
-  }
-  Halfedge bare(Mesh& mesh) const {
-    const bool no_left = mesh.on_boundary(chord);
-    const Halfedge spoke = mesh.remove_vertex(chord);
-    if constexpr (!from_edge) return spoke;
-    // From that spoke to the adjacent mesh edge that replaces two.
-    return no_left ? mesh.opposite(mesh.next(mesh.next(spoke))) : mesh.next(mesh.opposite(spoke));
-  }
-};
-
-/// A custom operation; change(patch) changes the mesh and returns the first side after it.
-template <class Mesh, class Table, class Change>
+/// An operation with a table.
+template <class Mesh>
 struct ApplyStep {
   using Halfedge = typename Mesh::Halfedge;
   static constexpr bool counts_swaps = false;
   static constexpr unsigned rings = 1;
   static constexpr MayIsolate may_isolate = MayIsolate::everywhere;
-  const Table& table;
+  const OperationView& table;
   Halfedge where;
-  Change& change;
+  NewVertices& added;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
-    add_triangles(mesh, read_sides(mesh, table.triangles_before, where), patch);
+    add_triangles(read_sides(mesh, table.triangles_before, where), patch);
   }
-  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    return choice.chosen_by([&](auto&& choose) { return apply_unchecked(mesh, table, where, change, choose); });
+  Rewrite by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    return choice.taken(apply_unchecked(mesh, table, where, &added));
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
-    const auto done = by_rules(mesh, choice);
+  Rewrite joined(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    const Rewrite done = by_rules(mesh, choice);
     return with(done, join_patch(mesh, table, done.halfedge));
   }
   /// Without a rule no side of the patch can stay solid.
   Halfedge bare(Mesh& mesh) const {
-    const auto patch = read_sides(mesh, table.triangles_before, where);
+    const PatchSides patch = read_sides(mesh, table.triangles_before, where);
     for (const auto& triangle : patch.sides())
       for (const Halfedge h : triangle)
         if (mesh.solid(h)) mesh.set_solid(h, false);
-    return change(patch);
+    return replace_patch(mesh, table, patch, &added);
   }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
-    const auto patch = read_sides(mesh, table.triangles_before, where);
+    const PatchSides patch = read_sides(mesh, table.triangles_before, where);
     for (const auto& triangle : patch.sides())
       for (const Halfedge h : triangle) around.add_next_to(mesh, h);
   }
   void find_new(const Mesh& mesh, Halfedge first, std::vector<Triangle>& patch) const {
-    add_triangles(mesh, read_sides(mesh, table.triangles_after, first), patch);
+    add_triangles(read_sides(mesh, table.triangles_after, first), patch);
   }
 
  private:
-  template <class Sides>
-  static void add_triangles(const Mesh& mesh, const Sides& sides, std::vector<Triangle>& patch) {
+  static void add_triangles(const PatchSides& sides, std::vector<Triangle>& patch) {
     patch.clear();
-    for (const auto& triangle : sides.sides()) patch.push_back(static_cast<Triangle>(mesh.triangle(triangle[0])));
+    for (const auto& triangle : sides.sides()) patch.push_back(StripMesh::triangle(triangle[0]));
   }
 };
 

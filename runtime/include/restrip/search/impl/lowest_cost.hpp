@@ -49,7 +49,7 @@ class LowestCost {
   [[nodiscard]] const IndexPlan& plan() const noexcept { return plan_; }
 
   template <class Step>
-  Rewrite<Halfedge> perform(Mesh& mesh, RuleChoice<Mesh>& choice, Surroundings<Mesh>& around, const Step& step) {
+  Rewrite perform(Mesh& mesh, RuleChoice<Mesh>& choice, Surroundings<Mesh>& around, const Step& step) {
     unsettle();
     choice.begin(plan_.limits.looks != 0, plan_.from == IndexPlan::From::ends);
     std::vector<Triangle>& start = choice.start();
@@ -60,7 +60,7 @@ class LowestCost {
       around.add_neighbors(mesh);
       around.count_before(mesh);
     }
-    Rewrite<Halfedge> done = step.by_rules(mesh, choice);
+    Rewrite done = step.by_rules(mesh, choice);
     static_cast<ColoringChange&>(done) = choice.change();
     if (!Step::counts_swaps) {
       step.find_new(mesh, done.halfedge, start);

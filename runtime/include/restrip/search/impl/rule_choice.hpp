@@ -15,7 +15,6 @@
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/result.hpp"
 #include "restrip/search/impl/descent.hpp"
-#include "restrip/search/impl/patch_choice.hpp"
 
 namespace restrip {
 
@@ -116,7 +115,7 @@ ColoringChange tally(const Patch& at, const FanBits& colors, const FanBits& port
 
 /// The source of rules for begin_split() and begin_collapse() (LocalRules has the members).
 template <class Mesh>
-class RuleChoice {
+class RuleChoice final : public RuleSource {
  public:
   using Halfedge = typename Mesh::Halfedge;
 
@@ -132,50 +131,41 @@ class RuleChoice {
     start_.clear();
   }
 
-  Rule split(const Mesh& mesh, Halfedge left, const InteriorFan<Halfedge>& fan) {
+  Rule split(const StripMesh& mesh, Halfedge left, const InteriorFan& fan) override {
     ++counts_.asked;
     const Rule rule = split_rule({fan.k, fan.a}, fan.loop, fan.ports);
     return chosen(
         rule, [&] { return passed_to_ring(fan.k, fan.a, fan.loop); },
         [&](Word ring) { return ring_for_fan(mesh, left, fan, ring, fan.loop); });
   }
-  Rule collapse(const Mesh& mesh, Halfedge chord, const InteriorFan<Halfedge>& fan, Word ring) {
+  Rule collapse(const StripMesh& mesh, Halfedge chord, const InteriorFan& fan, Word ring) override {
     ++counts_.asked;
     const Rule rule = collapse_rule({fan.k, fan.a}, ring, fan.ports);
     return chosen(
         rule, [&] { return passed_to_fan(fan.k, fan.a, ring); },
-        [&](Word loop) { return -ring_for_fan(mesh, fan_step(mesh, chord).spoke, fan, ring, loop); });
+        [&](Word loop) { return -ring_for_fan(mesh, mesh.fan_step(chord).spoke, fan, ring, loop); });
   }
-  Answer answer(const Mesh& mesh, SeenPatch& patch, WalkPorts<Halfedge> walk_ports) {
+  Answer answer_split(const StripMesh& mesh, const VertexSplit& where, SeenPatch& patch) override {
     ++counts_.asked;
-    return chosen(mesh, answer_by_rule(patch), patch, walk_ports);
+    return chosen(mesh, answer_by_rule(patch), patch,
+                  [&](auto&& port) { detail::walk_ports(mesh, where, patch, port); });
   }
-  /// Counts a flip, which always takes its rule and has been done.
-  Rewrite<Halfedge> taken(const Rewrite<Halfedge>& done) noexcept {
+  Answer answer_collapse(const StripMesh& mesh, Halfedge chord, SeenPatch& patch) override {
+    ++counts_.asked;
+    return chosen(mesh, answer_by_rule(patch), patch, [&](auto&& port) {
+      walk_patch(
+          mesh, chord, [](std::size_t, Halfedge) {}, port);
+    });
+  }
+  /// Counts an operation that always takes its rule and has been done.
+  Rewrite taken(const Rewrite& done) noexcept {
     ++counts_.asked;
     took(done);
     return done;
   }
 
-  /// An operation with a table. `perform`(choose) does it with the colours that `choose` returns.
-  template <class Perform>
-  Rewrite<Halfedge> chosen_by(Perform&& perform) {
-    ++counts_.asked;
-    bool other = false;
-    const auto done = perform([&](const Mesh& mesh, const auto& table, const auto& patch, PatchEdges solid,
-                                  const tables::OperationRule& rule) {
-      if (!weighs_ || !searches_ || !rule.valid || table.matching || table.after.edges > most_tried_edges) return rule;
-      const tables::OperationRule cheapest = cheapest_for_patch(mesh, table, patch, solid, rule, cost_);
-      other = cheapest.colors != rule.colors || cheapest.ports != rule.ports;
-      return cheapest;
-    });
-    change_ = done;
-    ++(other ? counts_.kept : counts_.taken);
-    return done;
-  }
-
   /// After a split or a collapse: notes where a search begins. New triangles come first.
-  void begin_after_split(const Mesh& mesh, const FanChange<Halfedge>& change, Halfedge chord) {
+  void begin_after_split(const Mesh& mesh, const FanChange& change, Halfedge chord) {
     if (!searches_) return;
     if (!change.interior) {
       edge_triangles(mesh, chord, start_);
@@ -185,9 +175,9 @@ class RuleChoice {
     const Word inserted = bit(0) | bit(fan.a + 1);
     const Word all = from_ends_ ? ends_ring(fan.k, fan.a, change.colors.word(), fan.ports) : low_bits(fan.k + 2);
     for (const Word elements : {all & inserted, all & ~inserted})
-      visit_ring<Mesh>(mesh, fan, chord, elements, [&](Halfedge h) { start_at(mesh, h); });
+      visit_ring(mesh, fan, chord, elements, [&](Halfedge h) { start_at(mesh, h); });
   }
-  void begin_after_collapse(const Mesh& mesh, const FanChange<Halfedge>& change, Halfedge spoke) {
+  void begin_after_collapse(const Mesh& mesh, const FanChange& change, Halfedge spoke) {
     if (!searches_) return;
     if (!change.interior) {
       fan_triangles(mesh, spoke, start_);
@@ -195,12 +185,12 @@ class RuleChoice {
     }
     const auto& fan = change.fan;
     const Word all = from_ends_ ? ends_closed(fan.k, change.colors.word(), fan.ports) : low_bits(fan.k);
-    visit_fan<Mesh>(mesh, fan, spoke, all, [&](Halfedge h) { start_at(mesh, h); });
+    visit_fan(mesh, fan, spoke, all, [&](Halfedge h) { start_at(mesh, h); });
   }
   [[nodiscard]] std::vector<Triangle>& start() noexcept { return start_; }
 
   /// Takes the counts of begin_split() and begin_collapse(), if swaps are not weighed.
-  void note(const FanChange<Halfedge>& change) noexcept { change_.isolated = change.counts.isolated; }
+  void note(const FanChange& change) noexcept { change_.isolated = change.counts.isolated; }
 
   /// The change by the colours chosen last. Swaps are right if they are weighed and the operation is a split or a
   /// collapse.
@@ -248,7 +238,8 @@ class RuleChoice {
     const ColoringChange kept = change(colors);
     return keeps(kept, by_rule) ? Rule{colors, kept.strips, true} : rule;
   }
-  Answer chosen(const Mesh& mesh, Answer rule, const SeenPatch& patch, WalkPorts<Halfedge> walk_ports) {
+  template <class WalkPorts>
+  Answer chosen(const Mesh& mesh, Answer rule, const SeenPatch& patch, WalkPorts&& walk_ports) {
     if (!weighs_) {
       took({rule.change.strips, 0, 0});
       return rule;
@@ -256,7 +247,7 @@ class RuleChoice {
     FanBits next;  // how strips turn outside the ports
     FanBits last;
     walk_ports([&](std::size_t i, Halfedge port) {
-      const unsigned turn = patch.ports.get(i) ? other_solid_sides(mesh, mesh.opposite(port)) : 0;
+      const unsigned turn = patch.ports.get(i) ? mesh.other_solid_sides(mesh.opposite(port)) : 0;
       next.put(i, (turn & 1U) != 0);
       last.put(i, (turn & 2U) != 0);
     });
@@ -279,8 +270,7 @@ class RuleChoice {
   }
 
   /// The change when a closed fan becomes a ring with the given colours. `first`: the spoke of t_0.
-  static ColoringChange ring_for_fan(const Mesh& mesh, Halfedge first, const InteriorFan<Halfedge>& fan, Word ring,
-                                     Word loop) {
+  static ColoringChange ring_for_fan(const Mesh& mesh, Halfedge first, const InteriorFan& fan, Word ring, Word loop) {
     const auto [k, a] = std::pair{fan.k, fan.a};
     const Word ports = fan.ports;
     ColoringChange change{2 - count_difference(ring, loop),
@@ -293,7 +283,7 @@ class RuleChoice {
     const Word last_in_fan = turned_down(loop, k - 1, k);
     for (Word rest = ports & ((next ^ loop) | (last ^ last_in_fan)); rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      const unsigned outside = other_solid_sides(mesh, mesh.opposite(mesh.next(i == 0 ? first : fan.spokes[i - 1])));
+      const unsigned outside = mesh.other_solid_sides(mesh.opposite(mesh.next(i == 0 ? first : fan.spokes[i - 1])));
       const auto turn = [i](Word to_next, Word to_last) {
         return static_cast<unsigned>(to_next >> i & 1) | static_cast<unsigned>(to_last >> i & 1) << 1;
       };

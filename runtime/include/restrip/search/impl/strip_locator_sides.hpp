@@ -22,7 +22,7 @@ bool StripLocator::step(const SidedMesh auto& mesh, Triangle& t, unsigned& entry
       return true;
     }
   }
-  const StripStep<Halfedge> next = mesh.strip_step(StripMesh::halfedge(t, entry));
+  const StripStep next = mesh.strip_step(StripMesh::halfedge(t, entry));
   t = StripMesh::triangle(next.in);
   entry = StripMesh::side(next.in);
   return next.continues;

@@ -1,11 +1,10 @@
 // The checks of operations. Included by checks.hpp.
-#pragma once
+#include "restrip/mesh/checks.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-#include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
 
 namespace restrip {
@@ -14,22 +13,22 @@ namespace detail {
 
 /// Whether a vertex other than v_l and v_r is a neighbour of both v_s and v_t. O(sum of their valences); if both exceed
 /// `few`, times the logarithm of the smaller one, and then it allocates.
-inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
+bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
   constexpr std::size_t few = 32;
   const auto other = [=](Vertex w) { return w != v_s && w != v_t && w != v_l && w != v_r; };
   bool shared = false;
   const bool s_has_few = spokes_up_to(mesh, v_s, few + 1) <= few;
   if (s_has_few || spokes_up_to(mesh, v_t, few + 1) <= few) {
     const Vertex many = s_has_few ? v_t : v_s;
-    for_each_spoke(mesh, s_has_few ? v_s : v_t, [&](StripMesh::Halfedge h) {
+    for_each_spoke(mesh, s_has_few ? v_s : v_t, [&](Halfedge h) {
       if (!shared && other(mesh.to(h)) && mesh.spoke(many, mesh.to(h)).id != none) shared = true;
     });
     return shared;
   }
   std::vector<Vertex> around;
-  for_each_spoke(mesh, v_s, [&](StripMesh::Halfedge h) { around.push_back(mesh.to(h)); });
+  for_each_spoke(mesh, v_s, [&](Halfedge h) { around.push_back(mesh.to(h)); });
   std::sort(around.begin(), around.end());
-  for_each_spoke(mesh, v_t, [&](StripMesh::Halfedge h) {
+  for_each_spoke(mesh, v_t, [&](Halfedge h) {
     if (other(mesh.to(h)) && std::binary_search(around.begin(), around.end(), mesh.to(h))) shared = true;
   });
   return shared;
@@ -37,13 +36,12 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
 
 }  // namespace detail
 
-Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
-                                   Vertex new_vertex) {
-  using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+Refusal check_split(const StripMesh& mesh, const VertexSplit& where, Vertex new_vertex) {
+  using Spokes = VertexSplit::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
   const bool has_right = where.spokes != Spokes::left_only;
   if ((has_left && !mesh.alive(where.left)) || (has_right && !mesh.alive(where.right))) return Refusal::no_such_edge;
-  const StripMesh::Halfedge first = has_left ? where.left : where.right;
+  const Halfedge first = has_left ? where.left : where.right;
   if (has_left && has_right) {
     if (mesh.from(where.left) != mesh.from(where.right)) return Refusal::different_vertices;
     if (where.left == where.right) return Refusal::same_spoke;
@@ -56,15 +54,15 @@ Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge
   return detail::refusal_of_name(mesh, new_vertex);
 }
 
-Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
+Refusal check_collapse(const StripMesh& mesh, Halfedge chord) {
   return detail::check_collapse_with(mesh, chord, [&mesh](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
     return detail::share_neighbor(mesh, v_s, v_t, v_l, v_r);
   });
 }
 
-Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h) {
+Refusal check_flip(const StripMesh& mesh, Halfedge h) {
   if (!mesh.alive(h)) return Refusal::no_such_edge;
-  const StripMesh::Halfedge back = mesh.opposite(h);
+  const Halfedge back = mesh.opposite(h);
   if (StripMesh::on_boundary(h) || StripMesh::on_boundary(back)) return Refusal::boundary_edge;
   const Vertex l = mesh.to(StripMesh::next(h));
   const Vertex r = mesh.to(StripMesh::next(back));

@@ -1,14 +1,13 @@
 // StripMesh, member by member. Included by strip_mesh.hpp.
-#pragma once
+#include "restrip/mesh/strip_mesh.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 
+#include "mesh/join_sides.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/mesh/impl/join_sides.hpp"
-#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {
@@ -72,8 +71,8 @@ Vertex StripMesh::new_vertex(Vertex wanted) {
   return wanted;
 }
 
-StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
-  using Spokes = VertexSplit<Halfedge>::Spokes;
+StripMesh::Room StripMesh::take_room(VertexSplit::Spokes spokes, Vertex wanted) {
+  using Spokes = VertexSplit::Spokes;
   RESTRIP_ASSERT(wanted >= spoke_.size() || spoke_[wanted] == none, "StripMesh::take_room",
                  describe(Refusal::vertex_in_use));
   // Everything that may throw comes first, so either everything has been taken or nothing.
@@ -129,7 +128,7 @@ void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
   }
 }
 
-StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
+Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   const Halfedge first = spoke(v);
   if (first.id == none) return first;
   Halfedge h = first;
@@ -141,16 +140,14 @@ StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   return {none};
 }
 
-StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
-                                                            std::span<const Halfedge> moved, Vertex wanted) {
+Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, Vertex wanted) {
   RESTRIP_ASSERT_GRANTED(check_split(*this, {left, right}, wanted), "StripMesh::insert_vertex");
   expect_touches(moved.size() + most_other_touches);
-  return insert_vertex(left, right, moved, take_room(VertexSplit<Halfedge>::Spokes::both, wanted));
+  return insert_vertex(left, right, moved, take_room(VertexSplit::Spokes::both, wanted));
 }
 
-StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
-                                                            std::span<const Halfedge> moved,
-                                                            const Room& room) noexcept {
+Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved,
+                                  const Room& room) noexcept {
   const Vertex v_s = from(left);
   const Vertex v_t = room.vertex;
   for (const Halfedge h : moved) set_corner(h, v_t);
@@ -172,15 +169,14 @@ StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right,
   return chord;
 }
 
-StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
+Halfedge StripMesh::insert_vertex(const VertexSplit& where, Vertex wanted) {
   RESTRIP_ASSERT_GRANTED(check_split(*this, where, wanted), "StripMesh::insert_vertex");
   expect_touches_around(from(where.spoke()));
   return insert_vertex(where, take_room(where.spokes, wanted));
 }
 
-StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where,
-                                                            const Room& room) noexcept {
-  using Spokes = VertexSplit<Halfedge>::Spokes;
+Halfedge StripMesh::insert_vertex(const VertexSplit& where, const Room& room) noexcept {
+  using Spokes = VertexSplit::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
   const bool has_right = where.spokes != Spokes::left_only;
   const Halfedge left = where.left;
@@ -256,7 +252,7 @@ void StripMesh::expect_back() {
   detail::make_room(free_vertices_, 1);
 }
 
-StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
+Halfedge StripMesh::remove_vertex(Halfedge chord) {
   RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
   expect_back();
   expect_touches_around(to(chord));
@@ -266,7 +262,7 @@ StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   return merged;
 }
 
-StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
+Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
   const Halfedge back = opposite(chord);
   const bool has_left = !on_boundary(chord);
   const bool has_right = !on_boundary(back);
@@ -294,7 +290,7 @@ StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexce
   return merged;
 }
 
-StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
+Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
   RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
   expect_back();
   expect_touches(moved.size() + most_other_touches);
@@ -304,8 +300,7 @@ StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Hal
   return merged;
 }
 
-StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved,
-                                                            Room& freed) noexcept {
+Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept {
   const Vertex v_s = from(chord);
   const Vertex v_t = to(chord);
   for (const Halfedge h : moved) set_corner(h, v_s);
@@ -317,8 +312,7 @@ StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Hal
 }
 
 /// Joins the neighbours on both sides of the triangles at the chord, and empties these triangles.
-StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
-                                                     Room& freed) noexcept {
+Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept {
   freed.left = freed.right = none;
   Halfedge merged{};
   if (has_right) {
@@ -348,7 +342,7 @@ StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_le
   return merged;
 }
 
-StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
+Halfedge StripMesh::turn_edge(Halfedge h) {
   RESTRIP_ASSERT_GRANTED(check_flip(*this, h), "StripMesh::turn_edge");
   expect_touches(most_other_touches);
   const Halfedge g = opposite(h);
@@ -464,5 +458,12 @@ void StripMesh::find_non_manifold_vertices(BuildReport& report) {
     report.non_manifold_vertices += non_manifold_[v];
   }
 }
+
+template StripMesh StripMesh::build_of(const TriangleList<std::uint32_t>&, std::size_t, BuildReport*,
+                                       std::vector<std::uint32_t>*);
+template StripMesh StripMesh::build_of(const TriangleList<std::uint16_t>&, std::size_t, BuildReport*,
+                                       std::vector<std::uint32_t>*);
+template StripMesh StripMesh::build_of(const TriangleList<std::array<Vertex, 3>>&, std::size_t, BuildReport*,
+                                       std::vector<std::uint32_t>*);
 
 }  // namespace restrip

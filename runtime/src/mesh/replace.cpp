@@ -1,6 +1,4 @@
 // check_replace() and StripMesh::replace. Included by checks.hpp.
-#pragma once
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -19,7 +17,7 @@ namespace detail {
 struct RimSide {
   Vertex from = none;
   Vertex to = none;
-  StripMesh::Halfedge across;  ///< may lack a triangle
+  Halfedge across;  ///< may lack a triangle
   bool solid = false;
 };
 
@@ -28,8 +26,8 @@ class PatchRim {
   PatchRim(const StripMesh& mesh, std::span<const Triangle> out) {
     for (const Triangle t : out)
       for (unsigned s = 0; s < 3; ++s) {
-        const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-        const StripMesh::Halfedge across = mesh.opposite(h);
+        const Halfedge h = StripMesh::halfedge(t, s);
+        const Halfedge across = mesh.opposite(h);
         if (StripMesh::on_boundary(across) || !has(out, StripMesh::triangle(across)))
           sides_[count_++] = {mesh.from(h), mesh.to(h), across, mesh.solid(h)};
       }
@@ -79,8 +77,8 @@ class NewSides {
 };
 
 /// Whether a mesh edge between the two vertices remains when `out` is removed.
-inline bool edge_stays(const StripMesh& mesh, std::span<const Triangle> out, Vertex v, Vertex w) {
-  const StripMesh::Halfedge h = mesh.spoke(v, w);
+bool edge_stays(const StripMesh& mesh, std::span<const Triangle> out, Vertex v, Vertex w) {
+  const Halfedge h = mesh.spoke(v, w);
   if (h.id == none) return false;
   for (const auto side : {h, mesh.opposite(h)})
     if (!StripMesh::on_boundary(side) && !PatchRim::has(out, StripMesh::triangle(side))) return true;
@@ -88,7 +86,7 @@ inline bool edge_stays(const StripMesh& mesh, std::span<const Triangle> out, Ver
 }
 
 /// The number of triangles that have the vertex.
-inline std::size_t count_around(const StripMesh& mesh, std::span<const Triangle> triangles, Vertex v) {
+std::size_t count_around(const StripMesh& mesh, std::span<const Triangle> triangles, Vertex v) {
   return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), [&](Triangle t) {
     const auto corners = mesh.corners(t);
     return std::find(corners.begin(), corners.end(), v) != corners.end();
@@ -96,8 +94,8 @@ inline std::size_t count_around(const StripMesh& mesh, std::span<const Triangle>
 }
 
 /// Whether the vertex then has at least three triangles, or is on the boundary.
-inline bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, const NewSides& sides, std::size_t place,
-                       Vertex v) {
+bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, const NewSides& sides, std::size_t place,
+                Vertex v) {
   std::size_t more = 0;
   bool closed = true;
   for (std::size_t i = 0; i < sides.size(); ++i)
@@ -115,8 +113,8 @@ inline bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, con
 
 }  // namespace detail
 
-Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                                     std::span<const StripMesh::Places> in, std::span<const Vertex> vertices) {
+Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out, std::span<const StripMesh::Places> in,
+                      std::span<const Vertex> vertices) {
   if (out.empty() || in.empty() || out.size() > StripMesh::most_replaced || in.size() > StripMesh::most_replaced)
     return Refusal::other_patch;
   const auto listed = [&](Vertex v) { return std::count(vertices.begin(), vertices.end(), v) != 0; };
@@ -153,8 +151,8 @@ Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
   return Refusal::granted;
 }
 
-void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in,
-                                       std::span<Vertex> vertices, std::span<Triangle> made) {
+void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in, std::span<Vertex> vertices,
+                        std::span<Triangle> made) {
   RESTRIP_ASSERT_GRANTED(check_replace(*this, out, in, vertices), "StripMesh::replace");
   RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "`made` must have one element for each new triangle");
   // Everything that may throw comes first.

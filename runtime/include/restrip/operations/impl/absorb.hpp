@@ -1,0 +1,59 @@
+// absorb() for callers that keep more than colours.
+#pragma once
+
+#include "restrip/mesh/cost.hpp"
+#include "restrip/operations/absorb.hpp"
+
+namespace restrip {
+
+namespace detail {
+
+/// The result of an operation and of the repair after it.
+inline Rewrite with(Rewrite rewrite, const ColoringChange& repair) {
+  rewrite += repair;
+  return rewrite;
+}
+
+/// absorb() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is called for each
+/// triangle that has become a strip end, with one of its halfedges.
+template <class Paint, class End>
+ColoringChange absorb_with(const StripMesh& mesh, Halfedge h, int depth, Paint&& paint, End&& end) {
+  if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
+  for (const bool pass_on : {false, true}) {
+    if (pass_on && depth == 0) break;
+    for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+      const auto across = mesh.opposite(h);
+      if (mesh.on_boundary(across)) continue;
+      const unsigned degree = solid_degree(mesh, across);
+      if (degree < 2) {  // the end of a strip, or isolated as well
+        paint(h, true);
+        end(h);
+        return {-1, 0, degree == 0 ? -2 : -1};
+      }
+      for (auto other = mesh.next(across); !(other == across); other = mesh.next(other)) {
+        if (!mesh.solid(other)) continue;
+        const auto beyond = mesh.opposite(other);
+        const bool spares_one = solid_degree(mesh, beyond) == 2;
+        if (!spares_one && !pass_on) continue;
+        paint(other, false);
+        paint(h, true);
+        ColoringChange done{0, 0, -1};
+        if (spares_one)
+          end(beyond);
+        else
+          done = absorb_with(mesh, beyond, depth - 1, paint, end);
+        if (done.isolated < 0) {
+          end(h);
+          return done;
+        }
+        paint(h, false);
+        paint(other, true);
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace detail
+
+}  // namespace restrip
