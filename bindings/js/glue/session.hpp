@@ -227,7 +227,7 @@ class Session {
 
  private:
   Refusal counted(const Checked& done) {
-    if (done) count(done.rewrite), new_vertex_ = done.new_vertex;
+    if (done) count(done.rewrite), new_vertex_ = done.new_vertex();
     return done.refusal;
   }
   void count(const Rewrite& done) {
