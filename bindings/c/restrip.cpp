@@ -69,7 +69,7 @@ using namespace restrip;
 
 // ---- codes, texts and arguments
 
-/// The codes of the refusals, which never change, in the order of Refusal up to other_valence.
+/// The codes of the refusals, which never change, in the order of Refusal up to no_manifold.
 constexpr std::array<restrip_status, 15> codes{
     RESTRIP_OK,
     RESTRIP_NO_SUCH_EDGE,
@@ -87,7 +87,7 @@ constexpr std::array<restrip_status, 15> codes{
     RESTRIP_VERTEX_TOO_FAR,
     RESTRIP_OTHER_VALENCE,
 };
-static_assert(codes.size() == static_cast<std::size_t>(Refusal::other_valence) + 1);
+static_assert(codes.size() == static_cast<std::size_t>(Refusal::no_manifold) + 1);
 
 constexpr restrip_status status_of(Refusal refusal) noexcept {
   if (refusal == Refusal::colors_not_valid) return RESTRIP_BAD_COLORING;

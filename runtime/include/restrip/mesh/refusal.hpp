@@ -28,11 +28,11 @@ enum class Refusal {
   edge_exists,        ///< an edge that the operation would make is in the mesh already
   vertex_in_use,      ///< the vertex named for a split has triangles already
   vertex_too_far,     ///< the vertex named for a split is far beyond all others (StripMesh::max_vertex_gap)
-  other_valence,      ///< the vertex to be removed does not have the number of triangles that this operation removes
+  no_manifold,  ///< the triangles around a vertex would be more than one fan, or an edge would have two triangles of
+                ///< the same direction
   other_patch,      ///< the triangles there are not the ones that the operation removes, or not the ones that it makes
   same_vertex,      ///< two vertices of the operation are one vertex of the mesh
-  colors_not_valid  ///< debug builds, on meshes other than StripMesh: a triangle at the operation has three solid
-                    ///< edges, or a boundary edge is solid
+  colors_not_valid  ///< an operation with a table: a triangle of the patch has three solid edges
 };
 
 /// One human-readable sentence.
@@ -67,15 +67,14 @@ enum class Refusal {
     case Refusal::vertex_too_far:
       return "the vertex named for the split is so far beyond the vertices of the mesh that the gap would fill the "
              "memory: build the mesh with its final number of vertices";
-    case Refusal::other_valence:
-      return "the vertex to be removed does not have the number of triangles that this operation needs";
+    case Refusal::no_manifold:
+      return "the mesh would not be a manifold at one of the vertices: its triangles would not be one fan";
     case Refusal::other_patch:
       return "the triangles there are not the ones that the operation names";
     case Refusal::same_vertex:
       return "two vertices of the operation are one vertex of the mesh";
     case Refusal::colors_not_valid:
-      return "the colours here do not belong to a valid colouring: was the mesh changed without restrip? "
-             "(operations/hooks.hpp)";
+      return "the colours here do not belong to a valid colouring: was the mesh changed without restrip?";
   }
   return "unknown";
 }

@@ -254,6 +254,13 @@ class StripMesh {
   void replace(std::span<const Triangle> out, std::span<const Places> in, std::span<Vertex> vertices,
                std::span<Triangle> made);
 
+  /// Replaces any triangles by any others, each by its corners, counter-clockwise; either list may be empty. Vertices
+  /// not in use become new ones, vertices left without triangles are removed. Dual edges of removed and of new
+  /// triangles are dashed; all others keep their colours. `made` receives the handles of `in`, of which the first ones
+  /// are those of `out`. Precondition: check_replace() of the same lists grants it. O(n log n) for the triangles at
+  /// their vertices.
+  void replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in, std::vector<Triangle>& made);
+
   // ---- list of changes
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
   /// appended to *changed, some of them more than once. Null ends this. Room in *changed is
@@ -404,6 +411,12 @@ class StripMesh {
 /// triangles, and linear in the valence of the vertices between which there are new edges.
 [[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                     std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
+
+/// Whether any triangles may be replaced by others (the other StripMesh::replace): `out` are triangles of the mesh,
+/// each once, `in` have three different corners each, and the result is a manifold with boundary at all their vertices,
+/// with at least three triangles around an interior one.
+[[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
+                                    std::span<const std::array<Vertex, 3>> in);
 
 // Defined in walks.hpp, which the checks use; declared here because walks.hpp may be read after them.
 template <class Visit>

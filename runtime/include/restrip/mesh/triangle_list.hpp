@@ -111,4 +111,3 @@ std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noe
 }  // namespace detail
 
 }  // namespace restrip
-
