@@ -4,12 +4,11 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
-#include <optional>
 #include <span>
 
 #include "common/stopwatch.hpp"
 #include "meshes/made_mesh.hpp"
-#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/live_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "shared.hpp"
 
@@ -78,8 +77,8 @@ void buffer_memory(benchmark::State& state, std::size_t triangles) {
   const LargeGround& g = ground(triangles);
   for ([[maybe_unused]] auto _ : state) {
     const double before = allocated_bytes();
-    std::optional<StripBuffer> buffer;
-    const double time = tools::nanoseconds_of([&] { buffer.emplace(g.mesh); });
+    LiveBuffer buffer({.width = IndexWidth::bits32});
+    const double time = tools::nanoseconds_of([&] { buffer.rebuild(g.mesh); });
     const auto all = static_cast<double>(g.mesh.triangle_count());
     state.counters["triangles"] = all;
     state.counters["buffer_bytes"] = (allocated_bytes() - before) / all;

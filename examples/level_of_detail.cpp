@@ -35,7 +35,8 @@ int main() {
 
   std::vector<restrip::Triangle> changed;
   mesh.watch(&changed);
-  restrip::StripBuffer buffer(mesh);  // upload buffer.indices() once
+  restrip::LiveBuffer buffer({.width = restrip::IndexWidth::bits32});
+  buffer.rebuild(mesh);  // upload buffer.indices() once
   const auto upload = [&](const char* what) {
     std::size_t indices = 0;
     for (const auto& range : buffer.update(mesh, changed)) indices += range.count;  // upload each range

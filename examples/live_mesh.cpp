@@ -22,7 +22,7 @@ int main() {
   // {left, right} at vertex 600: the new vertex gets the triangles counter-clockwise from right to left.
   live.split({live.edge(600, 641), live.edge(600, 559)});
   end_of_frame();
-  live.undo();  // the split: everything is exactly as before
+  live.undo();  // the split: triangles, numbers and strips are exactly as before
   end_of_frame();
   const auto& rules = live.rule_counts();
   std::printf("%d rules asked: %d taken, %d kept colours as good; then %d improved\n", int(rules.asked),

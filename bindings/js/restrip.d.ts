@@ -58,7 +58,7 @@ export class Restrip {
    *  mesh. */
   baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;
   /** A mesh from the bytes of StripMesh.save(), or of LiveMesh::save() in C++, with the points of its vertices. It has begun, with the
-   *  policy, cost and form that it had, and every later operation has the same results; it has no records. `history`: see begin().
+   *  policy, cost and form that it had; it has no records. `history`: see begin().
    *  Throws when the bytes are truncated, altered, of another version, or not a mesh. */
   saved(bytes: ArrayBuffer | ArrayBufferView, options: { points: ArrayLike<number>; history?: number }): StripMesh;
   /** The rule of a configuration, numbered as in docs/reference/notation.md: `edges` are the loop or inner edges before. Any k
@@ -182,16 +182,14 @@ export class StripMesh implements Disposable {
   /** The ranges to draw: the runs of the form 'lengths', else the whole buffer; of a list, in which an operation writes only the slots
    *  of the triangles that it changed, 3 indices a triangle. */
   readonly draws: Range[];
-  /** Undoes or redoes a frame; update() ends a frame, and changes since then count as one. Triangles, strips, indices and the level are
-   *  restored exactly, and so are the number of points and the points that operations wrote: every later result is the same as without
-   *  the frame. A list has its triangles in another order. What setPoint() moved stays. Call update() next. False when there is no such
-   *  frame. Time linear in the frame, and in the records. */
+  /** Undoes or redoes a frame; update() ends a frame, and changes since then count as one. Triangles, strips and the level are
+   *  restored exactly, and so are the number of points and the points that operations wrote; the next update() draws them as after any
+   *  change. What setPoint() moved stays. False when there is no such frame. Time linear in the frame, and in the records. */
   undo(): boolean;
   redo(): boolean;
   /** Frames that can be undone and redone. */
   readonly history: { undoable: number; redoable: number };
-  /** The mesh, its strips, its buffer and what later operations depend on, as bytes for Restrip.saved(): not points, records or
-   *  history. Ends a frame. Linear time. */
+  /** The mesh, its strips, policy, cost and form as bytes for Restrip.saved(): not points, records or history. Linear time. */
   save(): Uint8Array;
   /** A copy of the index buffer of strips made from scratch, by the fastest way, for the present mesh. The maintained
    *  strips do not change. With `cacheSize` they are cut, joined and ordered for a first-in-first-out vertex cache of that

@@ -97,15 +97,18 @@ void by_keeper(restrip::Policy policy, const char* what) {
                     restrip::Cost::strips());
   std::vector<Triangle> changed;
   mesh.watch(&changed);
-  restrip::StripBuffer buffer(mesh);
+  restrip::LiveBuffer buffer({.form = restrip::StripForm::lengths});
+  buffer.rebuild(mesh);
   restrip::Keeper keeper(mesh, policy, restrip::Cost::strips());
   down_and_up(
       mesh, [&](Halfedge h) { restrip::checked_collapse(keeper, h); },
       [&](const restrip::VertexSplit& where) { restrip::checked_split(keeper, where); });
   const std::size_t ranges = buffer.update(mesh, changed).size();
+  std::vector<restrip::IndexRange> runs;
+  buffer.draws(runs);
   keeper.improve(5000);
   std::printf("%u strips, %u runs, %u ranges\n", static_cast<unsigned>(keeper.strips()),
-              static_cast<unsigned>(buffer.runs()), static_cast<unsigned>(ranges));
+              static_cast<unsigned>(runs.size()), static_cast<unsigned>(ranges));
   print(what, mesh);
 }
 

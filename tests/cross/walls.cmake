@@ -13,6 +13,8 @@ set(allowed_in_bindings/js "${allowed_in_web}")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(common|measure|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
+# Private headers of the library.
+set(door_private "\"(formats|live|mesh|operations|output|search)/[a-z_]+.hpp\"")
 # The program that prints what the compiled look-ups answer.
 set(door_dump "\"restrip/(rules|operations)/[a-z]+.hpp\"")
 # Only the verifying programs write files.
@@ -100,7 +102,8 @@ function(judge room source line out)
       endif()
     endif()
   endif()
-  if(source MATCHES "/tables/dump/" AND what MATCHES "^(${door_dump})$"
+  if(source MATCHES "/runtime/src/" AND what MATCHES "^(${door_private})$"
+     OR source MATCHES "/tables/dump/" AND what MATCHES "^(${door_dump})$"
      OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
      OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"

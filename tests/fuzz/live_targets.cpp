@@ -5,8 +5,8 @@
 // return, makes a new one only when an update reports that it was outgrown, and draws it with a decoder of its own. The
 // claims, after every update: the device holds the bytes of the LiveMesh and draws the triangles of the mesh, each once
 // with its winding; ranges are as the options ask; no alarm is false. After every undo and redo: triangles, handles and
-// colours are those of that frame, and so are the bytes of strips, as they were before the next frame began. At the end
-// all frames are undone and redone.
+// colours are those of that frame. Packing keeps the triangles. At the end all frames are undone and redone, and the
+// mesh is saved and loaded.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -118,6 +118,14 @@ State state_of(const StripMesh& mesh) {
   return state;
 }
 
+/// The same without first spokes, which depend on how the mesh was made.
+State colored(const StripMesh& mesh) {
+  State state = state_of(mesh);
+  for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
+    if (mesh.spoke(v) != Halfedge{}) state.resize(state.size() - 2);
+  return state;
+}
+
 /// Whether 16 bits can name every vertex of a triangle.
 bool fits_16_bits(const StripMesh& mesh) {
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
@@ -129,12 +137,6 @@ bool fits_16_bits(const StripMesh& mesh) {
 
 // ---- the caller
 
-/// The mesh and the buffer at the end of a frame.
-struct Frame {
-  State mesh;
-  std::vector<std::byte> bytes;  ///< of the buffer; empty if not known
-};
-
 class Caller {
  public:
   Caller(Input& input, std::span<const Corners> triangles, std::size_t vertices, const LiveOptions& options)
@@ -142,8 +144,7 @@ class Caller {
     device_.make(live_);
     std::copy(live_.bytes().begin(), live_.bytes().end(), device_.bytes.begin());
     compare();
-    frames_.push_back(frame_now());
-    note_bytes();
+    frames_.push_back(state_of(mesh()));
   }
 
   void run() {
@@ -161,6 +162,7 @@ class Caller {
     update();
     while (move(false)) update();
     while (move(true)) update();
+    promise_saved();
   }
 
  private:
@@ -241,7 +243,8 @@ class Caller {
     redo,
     move,
     recolor,
-    keep
+    keep,
+    pack
   };
   static constexpr std::array attentions{Attention::improve,
                                          Attention::exhaust_memory,
@@ -252,7 +255,8 @@ class Caller {
                                          Attention::redo,
                                          Attention::move,
                                          Attention::recolor,
-                                         Attention::keep};
+                                         Attention::keep,
+                                         Attention::pack};
   void attend(Attention choice) {
     if (choice == Attention::improve) {
       const std::uint32_t budget = 1 + 16 * input_.byte();
@@ -268,6 +272,7 @@ class Caller {
     if ((choice == Attention::undo && move(false)) || (choice == Attention::redo && move(true)))
       if (input_.byte() % 4 != 0) update();
     if (choice == Attention::move) move(input_.byte() % 2 == 0);
+    if (choice == Attention::pack) pack();
     const Cost cost = input_.one_of(std::array{Cost::indices(), Cost::strips()});
     if (choice == Attention::recolor) {
       changed_ = true;
@@ -277,6 +282,32 @@ class Caller {
       const Policy policy = policies[input_.byte() % (policies.size() - 1)].policy;  // the best takes too long
       done([&] { live_.keep(policy, cost); });
     }
+  }
+
+  void pack() {
+    const std::vector<Corners> before = triangles_of(mesh());
+    Renumbering numbers;
+    if (!done([&] { numbers = live_.pack(); })) return lose_track();
+    promise(live_.undoable() + live_.redoable() == 0, "packing begins the history again");
+    lose_track();
+    frames_.push_back(state_of(mesh()));
+    changed_ = any_before_ = any_after_ = false;
+    std::vector<Corners> after;
+    for (Corners corners : before) {
+      for (Vertex& v : corners) v = numbers.vertices[v];
+      after.push_back(corners);
+    }
+    promise(mesh().triangle_bound() == after.size(), "packed triangles have the lowest numbers");
+    promise(sample::triangles_of(mesh()).size() == after.size(), "packing keeps the triangles");
+    for (Corners& corners : after)
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    std::sort(after.begin(), after.end());
+    promise(triangles_of(mesh()) == after, "packed triangles are those of before");
+  }
+  void promise_saved() const {
+    if (options_.format.width == IndexWidth::bits16 && !fits_16_bits(mesh())) return;
+    const LiveMesh loaded = LiveMesh::load(live_.save());
+    promise(colored(loaded.mesh()) == colored(mesh()), "every saved mesh loads as the same mesh");
   }
 
   void update_with_options() {
@@ -299,7 +330,6 @@ class Caller {
                   device_.bytes.data() + first * device_.width);
     compare();
     note_frame();
-    note_bytes();
   }
   void check_ranges(const Upload& upload, const RangeOptions& options) const {
     const std::size_t width = live_.index_bytes();
@@ -330,9 +360,6 @@ class Caller {
 
   // ---- frames
 
-  Frame frame_now() const {
-    return {state_of(mesh()), std::vector<std::byte>(live_.bytes().begin(), live_.bytes().end())};
-  }
   /// What is before and after is no longer known.
   void lose_track() {
     frames_.clear();
@@ -344,30 +371,25 @@ class Caller {
   void note_frame() {
     const bool may_have_changed = std::exchange(changed_, false);
     if (options_.history == 0) return promise(live_.undoable() + live_.redoable() == 0, "no history has no frames");
-    Frame now = frame_now();
-    if (frames_.empty()) {
-      frames_.push_back({std::move(now.mesh), {}});
-      return;
-    }
-    if (now.mesh != frames_[at_].mesh) {
+    State now = state_of(mesh());
+    if (frames_.empty()) return frames_.push_back(std::move(now));
+    if (now != frames_[at_]) {
       promise(may_have_changed, "refused operations change nothing");
       promise(live_.undoable() > 0 && live_.redoable() == 0, "a change is a frame");
-      begin_frame();
       frames_.resize(++at_);
       frames_.push_back(std::move(now));
       any_after_ = false;
-    } else if (may_have_changed) {  // a frame if free handles are in another order; perhaps the buffer was written
-                                    // again
+    } else if (may_have_changed) {  // a frame if free handles are in another order
       lose_track();
       changed_ = false;
-      frames_.push_back({std::move(now.mesh), {}});
+      frames_.push_back(std::move(now));
     }
   }
   /// Undoes or redoes a frame. False if no frame is left, or memory ran out.
   bool move(bool forward) {
     const bool tracked = !frames_.empty() && options_.history != 0;
     State before = changed_ && tracked ? state_of(mesh()) : State{};
-    const bool ends_a_frame = changed_ && tracked && before != frames_[at_].mesh;
+    const bool ends_a_frame = changed_ && tracked && before != frames_[at_];
     bool moved = false;
     if (!done([&] { moved = forward ? live_.redo() : live_.undo(); })) {
       lose_track();
@@ -378,26 +400,19 @@ class Caller {
             "frames that are left can be undone and redone");
     if (ends_a_frame) {
       promise(moved != forward, "a change is undone first, and nothing is redone after it");
-      begin_frame();
       frames_.resize(at_ + 1);
-      frames_.push_back({std::move(before), {}});
+      frames_.push_back(std::move(before));
       any_after_ = false;
       if (forward) ++at_;
     } else if (changed_ || !tracked) {  // free handles in another order may be a frame
       lose_track();
-      frames_.push_back({state_of(mesh()), {}});
+      frames_.push_back(state_of(mesh()));
     } else if (moved) {
       step(forward);
     }
     changed_ = false;
     if (moved && !forward && ends_a_frame) expect_restored();
-    note_bytes();
     return moved;
-  }
-  void note_bytes() { bytes_.assign(live_.bytes().begin(), live_.bytes().end()); }
-  /// The next frame begins with what compact() has made of the last one.
-  void begin_frame() {
-    if (!frames_[at_].bytes.empty()) frames_[at_].bytes = bytes_;
   }
   void step(bool forward) {
     if (forward ? at_ + 1 < frames_.size() : at_ > 0) {
@@ -405,15 +420,11 @@ class Caller {
       return expect_restored();
     }
     promise(forward ? any_after_ : any_before_, "no frame is undone or redone that was not made");
-    frames_.insert(forward ? frames_.end() : frames_.begin(), {state_of(mesh()), {}});
+    frames_.insert(forward ? frames_.end() : frames_.begin(), state_of(mesh()));
     at_ = forward ? frames_.size() - 1 : 0;
   }
   void expect_restored() const {
-    const Frame& frame = frames_[at_];
-    promise(state_of(mesh()) == frame.mesh, "triangles, handles and colours are restored exactly");
-    if (options_.format.form != StripForm::list && !frame.bytes.empty())
-      promise(std::equal(live_.bytes().begin(), live_.bytes().end(), frame.bytes.begin(), frame.bytes.end()),
-              "the indices of strips are restored exactly");
+    promise(state_of(mesh()) == frames_[at_], "triangles, handles and colours are restored exactly");
   }
 
   Input& input_;
@@ -421,11 +432,10 @@ class Caller {
   LiveMesh live_;
   Device device_;
   std::vector<IndexRange> draws_;
-  std::vector<Frame> frames_;  // those that are known, consecutive
+  std::vector<State> frames_;  // those that are known, consecutive
   std::size_t at_ = 0;         // the one that the mesh is at
   bool any_before_ = false;    // perhaps frames before these can be undone, or after these redone
   bool any_after_ = false;
-  std::vector<std::byte> bytes_;    // of the buffer after the last update, undo or redo
   bool changed_ = false;            // perhaps, since the last update
   std::uint32_t memory_fails_ = 0;  // in the next call: twice the number of the allocation, plus one for good
 };

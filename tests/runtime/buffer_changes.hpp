@@ -1,4 +1,4 @@
-// Checks that only the reported indices of a buffer have changed.
+// Checks of buffers: that only the reported indices have changed, and that they draw their mesh.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "restrip/output/strip_buffer.hpp"
+#include "measure/check_buffer.hpp"
+#include "output/strip_buffer.hpp"
+#include "output/triangle_list_buffer.hpp"
 
 namespace restrip {
 
@@ -27,6 +29,17 @@ inline void expect_only_reported_changes(const std::vector<std::uint32_t>& befor
     if (!reported[i]) {
       ASSERT_TRUE(i < before.size() && before[i] == after[i]) << "index " << i;
     }
+}
+
+inline BufferReport check_buffer(const StripBuffer& buffer, const StripMesh& mesh) {
+  const bool narrow = buffer.width() == IndexWidth::bits16;
+  return detail::compare_drawn(narrow ? triangles_of_strips(buffer.indices16()) : triangles_of_strips(buffer.indices()),
+                               triangles_of(mesh));
+}
+inline BufferReport check_buffer(const TriangleListBuffer& buffer, const StripMesh& mesh) {
+  const bool narrow = buffer.width() == IndexWidth::bits16;
+  return detail::compare_drawn(narrow ? triangles_of_list(buffer.indices16()) : triangles_of_list(buffer.indices()),
+                               triangles_of(mesh));
 }
 
 }  // namespace restrip

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "hub_meshes.hpp"
-#include "restrip/output/strip_buffer.hpp"
+#include "output/strip_buffer.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "restrip/output/strip_buffer.hpp"
+#include "output/strip_buffer.hpp"
 #include "restrip/restrip.hpp"
 #include "restrip/tables/operations/bisect.hpp"
 #include "restrip/tables/operations/join_faces.hpp"

@@ -16,7 +16,7 @@
 
 #include "random_operation.hpp"
 #include "restrip/live_mesh.hpp"
-#include "restrip/output/strip_buffer.hpp"
+#include "output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/impl/window.hpp"
 #include "restrip/search/keeper.hpp"

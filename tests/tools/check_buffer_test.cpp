@@ -13,11 +13,12 @@ namespace {
 TEST(CheckBuffer, CountsWhatIsMissingAndExtra) {
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh, Effort::fast, Cost::strips());
-    const StripBuffer strips(mesh);
-    const StripBuffer strips16(mesh, IndexWidth::bits16);
-    const TriangleListBuffer list(mesh);
+    LiveBuffer strips;
+    LiveBuffer strips32({.form = StripForm::stitched, .width = IndexWidth::bits32});
+    LiveBuffer list({.form = StripForm::list});
+    for (LiveBuffer* const buffer : {&strips, &strips32, &list}) buffer->rebuild(mesh);
     EXPECT_TRUE(check_buffer(strips, mesh).right());
-    EXPECT_TRUE(check_buffer(strips16, mesh).right());
+    EXPECT_TRUE(check_buffer(strips32, mesh).right());
     EXPECT_TRUE(check_buffer(list, mesh).right());
     StripMesh::Halfedge h{};
     for (Triangle t = 0; t < mesh.triangle_bound() && h.id == none; ++t)

@@ -12,9 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/mesh.hpp"
-#include "restrip/output/strip_buffer.hpp"
-#include "restrip/output/triangle_list_buffer.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/output/live_buffer.hpp"
 
 namespace restrip {
 
@@ -59,11 +58,10 @@ template <class Index>
 }
 
 /// The triangles of a mesh.
-template <NumberedMesh Mesh>
-[[nodiscard]] std::vector<DrawnTriangle> triangles_of(const Mesh& mesh) {
+[[nodiscard]] inline std::vector<DrawnTriangle> triangles_of(const StripMesh& mesh) {
   std::vector<DrawnTriangle> all;
-  for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.has_triangle(t)) all.push_back(detail::lowest_first(detail::corners_from(mesh, mesh.halfedge(t))));
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) all.push_back(detail::lowest_first(mesh.corners(t)));
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -88,16 +86,12 @@ inline BufferReport compare_drawn(const std::vector<DrawnTriangle>& drawn, const
 }  // namespace detail
 
 /// Decodes the buffer and compares. O(n log n).
-template <NumberedMesh Mesh>
-[[nodiscard]] BufferReport check_buffer(const StripBuffer& buffer, const Mesh& mesh) {
-  const bool narrow = buffer.width() == IndexWidth::bits16;
+[[nodiscard]] inline BufferReport check_buffer(const LiveBuffer& buffer, const StripMesh& mesh) {
+  const bool narrow = buffer.index_bytes() == 2;
+  if (buffer.format().form == StripForm::list)
+    return detail::compare_drawn(narrow ? triangles_of_list(buffer.indices16()) : triangles_of_list(buffer.indices()),
+                                 triangles_of(mesh));
   return detail::compare_drawn(narrow ? triangles_of_strips(buffer.indices16()) : triangles_of_strips(buffer.indices()),
-                               triangles_of(mesh));
-}
-template <NumberedMesh Mesh>
-[[nodiscard]] BufferReport check_buffer(const TriangleListBuffer& buffer, const Mesh& mesh) {
-  const bool narrow = buffer.width() == IndexWidth::bits16;
-  return detail::compare_drawn(narrow ? triangles_of_list(buffer.indices16()) : triangles_of_list(buffer.indices()),
                                triangles_of(mesh));
 }
 

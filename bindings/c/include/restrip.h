@@ -125,10 +125,9 @@ RESTRIP_API restrip_status restrip_mesh_build_u16(const uint16_t* indices, size_
 /* Frees the mesh and all arrays that it returned. Null is allowed. */
 RESTRIP_API void restrip_mesh_free(restrip_mesh* mesh);
 
-/* Save and load: everything that later calls depend on, as bytes, the same on every machine. Numbers, halfedges,
- * indices and the results of all later operations are the same with the loaded mesh. The history is not saved, nor the
- * levels of a baked mesh. Saving ends a frame of the live buffer, whose ranges the next update returns. *bytes is valid
- * until the mesh is saved again. O(T), some 40 bytes a triangle. */
+/* Save and load: triangles, numbers, halfedges, colours, policy, cost and format, as bytes, the same on every machine.
+ * The loaded mesh begins its buffer and its searches again. The history is not saved, nor the levels of a baked mesh.
+ * *bytes is valid until the mesh is saved again. O(T): 13 bytes a triangle, and a bit for each number. */
 RESTRIP_API restrip_status restrip_mesh_save(restrip_mesh* mesh, const void** bytes, size_t* size);
 /* RESTRIP_BAD_FILE for bytes that are truncated, altered, of another version, or that describe what no mesh can be;
  * then `text` receives which, cut off after text_size - 1 bytes; it may be null with text_size 0. Bytes from an
@@ -406,7 +405,7 @@ typedef struct restrip_layout {
  * to N indices, N even, draw a stitched buffer in windows [(N - 2) i, (N - 2) i + N), cut off at its end: they overlap
  * by two indices and begin at even places, so they draw each triangle once, with its winding.
  *
- * `history` is the budget of undo, 0 for none: a frame counts the triangles that changed in it, some 100 bytes each;
+ * `history` is the budget of undo, 0 for none: a frame counts the triangles that changed in it, some 50 bytes each;
  * when all frames together count more, the oldest are dropped, except the last one. O(1). */
 RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_format* format,
                                               const restrip_layout* layout, size_t history);
@@ -418,15 +417,15 @@ RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_
  * wider: make a new one on the device. The only range is then the whole buffer. The ranges are valid until the next
  * update. Linear in the changes; O(T) the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and
  * restrip_baked_restart. RESTRIP_TOO_LARGE when 16 bits cannot name a vertex; after that and after
- * RESTRIP_OUT_OF_MEMORY the next update writes the whole buffer. */
+ * RESTRIP_OUT_OF_MEMORY the next update writes the whole buffer. The frame has ended all the same, and can be undone. */
 RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, size_t merge_gap, size_t align,
                                                const restrip_range** ranges, size_t* range_count, int32_t* outgrown);
 /* The buffer after the last update; empty before the first. `room` may be null, or receives the number of indices that
  * the device should have room for. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
 RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
 /* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when
- * no frame is left. Triangles, numbers, halfedges, colours, indices of strips and baked levels are restored: every
- * later result is the same as without the frame. The history begins again after restrip_baked_restart and some errors.
+ * no frame is left. Triangles, numbers, halfedges, colours and baked levels are restored; the next update draws them as
+ * after any change. The history begins again after restrip_baked_restart and some errors.
  * Linear in the frame; O(T) under policies that search for fewest strips. */
 RESTRIP_API restrip_status restrip_live_undo(restrip_mesh* mesh, int32_t* done);
 RESTRIP_API restrip_status restrip_live_redo(restrip_mesh* mesh, int32_t* done);

@@ -34,7 +34,7 @@ struct LiveOptions {
   Policy policy = default_policy;
   Cost cost = default_cost;
   Effort effort = default_effort;  ///< for the initial strips
-  /// The budget of undo, in changed triangles of all frames together, some 100 bytes each. Beyond it the oldest frames
+  /// The budget of undo, in changed triangles of all frames together, some 50 bytes each. Beyond it the oldest frames
   /// are dropped, but never the last one. 0: no history.
   std::size_t history = 0;
   /// The format of the buffer; limits of batches are not supported.
@@ -45,9 +45,16 @@ struct LiveOptions {
   bool deferred = false;
 };
 
+/// What LiveMesh::pack() returns: by old number the new one, or `none` if the number was free.
+struct Renumbering {
+  std::vector<Triangle> triangles;
+  std::vector<Vertex> vertices;
+};
+
 /// Can be moved, not copied; an object that was moved from can only be destroyed or assigned to. Each call throws what
 /// its parts throw. After an exception of update(), undo() or redo() the mesh is valid, and the next update() returns
-/// everything that has not been returned; if memory ran out, earlier frames perhaps cannot be undone.
+/// everything that has not been returned. If update() throws because 16 bits cannot name a vertex (std::length_error),
+/// the frame has ended all the same, and undo() works; if memory ran out, earlier frames perhaps cannot be undone.
 class LiveMesh {
  public:
   using Halfedge = StripMesh::Halfedge;
@@ -109,32 +116,38 @@ class LiveMesh {
   /// For idle time: see Keeper::improve. Returns the cost saved. Leaves the levels of baked strips.
   std::size_t improve(std::size_t budget);
 
+  /// Gives triangles and vertices the lowest numbers, in their order: for a mesh that has shrunk, whose arrays have
+  /// room for numbers that are free. Vertices without triangles go. The next update() writes the whole buffer, and the
+  /// history begins again. Leaves the levels of baked strips. Linear time. Rearrange your own data by the result.
+  Renumbering pack();
+
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
   /// Upload::outgrown says that the buffer on the device is too small.
   Upload update(const RangeOptions& ranges = {});
   /// Makes the next update() also return the ranges of the last one, for a caller that could not upload them.
   void keep_upload() noexcept;
   /// Undo or redo a frame; changes since the last update() count as a frame. Triangles, handles and colours are
-  /// restored exactly, and so are the indices of strips, their width and the level of baked strips: every later result
-  /// is the same as without the frame. False when there is nothing to undo or redo.
-  /// Call update() next, which returns the ranges to upload. Your data of vertices is not restored, and the numbers of
-  /// removed vertices are used again: save the data of a vertex before an operation that changes it. Time linear in
-  /// what the frame changed; under the cost of strips and a policy that tunnels, linear in the mesh.
+  /// restored exactly, and so is the level of baked strips; the next update() draws them as after any change. What
+  /// later operations choose may differ: searches do not go back. False when there is nothing to undo or redo. Your
+  /// data of vertices is not restored, and the numbers of removed vertices are used again: save the data of a vertex
+  /// before an operation that changes it. Time linear in what the frame changed; under the cost of strips and a policy
+  /// that tunnels, linear in the mesh.
   bool undo();
   bool redo();
 
-  /// Everything that later calls depend on, as bytes in a format of its own (docs/reference/file-formats.md), the same
-  /// on every machine: handles, numbers, indices and the results of every later operation are the same with a loaded
-  /// mesh. The history, baked strips (the loaded mesh has left its levels) and limits set with keeper().set_search()
-  /// are not saved. Ends a frame, as undo() does, whose ranges the next update() returns. Some 40 bytes a triangle.
-  /// Linear time.
-  [[nodiscard]] std::vector<std::byte> save();
-  /// Reads what save() has written; upload bytes(), with room() indices. `history`: see LiveOptions. Throws
-  /// std::invalid_argument with the reason for bytes that are truncated, altered, of another version, or that describe
-  /// what no LiveMesh can be; bytes from an untrusted source are safe. Memory and time are linear in the bytes.
+  /// Triangles and vertices by their numbers, colours, policy, cost, format and layout, as bytes that are the same on
+  /// every machine (docs/reference/file-formats.md): 13 for each triangle, and a bit for each number. The history,
+  /// baked strips (the loaded mesh has left its levels), counts of rules and limits set with keeper().set_search() are
+  /// not saved. Linear time.
+  [[nodiscard]] std::vector<std::byte> save() const;
+  /// Reads what save() has written. Handles and colours are those of the saved mesh; buffer and searches begin again,
+  /// so upload bytes(), with room() indices. Free numbers are used again from the lowest on. `history`: see
+  /// LiveOptions. Throws std::invalid_argument with the reason for bytes that are truncated, altered, of another
+  /// version, or that describe what no LiveMesh can be, and std::length_error if 16 bits cannot name a vertex; bytes
+  /// from an untrusted source are safe. Memory and time are linear in the bytes.
   [[nodiscard]] static LiveMesh load(std::span<const std::byte> bytes, std::size_t history = 0);
 
-  /// The number of frames that can be undone and redone; update() ends a frame first.
+  /// The number of frames that can be undone and redone, without changes since the last update().
   [[nodiscard]] std::size_t undoable() const noexcept;
   [[nodiscard]] std::size_t redoable() const noexcept;
   /// The number of the present frame: of all frames since the history began, those that are not undone. For data that
@@ -171,7 +184,6 @@ class LiveMesh {
   struct Parts;
 
   LiveMesh(StripMesh mesh, const LiveOptions& options, Colors colors);
-  explicit LiveMesh(std::unique_ptr<Parts> parts) noexcept;
 
   std::unique_ptr<Parts> parts_;
 };

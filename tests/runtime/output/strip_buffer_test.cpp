@@ -1,6 +1,6 @@
 // The buffer draws the mesh after every update, indices not reported have not changed, and it is never much longer than
 // the strips, with indices of 32 and of 16 bits. Buffers of other meshes are in tests/adapters.
-#include "restrip/output/strip_buffer.hpp"
+#include "output/strip_buffer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "buffer_changes.hpp"
-#include "measure/check_buffer.hpp"
 #include "measure/vertex_cache.hpp"
 #include "random_operation.hpp"
 #include "restrip/search/keeper.hpp"
@@ -207,7 +206,8 @@ TEST(StripBuffer, KeepsAnOrderThatAVertexCacheLikes) {
 
 TEST(StripBuffer, LayoutsAreChecked) {
   for (const LayoutOptions& layout : {LayoutOptions{.cache = 65}, {.waste = 1'000'001}, {.work = 101}})
-    EXPECT_THROW(StripBuffer(StripForm::restart, layout), std::invalid_argument);
+    for (const StripForm form : {StripForm::restart, StripForm::list})
+      EXPECT_THROW(LiveBuffer({.form = form}, layout), std::invalid_argument);
   // The limits, and a buffer that may move nothing.
   std::mt19937 random(22);
   for (const LayoutOptions& layout : {LayoutOptions{.cache = 64, .waste = 1'000'000, .work = 100}, {1, 0, 0}}) {

@@ -1,6 +1,6 @@
 // The list draws the mesh after every update, indices not reported have not changed, and only changed corners are
 // written.
-#include "restrip/output/triangle_list_buffer.hpp"
+#include "output/triangle_list_buffer.hpp"
 
 #include <gtest/gtest.h>
 

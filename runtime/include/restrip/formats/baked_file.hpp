@@ -43,13 +43,11 @@ struct BakedFile {
 /// of another version, or that describe splits or colours that no mesh can have. Plays all records once: the time is
 /// linear in the bytes and the finest mesh. Memory is proportional to the bytes. Throws only std::bad_alloc, and
 /// std::length_error for more triangles than a StripMesh can hold.
-[[nodiscard]] inline std::string read_baked(std::span<const std::byte> bytes, BakedFile& file);
+[[nodiscard]] std::string read_baked(std::span<const std::byte> bytes, BakedFile& file);
 
 /// Replaces the payload of a baked mesh: the same number of bytes for each record, in the order of the records. An
 /// empty payload removes it. Returns an empty string, or what is wrong, as read_baked() does; then `file` is unchanged.
 /// Reads only the checksum and the header. Linear time. Throws only std::bad_alloc.
-[[nodiscard]] inline std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload);
+[[nodiscard]] std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload);
 
 }  // namespace restrip
-
-#include "restrip/formats/impl/baked_file.hpp"

@@ -7,28 +7,37 @@
 //   for (const IndexRange& range : buffer.update(mesh, changed)) upload(range);    // of buffer.bytes()
 //   changed.clear();
 //
-// It is a StripBuffer or a TriangleListBuffer with indices of 16 or 32 bits, chosen at run time; their headers say what
-// updates cost. IndexWidth::automatic uses 16 bits until a vertex number is 65,535 or above, then 32.
+// IndexWidth::automatic uses 16 bits until a vertex number is 65,535 or above, then 32.
+//
+// Strips are cut into *runs* of at most 36 triangles, each in its place in the buffer. When triangles change, little
+// more than their runs is written again. While it changes, the buffer of a scanned mesh has some 1.09 times the indices
+// of strip_indices(), also after scattered operations, a stitched one up to 1.25 times the indices of a stitched strip.
+// Strips that repeat no index, such as strips of a grid, take more: one cut for every 28 triangles is already 11 %.
+// Draw StripForm::restart as one triangle strip with primitive restart, StripForm::stitched without it, and
+// StripForm::lengths by the runs that draws() lists. At first runs are in an order that a vertex cache likes; new runs
+// are put next to their neighbours. An update takes time linear in the changed triangles, up to a logarithm for the
+// ranges that it returns; only the growth of arrays is linear in the mesh (reserve()). Memory: 4 bytes a triangle, the
+// indices, and 40 bytes a run.
+//
+// StripForm::list is a triangle list with a slot of three indices for each triangle, of which an update rewrites only
+// the corners that changed. It is the better choice if bytes written or update times matter most, or if vertices are
+// expensive and the triangles are in an order for the vertex cache, which their numbers keep. Strips take half the
+// memory, but need a colouring. A list of 16 bits with an odd number of triangles has one more index at its end, which
+// draws nothing. bench/level.cpp measures both.
 //
 // Hardware that limits the indices of a draw call: draw a stitched buffer in windows of N indices, N even. Window i is
 // [(N - 2) i, (N - 2) i + N), cut off at the end of the buffer. Windows overlap by two indices, so each triangle is in
 // one, and begin at even places, so windings stay. An update does not change which window a place is in.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <stdexcept>
-#include <utility>
-#include <variant>
 #include <vector>
 
-#include "restrip/mesh/mesh.hpp"
-#include "restrip/output/strip_buffer.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strip_format.hpp"
-#include "restrip/output/triangle_list_buffer.hpp"
-#include "restrip/precondition.hpp"
 
 namespace restrip {
 
@@ -36,103 +45,64 @@ class LiveBuffer {
  public:
   /// Empty; the first update writes the whole buffer. Live buffers do not support batches (limits of a batch throw
   /// std::invalid_argument; see above for a remedy), and stay strips even if a list is shorter. `layout` matters to
-  /// strips only; throws as their buffer does.
-  RESTRIP_COLD explicit LiveBuffer(const StripFormat& format = {}, const LayoutOptions& layout = {})
-      : format_(format), layout_(layout) {
-    if (format.most_vertices != 0 || format.most_indices != 0)
-      RESTRIP_THROW(std::invalid_argument,
-                    "restrip: a live buffer has no batches; draw a stitched one in windows (live_buffer.hpp)");
-    make(format.width == IndexWidth::bits32);
-    returned_ = device_ = {index_bytes(), 0};
-  }
+  /// strips only; std::invalid_argument if it is out of range.
+  explicit LiveBuffer(const StripFormat& format = {}, const LayoutOptions& layout = {});
+  LiveBuffer(LiveBuffer&& other) noexcept;
+  LiveBuffer& operator=(LiveBuffer&& other) noexcept;
+  ~LiveBuffer();
 
-  /// Writes the whole buffer, which the caller uploads to a device with room(). Linear time. Throws as the rebuild() of
-  /// its buffer does.
-  template <NumberedMesh Mesh>
-  void rebuild(const Mesh& mesh);
-  /// Brings the buffer in step with the mesh, like the update() of its buffer, and throws the same; then the next
-  /// update writes everything. The result is valid until the next call.
-  template <NumberedMesh Mesh>
-  Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {});
+  /// Writes the whole buffer, without gaps, which the caller uploads to a device with room(). Linear time. Triangles on
+  /// solid cycles, which no valid colouring has, are left out. Throws std::length_error when a vertex number does not
+  /// fit into an index (the index with all bits set is not available), with the vertex and what to do, or
+  /// std::bad_alloc; then the next update writes everything.
+  void rebuild(const StripMesh& mesh);
+  /// Brings the buffer in step with the mesh. `changed` names every triangle whose corners, neighbours or colours have
+  /// changed since the last call, and every triangle inserted or removed, as StripMesh::watch does; repetitions do no
+  /// harm. Returns the ranges whose indices may have changed; the buffer may have grown or shrunk, by multiples of four
+  /// bytes. Valid until the next call. Throws as rebuild() does.
+  Upload update(const StripMesh& mesh, std::span<const Triangle> changed, const RangeOptions& options = {});
   /// Makes the next update also return the ranges of the last one, for a caller that has not uploaded them. It reports
   /// an outgrown buffer if the device's, as it was before the last update, is outgrown then.
-  void keep_upload() noexcept {
-    kept_ = true;
-    std::visit([](auto& buffer) { buffer.keep_ranges(); }, buffer_);
-  }
+  void keep_upload() noexcept;
   /// Makes the next update write the whole buffer: for meshes that have changed without a list of changes.
   void forget() noexcept { whole_ = true; }
-
   /// Makes room for a mesh of this many triangle numbers, here and on the device, at 2 indices a triangle or 3 in a
-  /// list. If room() grows, the next update reports an outgrown buffer.
-  void reserve(std::size_t triangles) {
-    std::visit([triangles](auto& buffer) { buffer.reserve(triangles); }, buffer_);  // throws if the product wraps
-    room_ = (std::max)(room_, (format_.form == StripForm::list ? 3 : 2) * triangles);
-  }
+  /// list. If room() grows, the next update reports an outgrown buffer. Throws std::length_error if they are too many
+  /// for any memory, or std::bad_alloc.
+  void reserve(std::size_t triangles);
 
   [[nodiscard]] const StripFormat& format() const noexcept { return format_; }
   [[nodiscard]] const LayoutOptions& layout() const noexcept { return layout_; }
   /// 2 or 4.
-  [[nodiscard]] std::size_t index_bytes() const noexcept { return cells().index_bytes(); }
-  [[nodiscard]] std::size_t size() const noexcept { return cells().size(); }
+  [[nodiscard]] std::size_t index_bytes() const noexcept;
+  [[nodiscard]] std::size_t size() const noexcept;
   /// The number of indices that the buffer on the device should have room for: a quarter more than when it was last
   /// outgrown, or the number reserved.
   [[nodiscard]] std::size_t room() const noexcept { return room_; }
   /// In the byte order of this machine.
-  [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return cells().bytes(); }
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept;
   /// The indices, if they have 32 or 16 bits; else empty.
-  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return cells().wide_indices(); }
-  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return cells().narrow_indices(); }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept;
+  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept;
   /// The ranges to draw, one draw call or one entry of a multi-draw each: the runs of StripForm::lengths, else the
   /// whole buffer without the padding of a list. `draws` is overwritten.
-  void draws(std::vector<IndexRange>& draws) const {
-    if (format_.form == StripForm::lengths) return std::get<StripBuffer>(buffer_).draws(draws);
-    draws.assign(size() == 0 ? 0 : 1, {0, format_.form == StripForm::list ? size() / 3 * 3 : size()});
-  }
-
-  using Buffer = std::variant<StripBuffer, TriangleListBuffer>;
-  /// The buffer itself, for members that only one kind has.
-  [[nodiscard]] Buffer& buffer() noexcept { return buffer_; }
-  /// Makes the next update return all of it, after it was replaced by another of the same form.
-  void keep_all() noexcept {
-    keep_upload();
-    all_changed_ = true;
-  }
+  void draws(std::vector<IndexRange>& draws) const;
 
  private:
-  friend class detail::LiveState;
+  struct Buffer;
   /// Of the buffer on the device.
   struct Extent {
     std::size_t index_bytes = 0;
     std::size_t room = 0;  ///< in indices
     friend bool operator==(const Extent&, const Extent&) = default;
   };
-  template <class Mesh>
-  void write_all(const Mesh& mesh, bool stays_wide);
-  RESTRIP_COLD void make(bool wide) {
-    const IndexWidth width = wide ? IndexWidth::bits32 : IndexWidth::bits16;
-    if (format_.form == StripForm::list)
-      buffer_.emplace<TriangleListBuffer>(width);
-    else
-      buffer_.emplace<StripBuffer>(StripBuffer(format_.form, layout_, width));  // may throw before it
-  }
-  [[nodiscard]] const detail::Cells& cells() const noexcept {
-    return std::visit([](const auto& buffer) -> const detail::Cells& { return buffer.cells(); }, buffer_);
-  }
-  void make_room() noexcept {
-    if (size() > room_) room_ = size() + size() / 4;
-    returned_ = {index_bytes(), room_};
-  }
-  template <class Mesh>
-  [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::uint32_t t) {
-    if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return true;
-    const auto [a, b, c] = detail::corners_from(mesh, mesh.halfedge(t));
-    return (std::max)({a, b, c}) <= highest_index16;
-  }
+  void make(bool wide);
+  void make_room() noexcept;
+  void write_all(const StripMesh& mesh);
 
   StripFormat format_;
   LayoutOptions layout_;
-  Buffer buffer_;
+  std::unique_ptr<Buffer> buffer_;
   bool whole_ = true;         // the next update writes everything
   bool all_changed_ = false;  // since the device was last written
   bool kept_ = false;         // the caller does not have the result of the last update
@@ -141,55 +111,5 @@ class LiveBuffer {
   Extent returned_;  // by the last update
   IndexRange all_;
 };
-
-template <NumberedMesh Mesh>
-void LiveBuffer::rebuild(const Mesh& mesh) {
-  write_all(mesh, false);
-  make_room();
-  kept_ = false;
-}
-
-template <NumberedMesh Mesh>
-Upload LiveBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options) {
-  if (!std::exchange(kept_, true)) {  // until this update returns, its caller has only what the last one returned
-    device_ = returned_;
-    all_changed_ = false;
-  }
-  const bool widens =
-      format_.width == IndexWidth::automatic && index_bytes() == 2 &&
-      !std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
-  std::span<const IndexRange> ranges{&all_, 1};
-  if (whole_ || widens) {
-    write_all(mesh, index_bytes() == 4);  // a history has no frame that narrows
-  } else {
-    whole_ = true;
-    ranges = std::visit([&](auto& buffer) { return buffer.update(mesh, changed, options); }, buffer_);
-    whole_ = false;
-  }
-  make_room();
-  kept_ = false;
-  const bool outgrown = returned_ != device_;
-  if (outgrown || all_changed_) {
-    all_ = {0, size()};
-    ranges = {&all_, 1};
-  }
-  if (size() == 0) ranges = {};
-  return {ranges, outgrown};
-}
-
-template <class Mesh>
-RESTRIP_COLD void LiveBuffer::write_all(const Mesh& mesh, bool stays_wide) {
-  whole_ = all_changed_ = true;  // also if no memory is left for a buffer of the other width
-  if (format_.width == IndexWidth::automatic) {
-    bool wide = stays_wide;
-    for (std::uint32_t t = 0; t < mesh.triangle_bound() && !wide; ++t) wide = !fits_16_bits(mesh, t);
-    make(wide);
-  }
-  std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
-  whole_ = false;
-}
-
-extern template void LiveBuffer::rebuild(const StripMesh&);
-extern template Upload LiveBuffer::update(const StripMesh&, std::span<const std::uint32_t>, const RangeOptions&);
 
 }  // namespace restrip

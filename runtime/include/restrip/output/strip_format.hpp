@@ -111,8 +111,6 @@ struct IndexBuffer {
 /// repeated indices or not. Strips keep their order, except that in the stitched form a strip of odd length waits for
 /// the next such strip, so that no index is spent on parity. Linear time. Throws std::invalid_argument for a limit that
 /// is too low, and std::length_error when 16 bits are wanted and an index is too high.
-[[nodiscard]] IndexBuffer format_strips(std::span<const std::uint32_t> indices,
-                                                       const StripFormat& format = {});
+[[nodiscard]] IndexBuffer format_strips(std::span<const std::uint32_t> indices, const StripFormat& format = {});
 
 }  // namespace restrip
-

@@ -15,7 +15,7 @@
 
 #include <cstddef>
 
-#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip {
@@ -38,9 +38,6 @@ struct VertexCache {
 /// Greedy, linear time: for each strip drawn, at most some 50 beginnings of at most 128 triangles are compared; some
 /// microseconds a triangle for a cache of 32. About 80 bytes a triangle during the call. Deterministic, the same on
 /// every machine. Throws std::invalid_argument if the weight is not in its range.
-template <NumberedMesh Mesh>
-Strips strips_for_vertex_cache(Mesh& mesh, const VertexCache& cache);
+Strips strips_for_vertex_cache(StripMesh& mesh, const VertexCache& cache);
 
 }  // namespace restrip
-
-#include "restrip/output/impl/strip_order.hpp"

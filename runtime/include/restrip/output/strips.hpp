@@ -1,12 +1,10 @@
 // From colours to strips: check a colouring, list the triangles of each strip, write the index buffer.
 //
-// Everything here is computed from scratch in linear time and is the same on every machine, for any mesh that numbers
-// its triangles and vertices (mesh/mesh.hpp). Exceptions of the mesh leave these functions. The index buffer
-// is the plain triangle strip of OpenGL, Vulkan, Direct3D and WebGPU with primitive restart: after the first two
-// indices of a strip each index v_{i+2} draws the triangle (v_i, v_{i+1}, v_{i+2}) when i is even and (v_{i+1}, v_i,
-// v_{i+2}) when i is odd. A strip that turns twice the same way repeats one index there (a *swap*; Evans, Skiena,
-// Varshney, "Optimizing triangle strips for fast rendering", 1996), which draws one degenerate triangle that hardware
-// drops.
+// Everything here is computed from scratch in linear time and is the same on every machine. The index buffer is the
+// plain triangle strip of OpenGL, Vulkan, Direct3D and WebGPU with primitive restart: after the first two indices of a
+// strip each index v_{i+2} draws the triangle (v_i, v_{i+1}, v_{i+2}) when i is even and (v_{i+1}, v_i, v_{i+2}) when i
+// is odd. A strip that turns twice the same way repeats one index there (a *swap*; Evans, Skiena, Varshney, "Optimizing
+// triangle strips for fast rendering", 1996), which draws one degenerate triangle that hardware drops.
 //
 //   const Strips strips = extract_strips(mesh);
 //   const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);   // upload; restart index 0xFFFFFFFF
@@ -17,7 +15,6 @@
 #include <span>
 #include <vector>
 
-#include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip {
@@ -34,17 +31,14 @@ struct ColoringReport {
 };
 
 /// Checks a whole colouring from its definition. Close to linear time, 4 bytes of memory a triangle.
-template <NumberedMesh Mesh>
-[[nodiscard]] ColoringReport check_coloring(const Mesh& mesh);
+[[nodiscard]] ColoringReport check_coloring(const StripMesh& mesh);
 
 /// Number of strips of a valid colouring. Linear time, a bit a triangle. Throws std::invalid_argument when the
 /// colouring is not valid.
-template <NumberedMesh Mesh>
-[[nodiscard]] std::size_t count_strips(const Mesh& mesh);
+[[nodiscard]] std::size_t count_strips(const StripMesh& mesh);
 
 /// The number of swaps (cost.hpp) of a valid colouring. Linear time.
-template <NumberedMesh Mesh>
-[[nodiscard]] std::size_t count_swaps(const Mesh& mesh);
+[[nodiscard]] std::size_t count_swaps(const StripMesh& mesh);
 
 /// The strips of a mesh: strip s is order[start[s]] … order[start[s + 1] - 1], each triangle next to the following one.
 struct Strips {
@@ -62,8 +56,7 @@ struct Strips {
 /// Lists the strips of a valid colouring. A strip begins at its end with the lower handle, and strips are sorted by
 /// that handle, so equal meshes give equal lists. If the colouring is not valid, each triangle is listed at most once,
 /// and triangles on solid cycles are left out.
-template <NumberedMesh Mesh>
-[[nodiscard]] Strips extract_strips(const Mesh& mesh);
+[[nodiscard]] Strips extract_strips(const StripMesh& mesh);
 
 /// The index between two strips of an index buffer.
 inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
@@ -72,18 +65,21 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 /// each triangle exactly once, with its winding in the mesh; indices are vertex numbers. A strip of n triangles takes
 /// n + 2 indices and one for each swap, and one more if its first turn is to the right. `strips` must be the strips of
 /// the mesh as it is now: debug builds check that triangles that follow each other share a solid dual edge.
-template <NumberedMesh Mesh>
-[[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh, const Strips& strips);
+[[nodiscard]] std::vector<std::uint32_t> strip_indices(const StripMesh& mesh, const Strips& strips);
 
 /// The same as strip_indices(mesh, extract_strips(mesh)), without the list of strips. The colouring must be
 /// valid; debug builds check that.
-template <NumberedMesh Mesh>
-[[nodiscard]] std::vector<std::uint32_t> strip_indices(const Mesh& mesh);
+[[nodiscard]] std::vector<std::uint32_t> strip_indices(const StripMesh& mesh);
 
 /// strip_indices(mesh, strips).size().
-template <NumberedMesh Mesh>
-[[nodiscard]] std::size_t strip_index_count(const Mesh& mesh, const Strips& strips);
+[[nodiscard]] std::size_t strip_index_count(const StripMesh& mesh, const Strips& strips);
+
+namespace detail {
+
+/// For colourings that turn out not to be valid while they are read: std::invalid_argument.
+[[noreturn]] void throw_three_solid_edges();
+[[noreturn]] void throw_solid_cycle();
+
+}  // namespace detail
 
 }  // namespace restrip
-
-#include "restrip/output/impl/strips.hpp"

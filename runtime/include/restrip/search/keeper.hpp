@@ -126,10 +126,6 @@ class Keeper {
   void reserve(std::size_t triangles) {
     if (fewest_) fewest_->reserve(triangles);
   }
-  /// Visits the state and the counts of rules as std::uint64_t: for keepers that are saved and resumed. Rebuilds a
-  /// keeper that is not up to date.
-  template <class Visit>
-  void visit_state(Visit&& visit);
 
   [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
   /// Not maintained while baked strips are played, because their records do not contain it.
@@ -165,6 +161,7 @@ class Keeper {
   }
 
   void begin();
+  void leave_levels() noexcept;
   template <class Step>
   Rewrite perform(const Step& step);
   template <class Step>

@@ -57,12 +57,20 @@ void Keeper<Mesh>::begin() {
   up_to_date_ = false;
 }
 
+// Isolated triangles are not counted while baked strips are played: begin() counts them.
+template <class Mesh>
+void Keeper<Mesh>::leave_levels() noexcept {
+  if (!baked_ || !baked_->in_step()) return;
+  baked_->leave_step();
+  up_to_date_ = false;
+}
+
 // The rule, or colours that are as good; then the steps of the policy, which only lower the cost.
 template <class Mesh>
 template <class Step>
 Rewrite Keeper<Mesh>::perform(const Step& step) {
+  leave_levels();
   begin();
-  if (baked_) baked_->leave_step();
   if (policy_ == Policy::bare) return bare(step);
   return by_engine([&](auto& engine) { return counted(engine.perform(*mesh_, choice_, around_, step)); });
 }
@@ -94,8 +102,8 @@ Rewrite Keeper<Mesh>::counted(const Rewrite& done) {
 
 template <class Mesh>
 std::size_t Keeper<Mesh>::improve(std::size_t budget) {
+  leave_levels();
   begin();
-  if (baked_) baked_->leave_step();
   const std::size_t before = cost();
   counted({by_engine([&](auto& engine) { return engine.improve(*mesh_, budget); }), Halfedge{}, 0});
   return before - cost();
@@ -151,15 +159,6 @@ void Keeper<Mesh>::keep(Policy policy, const Cost& cost) {
   other.return_to(state());
   other.choice_.counts() = choice_.counts();
   *this = std::move(other);
-}
-
-template <class Mesh>
-template <class Visit>
-void Keeper<Mesh>::visit_state(Visit&& visit) {
-  if (!up_to_date_) rebuild();
-  by_engine([&](auto& engine) { engine.visit_state(*mesh_, visit); });
-  RuleCounts& counts = choice_.counts();
-  for (std::uint64_t* const count : {&counts.asked, &counts.taken, &counts.kept, &counts.improved}) visit(*count);
 }
 
 }  // namespace restrip

@@ -1,6 +1,6 @@
 // DrawingCache: a first-in-first-out cache of vertices, what is still to be drawn at each of them, and trials of what
 // drawing something next would miss. Both orders for a vertex cache are greedy with its help: strip_order.hpp draws
-// triangles, run_order.hpp whole runs.
+// triangles, strip_buffer.cpp whole runs.
 //
 // A vertex is cached until as many others have entered as the cache holds, so all that is stored of it is the number of
 // its last miss. A trial has such numbers of its own, which the next trial ignores.

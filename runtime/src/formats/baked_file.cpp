@@ -1,5 +1,12 @@
-// Bodies of baked_file.hpp.
-#pragma once
+// Reads baked meshes.
+//
+// Outline. The checksum is compared first. Then the base is built and coloured, and each record is played on it: names
+// of vertices and edges count from places in the mesh as it is then, so a record can only be read on the mesh before
+// it. The result is valid by construction, but for colours, which are checked at the base and at the finest level.
+//
+// The reader trusts nothing: every number is compared with its range, and announced sizes with the bytes that are left.
+// Cost: linear in the bytes and the finest mesh.
+#include "restrip/formats/baked_file.hpp"
 
 #include <bit>
 #include <cmath>
@@ -8,14 +15,13 @@
 #include <string_view>
 #include <utility>
 
-#include "restrip/formats/baked_file.hpp"
 #include "restrip/formats/baked_format.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip {
 
-namespace detail {
+namespace {
 
 /// Every function that reads returns false when it cannot continue; fault() then says why.
 class BakedReader {
@@ -228,18 +234,18 @@ class BakedReader {
   std::vector<Vertex> neighbors_;
 };
 
-}  // namespace detail
+}  // namespace
 
-inline std::string read_baked(std::span<const std::byte> bytes, BakedFile& file) {
-  detail::BakedReader reader(bytes);
+std::string read_baked(std::span<const std::byte> bytes, BakedFile& file) {
+  BakedReader reader(bytes);
   if (!reader.run()) return std::move(reader.fault());
   file = std::move(reader.file());
   return {};
 }
 
-inline std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload) {
+std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload) {
   using namespace baked_format;
-  detail::BakedReader reader(file);
+  BakedReader reader(file);
   if (!reader.open()) return std::move(reader.fault());
   const auto& header = reader.header();
   const std::size_t records = header.splits;

@@ -1,4 +1,4 @@
-// Strips for a vertex cache. Included by strip_order.hpp.
+// Strips for a vertex cache.
 //
 // Outline. The strips of the mesh are laid out one after the other; a place is a triangle in this row. Drawing takes
 // *runs* out of the row, places in a row that are not drawn yet, in either direction. The next run is the best of those
@@ -17,24 +17,57 @@
 //
 // Costs are whole numbers, 1/256 of an index, so that every machine makes the same choices. The shares below are the
 // best of some hundred trials on five scanned and designed meshes, with caches of 16 and 32.
-#pragma once
+#include "restrip/output/strip_order.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "restrip/output/impl/drawing_cache.hpp"
-#include "restrip/output/impl/strip_row.hpp"
-#include "restrip/output/strip_order.hpp"
+#include "output/drawing_cache.hpp"
 #include "restrip/precondition.hpp"
 
-namespace restrip::detail {
+namespace restrip {
+
+namespace {
+
+/// The strips of a mesh in a row.
+struct StripRow {
+  static constexpr std::int8_t no_side = -1;
+
+  std::vector<std::uint32_t> corners;  // three a place; corner s begins side s
+  std::vector<std::uint32_t> across;   // three a place: 3 * place + side on the other side, or none
+  // The sides to the previous and to the next triangle of a strip.
+  std::vector<std::int8_t> previous;
+  std::vector<std::int8_t> next;
+
+  [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(previous.size()); }
+};
+
+StripRow row_of(const StripMesh& mesh, const std::vector<Triangle>& order) {
+  StripRow row;
+  std::vector<std::uint32_t> place_of(mesh.triangle_bound(), none);
+  for (std::uint32_t p = 0; p < order.size(); ++p) place_of[order[p]] = p;
+  row.corners.reserve(3 * order.size());
+  row.across.reserve(3 * order.size());
+  row.previous.assign(order.size(), StripRow::no_side);
+  row.next.assign(order.size(), StripRow::no_side);
+  for (std::uint32_t p = 0; p < order.size(); ++p) {
+    for (unsigned side = 0; side < 3; ++side) {
+      const StripMesh::Halfedge h = StripMesh::halfedge(order[p], side);
+      row.corners.push_back(mesh.from(h));
+      const StripMesh::Halfedge back = mesh.opposite(h);
+      const std::uint32_t q = StripMesh::on_boundary(back) ? none : place_of[StripMesh::triangle(back)];
+      const bool joined = q != p && q != none;
+      row.across.push_back(joined ? 3 * q + StripMesh::side(back) : none);
+      if (joined && mesh.solid(h)) (q == p + 1 ? row.next : row.previous)[p] = static_cast<std::int8_t>(side);
+    }
+  }
+  return row;
+}
 
 /// Chooses runs. `order` lists places in drawing order, `start` where strips begin in it; `cuts` are places that are
 /// cut off their predecessor in the row, `joins` are sides that become solid after that.
@@ -218,8 +251,8 @@ class CacheOrder {
     Cost cost = 0;
     const auto look_up = [&](std::uint32_t v) {
       const auto found = drawing_.try_look_up(v, misses);
-      if (found == DrawingCache::Lookup::hit) return;
-      cost += found == DrawingCache::Lookup::first_miss ? first_miss_ : later_miss_;
+      if (found == detail::DrawingCache::Lookup::hit) return;
+      cost += found == detail::DrawingCache::Lookup::first_miss ? first_miss_ : later_miss_;
       if (drawing_.harms(misses)) cost += harm_;
     };
     Cost indices = 0;
@@ -258,7 +291,7 @@ class CacheOrder {
     const std::uint32_t last = order.back();
     for (std::int8_t side = 0; side < 3; ++side) {
       const std::uint32_t other = row_.across[3 * std::size_t{last} + static_cast<std::size_t>(side)];
-      if (side == last_in_ || other == StripRow::none || drawing_.is_drawn(other / 3)) continue;
+      if (side == last_in_ || other == none || drawing_.is_drawn(other / 3)) continue;
       join_[joins_here_++] = {other / 3, side, static_cast<std::int8_t>(other % 3)};
     }
   }
@@ -331,8 +364,8 @@ class CacheOrder {
   std::array<Cost, 5> cost_of_end_{};  // by link
   Cost spent_ = 0;                     // for the last `window` triangles
   Cost worth_ = 1;
-  std::vector<Place> places_;  // and one after the last
-  DrawingCache drawing_;       // of places
+  std::vector<Place> places_;     // and one after the last
+  detail::DrawingCache drawing_;  // of places
   Run best_;
   std::array<Join, 3> join_{};
   unsigned joins_here_ = 0;
@@ -341,22 +374,19 @@ class CacheOrder {
   Turn turn_before_last_ = no_turn;
 };
 
-}  // namespace restrip::detail
+}  // namespace
 
-namespace restrip {
-
-template <NumberedMesh Mesh>
-Strips strips_for_vertex_cache(Mesh& mesh, const VertexCache& cache) {
+Strips strips_for_vertex_cache(StripMesh& mesh, const VertexCache& cache) {
   if (!(cache.weight >= 0 && cache.weight <= 1000))
     RESTRIP_THROW(std::invalid_argument, "restrip: the weight of a cache miss must be from 0 to 1000");
   RESTRIP_ASSERT(check_coloring(mesh).valid, "strips_for_vertex_cache", "the colouring is not valid");
   Strips strips = extract_strips(mesh);
   if (cache.size == 0) return strips;
-  const detail::StripRow row = detail::row_of(mesh, strips.order);
-  detail::CacheOrder drawing(row, cache);
+  const StripRow row = row_of(mesh, strips.order);
+  CacheOrder drawing(row, cache);
   drawing.run();
   const auto set = [&](std::uint32_t place, unsigned side, bool solid) {
-    mesh.set_solid(detail::side_of(mesh, strips.order[place], side), solid);
+    mesh.set_solid(StripMesh::halfedge(strips.order[place], side), solid);
   };
   for (const std::uint32_t place : drawing.cuts) set(place, static_cast<unsigned>(row.previous[place]), false);
   for (const std::uint32_t join : drawing.joins) set(join / 3, join % 3, true);

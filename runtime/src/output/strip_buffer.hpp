@@ -1,70 +1,25 @@
-// StripBuffer: an index buffer of strips that is kept in step with a mesh, rewriting only what changed.
-//
-// A renderer that draws strips while the level of detail changes should not have to rewrite its whole index buffer
-// after every few operations. Here strips are cut into *runs* of at most 36 triangles, each in its place in the buffer.
-// When triangles change, little more than their runs is written again.
-//
-//   std::vector<Triangle> changed;
-//   mesh.watch(&changed);
-//   StripBuffer buffer(mesh);                        // upload buffer.indices()
-//   ... operations ...
-//   for (const auto& range : buffer.update(mesh, changed)) upload(range);
-//   changed.clear();
-//
-// Draw the whole buffer as one triangle strip with primitive restart (strips.hpp); without restart for
-// StripForm::stitched. With StripForm::lengths draw the runs that draws() lists. Indices have 32 bits, or 16 with
-// IndexWidth::bits16, for meshes whose vertices are numbered below 65,535. The mesh must number its triangles and
-// vertices (mesh/mesh.hpp). triangle_list_buffer.hpp says when a triangle list is the better choice.
-//
-// How it works. An update follows the strips from the changed triangles to the ends of their runs and divides the
-// triangles read into new runs. It prefers to cut where the strip repeats an index, which the cut saves. A new run
-// takes the place of an old one, so that its beginning or its end stays where it is, and is written from the first
-// index that differs to the last. A run that became longer uses the gaps next to its place; otherwise its neighbours
-// slide, or it moves to the smallest gap that is large enough, or to the end of the buffer.
-//
-// Stitched runs. Each begins at an even index with its first vertex twice, is wound for an odd place, and ends with its
-// last vertex repeated, to an even length. So the triangles between runs, or between a run and a gap filled with one
-// vertex, are always degenerate, and stitched runs can move like others.
-//
-// Order. At first runs are in an order that a vertex cache likes (impl/run_order.hpp). A run that does not fit into its
-// place any more is put in the cheapest room next to a run that shares its edges (impl/run_layout.hpp).
-//
-// Length. A cut takes three indices, less the repeated index that it saves, and the buffer has gaps. When cuts and gaps
-// together exceed 9.5 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer
-// of a scanned mesh has some 1.09 times the indices of strip_indices() while it changes, also after scattered
-// operations, a stitched one up to 1.25 times the indices of a stitched strip. Strips that
-// repeat no index, such as strips of a grid, take more: one cut for every 28 triangles is already 11 %. A triangle list
-// has 3 indices a triangle. Separating stitched runs takes two and a half indices, other runs one.
-//
-// Time. An update takes time linear in the changed triangles, except for sorting the ranges that it returns: it reads
-// their runs and short adjacent runs, slides at most 60 indices for each run that grows, 150 and three for each index
-// that needs another place, and moves five for each to close gaps. Only the growth of arrays is linear in the mesh;
-// reserve() allocates the two largest in advance. Memory: 4 bytes a triangle, the indices, and 40 bytes a run.
+// StripBuffer: strips cut into runs, kept in step with a mesh; strip_buffer.cpp tells how. LiveBuffer
+// (output/live_buffer.hpp) is its manual.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
-#include "restrip/mesh/mesh.hpp"
-#include "restrip/output/impl/cells.hpp"
-#include "restrip/output/impl/run_order.hpp"
-#include "restrip/output/impl/run_places.hpp"
+#include "output/cells.hpp"
+#include "output/run_places.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strip_format.hpp"
-#include "restrip/output/strips.hpp"
-#include "restrip/precondition.hpp"
 
 namespace restrip {
 
 namespace detail {
-class LiveState;
 
 /// Sorts ranges, widens them to multiples of `unit` indices, cuts them off at `end`, and joins ranges that are at most
 /// `gap` indices apart.
-inline void join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap, std::size_t unit) noexcept;
+void join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap, std::size_t unit) noexcept;
 
 }  // namespace detail
 
@@ -72,39 +27,27 @@ class StripBuffer {
  public:
   using Range = IndexRange;
 
-  /// Empty; the first update writes the whole buffer. `form`: any but a list. Throws std::invalid_argument if `layout`
-  /// is out of range. `width`: 16 bits for IndexWidth::bits16, else 32.
+  /// Empty; the first update writes the whole buffer. `form`: any but a list. `layout`: in range. `width`: 16 bits for
+  /// IndexWidth::bits16, else 32.
   StripBuffer() = default;
-  explicit StripBuffer(StripForm form, const LayoutOptions& layout = {}, IndexWidth width = IndexWidth::bits32)
-      : cells_(width), stitched_(form == StripForm::stitched), layout_(layout) {
-    RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "use TriangleListBuffer for triangle lists");
-    if (!layout.in_range())
-      RESTRIP_THROW(std::invalid_argument,
-                    "restrip: LayoutOptions allow a cache of 64, a waste of 1,000,000 and a work of 100");
-  }
+  explicit StripBuffer(StripForm form, const LayoutOptions& layout = {}, IndexWidth width = IndexWidth::bits32);
   /// Writes the strips of a valid colouring. Linear time. Throws as rebuild() does.
-  template <NumberedMesh Mesh>
-  explicit StripBuffer(const Mesh& mesh, IndexWidth width = IndexWidth::bits32) : cells_(width) {
-    rebuild(mesh);
-  }
+  explicit StripBuffer(const StripMesh& mesh, IndexWidth width = IndexWidth::bits32) : cells_(width) { rebuild(mesh); }
 
   /// Rewrites the whole buffer, without gaps. Triangles on solid cycles, which no valid colouring has, are left out.
   /// Throws std::length_error when a vertex number does not fit into an index (the restart index is not available), or
   /// std::bad_alloc, or what the mesh throws; then the buffer is incomplete, and the next update rewrites it.
-  template <NumberedMesh Mesh>
-  void rebuild(const Mesh& mesh);
+  void rebuild(const StripMesh& mesh);
 
   /// Brings the buffer in step with the mesh. `changed` names every triangle whose corners, neighbours or colours have
   /// changed since the last call, and every triangle inserted or removed, as StripMesh::watch does; repetitions do no
   /// harm. Returns the ranges whose indices may have changed, ascending and disjoint; the buffer may have grown or
   /// shrunk, by multiples of four bytes. Valid until the next call. Throws as rebuild() does. Then indices() is
   /// unchanged, unless the whole buffer was to be written, and the next update rewrites everything.
-  template <NumberedMesh Mesh>
-  std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
+  std::span<const Range> update(const StripMesh& mesh, std::span<const std::uint32_t> changed,
                                 const RangeOptions& ranges = {});
 
-  /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them; the same
-  /// for ranges that a BufferHistory has written.
+  /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them.
   void keep_ranges() noexcept { returned_ = false; }
 
   /// The indices, if they have 32 or 16 bits; else empty. Between two runs, and in gaps, all bits are set.
@@ -127,9 +70,6 @@ class StripBuffer {
   }
 
  private:
-  friend class BufferHistory;
-  friend class detail::LiveState;
-
   using State = detail::RunPlaces::State;
   static constexpr std::uint32_t nothing = 0xFFFFFFFFU;  // no run
   static constexpr std::uint32_t reading = nothing - 1;  // run_of_: read by this update
@@ -173,17 +113,13 @@ class StripBuffer {
 
   void begin_reading() noexcept;
   void touch(std::uint32_t place);
-  template <class Mesh>
-  bool follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin, std::uint32_t least,
+  bool follow(const StripMesh& mesh, StripMesh::Halfedge in, std::uint32_t begin, std::uint32_t least,
               std::uint32_t edge_goes);
-  template <class Mesh>
-  void read(const Mesh& mesh, std::uint32_t t);
+  void read(const StripMesh& mesh, std::uint32_t t);
   [[nodiscard]] std::uint32_t best_cut(std::uint32_t wanted, std::uint32_t begin) const noexcept;
-  template <class Mesh>
-  [[nodiscard]] Start start(const Mesh& mesh, const Text& text, bool forward) const;
+  [[nodiscard]] Start start(const StripMesh& mesh, const Text& text, bool forward) const;
   [[nodiscard]] bool is_forward(const Text& text) const noexcept;
-  template <class Mesh>
-  void write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts);
+  void write_text(const StripMesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts);
   void store();
   [[nodiscard]] bool store_in_place(const Text& text) noexcept;
   void store_in_gap(const Text& text) noexcept;
@@ -198,10 +134,8 @@ class StripBuffer {
                             bool rightwards) const noexcept;
   std::uint32_t widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing, std::uint32_t most) noexcept;
   void close_gaps() noexcept;
-  // run_layout.hpp
   void order_runs();
-  template <class Mesh>
-  void note_across(const Mesh& mesh, std::uint32_t t);
+  void note_across(const StripMesh& mesh, std::uint32_t t);
   std::span<const Neighbor> neighbors(std::uint32_t begin, std::uint32_t end) noexcept;
   [[nodiscard]] std::uint32_t price_of_room(std::uint32_t before, std::uint32_t length,
                                             std::uint32_t most) const noexcept;
@@ -240,6 +174,3 @@ class StripBuffer {
 };
 
 }  // namespace restrip
-
-#include "restrip/output/impl/run_layout.hpp"
-#include "restrip/output/impl/strip_buffer.hpp"

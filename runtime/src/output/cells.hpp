@@ -7,15 +7,12 @@
 #include <cstring>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strip_format.hpp"
 #include "restrip/precondition.hpp"
-
-namespace restrip {
-class BufferHistory;
-}
 
 namespace restrip::detail {
 
@@ -30,8 +27,7 @@ class Cells {
   /// The index with all bits set, which restarts strips.
   [[nodiscard]] std::uint32_t restart() const noexcept { return narrow_ ? 0xFFFFU : 0xFFFFFFFFU; }
   void expect_fits(std::uint32_t vertex) const {
-    if (vertex >= restart())
-      RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
+    if (vertex >= restart()) refuse_vertex(vertex);
   }
   /// Empty if the indices have the other width.
   [[nodiscard]] std::span<const std::uint32_t> wide_indices() const noexcept { return cells32_; }
@@ -95,9 +91,18 @@ class Cells {
     write(first, indices);
   }
 
- private:
-  friend class restrip::BufferHistory;
+  [[noreturn]] RESTRIP_COLD void refuse_vertex(std::uint32_t vertex) const {
+    const std::string number = std::to_string(vertex);
+    const std::string sentence = narrow_
+                                     ? "restrip: vertex " + number +
+                                           " does not fit into indices of 16 bits, which name vertices up to 65534: " +
+                                           "choose 32 bits or IndexWidth::automatic, or give the vertices lower "
+                                           "numbers, as LiveMesh::pack() does"
+                                     : "restrip: vertex " + number + " does not fit into the indices of the buffer";
+    RESTRIP_THROW(std::length_error, sentence.c_str());
+  }
 
+ private:
   void* at(std::size_t i) noexcept { return narrow_ ? static_cast<void*>(cells16_.data() + i) : cells32_.data() + i; }
 
   bool narrow_;

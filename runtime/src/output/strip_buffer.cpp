@@ -1,53 +1,131 @@
-// Strips read and written as runs, and the runs stored, as close as possible to their old place. Included by
-// strip_buffer.hpp.
-#pragma once
+// Runs of strips in a buffer: read, written, stored as close as possible to their old place.
+//
+// How it works. An update follows the strips from the changed triangles to the ends of their runs and divides the
+// triangles read into new runs. It prefers to cut where the strip repeats an index, which the cut saves. A new run
+// takes the place of an old one, so that its beginning or its end stays where it is, and is written from the first
+// index that differs to the last. A run that became longer uses the gaps next to its place; otherwise its neighbours
+// slide, or it moves to the smallest gap that is large enough, or to the end of the buffer.
+//
+// Stitched runs. Each begins at an even index with its first vertex twice, is wound for an odd place, and ends with its
+// last vertex repeated, to an even length. So the triangles between runs, or between a run and a gap filled with one
+// vertex, are always degenerate, and stitched runs can move like others.
+//
+// Order. At first runs are in an order that a vertex cache likes (order_of_runs). A run that does not fit into its
+// place any more is put in the cheapest room next to a run that shares its edges.
+//
+// Length. A cut takes three indices, less the repeated index that it saves, and the buffer has gaps. When cuts and gaps
+// together exceed 9.5 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer
+// of a scanned mesh has some 1.09 times the indices of strip_indices() while it changes, also after scattered
+// operations, a stitched one up to 1.25 times the indices of a stitched strip. Strips that
+// repeat no index, such as strips of a grid, take more: one cut for every 28 triangles is already 11 %. A triangle list
+// has 3 indices a triangle. Separating stitched runs takes two and a half indices, other runs one.
+//
+// Time. An update takes time linear in the changed triangles, except for sorting the ranges that it returns: it reads
+// their runs and short adjacent runs, slides at most 60 indices for each run that grows, 150 and three for each index
+// that needs another place, and moves five for each to close gaps. Only the growth of arrays is linear in the mesh;
+// reserve() allocates the two largest in advance. Memory: 4 bytes a triangle, the indices, and 40 bytes a run.
+#include "output/strip_buffer.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <utility>
 
-#include "restrip/output/strip_buffer.hpp"
+#include "output/drawing_cache.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
-namespace detail {
+namespace {
+
 // Chosen by measurement under all policies; in triangles.
-inline constexpr std::uint32_t longest_joined_run = 28;  // runs of one strip that meet become one up to this
-inline constexpr std::uint32_t cut_window = 4;           // the distance by which a cut may be off
-inline constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
+constexpr std::uint32_t longest_joined_run = 28;  // runs of one strip that meet become one up to this
+constexpr std::uint32_t cut_window = 4;           // the distance by which a cut may be off
+constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
 // Chosen by measurement under all policies; in indices.
-inline constexpr std::uint32_t moved_for_a_run = 60;      // at most, so that a run that grew stays where it is
-inline constexpr std::uint32_t moved_for_an_update = 30;  // for each unit of work, to put runs near their neighbours
-inline constexpr std::uint32_t moved_for_a_gap = 400;     // at most, so that the last run fits into it
-inline constexpr std::uint32_t shortest_run = 4;
+constexpr std::uint32_t moved_for_a_run = 60;      // at most, so that a run that grew stays where it is
+constexpr std::uint32_t moved_for_an_update = 30;  // for each unit of work, to put runs near their neighbours
+constexpr std::uint32_t moved_for_a_gap = 400;     // at most, so that the last run fits into it
+constexpr std::uint32_t shortest_run = 4;
+constexpr std::size_t neighbors_tried = 4;  // those with the most common edges
 
 // A triangle entered over a halfedge; the edge is the exclusive or of its vertices.
-struct SeenTriangle {
+struct EnteredTriangle {
   std::uint32_t edge;
   std::uint32_t apex;  // the corner opposite to it
 };
-template <NumberedMesh Mesh>
-SeenTriangle seen_over(const Mesh& mesh, typename Mesh::Halfedge h) {
-  const auto second = mesh.next(h);
-  return {from_of(mesh, h) ^ from_of(mesh, second), from_of(mesh, mesh.next(second))};
-}
-inline SeenTriangle seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
+EnteredTriangle entered_over(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
   const Vertex apex = mesh.from(StripMesh::next(StripMesh::next(h)));
   const std::array<Vertex, 3> corner = mesh.corners(StripMesh::triangle(h));
   return {corner[0] ^ corner[1] ^ corner[2] ^ apex, apex};
 }
-}  // namespace detail
 
-template <NumberedMesh Mesh>
-RESTRIP_COLD void StripBuffer::rebuild(const Mesh& mesh) {
+/// Numbers of runs, in an order for a cache of `cache` vertices, first in, first out. `cells` has the indices of the
+/// runs, each with a separator at its end.
+RESTRIP_COLD std::vector<std::uint32_t> order_of_runs(const detail::Cells& cells, const std::vector<detail::Run>& runs,
+                                                      std::uint32_t cache) {
+  constexpr unsigned most_tried = 64;
+  std::vector<std::uint32_t> vertices;  // of all runs
+  std::vector<std::uint32_t> ends;      // of each run, there
+  vertices.reserve(cells.size());
+  ends.reserve(runs.size());
+  for (const detail::Run& run : runs) {
+    for (std::uint32_t i = run.first; i + 1 < run.end(); ++i) vertices.push_back(cells[i]);
+    ends.push_back(static_cast<std::uint32_t>(vertices.size()));
+  }
+  const auto vertices_of = [&](std::uint32_t r) {
+    const std::uint32_t* const begin = vertices.data() + (r == 0 ? 0 : ends[r - 1]);
+    return std::span(begin, vertices.data() + ends[r]);
+  };
+  detail::DrawingCache drawing(cache, vertices, ends);
+
+  struct Trial {
+    std::uint32_t run = none;
+    std::uint64_t misses = 0;
+    std::uint64_t triangles = 1;
+  };
+  std::vector<std::uint32_t> order;
+  order.reserve(runs.size());
+  for (std::uint32_t first = 0; order.size() < runs.size();) {
+    Trial best;
+    drawing.for_each_near(most_tried, 8 * most_tried, [&](std::uint32_t r) {
+      const std::uint32_t before = drawing.try_from_here();
+      std::uint32_t misses = before;
+      for (const std::uint32_t v : vertices_of(r)) drawing.try_look_up(v, misses);
+      const Trial here{r, misses - before, runs[r].triangles};
+      if (best.run == none || here.misses * best.triangles < best.misses * here.triangles) best = here;
+      return 1U;
+    });
+    if (best.run == none)
+      drawing.for_each_left_behind([&](std::uint32_t r) {
+        best.run = r;
+        return false;
+      });
+    if (best.run == none) {
+      while (drawing.is_drawn(first)) ++first;
+      best.run = first;
+    }
+    order.push_back(best.run);
+    drawing.draw(best.run);
+    for (const std::uint32_t v : vertices_of(best.run)) drawing.look_up(v);
+  }
+  return order;
+}
+}  // namespace
+
+StripBuffer::StripBuffer(StripForm form, const LayoutOptions& layout, IndexWidth width)
+    : cells_(width), stitched_(form == StripForm::stitched), layout_(layout) {
+  RESTRIP_ASSERT(form != StripForm::list, "StripBuffer", "use TriangleListBuffer for triangle lists");
+}
+
+// ---- from scratch
+
+RESTRIP_COLD void StripBuffer::rebuild(const StripMesh& mesh) {
   stale_ = rebuilt_ = true;
   places_ = {};
   cells_.clear();
   run_of_.assign(mesh.triangle_bound(), nothing);
   const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
   for (std::uint32_t t = 0; t < bound; ++t) {
-    if (!mesh.has_triangle(t) || run_of_[t] != nothing || detail::solid_degree(mesh, mesh.halfedge(t)) > 1) continue;
+    if (!mesh.alive(t) || run_of_[t] != nothing || mesh.solid_degree(t) > 1) continue;
     begin_reading();
     read(mesh, t);
     store();
@@ -59,8 +137,35 @@ RESTRIP_COLD void StripBuffer::rebuild(const Mesh& mesh) {
   stale_ = false;
 }
 
-template <NumberedMesh Mesh>
-std::span<const IndexRange> StripBuffer::update(const Mesh& mesh, std::span<const std::uint32_t> changed,
+RESTRIP_COLD void StripBuffer::order_runs() {
+  std::vector<detail::Run> runs;
+  std::vector<std::uint32_t> place;
+  for (std::uint32_t p = places_.next(detail::RunPlaces::head); p != detail::RunPlaces::head; p = places_.next(p)) {
+    runs.push_back(places_.run(p));
+    place.push_back(p);
+  }
+  detail::Cells cells(cells_.width());
+  cells.resize(cells_.size(), filling());
+  std::vector<std::uint32_t> new_place(runs.size() + 1);  // by old place: without gaps they are 1 … runs
+  detail::RunPlaces places;
+  places.make_room(runs.size());
+  places.set_length(places_.length());
+  std::uint32_t end = 0;
+  for (const std::uint32_t r : order_of_runs(cells_, runs, layout_.cache)) {
+    detail::Run run = runs[r];
+    cells.copy(cells_, run.first, run.length, end);
+    run.first = std::exchange(end, end + run.length);
+    new_place[place[r]] = places.insert(places.last(), run);
+  }
+  for (std::uint32_t& p : run_of_)
+    if (p != nothing) p = new_place[p];
+  cells_ = std::move(cells);
+  places_ = std::move(places);
+}
+
+// ---- updates
+
+std::span<const IndexRange> StripBuffer::update(const StripMesh& mesh, std::span<const std::uint32_t> changed,
                                                 const RangeOptions& ranges) {
   if (stale_) {
     rebuild(mesh);
@@ -70,7 +175,6 @@ std::span<const IndexRange> StripBuffer::update(const Mesh& mesh, std::span<cons
   rebuilt_ = false;
   if (std::exchange(returned_, true)) written_.clear();
   begin_reading();
-  places_.make_room(0);  // copies lack this room, and so do buffers restored by a BufferHistory
   if (run_of_.size() < mesh.triangle_bound()) {
     detail::make_room(run_of_, mesh.triangle_bound() - run_of_.size());
     run_of_.resize(mesh.triangle_bound(), nothing);
@@ -78,7 +182,7 @@ std::span<const IndexRange> StripBuffer::update(const Mesh& mesh, std::span<cons
   for (const std::uint32_t t : changed)
     if (t < run_of_.size() && run_of_[t] != nothing) touch(run_of_[t]);
   for (const std::uint32_t t : changed) {
-    if (t < mesh.triangle_bound() && mesh.has_triangle(t)) {
+    if (t < mesh.triangle_bound() && mesh.alive(t)) {
       if (run_of_[t] != reading) read(mesh, t);
     } else if (t < run_of_.size()) {
       run_of_[t] = nothing;
@@ -91,14 +195,14 @@ std::span<const IndexRange> StripBuffer::update(const Mesh& mesh, std::span<cons
   return written_;
 }
 
-inline void StripBuffer::begin_reading() noexcept {
+void StripBuffer::begin_reading() noexcept {
   dirty_.clear();
   texts_.clear();
   across_.clear();
   links_ = letters_ = 0;
 }
 
-inline void StripBuffer::touch(std::uint32_t place) {
+void StripBuffer::touch(std::uint32_t place) {
   if (places_.state(place) != State::settled) return;
   dirty_.push_back(place);
   places_.set_state(place, State::dirty);
@@ -109,19 +213,18 @@ inline void StripBuffer::touch(std::uint32_t place) {
 // Reads from the triangle of the halfedge `in` on. An edge that a triangle is entered over belongs to the link that the
 // triangle has, or to the one before. The strip, from link `begin` on, will have `least` triangles at least. True if it
 // continues in a run that stays as it is.
-template <class Mesh>
-bool StripBuffer::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin, std::uint32_t least,
+bool StripBuffer::follow(const StripMesh& mesh, StripMesh::Halfedge in, std::uint32_t begin, std::uint32_t least,
                          std::uint32_t edge_goes) {
   std::uint32_t links = links_;
   std::uint32_t known = nothing;  // a run that may be read
   bool stays = false;
   for (;;) {
-    const std::uint32_t t = detail::triangle_of(mesh, in);
+    const std::uint32_t t = StripMesh::triangle(in);
     const std::uint32_t run = run_of_[t];
     if (run != known) {
       if (run == reading) break;
       if (run != nothing && places_.state(run) == State::settled) {
-        stays = (std::max)(links - begin, least) + places_.run(run).triangles > detail::longest_joined_run;
+        stays = (std::max)(links - begin, least) + places_.run(run).triangles > longest_joined_run;
         if (stays) break;
         touch(run);
       }
@@ -130,12 +233,12 @@ bool StripBuffer::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint
     run_of_[t] = reading;
     if (links == strip_.size()) strip_.resize(2 * strip_.size() + 64);
     Link* link = strip_.data() + links++;
-    const detail::SeenTriangle seen = detail::seen_over(mesh, in);
+    const EnteredTriangle seen = entered_over(mesh, in);
     link->triangle = t;
     link->corners = seen.edge ^ seen.apex;
     link->run = run;
     (link - edge_goes)->edge = seen.edge;
-    const auto step = strip_step(mesh, in);
+    const auto step = mesh.strip_step(in);
     if (!step.continues) break;
     in = step.in;
   }
@@ -144,16 +247,15 @@ bool StripBuffer::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint
 }
 
 // Reads the part of the strip through t that must be rewritten, and writes it as runs that are not too long.
-template <class Mesh>
-void StripBuffer::read(const Mesh& mesh, std::uint32_t t) {
+void StripBuffer::read(const StripMesh& mesh, std::uint32_t t) {
   const std::uint32_t begin = links_;
   const std::uint32_t run = std::exchange(run_of_[t], reading);
   const std::uint32_t least = run != nothing ? places_.run(run).triangles : 1;
-  auto h = mesh.halfedge(t);
-  const detail::SeenTriangle seen = detail::seen_over(mesh, h);
-  std::array<typename Mesh::Halfedge, 3> exits{h, h, h};  // the solid sides first
+  auto h = StripMesh::halfedge(t);
+  const EnteredTriangle seen = entered_over(mesh, h);
+  std::array<StripMesh::Halfedge, 3> exits{h, h, h};  // the solid sides first
   unsigned ways = 0;
-  for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+  for (int side = 0; side < 3; ++side, h = StripMesh::next(h)) {
     exits[ways] = h;
     ways += mesh.solid(h) ? 1U : 0U;
   }
@@ -163,7 +265,7 @@ void StripBuffer::read(const Mesh& mesh, std::uint32_t t) {
   strip_[links_++] = {t, seen.edge ^ seen.apex, 0, run};
   const bool cut_behind = ways > 1 && follow(mesh, mesh.opposite(exits[1]), begin, 1, 1);
   const std::uint32_t triangles = links_ - begin;
-  const std::uint32_t parts = triangles > detail::longest_run ? (triangles - 1) / detail::longest_joined_run + 1 : 1;
+  const std::uint32_t parts = triangles > longest_run ? (triangles - 1) / longest_joined_run + 1 : 1;
   std::uint32_t from = begin;
   for (std::uint32_t part = 1; part <= parts; ++part) {
     const auto share = static_cast<std::uint32_t>(std::uint64_t{triangles} * part / parts);
@@ -176,12 +278,12 @@ void StripBuffer::read(const Mesh& mesh, std::uint32_t t) {
 
 // Chooses where to cut the strip: near a link, and so that few indices are repeated. A strip repeats an index if it
 // turns around the same vertex in two triangles, but not in the triangles next to a cut.
-inline std::uint32_t StripBuffer::best_cut(std::uint32_t wanted, std::uint32_t begin) const noexcept {
+std::uint32_t StripBuffer::best_cut(std::uint32_t wanted, std::uint32_t begin) const noexcept {
   const auto turns_around = [&](std::uint32_t i) { return strip_[i - 1].edge ^ strip_[i].corners ^ strip_[i].edge; };
   std::uint32_t best = wanted;
   std::uint32_t most = 0;
-  const std::uint32_t last = (std::min)(wanted + detail::cut_window, links_ - 4);
-  for (std::uint32_t cut = (std::max)(wanted - detail::cut_window, begin + 3); cut <= last; ++cut) {
+  const std::uint32_t last = (std::min)(wanted + cut_window, links_ - 4);
+  for (std::uint32_t cut = (std::max)(wanted - cut_window, begin + 3); cut <= last; ++cut) {
     std::uint32_t saved = 0;
     for (std::uint32_t i = cut - 2; i <= cut; ++i) saved += std::uint32_t{turns_around(i) == turns_around(i + 1)};
     if (saved > most) best = cut;
@@ -193,16 +295,15 @@ inline std::uint32_t StripBuffer::best_cut(std::uint32_t wanted, std::uint32_t b
 // ---- a run as indices
 
 // The first triangle from one end or the other.
-template <class Mesh>
-StripBuffer::Start StripBuffer::start(const Mesh& mesh, const Text& text, bool forward) const {
+StripBuffer::Start StripBuffer::start(const StripMesh& mesh, const Text& text, bool forward) const {
   Start start{&strip_[forward ? text.begin : text.end - 1], forward ? 1 : -1, forward ? 0 : -1, {}, false};
   const Link* link = start.link;
-  auto h = mesh.halfedge(link->triangle);
+  auto h = StripMesh::halfedge(link->triangle);
   if (text.end - text.begin > 1)
-    for (int i = 0; i < 2 && detail::from_of(mesh, h) != (link->corners ^ link[start.edge].edge); ++i) h = mesh.next(h);
+    for (int i = 0; i < 2 && mesh.from(h) != (link->corners ^ link[start.edge].edge); ++i) h = StripMesh::next(h);
   for (std::uint32_t& corner : start.corner) {
-    corner = detail::from_of(mesh, h);
-    h = mesh.next(h);
+    corner = mesh.from(h);
+    h = StripMesh::next(h);
   }
   // At an odd place the winding needs the same edge in reverse.
   if (stitched_) std::swap(start.corner[1], start.corner[2]);
@@ -212,7 +313,7 @@ StripBuffer::Start StripBuffer::start(const Mesh& mesh, const Text& text, bool f
 }
 
 // Whether the text begins or ends like the run that it replaces.
-inline bool StripBuffer::is_forward(const Text& text) const noexcept {
+bool StripBuffer::is_forward(const Text& text) const noexcept {
   if (text.place == nothing || text.end - text.begin < 2) return true;
   const detail::Run& run = places_.run(text.place);
   const std::uint32_t first = strip_[text.begin].corners ^ strip_[text.begin].edge;
@@ -221,8 +322,7 @@ inline bool StripBuffer::is_forward(const Text& text) const noexcept {
   return as_before || (cells_[run.first] != last && cells_[run.end() - 2] != first);
 }
 
-template <class Mesh>
-void StripBuffer::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts) {
+void StripBuffer::write_text(const StripMesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts) {
   const std::uint32_t triangles = end - begin;
   Text text{begin, end, letters_, 0, cuts, nothing, 0, 0};
   // It takes the place of a run that one of its triangles was in, one in the middle if possible.
@@ -280,16 +380,16 @@ void StripBuffer::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_
 
 // ---- places
 
-inline void StripBuffer::store() {
+void StripBuffer::store() {
   // Room for everything that follows, so that nothing throws after this.
   changed_ = 0;
   for (const std::uint32_t place : dirty_) changed_ += places_.run(place).length;
   changed_ = (std::max)(changed_, letters_);
-  slack_ = detail::moved_for_an_update * layout_.work;
-  const std::size_t for_runs = texts_.size() * detail::moved_for_a_run + std::size_t{layout_.work} * letters_ + slack_;
-  const std::size_t for_gaps = detail::moved_for_a_gap + std::size_t{layout_.work} * changed_;
+  slack_ = moved_for_an_update * layout_.work;
+  const std::size_t for_runs = texts_.size() * moved_for_a_run + std::size_t{layout_.work} * letters_ + slack_;
+  const std::size_t for_gaps = moved_for_a_gap + std::size_t{layout_.work} * changed_;
   cells_.make_room(letters_ + 1);
-  detail::make_room(written_, dirty_.size() + 3 * (texts_.size() + (for_runs + for_gaps) / detail::shortest_run + 2));
+  detail::make_room(written_, dirty_.size() + 3 * (texts_.size() + (for_runs + for_gaps) / shortest_run + 2));
   places_.make_room(texts_.size());
   for (const std::uint32_t place : dirty_)
     if (places_.state(place) == State::dirty) remove(place);
@@ -303,12 +403,12 @@ inline void StripBuffer::store() {
 }
 
 // Stores the run where it was. False if the room is too small.
-inline bool StripBuffer::store_in_place(const Text& text) noexcept {
+bool StripBuffer::store_in_place(const Text& text) noexcept {
   const std::uint32_t before = places_.previous(text.place);
   const std::uint32_t room = places_.limit(text.place) - places_.run(before).end();
   if (text.length > room) {
     const std::uint32_t missing = text.length - room;
-    if (widen(before, places_.next(text.place), missing, detail::moved_for_a_run) == 0) return false;
+    if (widen(before, places_.next(text.place), missing, moved_for_a_run) == 0) return false;
   }
   const detail::Run old = places_.run(text.place);
   std::uint32_t first = old.first;
@@ -334,7 +434,7 @@ inline bool StripBuffer::store_in_place(const Text& text) noexcept {
 }
 
 // Stores the run in the smallest gap that is large enough, or at the end.
-inline void StripBuffer::store_in_gap(const Text& text) noexcept {
+void StripBuffer::store_in_gap(const Text& text) noexcept {
   std::uint32_t before = places_.find_gap(text.length);
   if (before == nothing || places_.gap(before) < text.length) before = places_.last();
   const std::uint32_t first = places_.run(before).end();
@@ -348,43 +448,111 @@ inline void StripBuffer::store_in_gap(const Text& text) noexcept {
 }
 
 // Into the gap after `before`, which is large enough.
-inline void StripBuffer::insert(const Text& text, std::uint32_t before) noexcept {
+void StripBuffer::insert(const Text& text, std::uint32_t before) noexcept {
   const std::uint32_t first = places_.run(before).end();
   write(text, first);
   own(text, places_.insert(before, as_run(text, first)));
 }
 
-inline detail::Run StripBuffer::as_run(const Text& text, std::uint32_t first) const noexcept {
-  const std::uint32_t end = (std::min)(strip_[text.begin].triangle, strip_[text.end - 1].triangle);
-  return {first, text.length, text.end - text.begin, text.cuts, end};
+detail::Run StripBuffer::as_run(const Text& text, std::uint32_t first) const noexcept {
+  return {first, text.length, text.end - text.begin, text.cuts};
 }
 
-inline void StripBuffer::own(const Text& text, std::uint32_t place) noexcept {
+void StripBuffer::own(const Text& text, std::uint32_t place) noexcept {
   for (std::uint32_t i = text.begin; i < text.end; ++i) run_of_[strip_[i].triangle] = place;
   places_.set_state(place, State::settled);
 }
 
-inline void StripBuffer::remove(std::uint32_t place) noexcept {
+void StripBuffer::remove(std::uint32_t place) noexcept {
   blank(places_.run(place).first, places_.run(place).end());
   places_.remove(place);
+}
+
+// ---- rooms next to neighbours
+
+void StripBuffer::note_across(const StripMesh& mesh, std::uint32_t t) {
+  auto h = StripMesh::halfedge(t);
+  for (int side = 0; side < 3; ++side, h = StripMesh::next(h))
+    if (!mesh.solid(h))
+      if (const auto back = mesh.opposite(h); !StripMesh::on_boundary(back))
+        across_.push_back(StripMesh::triangle(back));
+}
+
+// The runs of some of across_, those with the most common edges first.
+std::span<const StripBuffer::Neighbor> StripBuffer::neighbors(std::uint32_t begin, std::uint32_t end) noexcept {
+  std::size_t count = 0;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const std::uint32_t place = run_of_[across_[i]];
+    if (place >= reading) continue;
+    const auto same = [place](const Neighbor& n) { return n.place == place; };
+    auto* const neighbor = std::find_if(neighbors_.data(), neighbors_.data() + count, same);
+    if (neighbor != neighbors_.data() + count)
+      ++neighbor->edges;
+    else if (count < neighbors_.size())
+      neighbors_[count++] = {place, 1};
+  }
+  const auto before = [](const Neighbor& a, const Neighbor& b) {
+    return a.edges != b.edges ? a.edges > b.edges : a.place < b.place;
+  };
+  const std::size_t tried = (std::min<std::size_t>)(count, neighbors_tried);
+  for (std::size_t i = 0; i < tried; ++i)
+    std::swap(neighbors_[i], *std::min_element(neighbors_.data() + i, neighbors_.data() + count, before));
+  return {neighbors_.data(), tried};
+}
+
+// What widen() would move so that a run of `length` fits into the gap after `before`; more than `most` if it cannot.
+std::uint32_t StripBuffer::price_of_room(std::uint32_t before, std::uint32_t length,
+                                         std::uint32_t most) const noexcept {
+  if (places_.next(before) == detail::RunPlaces::head) return most + 1;
+  if (places_.gap(before) >= length) return 0;
+  const std::uint32_t missing = length - places_.gap(before);
+  const Slide right = slide(places_.next(before), missing, most, true);
+  const Slide left = slide(before, missing, most, false);
+  if (right.cost == 0) return left.cost == 0 ? most + 1 : left.cost;
+  return left.cost == 0 ? right.cost : (std::min)(left.cost, right.cost);
+}
+
+// Stores the run in the cheapest gap next to one of its neighbours. False if no such gap is cheap enough.
+bool StripBuffer::store_near(const Text& text) noexcept {
+  const std::uint32_t share = (layout_.work + 1) / 2 * text.length;
+  const std::uint32_t most = share + slack_;
+  std::uint32_t best = nothing;
+  std::uint32_t lowest = most + 1;
+  const auto look_at = [&](std::uint32_t before) {
+    const std::uint32_t moved = price_of_room(before, text.length, most);
+    if (moved >= lowest) return;
+    best = before;
+    lowest = moved;
+  };
+  for (const Neighbor& neighbor : neighbors(text.across, text.across_end)) {
+    look_at(neighbor.place);
+    look_at(places_.previous(neighbor.place));
+  }
+  if (best == nothing) return false;
+  if (const std::uint32_t gap = places_.gap(best); gap < text.length) {
+    const std::uint32_t moved = widen(best, places_.next(best), text.length - gap, most);
+    slack_ -= moved - (std::min)(moved, share);
+  }
+  insert(text, best);
+  return true;
 }
 
 // ---- cells
 
 // From the first index that differs to the last.
-inline void StripBuffer::write(const Text& text, std::uint32_t first) noexcept {
+void StripBuffer::write(const Text& text, std::uint32_t first) noexcept {
   const IndexRange written = cells_.write(first, indices_of(text));
   mark(written.first, written.first + written.count);
 }
 
-inline void StripBuffer::blank(std::uint32_t first, std::uint32_t end) noexcept {
+void StripBuffer::blank(std::uint32_t first, std::uint32_t end) noexcept {
   if (first >= end) return;
   cells_.fill(first, end, filling());
   mark(first, end);
 }
 
 // Moves the run of a place to `first`, in the gap after `before` or within the gaps on both sides of it.
-inline void StripBuffer::move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept {
+void StripBuffer::move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept {
   detail::Run run = places_.run(place);
   const std::uint32_t old = std::exchange(run.first, first);
   if (old == first) return;
@@ -399,8 +567,8 @@ inline void StripBuffer::move(std::uint32_t place, std::uint32_t before, std::ui
 
 // Runs from `place` on in one direction, which slide in this direction until there are `missing` cells more. The cost,
 // in indices moved, is 0 if it would exceed `most`. Runs that are to be written stay.
-inline StripBuffer::Slide StripBuffer::slide(std::uint32_t place, std::uint32_t missing, std::uint32_t most,
-                                             bool rightwards) const noexcept {
+StripBuffer::Slide StripBuffer::slide(std::uint32_t place, std::uint32_t missing, std::uint32_t most,
+                                      bool rightwards) const noexcept {
   for (Slide slide; place != detail::RunPlaces::head && places_.state(place) == State::settled;) {
     const std::uint32_t before = places_.previous(place);
     slide.cost += places_.run(place).length;
@@ -415,8 +583,8 @@ inline StripBuffer::Slide StripBuffer::slide(std::uint32_t place, std::uint32_t 
 
 // Slides runs from `right` on to the right, or runs up to `left` to the left, until `missing` more cells lie between
 // the two. Returns the number of indices moved; 0 if it would exceed `most`.
-inline std::uint32_t StripBuffer::widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing,
-                                        std::uint32_t most) noexcept {
+std::uint32_t StripBuffer::widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing,
+                                 std::uint32_t most) noexcept {
   const Slide side = slide(right, missing, most, true);
   const bool rightwards = side.cost != 0;
   if (rightwards) most = side.cost - 1;
@@ -441,7 +609,7 @@ inline std::uint32_t StripBuffer::widen(std::uint32_t left, std::uint32_t right,
 
 // Moves the last run into a gap, repeatedly. A cut wastes some two and a half indices, four in stitched runs, half of
 // them at each end.
-inline void StripBuffer::close_gaps() noexcept {
+void StripBuffer::close_gaps() noexcept {
   for (std::uint32_t moved = 0;;) {
     const std::uint32_t last = places_.last();
     const detail::Run run = places_.run(last);
@@ -457,7 +625,7 @@ inline void StripBuffer::close_gaps() noexcept {
     if (!wasteful || moved >= std::uint64_t{layout_.work} * changed_ || before == nothing || before == last) return;
     if (places_.gap(before) < run.length && places_.next(before) != last) {
       const std::uint32_t missing = run.length - places_.gap(before);
-      const std::uint32_t cost = widen(before, places_.next(before), missing, detail::moved_for_a_gap);
+      const std::uint32_t cost = widen(before, places_.next(before), missing, moved_for_a_gap);
       if (cost == 0) return;
       moved += cost;
     }
@@ -468,7 +636,7 @@ inline void StripBuffer::close_gaps() noexcept {
 
 // ---- ranges written
 
-inline void StripBuffer::mark(std::size_t first, std::size_t end) noexcept {
+void StripBuffer::mark(std::size_t first, std::size_t end) noexcept {
   if (first == end) return;
   // A write is mostly adjacent to the previous one.
   if (!written_.empty()) {
@@ -483,14 +651,13 @@ inline void StripBuffer::mark(std::size_t first, std::size_t end) noexcept {
   written_.push_back({first, end - first});
 }
 
-inline void StripBuffer::draws(std::vector<Range>& draws) const {
+void StripBuffer::draws(std::vector<Range>& draws) const {
   draws.clear();
   for (std::uint32_t p = places_.next(detail::RunPlaces::head); p != detail::RunPlaces::head; p = places_.next(p))
     draws.push_back({places_.run(p).first, places_.run(p).length - std::size_t{1}});
 }
 
-inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap,
-                                std::size_t unit) noexcept {
+void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap, std::size_t unit) noexcept {
   unit = (std::max)(unit, std::size_t{1});
   for (IndexRange& range : ranges) {
     std::size_t stop = (std::min)(range.first + range.count, end);
@@ -510,9 +677,5 @@ inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end
   }
   ranges.resize(kept);
 }
-
-extern template void StripBuffer::rebuild(const StripMesh&);
-extern template std::span<const IndexRange> StripBuffer::update(const StripMesh&, std::span<const std::uint32_t>,
-                                                                const RangeOptions&);
 
 }  // namespace restrip

@@ -10,21 +10,14 @@
 #include <utility>
 #include <vector>
 
-namespace restrip {
-class BufferHistory;
-}
-
 namespace restrip::detail {
-
-class LiveState;
 
 /// Consecutive indices that draw a part of a strip, the last of them a restart index.
 struct Run {
   std::uint32_t first = 0;
   std::uint32_t length = 0;
   std::uint32_t triangles = 0;
-  std::uint32_t cuts = 0;      ///< its ends where the strip continues in another run
-  std::uint32_t triangle = 0;  ///< of its two ends, the lower one
+  std::uint32_t cuts = 0;  ///< its ends where the strip continues in another run
   [[nodiscard]] std::uint32_t end() const noexcept { return first + length; }
 };
 
@@ -42,7 +35,6 @@ class RunPlaces {
   /// Room for this many more runs, which insert() needs.
   void make_room(std::size_t runs) {
     if (places_.size() + runs > places_.capacity()) places_.reserve(2 * (places_.size() + runs));
-    changed_.reserve(places_.capacity());
   }
 
   // ---- one place
@@ -56,7 +48,7 @@ class RunPlaces {
   /// Unused cells after its run.
   [[nodiscard]] std::uint32_t gap(std::uint32_t p) const noexcept { return limit(p) - run(p).end(); }
   [[nodiscard]] State state(std::uint32_t p) const noexcept { return places_[p].state; }
-  void set_state(std::uint32_t p, State state) noexcept { change(p).state = state; }
+  void set_state(std::uint32_t p, State state) noexcept { places_[p].state = state; }
 
   // ---- all of them
   [[nodiscard]] std::size_t runs() const noexcept { return totals_.runs; }
@@ -64,9 +56,6 @@ class RunPlaces {
   [[nodiscard]] std::uint32_t used() const noexcept { return totals_.used; }
   [[nodiscard]] std::uint32_t cuts() const noexcept { return totals_.cuts; }
   [[nodiscard]] std::uint32_t last() const noexcept { return previous(head); }
-  /// A number that is kept with the places, where work in parts continues.
-  [[nodiscard]] std::uint32_t cursor() const noexcept { return totals_.cursor; }
-  void set_cursor(std::uint32_t cursor) noexcept { totals_.cursor = cursor; }
   /// The place with the smallest gap of at least `cells`; if none exists, the place with the largest gap, or no_place.
   [[nodiscard]] std::uint32_t find_gap(std::uint32_t cells) const noexcept {
     const std::size_t size = (std::min)(cells, largest_gap);
@@ -87,7 +76,7 @@ class RunPlaces {
   }
   /// Another run in place p, between the same neighbours.
   void set(std::uint32_t p, const Run& run) noexcept {
-    Place& place = change(p);
+    Place& place = places_[p];
     totals_.used += run.length - place.run.length;
     totals_.cuts += run.cuts - place.run.cuts;
     place.run = run;
@@ -104,19 +93,19 @@ class RunPlaces {
       totals_.free = next(p);
     }
     ++totals_.runs;
-    Place& place = change(p);
+    Place& place = places_[p];
     place.previous = before;
     place.next = next(before);
-    change(place.next).previous = change(before).next = p;
+    places_[place.next].previous = places_[before].next = p;
     set(p, run);
     return p;
   }
   void remove(std::uint32_t p) noexcept {
-    set(p, {run(p).first, 0, 0, 0, 0});
-    Place& place = change(p);
+    set(p, {run(p).first, 0, 0, 0});
+    Place& place = places_[p];
     take_out(p);
-    change(place.previous).next = place.next;
-    change(place.next).previous = place.previous;
+    places_[place.previous].next = place.next;
+    places_[place.next].previous = place.previous;
     sort_in(place.previous);
     place.state = State::settled;
     place.next = std::exchange(totals_.free, p);
@@ -124,9 +113,6 @@ class RunPlaces {
   }
 
  private:
-  friend class restrip::BufferHistory;
-  friend class LiveState;
-
   struct Place {
     Run run;
     std::uint32_t previous = head;
@@ -135,14 +121,13 @@ class RunPlaces {
     std::uint32_t farther = no_place;
     std::uint16_t size = 0;  // the size that the gap is sorted by; 0: not sorted
     State state = State::settled;
-    bool named = false;  // in changed_
   };
 
   void take_out(std::uint32_t p) noexcept {
     if (places_[p].size == 0) return;
-    Place& place = change(p);
-    (place.nearer != no_place ? change(place.nearer).farther : totals_.first_of[place.size]) = place.farther;
-    if (place.farther != no_place) change(place.farther).nearer = place.nearer;
+    Place& place = places_[p];
+    (place.nearer != no_place ? places_[place.nearer].farther : totals_.first_of[place.size]) = place.farther;
+    if (place.farther != no_place) places_[place.farther].nearer = place.nearer;
     if (totals_.first_of[place.size] == no_place)
       totals_.sizes[place.size / 64U] &= ~(std::uint64_t{1} << (place.size % 64U));
     place.size = 0;
@@ -153,12 +138,12 @@ class RunPlaces {
     if (places_[p].size == size) return;
     take_out(p);
     if (size == 0) return;
-    Place& place = change(p);
+    Place& place = places_[p];
     place.size = size;
     place.nearer = no_place;
     place.farther = std::exchange(totals_.first_of[size], p);
     if (place.farther != no_place)
-      change(place.farther).nearer = p;
+      places_[place.farther].nearer = p;
     else
       totals_.sizes[size / 64U] |= std::uint64_t{1} << (size % 64U);
   }
@@ -169,21 +154,13 @@ class RunPlaces {
     std::uint32_t length = 0;
     std::uint32_t used = 0;
     std::uint32_t cuts = 0;
-    std::uint32_t cursor = 0;
     std::size_t runs = 0;
     std::array<std::uint32_t, largest_gap + 1> first_of{};      // by size of a gap
     std::array<std::uint64_t, (largest_gap + 1) / 64> sizes{};  // that exist, a bit each
   };
 
-  Place& change(std::uint32_t p) noexcept {
-    Place& place = places_[p];
-    if (!std::exchange(place.named, true)) changed_.push_back(p);
-    return place;
-  }
-
   std::vector<Place> places_ = std::vector<Place>(1);
   Totals totals_;
-  std::vector<std::uint32_t> changed_;  // since a history last read it, each once; its room grows with places_
 };
 
 }  // namespace restrip::detail

@@ -1,0 +1,318 @@
+// LiveMesh: its parts, and frames that keep them in step.
+//
+// Outline. The mesh names changed triangles in `changed` (StripMesh::watch). The first `framed` of them are part of a
+// frame of the history already; all of them are what the next update of the buffer must draw. An update ends a frame
+// and then updates the buffer, so that a buffer that refuses a vertex leaves a frame that can be undone. undo() and
+// redo() do not touch the buffer: what they change is appended to the list, like any change.
+//
+// Invariant. `history` describes the mesh up to `framed`, unless it is `lost`, because memory ran out while it noted a
+// frame; the next update begins it again.
+#include "restrip/live_mesh.hpp"
+
+#include <deque>
+#include <utility>
+
+#include "live/live_state.hpp"
+#include "restrip/formats/baked_file.hpp"
+#include "restrip/mesh/history.hpp"
+#include "restrip/mesh/split_record.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/operations/refine.hpp"
+#include "restrip/output/live_buffer.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
+#include "restrip/search/stripify.hpp"
+
+namespace restrip {
+
+namespace {
+
+using State = Keeper<StripMesh>::State;
+
+/// Frames of the mesh, with the counts of its keeper between them.
+struct Frames {
+  Frames(const StripMesh& now, const State& state, std::size_t most) : mesh(now, most), states{state} {}
+
+  void frame(const StripMesh& now, std::span<const Triangle> triangles, const State& state) {
+    const std::size_t before = mesh.undoable();
+    if (!mesh.frame(now, triangles)) {
+      states[before] = state;
+      return;
+    }
+    states.resize(before + 1);
+    states.push_back(state);
+    while (states.size() > mesh.undoable() + 1) states.pop_front();
+  }
+
+  History mesh;
+  std::deque<State> states;  // at the beginning of the first frame and at the end of each
+};
+
+/// The base of a baked mesh, with room for all levels.
+StripMesh base_of(const BakedFile& file) {
+  StripMesh base = file.mesh;
+  base.reserve(file.base.size() + 2 * file.splits.size(), file.points.size());
+  return base;
+}
+
+std::vector<std::uint8_t> solid_sides_of(const StripMesh& mesh) {
+  std::vector<std::uint8_t> solid_sides(mesh.triangle_bound(), 0);
+  for (Triangle t = 0; t < solid_sides.size(); ++t)
+    if (mesh.alive(t)) solid_sides[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
+  return solid_sides;
+}
+
+}  // namespace
+
+struct LiveMesh::Parts {
+  RESTRIP_COLD Parts(StripMesh own, const LiveOptions& options, std::shared_ptr<const BakedFile> from = nullptr)
+      : file(std::move(from)),
+        mesh(std::move(own)),
+        keeper(file ? Keeper<StripMesh>(mesh, file->records) : Keeper<StripMesh>(mesh, options.policy, options.cost)),
+        buffer(options.format, options.layout),
+        most_history(options.history) {
+    if (options.deferred) return;
+    buffer.rebuild(mesh);
+    begin();
+  }
+
+  /// Begins the list of changes and the history.
+  void begin() {
+    mesh.watch(&changed);
+    changed.clear();
+    framed = 0;
+    begun = true;
+    lost = most_history != 0;
+    if (lost) history.emplace(mesh, keeper.state(), most_history);
+    lost = false;
+  }
+  [[nodiscard]] bool can_step() const noexcept { return history && !lost; }
+  /// Before the mesh becomes another one; after that begin() again, if changes are listed.
+  void interrupt() noexcept {
+    history.reset();
+    lost = most_history != 0;
+    changed.clear();
+    framed = 0;
+    buffer.forget();
+  }
+  void end_frame() {
+    if (!can_step()) return;
+    lost = true;
+    history->frame(mesh, std::span(changed).subspan(framed), keeper.state());
+    lost = false;
+    framed = changed.size();
+  }
+  Upload update(const RangeOptions& ranges) {
+    if (begun) end_frame();
+    if (!begun || lost) {
+      buffer.forget();
+      begin();
+    }
+    const Upload upload = buffer.update(mesh, changed, ranges);
+    changed.clear();
+    framed = 0;
+    return upload;
+  }
+  bool step(bool forward) {
+    if (!begun || most_history == 0) return false;
+    if (lost) {
+      buffer.forget();
+      begin();
+    }
+    end_frame();
+    if ((forward ? history->mesh.redoable() : history->mesh.undoable()) == 0) return false;
+    forward ? history->mesh.redo(mesh) : history->mesh.undo(mesh);
+    framed = changed.size();
+    keeper.return_to(history->states[history->mesh.undoable()]);
+    return true;
+  }
+  /// If memory runs out for the keeper, it reads the mesh before its next operation.
+  void recolor(std::span<const std::uint8_t> solid_sides) {
+    mesh.set_colors(solid_sides);
+    buffer.forget();
+    leave_levels();
+    keeper.rebuild();
+  }
+  void leave_levels() noexcept {
+    if (keeper.baked() != nullptr) keeper.baked()->leave_step();
+  }
+
+  std::shared_ptr<const BakedFile> file;  // of a baked mesh
+  StripMesh mesh;
+  Keeper<StripMesh> keeper;
+  std::vector<Triangle> changed;
+  std::size_t framed = 0;
+  LiveBuffer buffer;
+  std::size_t most_history;
+  std::optional<Frames> history;
+  bool begun = false;
+  bool lost = false;
+};
+
+// ---- beginning
+
+RESTRIP_COLD LiveMesh::LiveMesh(StripMesh mesh, const LiveOptions& options, Colors colors) {
+  if (colors == Colors::from_scratch) stripify(mesh, options.effort, options.cost);
+  parts_ = std::make_unique<Parts>(std::move(mesh), options);
+}
+LiveMesh::LiveMesh(std::shared_ptr<const BakedFile> file, const LiveOptions& options)
+    : parts_(std::make_unique<Parts>(base_of(*file), options, file)) {}
+LiveMesh::LiveMesh(LiveMesh&& other) noexcept = default;
+LiveMesh& LiveMesh::operator=(LiveMesh&& other) noexcept = default;
+RESTRIP_COLD LiveMesh::~LiveMesh() = default;
+
+std::vector<std::byte> LiveMesh::save() const {
+  LiveOptions options;
+  options.policy = keeper().policy();
+  options.cost = keeper().weights();
+  options.format = buffer().format();
+  options.layout = buffer().layout();
+  return detail::LiveState::write(mesh(), options);
+}
+LiveMesh LiveMesh::load(std::span<const std::byte> bytes, std::size_t history) {
+  detail::LiveState::Saved saved = detail::LiveState::read(bytes);
+  saved.options.history = history;
+  return LiveMesh(std::move(saved.mesh), saved.options);
+}
+Renumbering LiveMesh::pack() {
+  Renumbering numbers = detail::LiveState::pack(parts_->mesh);
+  parts_->interrupt();
+  parts_->leave_levels();
+  parts_->keeper.rebuild();
+  if (parts_->begun) parts_->begin();
+  return numbers;
+}
+
+// ---- operations
+
+LiveMesh::Halfedge LiveMesh::edge(Vertex v, Vertex w) const noexcept {
+  return v < mesh().vertex_bound() ? mesh().spoke(v, w) : Halfedge{};
+}
+Checked LiveMesh::split(const VertexSplit& where, Vertex new_vertex) {
+  return checked_split(parts_->keeper, where, new_vertex);
+}
+Checked LiveMesh::collapse(Halfedge chord) { return checked_collapse(parts_->keeper, chord); }
+Checked LiveMesh::flip(Halfedge h) { return checked_flip(parts_->keeper, h); }
+Checked LiveMesh::apply(const OperationView& table, Halfedge where) {
+  return checked_apply(parts_->keeper, table, where);
+}
+Checked LiveMesh::apply_anywhere(const OperationView& table, Triangle triangle) {
+  return apply(table, first_place(mesh(), table, triangle));
+}
+Checked LiveMesh::split_face(Halfedge h) {
+  const OperationPlace at = split_face_at(mesh(), h);
+  return apply(at.table, at.where);
+}
+Checked LiveMesh::join_faces(Halfedge chord) {
+  const OperationPlace at = join_faces_at(mesh(), chord);
+  return apply(at.table, at.where);
+}
+Checked LiveMesh::bisect(Halfedge h) {
+  const OperationPlace at = bisect_at(mesh(), h);
+  return apply(at.table, at.where);
+}
+Checked LiveMesh::merge(Halfedge chord) {
+  const OperationPlace at = merge_at(mesh(), chord);
+  return apply(at.table, at.where);
+}
+
+void LiveMesh::keep(Policy policy, const Cost& cost) { parts_->keeper.keep(policy, cost); }
+std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
+std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit) {
+  StripMesh other = mesh();
+  const std::size_t strips = stripify(other, effort, cost, limit);
+  parts_->recolor(solid_sides_of(other));
+  return strips;
+}
+bool LiveMesh::recolor(std::span<const std::uint8_t> solid_sides) {
+  if (solid_sides.size() != mesh().triangle_bound()) return false;
+  for (Triangle t = 0; t < solid_sides.size(); ++t)
+    for (unsigned side = 0; side < 8; ++side) {
+      if ((solid_sides[t] >> side & 1U) == 0) continue;
+      if (side > 2 || !mesh().alive(t)) return false;
+      const Halfedge across = mesh().opposite(StripMesh::halfedge(t, side));
+      if (StripMesh::on_boundary(across) ||
+          (std::uint32_t{solid_sides[StripMesh::triangle(across)]} >> StripMesh::side(across) & 1U) == 0)
+        return false;
+    }
+  StripMesh other = mesh();
+  other.set_colors(solid_sides);
+  if (!check_coloring(other).valid) return false;
+  parts_->recolor(solid_sides);
+  return true;
+}
+
+// ---- baked levels
+
+const BakedFile* LiveMesh::baked() const noexcept { return parts_->file.get(); }
+std::optional<std::size_t> LiveMesh::level() const noexcept {
+  const auto* const player = keeper().baked();
+  return player != nullptr && player->in_step() ? std::optional(player->level()) : std::nullopt;
+}
+std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
+  Keeper<StripMesh>& keeper = parts_->keeper;
+  if (!this->level()) return 0;
+  const std::vector<SplitRecord>& splits = parts_->file->splits;
+  RESTRIP_ASSERT(level <= splits.size(), "LiveMesh::move_to_level", "the level does not exist");
+  std::size_t played = 0;
+  for (std::size_t at = *this->level(); at != level && played < most; at = *this->level(), ++played) {
+    const SplitRecord& split = splits[at < level ? at : at - 1];
+    if (at < level)
+      keeper.split_record(at, spokes_of(mesh(), split), split.v_t);
+    else
+      keeper.collapse_record(at - 1, mesh().spoke(split.v_s, split.v_t));
+  }
+  return played;
+}
+void LiveMesh::restart() {
+  RESTRIP_ASSERT(baked() != nullptr, "LiveMesh::restart", "the mesh has no baked strips");
+  StripMesh base = base_of(*parts_->file);
+  parts_->interrupt();
+  parts_->mesh = std::move(base);
+  parts_->keeper.rebuild();  // also if no memory is left for the next line
+  parts_->keeper = Keeper<StripMesh>(parts_->mesh, parts_->file->records);
+  if (parts_->begun) parts_->begin();
+}
+
+// ---- frames
+
+Upload LiveMesh::update(const RangeOptions& ranges) { return parts_->update(ranges); }
+void LiveMesh::keep_upload() noexcept { parts_->buffer.keep_upload(); }
+bool LiveMesh::undo() { return parts_->step(false); }
+bool LiveMesh::redo() { return parts_->step(true); }
+std::size_t LiveMesh::undoable() const noexcept { return parts_->can_step() ? parts_->history->mesh.undoable() : 0; }
+std::size_t LiveMesh::redoable() const noexcept { return parts_->can_step() ? parts_->history->mesh.redoable() : 0; }
+std::size_t LiveMesh::frame() const noexcept { return parts_->can_step() ? parts_->history->mesh.number() : 0; }
+
+// ---- the buffer
+
+void LiveMesh::begin_buffer(const StripFormat& format, const LayoutOptions& layout, std::size_t history) {
+  LiveBuffer buffer(format, layout);
+  parts_->mesh.watch(nullptr);
+  parts_->most_history = history;
+  parts_->interrupt();
+  parts_->begun = false;
+  parts_->buffer = std::move(buffer);
+}
+void LiveMesh::reserve(std::size_t triangles, std::size_t vertices) {
+  parts_->mesh.reserve(triangles, vertices);
+  parts_->buffer.reserve(triangles);
+  parts_->keeper.reserve(triangles);
+}
+std::span<const std::uint32_t> LiveMesh::indices() const noexcept { return buffer().indices(); }
+std::span<const std::uint16_t> LiveMesh::indices16() const noexcept { return buffer().indices16(); }
+std::span<const std::byte> LiveMesh::bytes() const noexcept { return buffer().bytes(); }
+std::size_t LiveMesh::index_bytes() const noexcept { return buffer().index_bytes(); }
+std::size_t LiveMesh::room() const noexcept { return buffer().room(); }
+
+// ---- the parts
+
+const StripMesh& LiveMesh::mesh() const noexcept { return parts_->mesh; }
+std::size_t LiveMesh::strips() const noexcept { return keeper().strips(); }
+std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
+const RuleCounts& LiveMesh::rule_counts() const noexcept { return keeper().rule_counts(); }
+Keeper<StripMesh>& LiveMesh::keeper() noexcept { return parts_->keeper; }
+const Keeper<StripMesh>& LiveMesh::keeper() const noexcept { return parts_->keeper; }
+const LiveBuffer& LiveMesh::buffer() const noexcept { return parts_->buffer; }
+
+}  // namespace restrip
