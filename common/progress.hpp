@@ -17,8 +17,8 @@ namespace restrip {
 /// Whether a piece of work shows its progress, or is one of many of its kind.
 enum class Watched { no, yes };
 
-/// One line on standard error, "baking … 12 %", wiped when the work is done. Nothing is shown if standard error is a
-/// pipe or a file, if the total is 0, or if the work is not watched.
+/// One line on standard error, "baking … 12 %", or "baking …" if the total is 1, wiped when the work is done. Nothing
+/// is shown if standard error is a pipe or a file, if the total is 0, or if the work is not watched.
 class Progress {
  public:
   /// Shows that the work has begun.
@@ -37,7 +37,7 @@ class Progress {
   /// Call it at any rate: a line is written when another percent is done. For one thread.
   void at(std::size_t done) {
     if (done < next_) return;
-    fmt::print(stderr, "\r\033[K{} … {} %", label_, 100 * done / total_);
+    fmt::print(stderr, "\r\033[K{} …{}", label_, total_ == 1 ? "" : fmt::format(" {} %", 100 * done / total_));
     std::fflush(stderr);
     next_ = done + std::max<std::size_t>(1, total_ / 100);
   }

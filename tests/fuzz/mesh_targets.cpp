@@ -14,6 +14,7 @@
 #include "lod/simplify.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/mend.hpp"
+#include "meshes/seams.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
 #include "target.hpp"
@@ -39,10 +40,26 @@ void check_strips_of_file(const Soup& soup) {
   promise(find_faults(mesh).empty(), "the strips of a file are valid");
 }
 
+/// Simplifies the mesh as the program does: with closed seams, or with vertices of seams that stay.
+void check_levels(Soup soup) {
+  constexpr std::size_t few = 2000;
+  if (soup.triangles.size() > few) return;
+  Mended mended;
+  if (soup.attributes.empty()) close_seams(soup, mended);
+  const std::vector<std::uint32_t> fixed = vertices_on_seams(soup);
+  const ProgressiveMesh levels = simplify(soup, {0.1, BoundaryPolicy::move}).mesh;
+  promise(sorted_triangles(finest_level(levels).triangles) == sorted_triangles(soup.triangles),
+          "the levels lead back to the triangles");
+  for (const Record& record : levels.splits)
+    promise(soup.attributes.empty() || !std::binary_search(fixed.begin(), fixed.end(), record.v_t),
+            "vertices on seams stay");
+}
+
 bool play(Soup soup) {
   for (const Corners& t : soup.triangles)
     for (const std::uint32_t corner : t) promise(corner < soup.points.size(), "a corner is a vertex");
   promise(find_faults(stripified(soup)).empty(), "strips from scratch are valid");
+  check_levels(soup);
   if (!soup.strips.empty()) check_strips_of_file(soup);
   Mended mended;
   weld(soup, mended);

@@ -103,6 +103,7 @@ LEFT_OUT = {
         "meshes outside the scene": gltf(lambda doc, _: doc["nodes"].append({"mesh": 0})),
         "extension WORD": [gltf(lambda doc, _: doc.update(extensionsUsed=["KHR_lights_punctual"])),
                            gltf(lambda doc, _: first(doc).update(extensions={"KHR_materials_variants": {}}))],
+        "lengths of rotations other than 1": [gltf(lambda doc, _: doc["nodes"][0].update(rotation=[0, 0, 0, w])) for w in (2, -0.5)],
         "tangents": gltf(lambda doc, _: doc["meshes"][0]["primitives"].append({"attributes": {"POSITION": 0, "NORMAL": 2}}),
                          NORMAL=UP, TANGENT=[(1, 0, 0, 1)] * 3),
         "WORD": gltf(**{"temperature": [(20,)] * 3})},

@@ -116,10 +116,21 @@ TEST(Obj, OtherLinesAreLeftOut) {
   EXPECT_TRUE(left_out(many).ends_with("more parts of other kinds"));
 }
 
+TEST(Obj, NumbersThatUnderflowAreZeroOrTheNearest) {
+  const Soup soup = read_as(".obj", "v 1e-400 -1e-999 4e-324\nv 1 0 1e-310\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(soup.points[0], (Point{0, 0, 4e-324}));
+  EXPECT_EQ(soup.points[1].z, 1e-310);
+  expect_refused(".obj", "v 1e400 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "found '1e400'");
+}
+
 TEST(Obj, Refusals) {
   expect_refused(".obj", "v 0 0 0\nv 1 0 0\n", "no triangles");
   expect_refused(".obj", "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers, but the line ends");
-  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nv 0 0 nan\nf 1 2 3\n", "vertex 2 has a coordinate that is infinite or not");
+  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nv 0 0 nan\nf 1 2 3\n",
+                 ":3: vertex 2 has a coordinate that is infinite or not");
+  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n0 inf 0\n0 1 0\n3 0 1 2\n", ":4: vertex 1 has a coordinate");
+  expect_refused(".stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 nan 0\n",
+                 ":5: 'nan' is infinite or not a number");
   expect_refused(".obj", "v 0 0 0\nv 1 0 0\nv 0 0 1e300\nf 1 2 3\n", "infinite or not a number");
   expect_refused(".obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 2\n", "2 triangles, each with a corner twice");
   expect_refused(".obj", "v 0 0 0\nf 0 1 1\n", "counted from 1");

@@ -77,6 +77,18 @@ class Commands(Folder):
         self.assertTrue(self.done("--version").startswith("restrip "))
         for command in ("", "stats", "replay", "simplify", "convert", "make-mesh", "stripify", "bake", "draw", "paper"):
             self.assertIn("Example: restrip ", self.done(command + " --help"), command)
+            self.assertEqual(self.done(command + " --version"), self.done("--version"))
+        described = [line.split(":")[0].strip() for line in self.done("replay --help").splitlines()]
+        for policy in ("rules", "local", "quick", "full", "baked", "paper"):
+            self.assertEqual(described.count(policy), 1, policy)
+
+    def test_misspelt_values_are_named(self):
+        for arguments, said in {"replay --built-in --policy quik": "--policy: quik is not a value; did you mean quick?",
+                                "stripify x.obj --effort fas": "did you mean fast?", "stripify x.obj --cost index": "there are strips and indices",
+                                "convert x.obj -o x --to glbb": "did you mean glb?", "simplfy x.obj": "did you mean simplify?"}.items():
+            code, out = self.run_with(arguments, errors=True)
+            self.assertEqual(code, 2)
+            self.assertIn(said, out)
 
     def test_wrong_usage_is_two(self):
         for command, wrong in {
@@ -385,7 +397,7 @@ class Meshes(Folder):
                 ("stats none.obj", "none.obj: no such file; check the path"),
                 ("stats folder.obj", "folder.obj: is a directory; name a file inside it"),
                 (f"stats '{self.folder}'", "is a directory"),
-                ("stats bad.obj", "vertex 0 has a coordinate that is infinite or not a number; mend or remove it"),
+                ("stats bad.obj", "bad.obj:1: vertex 0 has a coordinate that is infinite or not a number; mend or remove it"),
                 ("stats nan.pm", "vertex 0 has a coordinate that is infinite or not a number"),
                 ("stats zero.xyz", "unknown extension '.xyz'; name the format by --from"),
                 ("stats zero.obj", "larger than 256 MiB, the limit"),

@@ -4,17 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
-#include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"
 
 namespace restrip::tools {
@@ -33,7 +32,7 @@ struct ConvertCommand {
 
 int run(const ConvertCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_any));
-  const files::ReportOutput report(command.json);
+  Report report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_any);
   const std::string in = command.mesh.string();
   const std::string name = command.out.string();
@@ -58,16 +57,14 @@ int run(const ConvertCommand& command) {
     }
     out.write(written.bytes);
     const std::string what = progressive ? "split" : "record";
-    nlohmann::ordered_json json{{"base_triangles", mesh->base.size()},
-                                {what + "s", mesh->splits.size()},
-                                {"triangles", mesh->fine_triangles()}};
-    add_to(json, mended);
-    add_to(json, written);
-    report.print(as_text(mended) +
-                     fmt::format("{}: {} and {} to {}\n", name, counted(mesh->base.size(), "triangle"),
-                                 counted(mesh->splits.size(), what), mesh->fine_triangles()) +
-                     as_text(written, name),
-                 json.dump(2) + "\n");
+    report.json = {{"base_triangles", mesh->base.size()},
+                   {what + "s", mesh->splits.size()},
+                   {"triangles", mesh->fine_triangles()}};
+    report.add(mended);
+    report.text += fmt::format("{}: {} and {} to {}\n", name, counted(mesh->base.size(), "triangle"),
+                               counted(mesh->splits.size(), what), mesh->fine_triangles());
+    report.add(written, name);
+    report.print();
     return 0;
   }
 
@@ -95,18 +92,18 @@ int run(const ConvertCommand& command) {
     written = written_strips(format, soup.points, strips, options, soup.attributes, soup.is_64_bits);
   }
   out.write(written.bytes);
-  nlohmann::ordered_json json{{"vertices", soup.points.size()},
-                              {"triangles", soup.triangles.size() - left_out},
-                              {"strips", written.strips},
-                              {"left_out", left_out}};
-  add_to(json, mended);
-  add_to(json, written);
-  std::string text = as_text(mended);
-  text += fmt::format("{}: {}, {}", name, counted(soup.points.size(), "vertex", "vertices"),
-                      counted(soup.triangles.size() - left_out, "triangle"));
-  if (written.strips != 0) text += fmt::format(" in {}", counted(written.strips, "strip"));
-  if (left_out != 0) text += fmt::format("; {} left out", counted(left_out, "degenerate triangle"));
-  report.print(text + "\n" + as_text(written, name), json.dump(2) + "\n");
+  report.json = {{"vertices", soup.points.size()},
+                 {"triangles", soup.triangles.size() - left_out},
+                 {"strips", written.strips},
+                 {"left_out", left_out}};
+  report.add(mended);
+  report.text += fmt::format("{}: {}, {}", name, counted(soup.points.size(), "vertex", "vertices"),
+                             counted(soup.triangles.size() - left_out, "triangle"));
+  if (written.strips != 0) report.text += fmt::format(" in {}", counted(written.strips, "strip"));
+  if (left_out != 0) report.text += fmt::format("; {} left out", counted(left_out, "degenerate triangle"));
+  report.text += "\n";
+  report.add(written, name);
+  report.print();
   return 0;
 }
 

@@ -44,6 +44,8 @@ int run_command_line(int argc, char** argv) {
   for (const auto add :
        {add_stats, add_replay, add_simplify, add_convert, add_stripify, add_draw, add_paper, add_bake, add_make_mesh})
     subcommands.push_back(add(app));
+  for (const Subcommand& subcommand : subcommands)
+    subcommand.line->set_version_flag("--version", app.version())->description("print the version and exit");
   if (const std::string wrong = argc < 2 ? "" : wrong_subcommand(app, argv[1]); !wrong.empty()) throw BadInput(wrong);
   try {
     app.parse(argc, argv);

@@ -3,13 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
-#include "common/report_output.hpp"
+#include "common/progress.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 
@@ -25,14 +25,17 @@ struct MakeMeshCommand {
 
 int run(const MakeMeshCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_mesh));
-  const files::ReportOutput report(command.json);
+  Report report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_mesh);
-  const Soup soup = make_mesh(command.triangles, command.seed);
+  const Soup soup = [&command] {
+    const Progress progress("making a mesh", 1);
+    return make_mesh(command.triangles, command.seed);
+  }();
   out.write(format.write_mesh(soup));
-  const nlohmann::ordered_json json{{"vertices", soup.points.size()}, {"triangles", soup.triangles.size()}};
-  report.print(fmt::format("{}: {}, {}\n", command.out.string(), counted(soup.points.size(), "vertex", "vertices"),
-                           counted(soup.triangles.size(), "triangle")),
-               json.dump(2) + "\n");
+  report.json = {{"vertices", soup.points.size()}, {"triangles", soup.triangles.size()}};
+  report.text = fmt::format("{}: {}, {}\n", command.out.string(), counted(soup.points.size(), "vertex", "vertices"),
+                            counted(soup.triangles.size(), "triangle"));
+  report.print();
   return 0;
 }
 

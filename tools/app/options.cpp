@@ -20,7 +20,7 @@ const CLI::Validator share(
                  ? std::string()
                  : fmt::format("{} is not a share of the triangles; give a number above 0 and at most 1", word);
     },
-    "FLOAT in [0 (excluded) - 1]", "share");
+    "X above 0 and at most 1", "share");
 
 /// The edit distance (Levenshtein) of two words.
 std::size_t distance(const std::string& one, const std::string& other) {
@@ -38,21 +38,21 @@ std::size_t distance(const std::string& one, const std::string& other) {
   return row.back();
 }
 
-/// Describes the values of an option, given the names of CLI11's types and checks: "UINT:INT in [2 - 1000]",
-/// "TEXT:{a,b}".
+/// "did you mean WORD?" for the most similar of the words; at most a third of its letters may differ. Otherwise all of
+/// them: "there are a, b and c".
+std::string suggestion(const std::string& word, const std::vector<std::string>& words) {
+  const auto nearest = std::min_element(words.begin(), words.end(), [&](const std::string& a, const std::string& b) {
+    return distance(a, word) < distance(b, word);
+  });
+  return nearest != words.end() && 3 * distance(*nearest, word) <= nearest->size()
+             ? fmt::format("did you mean {}?", *nearest)
+             : fmt::format("there are {}", list_in_words(words, "and"));
+}
+
+/// The values of an option: the description of its check, if it has one, which follows CLI11's name of the type.
 std::string values_in_words(const std::string& type) {
-  if (const std::size_t open = type.find('{'); open != std::string::npos) {
-    std::string words = type.substr(open + 1, type.find('}', open) - open - 1);
-    std::replace(words.begin(), words.end(), ',', '|');
-    return words;
-  }
-  const std::string number = type.starts_with("FLOAT") ? "X" : "N";
-  if (const std::size_t range = type.find(" in ["); range != std::string::npos) {
-    const std::size_t hyphen = type.find(" - ", range);
-    return fmt::format("{} from {} to {}", number, type.substr(range + 5, hyphen - range - 5),
-                       type.substr(hyphen + 3, type.find(']', hyphen) - hyphen - 3));
-  }
-  return type.starts_with("TEXT") ? "FILE" : number;
+  if (const std::size_t colon = type.find(':'); colon != std::string::npos) return type.substr(colon + 1);
+  return type.starts_with("TEXT") ? "FILE" : "N";
 }
 
 std::vector<std::string> without_points(std::vector<std::string> extensions) {
@@ -88,7 +88,16 @@ CLI::Validator whole_number_from(std::uint64_t least, std::uint64_t most) {
                        ? std::string()
                        : fmt::format("{} is not a whole number from {} to {}", word, least, most);
           },
-          fmt::format("UINT in [{} - {}]", least, most), "whole number in a range"};
+          fmt::format("N from {} to {}", least, most), "whole number in a range"};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return {[words](std::string& word) {
+            return std::find(words.begin(), words.end(), word) != words.end()
+                       ? std::string()
+                       : fmt::format("{} is not a value; {}", word.substr(0, 40), suggestion(word, words));
+          },
+          fmt::format("{}", fmt::join(words, "|")), "one of several words"};
 }
 
 std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word) {
@@ -117,7 +126,7 @@ CLI::Option* add_mesh_option(CLI::App& app, NamedFile& mesh, const std::string& 
   CLI::Option* option = app.add_option("mesh", mesh.path, help + "; - for standard input");
   app.add_option("--from", mesh.format,
                  "the format of the mesh; by default detected from its name, or from its first bytes")
-      ->check(CLI::IsMember(without_points(extensions_of(reads))));
+      ->check(one_of(without_points(extensions_of(reads))));
   return option;
 }
 
@@ -126,7 +135,7 @@ CLI::Option* add_output_option(CLI::App& app, NamedFile& out, const std::vector<
   CLI::Option* option =
       app.add_option("-o,--output", out.path, help + "; - for standard output, text then goes to standard error");
   app.add_option("--to", out.format, "the format of the output; by default from its name")
-      ->check(CLI::IsMember(without_points(extensions)))
+      ->check(one_of(without_points(extensions)))
       ->needs(option);
   return option;
 }
@@ -152,8 +161,8 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
          [&options](const std::string& word) {
            options.boundary = word == "lock" ? BoundaryPolicy::lock : BoundaryPolicy::move;
          },
-         "lock: only edges between interior vertices collapse; move: boundary edges too")
-      ->check(CLI::IsMember({"lock", "move"}))
+         "lock: only edges between interior vertices collapse\nmove: boundary edges too")
+      ->check(one_of({"lock", "move"}))
       ->default_str(options.boundary == BoundaryPolicy::lock ? "lock" : "move");
 }
 
@@ -167,7 +176,7 @@ void add_cost_option(CLI::App& app, std::optional<Cost>& cost, const Cost& other
   app.add_option_function<std::string>(
          "--cost", [&cost](const std::string& word) { cost = word == "indices" ? Cost::indices() : Cost::strips(); },
          "what is minimised: strips, or the indices of plain triangle strips with primitive restart")
-      ->check(CLI::IsMember({"strips", "indices"}))
+      ->check(one_of({"strips", "indices"}))
       ->default_str(otherwise == Cost::strips() ? "strips" : "indices");
 }
 
@@ -184,12 +193,12 @@ void add_policy_option(CLI::App& app, std::string& method) {
   for (const Method& each : methods()) {
     if (each.kind == Method::Kind::mesh) continue;
     names.push_back(each.name);
-    about += fmt::format("{}: {}; ", each.name, each.description);
+    about += fmt::format("{}: {}\n", each.name, each.description);
   }
-  app.add_option("--policy", method,
-                 about + fmt::format("(default: {}, for a baked mesh {})", default_method(false).name,
-                                     default_method(true).name))
-      ->check(CLI::IsMember(names));
+  app.add_option(
+         "--policy", method,
+         about + fmt::format("default: {}, for a baked mesh {}", default_method(false).name, default_method(true).name))
+      ->check(one_of(names));
 }
 
 void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& method) {
@@ -211,19 +220,23 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
   if (progressive != nullptr) words.emplace_back("progressive");
   app.add_option_function<std::string>(
          "--gltf", set_form,
-         std::string("contents of a .glb: stitched: one strip, in which repeated indices join the strips; strips: a "
-                     "primitive for each; list: a triangle list; restart: one primitive, for the few viewers that "
-                     "know KHR_mesh_primitive_restart; auto: stitched. A list is written instead if it has fewer "
-                     "indices, without --keep-strips") +
-             (progressive == nullptr ? "" : "; progressive: the base, and all splits in MANYFOLD_mesh_progressive"))
-      ->check(CLI::IsMember(words))
+         std::string("contents of a .glb; a list is written instead if it has fewer indices, without --keep-strips\n"
+                     "auto: stitched\n"
+                     "stitched: one strip, in which repeated indices join the strips\n"
+                     "strips: a primitive for each\n"
+                     "list: a triangle list\n"
+                     "restart: one primitive, for the few viewers that know KHR_mesh_primitive_restart") +
+             (progressive == nullptr ? "" : "\nprogressive: the base, and all splits in MANYFOLD_mesh_progressive"))
+      ->check(one_of(words))
       ->default_str("auto");
   app.add_option_function<std::string>(
          "--form", set_form,
-         "contents of a .bin: restart: strips with the index with all bits set between them; stitched: one strip, in "
-         "which repeated indices join the strips; lengths: a table of lengths, then the strips; list: triangles. A "
-         "list is written instead if it has fewer indices, without --keep-strips")
-      ->check(CLI::IsMember({"restart", "stitched", "lengths", "list"}))
+         "contents of a .bin; a list is written instead if it has fewer indices, without --keep-strips\n"
+         "restart: strips with the index with all bits set between them\n"
+         "stitched: one strip, in which repeated indices join the strips\n"
+         "lengths: a table of lengths, then the strips\n"
+         "list: triangles")
+      ->check(one_of({"restart", "stitched", "lengths", "list"}))
       ->default_str("restart")
       ->excludes(app.get_option("--gltf"));
   app.add_option_function<std::string>(
@@ -234,7 +247,7 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
                                           : IndexWidth::automatic;
          },
          "bits of an index in .glb and .bin; auto: 16 if all are below 65535")
-      ->check(CLI::IsMember({"16", "32", "auto"}))
+      ->check(one_of({"16", "32", "auto"}))
       ->default_str("auto");
   app.add_option("--batch-vertices", options.most_vertices,
                  "most vertices of a batch; each batch is drawn separately; indices still number the vertices of the "
@@ -293,14 +306,7 @@ std::string wrong_subcommand(const CLI::App& app, const std::string& argument) {
     if (sub->get_name() == argument) return "";
     names.push_back(sub->get_name());
   }
-  const auto nearest = std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-    return distance(a, argument) < distance(b, argument);
-  });
-  // At most a third of the letters may differ.
-  const std::string advice = nearest != names.end() && 3 * distance(*nearest, argument) <= nearest->size()
-                                 ? fmt::format("did you mean {}?", *nearest)
-                                 : fmt::format("there are {}", list_in_words(names, "and"));
-  return fmt::format("unknown subcommand '{}'; {}", argument.substr(0, 40), advice);
+  return fmt::format("unknown subcommand '{}'; {}", argument.substr(0, 40), suggestion(argument, names));
 }
 
 }  // namespace restrip::tools

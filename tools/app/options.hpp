@@ -38,6 +38,9 @@ Subcommand add_make_mesh(CLI::App& app);
 [[nodiscard]] const CLI::Validator& whole_number();
 [[nodiscard]] CLI::Validator whole_number_from(std::uint64_t least, std::uint64_t most);
 
+/// One of these words. An error names the most similar one.
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& words);
+
 /// ".obj, .off and .ply"; `last_word` is "and" or "or".
 [[nodiscard]] std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word);
 /// Help text for an input mesh: its formats (mesh_formats.hpp), and which level is used of a mesh that has levels.

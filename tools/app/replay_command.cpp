@@ -174,7 +174,7 @@ Subcommand add_replay(CLI::App& app) {
            command.replay.buffer.form = word == "list" ? StripForm::list : StripForm::restart;
          },
          "the index buffer that is updated: strips, or a triangle list for comparison")
-      ->check(CLI::IsMember({"strips", "list"}))
+      ->check(one_of({"strips", "list"}))
       ->default_str("strips");
   sub->add_option("--operations-per-update", command.replay.buffer.operations_per_update,
                   "operations after which the index buffer is updated; several numbers: one run for each")

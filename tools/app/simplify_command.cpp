@@ -3,16 +3,16 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "common/printable.hpp"
-#include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"
+#include "meshes/seams.hpp"
 #include "meshes/soup_builder.hpp"
 #include "restrip/search/stripify.hpp"
 
@@ -33,42 +33,46 @@ struct SimplifyCommand {
 
 int run(const SimplifyCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_strips_or_progressive));
-  const files::ReportOutput report(command.json);
+  Report report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
   Soup soup = read_mesh(command.mesh, command.attributes);
   Mended mended = mend(soup, command.mesh.string(), command.mending);
   leave_out_losses(soup, format, mended);
+  if (soup.attributes.empty()) close_seams(soup, mended);
   const Simplification result = simplify(soup, command.simplify);
   const ProgressiveMesh& made = result.mesh;
-  nlohmann::ordered_json json{{"base_triangles", made.base.size()},
-                              {"wanted_base_triangles", result.wanted_triangles},
-                              {"stopped_short", result.stopped_short()},
-                              {"splits", made.splits.size()},
-                              {"triangles", made.fine_triangles()}};
-  std::string text = as_text(mended);
+  const std::string name = command.out.string();
+  report.json = {{"base_triangles", made.base.size()},
+                 {"wanted_base_triangles", result.wanted_triangles},
+                 {"stopped_short", result.stopped_short()},
+                 {"splits", made.splits.size()},
+                 {"triangles", made.fine_triangles()}};
+  report.add(mended);
   if (!mended.left_out.empty() && command.attributes == ReadAttributes::no)
-    text += "with --attributes, .glb, .ply and .obj keep the attributes that the format has\n";
+    report.text += "with --attributes, .glb, .ply and .obj keep the attributes that the format has\n";
+  if (!soup.attributes.empty())
+    report.text +=
+        "attributes are carried, not weighed: if they matter more than the shape, simplify with a program that weighs "
+        "them, then use restrip\n";
   if (command.progressive || !writes_strips(format)) {
     out.write(format.write_progressive(made));
-    text += fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(made.base.size(), "triangle"),
-                        counted(made.splits.size(), "split"), made.fine_triangles());
+    report.text += fmt::format("{}: {} and {} to {}\n", name, counted(made.base.size(), "triangle"),
+                               counted(made.splits.size(), "split"), made.fine_triangles());
   } else {
     StripMesh base = StripMesh::build(made.base, made.points.size());
     stripify(base);
     const LevelFile file = level_file(base, made.points, format, command.strips, soup.attributes);
     out.write(file.written.bytes);
-    json["strips"] = file.strips;
-    text += fmt::format("{}: {} of {}, in {}\n", command.out.string(), file.triangles,
-                        counted(made.fine_triangles(), "triangle"), counted(file.strips, "strip"));
-    add_to(json, file.written);
-    text += as_text(file.written, command.out.string());
+    report.json["strips"] = file.strips;
+    report.text += fmt::format("{}: {} of {}, in {}\n", name, file.triangles,
+                               counted(made.fine_triangles(), "triangle"), counted(file.strips, "strip"));
+    report.add(file.written, name);
   }
   for (const Obstacle& obstacle : result.left_out.obstacles)
-    json["obstacles"].push_back({{"why", obstacle.why}, {"edges", obstacle.edges}});
-  add_to(json, mended);
-  report.print(text, json.dump(2) + "\n");
+    report.json["obstacles"].push_back({{"why", obstacle.why}, {"edges", obstacle.edges}});
+  report.print();
   if (!result.stopped_short()) return 0;
-  fmt::print(stderr, "restrip: {}: stopped at {}, but {}: {}\n", files::printable(command.out.string()),
+  fmt::print(stderr, "restrip: {}: stopped at {}, but {}: {}\n", files::printable(name),
              counted(made.base.size(), "triangle"), counted(result.wanted_triangles, "was requested", "were requested"),
              why_no_coarser(result.left_out));
   return command.size_given ? 1 : 0;
@@ -93,19 +97,18 @@ Subcommand add_simplify(CLI::App& app) {
   sub->add_flag_callback(
       "--attributes", [&command] { command.attributes = ReadAttributes::yes; },
       "keep normals, texture coordinates and colours: a place at which they differ is several vertices, and such "
-      "seams are boundaries, which stay unless --boundary move is given");
+      "seams stay; without it seams are closed. Attributes are carried, not weighed");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, triangles, &command] {
-    // The two sides of a seam would move independently.
-    if (command.attributes == ReadAttributes::yes && sub->count("--boundary") == 0)
-      command.simplify.boundary = BoundaryPolicy::lock;
     check_strip_options(*sub, command.out, command.strips);
     command.size_given = triangles->count() + sub->count("--base") != 0;
     if (!triangles->empty() && sub->count("--base") != 0)
       throw CLI::ValidationError("--triangles", "and --base both set the size; leave one out");
   });
   sub->footer(
+      "Only the shape decides which edges collapse. If colours or textures must be weighed, simplify with a program\n"
+      "that does so (meshoptimizer, for example), then use restrip on its result.\n"
       "If no remaining edge may collapse, the mesh is written as it is then, and standard error and\n"
       "--json give the reason. If --base or --triangles requested a coarser mesh, the exit code is 1.\n"
       "Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");

@@ -7,6 +7,7 @@
 
 #include "common/bad_input.hpp"
 #include "lod/baked_file.hpp"
+#include "meshes/seams.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strips.hpp"
 
@@ -21,9 +22,11 @@ BakedCosts costs_of(const BakedMesh& baked, double seconds) {
           static_cast<double>(baked_bytes(baked).size() - baked_bytes(base).size()) / records, seconds};
 }
 
-Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
+Source simplified(std::string name, Soup soup, const SimplifyOptions& options, Mended mended) {
+  close_seams(soup, mended);
   Simplification simplified = simplify(soup, options);
   Source source;
+  source.subject.mended = std::move(mended);
   source.subject.name = std::move(name);
   source.subject.wanted_triangles = simplified.wanted_triangles;
   source.subject.left_out = simplified.left_out;
@@ -35,10 +38,8 @@ Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
 Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
                  bool options_given) {
   if (auto* soup = std::get_if<Soup>(&read)) {
-    const Mended mended = mend(*soup, file.string(), mending);
-    Source source = simplified(file.string(), std::move(*soup), options);
-    source.subject.mended = mended;
-    return source;
+    Mended mended = mend(*soup, file.string(), mending);
+    return simplified(file.string(), std::move(*soup), options, std::move(mended));
   }
   if (options_given)
     throw BadInput(

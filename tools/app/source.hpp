@@ -31,7 +31,8 @@ struct Source {
 /// The costs of the strips of a baked mesh.
 [[nodiscard]] BakedCosts costs_of(const BakedMesh& baked, double seconds);
 
-[[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
+/// Closes the seams of the soup first (seams.hpp). `mended`: what was changed before.
+[[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options, Mended mended = {});
 /// Of a mesh that has been read from the file. Throws BadInput if a progressive mesh is to be simplified
 /// (`options_given`) or mended.
 [[nodiscard]] Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending,

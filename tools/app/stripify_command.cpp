@@ -167,7 +167,7 @@ Subcommand add_stripify(CLI::App& app) {
                               },
                               "fast: one pass; full: a search or annealing; best: ten times longer, with exact "
                               "windows for --cost indices; file: the strips of the file")
-                           ->check(CLI::IsMember({"fast", "full", "best", "file"}))
+                           ->check(one_of({"fast", "full", "best", "file"}))
                            ->default_str("fast");
   add_cost_option(*sub, command.cost);
   const auto* limit =
@@ -185,7 +185,7 @@ Subcommand add_stripify(CLI::App& app) {
       sub->add_option("--cache-weight", command.cache.weight,
                       "indices that a miss is worth: less for fewer indices, more for fewer misses (default: "
                       "by the strips; mostly 1 to 3)")
-          ->check(CLI::Range(0.0, 1000.0));
+          ->check(CLI::Range(0.0, 1000.0).description("X from 0 to 1000"));
   sub->add_flag(
       "--bound", command.bound,
       "also report a lower bound on the indices of every buffer that draws these triangles; may take longer than "

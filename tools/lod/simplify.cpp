@@ -7,10 +7,28 @@
 #include <cmath>
 #include <utility>
 
+#include "common/counted.hpp"
 #include "common/progress.hpp"
 #include "lod/coloring_check.hpp"
+#include "meshes/seams.hpp"
 
 namespace restrip::tools {
+namespace {
+
+/// Triangles on the same three corners as an earlier one of the other orientation.
+std::size_t back_to_back(std::vector<Corners> triangles) {
+  std::size_t pairs = 0;
+  std::vector<Corners> turned;
+  for (Corners& t : triangles) {
+    turned.push_back(rotated({t[0], t[2], t[1]}));
+    t = rotated(t);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  for (const Corners& t : turned) pairs += std::binary_search(triangles.begin(), triangles.end(), t) ? 1 : 0;
+  return pairs / 2;
+}
+
+}  // namespace
 
 std::string why_no_coarser(const LeftOut& left_out) {
   std::size_t edges = 0;
@@ -19,7 +37,19 @@ std::string why_no_coarser(const LeftOut& left_out) {
     edges += obstacle.edges;
     reasons.push_back(fmt::format("{}: {}", obstacle.edges, obstacle.why));
   }
-  return fmt::format("none of the {} edges that are left may collapse ({})", edges, fmt::join(reasons, "; "));
+  std::string why =
+      fmt::format("none of the {} edges that are left may collapse ({})", edges, fmt::join(reasons, "; "));
+  if (left_out.seam_vertices != 0)
+    why += fmt::format(
+        "; {} on seams stay, where attributes differ: without --attributes, or with --weld if they are "
+        "equal after all, seams are closed",
+        counted(left_out.seam_vertices, "vertex", "vertices"));
+  if (left_out.back_to_back != 0)
+    why += fmt::format(
+        "; {} back to back on the same corners, as in a sheet with two sides: remove one side, simplify, "
+        "and draw it without culling, or write it twice",
+        counted(left_out.back_to_back, "pair of triangles lies", "pairs of triangles lie"));
+  return why;
 }
 
 Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
@@ -34,13 +64,19 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
   points.reserve(soup.points.size());
   for (const Point& p : soup.points) points.push_back({p.x, p.y, p.z});
 
-  Simplifier simplifier(std::move(mesh), points, options.boundary);
+  const std::vector<std::uint32_t> fixed =
+      soup.attributes.empty() ? std::vector<std::uint32_t>() : vertices_on_seams(soup);
+  Simplifier simplifier(std::move(mesh), points, options.boundary, fixed);
   const std::size_t collapses = (triangles - result.wanted_triangles) / 2;
   Progress progress("simplifying", collapses);
   while (!simplifier.run(result.wanted_triangles, collapses / 100 + 1)) progress.at(simplifier.collapses().size());
 
-  result.left_out = {report.degenerate_triangles, report.non_manifold_vertices, simplifier.large_vertices()};
-  if (simplifier.mesh().triangle_count() > result.wanted_triangles) result.left_out.obstacles = simplifier.obstacles();
+  result.left_out = {report.degenerate_triangles, report.non_manifold_vertices, simplifier.large_vertices(),
+                     fixed.size()};
+  if (simplifier.mesh().triangle_count() > result.wanted_triangles) {
+    result.left_out.obstacles = simplifier.obstacles();
+    result.left_out.back_to_back = back_to_back(triangles_of(simplifier.mesh()));
+  }
   result.mesh.points = soup.points;
   result.mesh.base = triangles_of(simplifier.mesh());
   result.mesh.splits.assign(simplifier.collapses().rbegin(), simplifier.collapses().rend());

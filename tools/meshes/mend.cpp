@@ -109,7 +109,7 @@ std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
 }  // namespace
 
 Mended mend(Soup& soup, const std::string& name, const MendingOptions& options) {
-  Mended mended{options, 0, 0, 0, soup.left_out};
+  Mended mended{.asked = options, .left_out = soup.left_out};
   if (options.weld) weld(soup, mended);
   if (std::all_of(soup.triangles.begin(), soup.triangles.end(), degenerate))
     throw BadInput(fmt::format("{}: --weld leaves no triangle: each has two corners at one place", name));
@@ -125,10 +125,9 @@ void refuse_mending(const std::string& file, const MendingOptions& options) {
                     file));
 }
 
-void weld(Soup& soup, Mended& mended) {
-  std::vector<std::uint32_t> number = first_alike(soup.points.size(), soup.points, soup.attributes);
+std::size_t merge_vertices(Soup& soup, std::vector<std::uint32_t> number, Mended& mended) {
   const std::vector<std::uint32_t> kept = renumber(number);
-  mended.welded_vertices += number.size() - kept.size();
+  const std::size_t merged = number.size() - kept.size();
   for (std::size_t i = 0; i < kept.size(); ++i) soup.points[i] = soup.points[kept[i]];
   soup.points.resize(kept.size());
   for (Attribute& attribute : soup.attributes) attribute = selected(attribute, kept);
@@ -141,6 +140,11 @@ void weld(Soup& soup, Mended& mended) {
   soup.triangles.erase(vanished, soup.triangles.end());
   for (std::uint32_t& index : soup.strips)
     if (index != strip_end) index = number[index];
+  return merged;
+}
+
+void weld(Soup& soup, Mended& mended) {
+  mended.welded_vertices += merge_vertices(soup, first_alike(soup.points.size(), soup.points, soup.attributes), mended);
 }
 
 void orient(Soup& soup, const std::string& name, Mended& mended) {
@@ -164,6 +168,9 @@ std::string as_text(const Mended& mended) {
                         counted(mended.welded_vertices, "vertex", "vertices"),
                         counted(mended.vanished_triangles, "triangle"));
   if (mended.asked.orient) text += fmt::format("oriented: {} turned\n", counted(mended.turned_triangles, "triangle"));
+  if (mended.closed_seams != 0)
+    text += fmt::format("seams closed: {} at the same place as others, one with them now\n",
+                        counted(mended.closed_seams, "vertex", "vertices"));
   if (!mended.left_out.empty()) text += fmt::format("left out: {}\n", left_out_in_words(mended.left_out));
   if (mended.rounding.matters)
     text += fmt::format("coordinates rounded to 32 bits, by {:.2g} at most; {} at the place of another thereby\n",
@@ -178,6 +185,7 @@ void add_to(nlohmann::ordered_json& report, const Mended& mended) {
     report["mended"] = {{"welded_vertices", mended.welded_vertices},
                         {"vanished_triangles", mended.vanished_triangles},
                         {"turned_triangles", mended.turned_triangles}};
+  if (mended.closed_seams != 0) report["closed_seams"] = mended.closed_seams;
   if (!mended.left_out.empty()) report["left_out_content"] = mended.left_out;
 }
 

@@ -23,6 +23,7 @@ struct Mended {
   std::size_t welded_vertices = 0;     ///< merged into an earlier vertex
   std::size_t vanished_triangles = 0;  ///< had two corners that were merged
   std::size_t turned_triangles = 0;
+  std::size_t closed_seams = 0;  ///< vertices merged by close_seams() (seams.hpp)
   /// Soup::left_out, and attributes that the output does not hold.
   std::vector<std::string> left_out = {};
   Rounding rounding = {};  ///< by the output format
@@ -34,8 +35,11 @@ struct Mended {
 /// Throws BadInput if anything is requested: a progressive mesh is read unchanged.
 void refuse_mending(const std::string& file, const MendingOptions& options);
 
-/// Merges vertices at exactly the same position into the first of them if they also agree in all attributes. Triangles
-/// that then have two equal corners are removed. The strips of the file are kept. Linear time.
+/// Merges each vertex into the one that `first` names: itself, or an earlier one that names itself. Triangles that then
+/// have two equal corners are removed and counted. The strips of the file are kept. Returns the number of vertices that
+/// were merged into others. Linear time.
+std::size_t merge_vertices(Soup& soup, std::vector<std::uint32_t> first, Mended& mended);
+/// Merges vertices at exactly the same position into the first of them if they also agree in all attributes.
 void weld(Soup& soup, Mended& mended);
 /// Turns as few triangles as possible so that any two triangles that share a manifold edge agree: in each part
 /// connected by such edges, the smaller group. A strip of the file is kept if it is turned as a whole; otherwise each
@@ -51,8 +55,8 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 
 /// One line for each thing done or left out; empty if nothing was.
 [[nodiscard]] std::string as_text(const Mended& mended);
-/// Adds `mended`, if mending was requested, `left_out_content`, if there are any, and `rounded`, if it matters, to a
-/// report.
+/// Adds `mended`, if mending was requested, `closed_seams` and `left_out_content`, if there are any, and `rounded`, if
+/// it matters, to a report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);
 
 }  // namespace restrip::tools

@@ -89,7 +89,8 @@ std::array<double, Count> numbers(const JsonValue& list, const std::array<double
   return found;
 }
 
-Affine map_of(const JsonValue& node) {
+/// The map of a node. A rotation is normalised; `lengths` becomes true if it is not about 1 long, as glTF requires.
+Affine map_of(const JsonValue& node, bool& lengths) {
   if (node["matrix"].there()) {
     const auto m = numbers<16>(node["matrix"], {});
     constexpr double rounding = 1e-5;  // of programs that multiply matrices in 32 bits
@@ -97,7 +98,15 @@ Affine map_of(const JsonValue& node) {
       node["matrix"].refuse("has a last row other than 0 0 0 1");
     return {{{m[0], m[4], m[8], m[12]}, {m[1], m[5], m[9], m[13]}, {m[2], m[6], m[10], m[14]}}};
   }
-  const auto [x, y, z, w] = numbers<4>(node["rotation"], {0, 0, 0, 1});
+  auto [x, y, z, w] = numbers<4>(node["rotation"], {0, 0, 0, 1});
+  const double length = std::hypot(std::hypot(x, y, z), w);
+  constexpr double rounding_of_rotations = 1e-3;  // more than that of programs that store them in few bits
+  if (!(std::abs(length - 1) <= rounding_of_rotations)) {
+    if (!(length > 0) || !std::isfinite(length))
+      node["rotation"].refuse("is not a rotation: its length is not above 0");
+    lengths = true;
+  }
+  for (double* component : {&x, &y, &z, &w}) *component /= length;
   const auto scale = numbers<3>(node["scale"], {1, 1, 1});
   const auto move = numbers<3>(node["translation"], {0, 0, 0});
   Affine m{{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), move[0]},
@@ -166,7 +175,9 @@ class GltfReader {
       const auto index = static_cast<std::size_t>(number);
       if (visited_[index]) node.refuse("is in the scene twice; nodes must form trees");
       visited_[index] = true;
-      const Affine map = product(outer, map_of(node));
+      bool lengths = false;
+      const Affine map = product(outer, map_of(node, lengths));
+      if (lengths) soup_.leave_out("lengths of rotations other than 1");
       leave_out_extensions(node);
       if (node["camera"].there()) soup_.leave_out("cameras");
       const bool has_skin = node["skin"].there();

@@ -115,7 +115,7 @@ class ObjReader {
       if (!number) refuse(fmt::format("a vertex needs three numbers, found '{}'", word.substr(0, 40)));
       coordinate = *number;
     }
-    soup_.add_point(p[0], p[1], p[2]);
+    soup_.add_point(p[0], p[1], p[2], cursor_.line());
     Attribute::Value color{};
     unsigned components = 0;
     std::string_view word = cursor_.word();

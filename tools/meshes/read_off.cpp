@@ -119,9 +119,10 @@ class OffReader {
 
   void read_vertex(std::size_t i) {
     const auto x = number<double>("a coordinate");
+    const std::size_t line = cursor_.line();
     const auto y = next_number<double>("a coordinate");
     const auto z = next_number<double>("a coordinate");
-    soup_.add_point(x, y, z);
+    soup_.add_point(x, y, z, line);
     if (has_weight_)
       if (const auto w = next_number<double>("a fourth coordinate"); w != 1)
         refuse(fmt::format("vertex {} has the fourth coordinate {}; only 1 is read", i, w));

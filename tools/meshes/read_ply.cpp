@@ -273,7 +273,7 @@ class PlyReader {
         else
           skip(property);
       }
-      soup_.add_point(xyz[0], xyz[1], xyz[2]);
+      soup_.add_point(xyz[0], xyz[1], xyz[2], encoding_ == Encoding::text ? cursor_.line() : 0);
       for (std::size_t a = 0; a < attributes.size(); ++a) append(attributes[a], values[a], i);
     }
   }

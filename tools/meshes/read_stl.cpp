@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -88,6 +89,9 @@ Soup read_text(std::string_view bytes, const std::string& name) {
           throw BadInput(
               fmt::format("{}:{}: a vertex needs three numbers, {}", name, cursor.line(),
                           word.empty() ? "but the file ends" : fmt::format("found '{}'", word.substr(0, 40))));
+        if (!std::isfinite(static_cast<float>(*number)))
+          throw BadInput(fmt::format("{}:{}: '{}' is infinite or not a number; mend or remove the facet", name,
+                                     cursor.line(), word.substr(0, 40)));
         *coordinate = *number;
       }
     } else if (!facet_begins_or_ends && !is("normal") && !is("outer") && !is("loop") && !is("endloop") && !is("end") &&

@@ -23,12 +23,12 @@ void refuse_long_lines(std::string_view text, const std::string& name) {
 
 void SoupBuilder::refuse(const std::string& why) const { throw BadInput(fmt::format("{}: {}", name_, why)); }
 
-void SoupBuilder::add_point(double x, double y, double z) {
+void SoupBuilder::add_point(double x, double y, double z, std::size_t line) {
   if (soup_.points.size() == max_vertices) refuse(fmt::format("more than {} vertices", max_vertices));
   Point point{x, y, z};
   const Point rounded = in_32_bits(point);  // checks the range
   if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y) || !std::isfinite(rounded.z)) {
-    lost_points_.push_back(soup_.points.size());
+    lost_points_.push_back({soup_.points.size(), line});
     point = {};
   }
   soup_.points.push_back(point);
@@ -54,9 +54,11 @@ void SoupBuilder::settle_doubts() {
   const auto unused = [](std::size_t count) {
     return fmt::format("infinite or not a number, of {} in no triangle", counted(count, "vertex", "vertices"));
   };
-  const auto lost = std::find_if(lost_points_.begin(), lost_points_.end(), is_used);
+  const auto lost = std::find_if(lost_points_.begin(), lost_points_.end(),
+                                 [&used](const LostPoint& point) { return used[point.vertex]; });
   if (lost != lost_points_.end())
-    refuse(fmt::format("vertex {} has a coordinate that is infinite or not a number; mend or remove it", *lost));
+    throw BadInput(fmt::format("{}{}: vertex {} has a coordinate that is infinite or not a number; mend or remove it",
+                               name_, lost->line == 0 ? "" : fmt::format(":{}", lost->line), lost->vertex));
   if (!lost_points_.empty()) leave_out("a coordinate that is " + unused(lost_points_.size()));
   for (const auto& [attribute, vertices] : doubts_) {
     const auto found = std::find_if(vertices.begin(), vertices.end(), is_used);

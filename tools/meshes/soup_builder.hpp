@@ -26,8 +26,8 @@ class SoupBuilder {
   /// `name` is the file, for messages.
   explicit SoupBuilder(std::string name) : name_(std::move(name)) {}
 
-  /// Throws BadInput if there are too many.
-  void add_point(double x, double y, double z);
+  /// `line` is that of the point in the file, 0 if it has none. Throws BadInput if there are too many.
+  void add_point(double x, double y, double z, std::size_t line = 0);
   /// The value of an attribute at a vertex, or a neutral one if it is not finite. If a triangle uses such a vertex, the
   /// attribute is left out in the end.
   [[nodiscard]] Attribute::Value usable(const Attribute::Value& value, std::size_t vertex,
@@ -57,6 +57,12 @@ class SoupBuilder {
     std::size_t index = 0;
   };
 
+  /// A vertex with a coordinate that is not finite.
+  struct LostPoint {
+    std::size_t vertex = 0;
+    std::size_t line = 0;
+  };
+
   [[noreturn]] void refuse(const std::string& why) const;
   void add_triangle(const Corners& corners);
   void settle_doubts();
@@ -66,7 +72,7 @@ class SoupBuilder {
 
   std::string name_;
   Soup soup_;
-  std::vector<std::size_t> lost_points_;                    // vertices with a coordinate that is not finite
+  std::vector<LostPoint> lost_points_;
   std::map<std::string, std::vector<std::size_t>> doubts_;  // vertices, by attribute
   std::vector<Run> polygons_;
   std::vector<Run> strip_runs_;

@@ -15,8 +15,8 @@
 
 namespace restrip::tools {
 
-/// The number that a whole word spells; a leading + is allowed. Empty if it exceeds the range of a double at either
-/// end.
+/// The number that a whole word spells; a leading + is allowed. A number too small for a double is 0 or the nearest
+/// that there is; empty for one that is too large.
 template <class Number>
 [[nodiscard]] std::optional<Number> parse(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
@@ -28,15 +28,21 @@ template <class Number>
     char* stop = nullptr;
     errno = 0;
     number = std::strtod(text.c_str(), &stop);
-    const bool beyond = errno == ERANGE && (number == 0 || std::isinf(number));
+    const bool beyond = errno == ERANGE && std::isinf(number);
     if (stop != text.c_str() + text.size() || beyond) return std::nullopt;
     return number;
   } else
 #endif
   {
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || stop != word.data() + word.size()) return std::nullopt;
-    return number;
+    if (stop != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
+    if (error == std::errc{}) return number;
+    if constexpr (std::is_floating_point_v<Number>) {  // from_chars does not say which end of the range was exceeded
+      const std::string text(word);
+      number = std::strtod(text.c_str(), nullptr);
+      if (std::abs(number) <= 1) return number;
+    }
+    return std::nullopt;
   }
 }
 

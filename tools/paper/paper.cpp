@@ -9,6 +9,7 @@
 #include "common/progress.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
+#include "meshes/seams.hpp"
 #include "replay/methods.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
@@ -55,6 +56,7 @@ PaperSubject read_subject(const std::filesystem::path& file, const MendingOption
   ReadMesh read = read_mesh_file(file);
   if (auto* soup = std::get_if<Soup>(&read)) {
     subject.mended = mend(*soup, file.string(), mending);
+    close_seams(*soup, subject.mended);
     subject.soup = std::move(*soup);
     return subject;
   }
