@@ -27,6 +27,9 @@ contact=$(sed -nE 's/^set\(RESTRIP_CONTACT "(.*)"\).*/\1/p' cmake/project.cmake)
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH PYTHONHASHSEED=0 LC_ALL=C.UTF-8
 umask 022
+# A python3 from elsewhere does not have the packages of the system.
+python=python3
+"$python" -c 'import numpy, setuptools, wheel' 2>/dev/null || python=/usr/bin/python3
 scratch=$(mktemp -d)
 machines=()
 trap '[ ${#machines[@]} -eq 0 ] || kill "${machines[@]}" 2>/dev/null; rm -rf "$scratch"' EXIT
@@ -71,9 +74,9 @@ pack "$dist/restrip-$version-two-files.zip" "$scratch/two"
 cpack --config $build/CPackConfig.cmake -G DEB -B "$scratch/deb" >"$scratch/cpack"
 cp "$scratch"/deb/*.deb "$dist"
 (cd "$dist" && npm pack --silent "$OLDPWD/$build/web/package" >/dev/null)
-RESTRIP_C_LIBRARY=$(realpath $build/bindings/c/librestrip_c.so) python3 -B -m pip -q wheel --no-index --no-deps --no-build-isolation \
+RESTRIP_C_LIBRARY=$(realpath $build/bindings/c/librestrip_c.so) "$python" -B -m pip -q wheel --no-index --no-deps --no-build-isolation \
   --disable-pip-version-check -w "$dist/python" bindings/python
-(cd bindings/python && python3 -B setup.py -q sdist -d "$scratch/sdist")
+(cd bindings/python && "$python" -B setup.py -q sdist -d "$scratch/sdist")
 mkdir "$scratch/python"
 tar -xzf "$scratch"/sdist/restrip-*.tar.gz -C "$scratch/python"
 pack "$dist/python/restrip-$version.tar.gz" "$scratch/python/restrip-$version"
@@ -90,7 +93,8 @@ if [ -n "$trials" ]; then
   sources=$scratch/sources
   mkdir "$sources" "$scratch/files"
   tar -xzf "$dist/restrip-$version.tar.gz" --strip-components=1 -C "$sources"
-  sed -n '/^```cpp$/,/^```$/p' "$sources/README.md" | sed '/^```/d' >"$scratch/files/main.cpp"
+  awk '/^```cpp$/ { text = ""; inside = 1; next } /^```$/ { inside = 0 } inside { text = text $0 "\n" } /^It prints:$/ { printf "%s", text; exit }' \
+    "$sources/README.md" >"$scratch/files/main.cpp"
   sed -n '/^It prints:$/,$p' "$sources/README.md" | sed -n '/^```text$/,/^```$/p' | sed '/^```/d' >"$scratch/files/expected.txt"
   cp -R "$dist"/* "$sources/examples/keep_strips.c" "$sources/bindings/python/example.py" tests/artefacts/machine.sh "$scratch/files"
 
