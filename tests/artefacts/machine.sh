@@ -19,13 +19,13 @@ apt-get -qq install -y ./*.deb >/dev/null
 # The programs and their manuals.
 mkdir -p /tmp/run
 restrip replay --built-in --triangles 400 --policy local --repeats 0 --trace /tmp/run/trace >/dev/null
-restrip-check /tmp/run/trace | grep -q '^accepted'
+restrip-check /tmp/run/trace | grep '^accepted' >/dev/null
 operations=/usr/share/doc/restrip/tables/operations
 restrip-generate rules --operation $operations/bisect.json --out /tmp/run/rules >/dev/null
-restrip-verify --operation $operations/bisect.json --certificate /tmp/run/rules/certificates/operations/bisect.cert | grep -q '^verified'
+restrip-verify --operation $operations/bisect.json --certificate /tmp/run/rules/certificates/operations/bisect.cert | grep '^verified' >/dev/null
 for program in /usr/bin/restrip*; do
   "$program" --help >/dev/null
-  zcat "/usr/share/man/man1/$(basename "$program").1.gz" | grep -q '^\.SH NAME'
+  zcat "/usr/share/man/man1/$(basename "$program").1.gz" | grep '^\.SH NAME' >/dev/null
 done
 
 # The library, by CMake and by pkg-config, in C++ and in a project in C alone.
@@ -67,7 +67,7 @@ for archive in python/*; do
   rm -rf /tmp/venv
   python3 -m venv --system-site-packages /tmp/venv
   CXXFLAGS=-O0 /tmp/venv/bin/pip -q install --no-index --no-deps --no-build-isolation --disable-pip-version-check "./$archive"
-  (cd /tmp && /tmp/venv/bin/python -B /root/files/example.py) | grep -q '^after improving: .*valid: True$'
+  (cd /tmp && /tmp/venv/bin/python -B /root/files/example.py) | grep '^after improving: .*valid: True$' >/dev/null
 done
-mypy --strict --python-executable /tmp/venv/bin/python -c 'import restrip; restrip.Mesh' | grep -q '^Success'
+mypy --strict --python-executable /tmp/venv/bin/python -c 'import restrip; restrip.Mesh' | grep '^Success' >/dev/null
 echo "machine.sh: Debian $(cat /etc/debian_version): all is well"
