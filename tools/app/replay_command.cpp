@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
-#include "common/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 #include "meshes/soup_builder.hpp"
@@ -84,7 +84,7 @@ int run(const ReplayCommand& command) {
   if (!command.out.empty()) level = open_output(command.out, extensions_of(writes_strips));
   std::optional<files::Output> trace;
   if (!command.trace.empty()) trace.emplace(command.trace, files::OutputRules{{".trace"}});
-  const files::ReportOutput out(command.json);
+  Report out(command.json);
   const MeshFormat* format = level ? &format_to_write(command.out, writes_strips) : nullptr;
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
@@ -112,14 +112,14 @@ int run(const ReplayCommand& command) {
   if (command.walk_steps != 0 && report.operations_without_rule == 0)
     walk = take_walk(source, command, prepared, trace ? &trace_of_walk : nullptr);
 
-  std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
+  out.text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
   if (level && report.valid()) {
     const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
     const LevelFile file = level_file(level_mesh(prepared, triangles), source.mesh.points, *format, command.strips);
     level->write(file.written.bytes);
-    text += fmt::format("\n  {}: {} in {}\n", command.out.string(), counted(file.triangles, "triangle"),
-                        counted(file.strips, "strip")) +
-            as_text(file.written, command.out.string());
+    out.text += fmt::format("\n  {}: {} in {}\n", command.out.string(), counted(file.triangles, "triangle"),
+                            counted(file.strips, "strip")) +
+                as_text(file.written, command.out.string());
   }
   if (trace_of_walk) {
     trace_of_walk->end();
@@ -128,9 +128,10 @@ int run(const ReplayCommand& command) {
   const bool valid = report.valid() && (!walk || walk->fault.empty());
   if (trace && valid) {
     trace->write(text_of_trace);
-    text += fmt::format("\n  {}: to be checked by restrip-check\n", command.trace.string());
+    out.text += fmt::format("\n  {}: to be checked by restrip-check\n", command.trace.string());
   }
-  out.print(text, as_json(report, source.subject, walk));
+  out.json = as_json(report, source.subject, walk);
+  out.print();
   return valid ? 0 : 1;
 }
 
@@ -165,9 +166,9 @@ Subcommand add_replay(CLI::App& app) {
            command.replay.repeats = repeats;
            command.replay.enough_operations = 0;
          },
-         fmt::format("timed runs; their median is reported; 0: no timing [{}, and more on small meshes]",
-                     ReplayOptions().repeats))
-      ->check(whole_number_from(0, 1000));
+         "timed runs; their median is reported; 0: no timing")
+      ->check(whole_number_from(0, 1000))
+      ->default_str(fmt::format("{}, more on small meshes", ReplayOptions().repeats));
   sub->add_option_function<std::string>(
          "--buffer",
          [&command](const std::string& word) {

@@ -30,6 +30,8 @@ struct BufferState {
 struct LiveBufferReport {
   std::size_t operations_per_update = 0;
   double bytes_per_operation = 0;  ///< written by updates
+  /// An update after that many operations: a timed run with the buffer minus one without. 0: not timed.
+  double ns_per_update = 0;
   std::vector<BufferState> states;
 };
 

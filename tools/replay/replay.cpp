@@ -46,7 +46,7 @@ class Replay {
       }
       if (!splits_.empty() && report_.faults.empty()) {
         for (const std::size_t operations : options_.buffer.operations_per_update) measure_buffer(operations);
-        if (options_.repeats != 0) time_buffer();
+        if (options_.repeats != 0) time_buffers();
       }
       measure();
       check_top(original.empty() ? bare_triangles() : original);
@@ -169,39 +169,50 @@ class Replay {
     report_.live_buffers.push_back(measure.report());
   }
 
-  // Runs up and down with and without the buffer in turn and takes the difference per operation.
-  void time_buffer() {
-    Medians with;
+  /// Runs up and down without a buffer and with each in turn, and takes the differences per update.
+  void time_buffers() {
+    std::vector<Medians> with(report_.live_buffers.size());
     Medians without;
     std::vector<Triangle> changed;
-    const auto through = [&](auto&& update) {
+    const auto through = [&](std::size_t operations, auto&& update) {
+      std::size_t done = 0;
+      const auto count = [&] {
+        if (++done % operations == 0) update();
+      };
       for (std::size_t i = 0; i < splits_.size(); ++i) {
         maintainer_->play_up(std::span(splits_).subspan(i, 1), i);
-        update();
+        count();
       }
       for (std::size_t i = splits_.size(); i-- > 0;) {
         maintainer_->play_down(std::span(splits_).subspan(i, 1), i);
-        update();
+        count();
       }
     };
-    for (std::size_t repeat = 0; repeat < options_.repeats; ++repeat) {
+    Progress progress("timing updates of the buffer", options_.repeats);
+    for (std::size_t repeat = 0; repeat < options_.repeats; progress.at(repeat++)) {
       start_from_base();
-      without.time([&] { through([] {}); });
-      start_from_base();
-      LiveBuffer buffer({.form = options_.buffer.form, .width = IndexWidth::bits32});
-      buffer.reserve(prepared_.mesh().fine_triangles());
-      buffer.rebuild(mesh_);
-      mesh_.watch(&changed);
-      with.time([&] {
-        through([&] {
-          buffer.update(mesh_, changed);
-          changed.clear();
+      without.time([&] { through(1, [] {}); });
+      for (std::size_t i = 0; i < with.size(); ++i) {
+        start_from_base();
+        LiveBuffer buffer({.form = options_.buffer.form, .width = IndexWidth::bits32});
+        buffer.reserve(2 * prepared_.mesh().fine_triangles());
+        buffer.rebuild(mesh_);
+        mesh_.watch(&changed);
+        with[i].time([&] {
+          through(report_.live_buffers[i].operations_per_update, [&] {
+            buffer.update(mesh_, changed);
+            changed.clear();
+          });
         });
-      });
-      mesh_.watch(nullptr);
+        mesh_.watch(nullptr);
+        changed.clear();
+      }
     }
-    report_.ns_per_buffer_update =
-        (with.nanoseconds() - without.nanoseconds()) / (2 * static_cast<double>(splits_.size()));
+    for (std::size_t i = 0; i < with.size(); ++i) {
+      LiveBufferReport& buffer = report_.live_buffers[i];
+      if (const std::size_t updates = 2 * splits_.size() / buffer.operations_per_update; updates != 0)
+        buffer.ns_per_update = (with[i].nanoseconds() - without.nanoseconds()) / static_cast<double>(updates);
+    }
   }
 
   Level level() {

@@ -77,8 +77,6 @@ struct ReplayReport {
   /// Of the way up and down: the buffer at the base, at the finest level and at the base again. The levels show the
   /// first one.
   std::vector<LiveBufferReport> live_buffers;
-  /// With one operation an update.
-  double ns_per_buffer_update = 0;  ///< of a timed run with the buffer minus one without; 0: not timed
   std::size_t levels_compared = 0;  ///< baked: levels reached again with the same strips
   std::vector<std::string> faults;  ///< found by a check; empty if all is well
 

@@ -38,6 +38,7 @@ Json json_of(const std::vector<LiveBufferReport>& buffers) {
                         {"acmr_32", state.fifo_32}});
     json.push_back({{"operations_per_update", buffer.operations_per_update},
                     {"bytes_per_operation", buffer.bytes_per_operation},
+                    {"ns_per_update", buffer.ns_per_update},
                     {"states", std::move(states)}});
   }
   return json;
@@ -53,6 +54,7 @@ std::string as_text(const std::vector<LiveBufferReport>& buffers) {
   for (const LiveBufferReport& buffer : buffers) {
     text += fmt::format("\n  live buffer, {} an update: {:.0f} bytes an operation",
                         counted(buffer.operations_per_update, "operation"), buffer.bytes_per_operation);
+    if (buffer.ns_per_update > 0) text += fmt::format("; {:.0f} ns an update", buffer.ns_per_update);
     text += fmt::format("\n  {:<14} {:>10} {:>12} {:>14} {:>22} {:>6}\n", "", "triangles", "indices", "of strips'",
                         "ACMR in a cache of 16", "of 32");
     for (const BufferState& state : buffer.states)
@@ -111,8 +113,6 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   };
   cost("a split with its strips", report.ns_per_operation, report.ns_per_operation_bare);
   cost("a collapse with its strips", report.ns_per_collapse, report.ns_per_collapse_bare);
-  if (report.ns_per_buffer_update > 0)
-    text += fmt::format("\n  {:<41}{:>7.0f} ns", "live index buffer, an update", report.ns_per_buffer_update);
   text += fmt::format("\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
   if (subject.baked) {
     text += fmt::format("\n  {:<41}{:>10.2f}, {:.1f} bytes", "flips of a record", subject.baked->flips_per_record,
@@ -156,7 +156,7 @@ std::string as_text(const WalkReport& report) {
   return text;
 }
 
-std::string as_json(const ReplayReport& report, const Subject& subject, const std::optional<WalkReport>& walk) {
+Json as_json(const ReplayReport& report, const Subject& subject, const std::optional<WalkReport>& walk) {
   Json by_valence = Json::object();
   for (std::size_t k = 0; k < report.by_valence.size(); ++k)
     if (report.by_valence[k] != 0) by_valence[std::to_string(k)] = report.by_valence[k];
@@ -199,7 +199,6 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"ns_per_collapse", report.ns_per_collapse},
       {"ns_per_collapse_bare", report.ns_per_collapse_bare},
       {"live_buffers", json_of(report.live_buffers)},
-      {"ns_per_buffer_update", report.ns_per_buffer_update},
       {"left_out",
        {{"degenerate_triangles", subject.left_out.degenerate_triangles},
         {"non_manifold_vertices", subject.left_out.non_manifold_vertices},
@@ -222,8 +221,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
                     {"isolated", walk->isolated},   {"live_buffers", json_of(walk->live_buffers)},
                     {"fault", walk->fault},         {"fault_step", walk->fault_step},
                     {"trace", walk->trace}};
-  // Names may contain bytes that are not UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
 }
 
 }  // namespace restrip::tools

@@ -1,6 +1,6 @@
 // ReplayReport as text and as JSON.
 //
-// The JSON object; keys are added later, never renamed:
+// The JSON object:
 //  - mesh: the file, or what was made
 //  - triangles: at the finest level; base_triangles, wanted_base_triangles: at the base
 //  - operations: vertex splits replayed
@@ -22,9 +22,10 @@
 //    and up; of more than 1024 the last one and every second, fourth … before it
 //  - ns_per_operation, ns_per_operation_bare: a split with strips kept, and the same mesh update without (medians)
 //  - ns_per_collapse, ns_per_collapse_bare: the same for the way down
-//  - live_buffers: [{operations_per_update, bytes_per_operation, states}], index buffers
-//    kept in step on the way up and down; states: [{at, triangles, indices, strip_indices, acmr, acmr_32}] at the base,
-//    at the finest level and at the base again. The levels show the first buffer
+//  - live_buffers: [{operations_per_update, bytes_per_operation, ns_per_update, states}], index buffers kept in step on
+//    the way up and down; ns_per_update: of an update after that many operations; states: [{at, triangles, indices,
+//    strip_indices, acmr, acmr_32}] at the base, at the finest level and at the base again. The levels show the first
+//    buffer
 //  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,
 //    live_buffers, fault, fault_step, trace}; when there was one
 //  - left_out: {degenerate_triangles, non_manifold_vertices, large_vertices}, what no operation touches
@@ -33,6 +34,7 @@
 //  - valid, faults: whether every check passed; which did not
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -64,7 +66,7 @@ struct Subject {
 
 [[nodiscard]] std::string as_text(const ReplayReport& report, const Subject& subject);
 [[nodiscard]] std::string as_text(const WalkReport& walk);
-[[nodiscard]] std::string as_json(const ReplayReport& report, const Subject& subject,
-                                  const std::optional<WalkReport>& walk);
+[[nodiscard]] nlohmann::ordered_json as_json(const ReplayReport& report, const Subject& subject,
+                                             const std::optional<WalkReport>& walk);
 
 }  // namespace restrip::tools
