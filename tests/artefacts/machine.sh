@@ -69,5 +69,5 @@ for archive in python/*; do
   CXXFLAGS=-O0 /tmp/venv/bin/pip -q install --no-index --no-deps --no-build-isolation --disable-pip-version-check "./$archive"
   (cd /tmp && /tmp/venv/bin/python -B /root/files/example.py) | grep '^after improving: .*valid: True$' >/dev/null
 done
-mypy --strict --python-executable /tmp/venv/bin/python -c 'import restrip; restrip.Mesh' | grep '^Success' >/dev/null
+mypy --strict --python-executable /tmp/venv/bin/python -c 'import restrip; restrip.LiveMesh' | grep '^Success' >/dev/null
 echo "machine.sh: Debian $(cat /etc/debian_version): all is well"
