@@ -11,6 +11,7 @@
 #include "../runtime/sheets.hpp"
 #include "lod/mesh_files.hpp"
 #include "real_meshes.hpp"
+#include "restrip/search/stripify.hpp"
 #include "restrip/search/strips_of.hpp"
 
 namespace restrip::tools {

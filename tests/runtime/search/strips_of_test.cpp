@@ -9,6 +9,8 @@
 
 #include "form_reader.hpp"
 #include "measure/check_buffer.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "sheets.hpp"
 
