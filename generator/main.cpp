@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", RESTRIP_VERSION);
   std::vector<Subcommand> subcommands;
-  for (const auto add : {add_tables, add_automaton, add_rules, add_dump, add_describe}) subcommands.push_back(add(app));
+  for (const auto add : {add_tables, add_automaton, add_rules, add_dump}) subcommands.push_back(add(app));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

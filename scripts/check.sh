@@ -37,7 +37,7 @@ python3 -B tests/cross/references_test.py
 python3 -B scripts/policies.py --check
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-python3 -B tests/runtime/mutate.py tests/verify/mutants.txt verify "$scratch/verify" ""
+python3 -B tests/verify/plant_faults.py tests/verify/faults.txt verify "$scratch/verify"
 
 # Test files: changed ones, ones named after changed sources, ones that include a changed header.
 declare -A sources=()

@@ -6,7 +6,7 @@ and by its reason that nothing is preferred to it. Copies are checked by their s
   scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
 
 The second line is for a custom operation, by docs/reference/operation-file.md: its file describes one operation, and has
-reasons (strips or forests, fewest strips first). It must have a row for every valid configuration; "configurations", "valid"
+reasons (strips, fewest strips first). It must have a row for every valid configuration; "configurations", "valid"
 and "keys" are recounted.
 
 Prints a line for each file, and what was read. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot
@@ -41,9 +41,8 @@ def report(path, rules, copies):
 class Patch:
     """Nodes, inner edges and the owner of each port after an operation."""
 
-    def __init__(self, nodes, inner, owners, most=2):
+    def __init__(self, nodes, inner, owners):
         self.nodes, self.inner, self.owners = nodes, inner, owners
-        self.most = most  # solid edges of a node
         self.known, self.moves = {}, {}
 
     def paths(self, edges):
@@ -58,7 +57,7 @@ class Patch:
                     path = None
                 elif path:
                     path.update([(node, path[u]) for node in self.nodes if path[node] == path[v]])
-            self.known[inner] = degree, path if max(degree.values()) <= self.most else None
+            self.known[inner] = degree, path if max(degree.values()) <= 2 else None
         return self.known[inner]
 
     def ports(self, edges):
@@ -73,7 +72,7 @@ class Patch:
         room, strip = {}, {}
         for p in self.ports(edges):
             owner = self.owners[p]
-            room[owner] = room.get(owner, self.most - degree[owner]) - 1
+            room[owner] = room.get(owner, 2 - degree[owner]) - 1
             if room[owner] < 0:
                 return None
             strip.setdefault(path[owner], []).append(p)
@@ -282,8 +281,6 @@ class Row:
 
 def graphs_of(said):
     """Triangles, inner edges and owners of the ports, before and after, of an operation file."""
-    if not isinstance(said["before"], list):
-        return [(side["triangles"], side["edges"], side["ports"]) for side in (said["before"], said["after"])]
     sides = []
     for triangles in (said["before"], said["after"]):
         met, inner = {}, []  # directed sides by their triangle; finally only the outline
@@ -316,12 +313,12 @@ class Operation:
             said = json.load(file)
         if "operations" in said or said.get("numbers"):
             raise NotServed("%s: describes a family or a list; only single operations are checked here" % path)
-        self.name, most = said["name"], {"strips": 2, "forest": 3}.get(said.get("constraint", "strips"))
+        self.name = said["name"]
         usual = [["strips"], ["isolated", "given_up"], ["given_up"]]
         counted = [[term.get("count") for term in criterion if term.get("weight", 1) == 1] for criterion in said.get("cost", [])[:3]]
-        if most is None or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):
+        if said.get("constraint", "strips") != "strips" or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):
             raise NotServed("%s: an operation without reasons: matchings have none, nor costs that do not begin like the default cost" % path)
-        self.before, self.after = (Patch(list(range(count)), inner, owners, most) for count, inner, owners in graphs_of(said))
+        self.before, self.after = (Patch(list(range(count)), inner, owners) for count, inner, owners in graphs_of(said))
         give_up = said.get("give_up", "none")
         self.may_go = sum(1 << p for p in ({"none": [], "all": range(len(self.before.owners))}[give_up] if isinstance(give_up, str) else give_up))
 

@@ -63,7 +63,6 @@ LEFT_OUT = {
     "no port is taken, and ports that must stay are kept": "part of soundness",
     "copies follow from rules by symmetry": "copies are judged like rules",
     "the stated numbers": "of the certificate, not of rules",
-    "the orbits, counted again": "of the problem, not of rules",
     "the published counts": "of the problem, not of rules",
     "positions without rules are images of ones with rules": "their answers are judged in compiled tables",
     "no answer exceeds what the family claims": "the claims are in the files of operations",

@@ -28,10 +28,13 @@ def sizes_in(text):
     return {family: (int(rules), int(size)) for family, rules, size in LINE.findall(text)}
 
 
-def described(generate, family, k, a):
-    """The operation file of a family at one position, with the default cost."""
-    printed = json.loads(subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)]))
-    return {name: value for name, value in printed.items() if name != "cost"}
+def described(family, k, a):
+    """The operation file of a split or collapse at one position: vertex v has k triangles, or v and w have the triangles between
+    neighbours 0 and a, and a and k."""
+    fan = [["v", f"u{i}", f"u{(i + 1) % k}"] for i in range(k)]
+    ring = [["v", "u0", "w"], *(["w", *corners[1:]] for corners in fan[:a]), ["w", f"u{a}", "v"], *fan[a:]]
+    before, after = (fan, ring) if family == "split" else (ring, fan)
+    return {"restrip_operation": 1, "name": f"{family}-k{k}-a{a}", "before": before, "after": after}
 
 
 def print_counts(generate):
@@ -44,7 +47,7 @@ def print_counts(generate):
                 for a in range(1, k // 2 + 1):
                     file = os.path.join(out, "operation.json")
                     with open(file, "w", encoding="utf-8") as written:
-                        json.dump(described(generate, family, k, a), written)
+                        json.dump(described(family, k, a), written)
                     printed = subprocess.check_output([generate, "rules", "--operation", file, "--language", "json", "--out", out, "--json", "-"])
                     figures += json.loads(printed)["operations"]
                 line([family, str(k), f"{figures[0]['configurations']:,}"] +
@@ -56,7 +59,7 @@ class Positions:
 
     def __init__(self, generate, family, k, a):
         self.keeping, self.giving = {}, {}  # solid edges after the operation, ports included, by (P, J) of docs/reference/operation-file.md
-        operation = {**described(generate, family, k, a), "cost": [[{"count": "strips"}]]}
+        operation = {**described(family, k, a), "cost": [[{"count": "strips"}]]}
         for give_up, solid in (("none", self.keeping), ("all", self.giving)):
             with tempfile.TemporaryDirectory() as out:
                 file = os.path.join(out, "operation.json")

@@ -7,7 +7,7 @@ import re
 from collections import Counter
 from dataclasses import dataclass, field
 
-MOST = {"strips": 2, "matching": 1, "forest": 99}  # solid edges of a triangle
+MOST = {"strips": 2, "matching": 1}  # solid edges of a triangle
 
 
 class Refused(Exception):
@@ -33,12 +33,7 @@ class Position:
     after: Side
 
 
-# ---- the three forms of a side
-
-def side_of_graph(given):
-    edges = tuple(map(tuple, given["edges"]))
-    return Side(tuple(map(str, range(given["triangles"]))), edges, tuple(given["ports"]))
-
+# ---- sides: triangles, or the fans of tables/families.json
 
 def sum_of(text, numbers):
     """"2 a + k - 1"."""
@@ -66,24 +61,17 @@ def filled(pattern, numbers):
     return re.sub(r"{(\w+)}", lambda named: str(numbers[named[1]]), pattern)
 
 
-def side_of_pattern(given, numbers):
-    def elements(words):
-        for word in words:
-            named, low, high = re.fullmatch(r"(\w+)(?:\[(.+),(.+)\))?", word).groups()
-            yield from [named] if low is None else ((named, i) for i in range(sum_of(low, numbers), sum_of(high, numbers)))
-
-    lines = [(kind, list(elements(words))) for member, value in given.items() for kind in ("ring", "path") if member in (kind, kind + "s")
-             for words in (value if member.endswith("s") else [value])]
-    met = [element for _, line in lines for element in line]
-    series = list(dict.fromkeys(element[0] for element in met if isinstance(element, tuple)))
-    order = sorted((element for element in met if isinstance(element, tuple)), key=lambda e: (series.index(e[0]), e[1]))
-    indexed = len(order)
-    order += [element for element in met if not isinstance(element, tuple)]
-    at = {element: n for n, element in enumerate(order)}
-    edges = [(at[u], at[v]) for kind, line in lines for u, v in zip(line, line[1:] + (line[:1] if kind == "ring" else []))]
-    edges += [tuple(at[end] for end in chord) for chord in given.get("chords", [given["chord"]] if "chord" in given else [])]
-    owners = [at[port] for port in elements(given["ports"])] if "ports" in given else range(indexed)
-    return Side(tuple(e if isinstance(e, str) else f"{e[0]}{e[1]}" for e in order), tuple(edges), tuple(owners))
+def side_of_fan(given, numbers):
+    """The triangles t_i by their index, then the inserted ones; edges along the ring or path, then the chord."""
+    kind = "ring" if "ring" in given else "path"
+    row = []
+    for word in given[kind]:
+        named, low, high = re.fullmatch(r"(\w+)(?:\[(.+),(.+)\))?", word).groups()
+        row += [named] if low is None else [f"{named}{i}" for i in range(sum_of(low, numbers), sum_of(high, numbers))]
+    fan = [name for name in row if name not in given[kind]]
+    names = fan + [name for name in row if name in given[kind]]
+    pairs = list(zip(row, row[1:] + row[:1] if kind == "ring" else row[1:])) + ([given["chord"]] if "chord" in given else [])
+    return Side(tuple(names), tuple((names.index(u), names.index(v)) for u, v in pairs), tuple(range(len(fan))))
 
 
 def triangles_at(given, numbers):
@@ -178,7 +166,7 @@ class Description:
                 before, after = (list(triangles_at(side, numbers)) for side in (before, after))
                 boundary = [ends[:2] for ends in triangles_at(([*ends, ends[1]] for ends in boundary), numbers)]
             return sides_of_triangles(before, after, boundary)
-        return [side_of_graph(side) if "triangles" in side else side_of_pattern(side, numbers) for side in (before, after)]
+        return [side_of_fan(side, numbers) for side in (before, after)]
 
     def positions(self, largest):
         """Those that have rules, as far as the first number goes."""
@@ -325,7 +313,7 @@ def inner_colors(side, most):
 
 
 def strips_left(side, constraint, edges, ports):
-    """Strips or trees of a patch with this many solid edges, less its solid ports; for matchings, the unpaired triangles."""
+    """Strips of a patch with this many solid edges, less its solid ports; for matchings, the unpaired triangles."""
     return len(side.names) - (2 if constraint == "matching" else 1) * edges - ports
 
 

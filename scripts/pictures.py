@@ -244,7 +244,7 @@ def rule_panels(position, section, sides):
         change = strips_added(position, strips_left(position.before, constraint, inner.bit_count(), ports.bit_count()), colors, ports, kept)
         pairs = ", ".join(f"p{i} and p{j}" for i, j in pairs_of(joined))
         caption = f"rule {ports:x},{joined:x}" + (f": joins {pairs}" if pairs else "")
-        what = {"matching": "triangles alone", "forest": "trees"}.get(constraint, "strips")
+        what = "triangles alone" if constraint == "matching" else "strips"
         yield (ports, joined), [(side_picture(sides[0], inner, ports, caption), caption),
                                 (side_picture(sides[1], colors, kept, f"{what}: {change:+d}"), f"{what}: {change:+d}")]
 

@@ -47,13 +47,14 @@ int main(int argc, char** argv) {
 
   CLI::App app("Proves the rewriting rules: reads the certificates and checks every claim for every configuration.");
   app.name("restrip-verify");
+  app.set_version_flag("--version", RESTRIP_VERSION);
   app.require_subcommand(0, 1);
   app.footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
-      "Example, from the top of the source tree:\n"
-      "  build/release/bin/restrip-verify --tables-dir tables\n\n"
+      "Example, from the top of the source tree, with the folder of the programs in PATH:\n"
+      "  restrip-verify --tables-dir tables\n\n"
       "A custom operation (docs/reference/operation-file.md):\n"
-      "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
+      "  restrip-verify --operation tables/operations/bisect.json \\\n"
       "    --certificate tables/certificates/operations/bisect.cert");
   CLI::Option* const operation =
       app.add_option("--operation", options.operation,

@@ -76,9 +76,6 @@ class Verification {
           options_.operation, 0,
           fmt::format("describes operations of {} certificates; verify a file of one at a time", families_.size()));
     const Family& family = families_.front();
-    for (const Section& section : family.sections)
-      for (const Operation& operation : section.operations)
-        totals_.graph_only = totals_.graph_only || !operation.on_a_mesh();
     if (!options_.header.empty() && descriptions.size() != 1)
       throw InputError("--header", 0,
                        "a header has the table of one operation or family, and this file describes more");
@@ -266,9 +263,9 @@ bool has_family(const Options& options) {
 }
 
 std::string last_line_of(const Options& options, const Totals& totals) {
-  std::string text = totals.graph_only ? "graph only: not checked to be an operation on a mesh\n" : "";
-  text += fmt::format("{}: {}: {}, {} judged", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
-                      counted(totals.configurations, "configuration"), counted(totals.graphs, "graph"));
+  std::string text =
+      fmt::format("{}: {}: {}, {} judged", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
+                  counted(totals.configurations, "configuration"), counted(totals.graphs, "graph"));
   if (!options.certificate.empty()) text += ", " + counted(totals.rules, "rule");
   const std::uint64_t answers = sum_of(totals.answers).entries;
   if (answers != 0) text += fmt::format(", {} of the table", counted(answers, "answer"));

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "automaton/automaton.hpp"
 #include "commands/command.hpp"
@@ -30,12 +31,18 @@ void write_automaton(const AutomatonCommand& command) {
 void write_served(const AutomatonCommand& command) {
   std::vector<files::NamedBytes> made;
   std::vector<std::filesystem::path> names;
+  std::string text;
+  nlohmann::ordered_json json{{"files", nlohmann::ordered_json::array()}};
   for (const Description& family : read_descriptions(command.served)) {
     names.emplace_back(fmt::format("include/restrip/automaton/{}.hpp", identifier(family.name)));
     made.push_back({names.back(), served_header(family)});
+    text += names.back().string() + '\n';
+    json["files"].push_back({{"path", names.back().string()}, {"bytes", made.back().bytes.size()}});
   }
-  OutputFolder(command.out, names, command.served).write(std::move(made));
-  for (const std::filesystem::path& name : names) fmt::print("{}\n", name.string());
+  OutputFolder out(command.out, names, command.served);
+  const files::ReportOutput report(command.json, {command.served.begin(), command.served.end()});
+  out.write(std::move(made));
+  report.print(text, json.dump(2) + '\n');
 }
 
 }  // namespace
@@ -49,7 +56,7 @@ Subcommand add_automaton(CLI::App& app) {
       "--operation", kept->served,
       "Write the look-up of custom families (operation files) that the shipped automaton answers, instead");
   add_language_option(*sub, kept->languages, "header and certificate", "data")->excludes(served);
-  add_json_option(*sub, kept->json)->excludes(served);
+  add_json_option(*sub, kept->json);
   sub->footer(
       "\nExamples:\n"
       "  restrip-generate automaton --out /tmp/automaton\n"

@@ -24,7 +24,6 @@ Subcommand add_tables(CLI::App& app);
 Subcommand add_automaton(CLI::App& app);
 Subcommand add_rules(CLI::App& app);
 Subcommand add_dump(CLI::App& app);
-Subcommand add_describe(CLI::App& app);
 
 /// Adds the destination of the report as JSON.
 CLI::Option* add_json_option(CLI::App& command, std::string& file);

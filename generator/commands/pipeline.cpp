@@ -26,13 +26,11 @@ Order order_of(const std::vector<std::string>& files, std::optional<unsigned> ma
 }
 
 std::vector<std::filesystem::path> names_of(const Order& order) {
-  (void)patches_of(order.descriptions, order.max_k);
   return order.shipped ? names_of_tables(order.descriptions, order.languages)
                        : names_of_operations(order.descriptions, order.languages);
 }
 
-Emitted make(const Order& order) {
-  const std::vector<Patches> patches = patches_of(order.descriptions, order.max_k);
+Emitted make(const Order& order, const std::vector<Patches>& patches) {
   const std::vector<Certificate> certificates =
       certify(solve_all(patches, order.threads), order.threads, order.languages.contains("c++"));
   if (order.shipped) return emit_tables(certificates, pack(certificates, order.max_k), order.max_k, order.languages);

@@ -17,6 +17,7 @@
 
 #include "describe/description.hpp"
 #include "emit/emit.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 
@@ -32,10 +33,10 @@ struct Order {
 /// Throws std::runtime_error if two have the same name, or if `max_k` has no effect.
 [[nodiscard]] Order order_of(const std::vector<std::string>& files, std::optional<unsigned> max_k);
 
-/// The names of all files. Throws std::runtime_error, with place and remedy, if a description is faulty.
+/// The names of all files.
 [[nodiscard]] std::vector<std::filesystem::path> names_of(const Order& order);
 
-/// The files and a report. The bytes do not depend on the number of threads.
-[[nodiscard]] Emitted make(const Order& order);
+/// The files and a report, from patches_of(). The bytes do not depend on the number of threads.
+[[nodiscard]] Emitted make(const Order& order, const std::vector<Patches>& patches);
 
 }  // namespace restrip::generator

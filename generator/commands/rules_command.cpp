@@ -20,9 +20,10 @@ struct RulesCommand {
 void run(const RulesCommand& command) {
   Order order = order_of(command.files, command.max_k);
   order.languages = command.languages;
+  const std::vector<Patches> patches = patches_of(order.descriptions, order.max_k);  // refuses before files are opened
   OutputFolder out(command.out, names_of(order), command.files);
   const files::ReportOutput report(command.json, {command.files.begin(), command.files.end()});
-  Emitted made = make(order);
+  Emitted made = make(order, patches);
   out.write(std::move(made.files));
   report.print(made.text, made.json);
 }

@@ -17,9 +17,11 @@ struct TablesCommand {
 };
 
 void run(const TablesCommand& command) {
+  const std::vector<Patches> patches =
+      patches_of(command.order.descriptions, command.order.max_k);  // refuses before files are opened
   OutputFolder out(command.out, names_of(command.order));
   const files::ReportOutput report(command.json);
-  Emitted made = make(command.order);
+  Emitted made = make(command.order, patches);
   out.write(std::move(made.files));
   report.print(made.text, made.json);
 }

@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
-#include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "describe/description_file.hpp"
@@ -17,86 +14,24 @@
 namespace restrip::generator {
 namespace {
 
-/// Throws if a side is not a graph of triangles: a duplicate edge, or more than three edges and ports at a triangle.
-void expect_triangles(const Side& side) {
-  std::vector<unsigned> degree(side.nodes, 0);
-  std::set<std::pair<unsigned, unsigned>> joined;
-  for (const auto& [u, v] : side.edges) {
-    if (u == v || !joined.insert(std::minmax(u, v)).second)
-      throw std::runtime_error(fmt::format("triangles {} and {} cannot be joined by this edge", u, v));
-    ++degree[u];
-    ++degree[v];
-  }
-  for (const unsigned owner : side.owner) ++degree[owner];
-  for (unsigned node = 0; node < side.nodes; ++node)
-    if (degree[node] > 3)
-      throw std::runtime_error(fmt::format("triangle {} has more than three edges and ports", node));
-}
-
-/// The numbers of triangles: first those with an index, ordered by the first appearance of their name and then by
-/// index, then single ones in order of appearance.
-Side side_at(const SidePattern& pattern, const PositionNumbers& place) {
-  using Triangle = std::pair<std::string, int>;
-  constexpr int no_index = -1;
-  constexpr int most_triangles = 64;  // well above the size of tables
-  const auto text_of = [&](const Triangle& triangle) {
-    return triangle.second == no_index ? triangle.first : fmt::format("{}_{}", triangle.first, triangle.second);
-  };
-  const auto triangles_of = [&](const Stretch& stretch) -> std::vector<Triangle> {
-    if (!stretch.range) return {{stretch.name, no_index}};
-    const int from = stretch.range->from.at(place);
-    const int to = stretch.range->to.at(place);
-    if (from < 0 || to < from || to > most_triangles)
-      throw std::runtime_error(
-          fmt::format("expected indices from 0 to {}, found {}[{},{})", most_triangles, stretch.name, from, to));
-    std::vector<Triangle> all;
-    for (int i = from; i < to; ++i) all.emplace_back(stretch.name, i);
-    return all;
-  };
-  std::map<std::string, std::size_t> appeared;  // names of triangles with an index
-  std::vector<std::tuple<bool, std::size_t, Triangle>> all;
-  for (const Chain& chain : pattern.chains)
-    for (const Stretch& stretch : chain.elements)
-      for (const Triangle& triangle : triangles_of(stretch))
-        all.emplace_back(!stretch.range,
-                         stretch.range ? appeared.emplace(stretch.name, appeared.size()).first->second : all.size(),
-                         triangle);
-  if (all.size() > most_triangles)
-    throw std::runtime_error(fmt::format("expected at most {} triangles, found {}", most_triangles, all.size()));
-  std::sort(all.begin(), all.end());
+/// Triangles t_i are numbered by index; inserted ones follow in the order of appearance.
+Side side_at(const Fan& fan, const PositionNumbers& place) {
+  constexpr unsigned inserted = ~0U;
+  std::vector<unsigned> order;
   Side side;
-  std::map<Triangle, unsigned> number;
-  for (const auto& [is_single, order, triangle] : all) {
-    if (!number.emplace(triangle, side.nodes).second)
-      throw std::runtime_error(fmt::format("{} occurs twice", text_of(triangle)));
-    if (!is_single && pattern.ports.empty()) side.owner.push_back(side.nodes);
-    ++side.nodes;
-  }
-  const auto numbers_of = [&](const Stretch& stretch) {
-    std::vector<unsigned> numbers;
-    for (const Triangle& triangle : triangles_of(stretch)) {
-      const auto found = number.find(triangle);
-      if (found == number.end()) throw std::runtime_error(fmt::format("{} does not occur", text_of(triangle)));
-      numbers.push_back(found->second);
+  for (const Stretch& stretch : fan.elements) {
+    if (!stretch.range) order.push_back(inserted);
+    for (int i = stretch.range ? stretch.range->from.at(place) : 0; stretch.range && i < stretch.range->to.at(place);
+         ++i) {
+      order.push_back(static_cast<unsigned>(i));
+      side.owner.push_back(side.nodes++);
     }
-    return numbers;
-  };
-  for (const Chain& chain : pattern.chains) {
-    std::vector<unsigned> order;
-    for (const Stretch& stretch : chain.elements)
-      for (const unsigned triangle : numbers_of(stretch)) order.push_back(triangle);
-    for (std::size_t i = 0; i + 1 < order.size(); ++i) side.edges.push_back({order[i], order[i + 1]});
-    if (chain.ring && !order.empty()) side.edges.push_back({order.back(), order.front()});
   }
-  for (const auto& [from, to] : pattern.chords) {
-    const std::vector<unsigned> u = numbers_of(from);
-    const std::vector<unsigned> v = numbers_of(to);
-    if (u.size() != 1 || v.size() != 1) throw std::runtime_error("a chord joins two triangles");
-    side.edges.push_back({u[0], v[0]});
-  }
-  for (const Stretch& stretch : pattern.ports)
-    for (const unsigned triangle : numbers_of(stretch)) side.owner.push_back(triangle);
-  expect_triangles(side);
+  for (unsigned& triangle : order)
+    if (triangle == inserted) triangle = side.nodes++;
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) side.edges.push_back({order[i], order[i + 1]});
+  if (fan.ring) side.edges.push_back({order.back(), order.front()});
+  if (fan.chord) side.edges.push_back({side.nodes - 2, side.nodes - 1});
   return side;
 }
 
@@ -104,17 +39,8 @@ Side side_at(const SidePattern& pattern, const PositionNumbers& place) {
   throw std::runtime_error(fmt::format("{}{} ({})", in_file, what, name_of(position)));
 }
 
-Side side_at(const SideForm& form, const Position& position, const std::string& in_file) {
-  if (const Side* side = std::get_if<Side>(&form)) return *side;
-  try {
-    return side_at(std::get<SidePattern>(form), position.numbers());
-  } catch (const std::runtime_error& error) {
-    refuse(position, in_file, error.what());
-  }
-}
-
 /// For positions given by triangles.
-SurfacePatch triangles_at(const Position& position) {
+Patch triangles_at(const Position& position) {
   const Description& family = *position.family;
   NamedPatch named;
   try {
@@ -220,29 +146,27 @@ std::vector<Position> positions(const Description& family, unsigned k) {
 }
 
 Patch make_patch(const Position& position) {
-  if (!position.family->is_graph_only()) return triangles_at(position).patch;
-  const Description& family = *position.family;
-  Patch patch{side_at(family.before, position, family.before_in_file),
-              side_at(family.after, position, family.after_in_file)};
-  if (patch.before.ports() != patch.after.ports())
-    refuse(position, family.after_in_file,
-           fmt::format("expected the same number of ports as before, {}, found {}", patch.before.ports(),
-                       patch.after.ports()));
-  return patch;
+  const auto* before = std::get_if<Fan>(&position.family->before);
+  const auto* after = std::get_if<Fan>(&position.family->after);
+  if (before == nullptr || after == nullptr) return triangles_at(position);
+  return {side_at(*before, position.numbers()), side_at(*after, position.numbers()), {}};
 }
-
-Surface surface_at(const Position& position) { return triangles_at(position).surface; }
 
 Patch patch_of_rows(const Position& position) {
   if (!serves_every_position(*position.family)) return make_patch(position);
-  const Side after = side_at(position.family->after, position, position.family->after_in_file);
-  return {after, after};
+  const Side after = side_at(std::get<Fan>(position.family->after), position.numbers());
+  return {after, after, {}};
 }
 
 Operation operation_at(const Position& position, Patch patch) {
   const Description& description = *position.family;
   const Mask may_give_up = description.may_give_up & patch.after.all_ports();
-  return {std::move(patch), description.constraint, may_give_up, description.preference, {}, description.is_pattern()};
+  return {std::move(patch),
+          description.constraint,
+          may_give_up,
+          description.preference,
+          {},
+          description.author == Author::restrip};
 }
 
 std::string position_text(const Position& position) { return filled(position.family->section, position); }

@@ -3,7 +3,6 @@
 // tables/families.json; no other code knows their names.
 #pragma once
 
-#include <array>
 #include <compare>
 #include <string>
 #include <variant>
@@ -26,21 +25,16 @@ inline constexpr unsigned default_max_k = 8;
 /// Who wrote a file. Names of restrip's own tables are reserved for restrip's families, which have no limits.
 enum class Author { user, restrip };
 
-/// Triangles in the order of their ring or path.
-struct Chain {
+/// A side for all positions in tables/families.json: the triangles t_i, each with one port, in the order of their ring
+/// or path, and inserted ones. Inner edges: along the ring or path, then the chord between the two inserted triangles.
+struct Fan {
   bool ring = false;
   std::vector<Stretch> elements;
+  bool chord = false;
 };
 
-/// A side for all positions. Inner edges: along the chains, then the chords.
-struct SidePattern {
-  std::vector<Chain> chains;
-  std::vector<std::array<Stretch, 2>> chords;
-  std::vector<Stretch> ports;  ///< the owners; if empty, each triangle with an index has one port
-};
-
-/// A side in any of the forms of a file: a graph, the chains of a pattern, or triangles.
-using SideForm = std::variant<Side, SidePattern, TrianglePatterns>;
+/// Users' files give triangles.
+using SideForm = std::variant<Fan, TrianglePatterns>;
 
 struct Description {
   Author author = Author::user;
@@ -65,10 +59,6 @@ struct Description {
   std::string before_in_file;            ///< the same for its sides, and for the declared boundary
   std::string after_in_file;
   std::string boundary_in_file;
-
-  [[nodiscard]] bool is_pattern() const { return std::holds_alternative<SidePattern>(after); }
-  /// Whether it is a mere graph, so that nothing shows that it is an operation on a mesh.
-  [[nodiscard]] bool is_graph_only() const { return !std::holds_alternative<TrianglePatterns>(after); }
 };
 
 /// A name with underscores, as used in programs and file names.
@@ -106,11 +96,8 @@ struct Position {
 /// True if a section of its certificate serves all positions of a valence: its rules do not depend on the position.
 [[nodiscard]] bool serves_every_position(const Description& family);
 
-/// Throws std::runtime_error, naming file, place and position, if a pattern does not make a patch of triangles.
+/// Throws std::runtime_error, naming file, place and position, if its triangles do not make a patch.
 [[nodiscard]] Patch make_patch(const Position& position);
-
-/// The triangles of a position. Precondition: not is_graph_only().
-[[nodiscard]] Surface surface_at(const Position& position);
 
 /// The position of the rows that serve this one: numbers that its section omits are 0.
 [[nodiscard]] Position position_of_rows(Position position);
@@ -119,11 +106,12 @@ struct Position {
 /// after as both sides, and only the numbers of the section are needed.
 [[nodiscard]] Patch patch_of_rows(const Position& position);
 
-/// The operation at this position, or on the patch of its rows, as described, without a tie-break.
+struct PositionWithPatch : Position {
+  Patch patch;
+};
+
+/// The operation on the patch of this position or of its rows, as described, without a tie-break.
 [[nodiscard]] Operation operation_at(const Position& position, Patch patch);
-[[nodiscard]] inline Operation operation_at(const Position& position) {
-  return operation_at(position, make_patch(position));
-}
 
 /// A position as certificates write it, after the word `section`.
 [[nodiscard]] std::string position_text(const Position& position);

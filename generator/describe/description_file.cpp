@@ -61,33 +61,6 @@ std::string too_many_colors(const Side& side) {
 
 namespace {
 
-Side graph_from(const JsonValue& value) {
-  value.expect_members({"triangles", "edges", "ports"});
-  Side side;
-  side.nodes = static_cast<unsigned>(value["triangles"].number(1, most_nodes, "a number of triangles"));
-  std::vector<unsigned> degree(side.nodes, 0);
-  const auto count = [&](unsigned node, const JsonValue& at) {
-    if (++degree[node] > 3) at.refuse(fmt::format("triangle {} has more than three edges and ports", node));
-  };
-  for (const JsonValue& edge : value["edges"].elements("pairs of triangles")) {
-    const std::vector<JsonValue> ends = edge.elements("triangles", 2, 2);
-    const unsigned u = ends[0].place(side.nodes, "triangle");
-    const unsigned v = ends[1].place(side.nodes, "triangle");
-    if (u == v) edge.refuse("expected two different triangles");
-    for (const auto& [a, b] : side.edges)
-      if ((a == u && b == v) || (a == v && b == u)) edge.refuse("these triangles have an edge already");
-    count(u, edge);
-    count(v, edge);
-    side.edges.push_back({u, v});
-  }
-  for (const JsonValue& port : value["ports"].elements("ports, the triangle of each", 1, most_ports)) {
-    side.owner.push_back(port.place(side.nodes, "triangle"));
-    count(side.owner.back(), port);
-  }
-  if (side.edges.size() + side.owner.size() > most_edges_and_ports) value.refuse(too_many_colors(side));
-  return side;
-}
-
 /// Parses a formula in the file; a fault in it is reported with its place.
 template <class Parse>
 auto formula(const JsonValue& value, const std::vector<std::string>& numbers, Parse&& parse) {
@@ -105,13 +78,6 @@ IndexedName vertex_from(const JsonValue& value, const std::vector<std::string>& 
   return formula(value, numbers, [&](const std::string& text, const std::vector<std::string>& all) {
     return parse_vertex(text, all, index);
   });
-}
-
-std::vector<Stretch> stretches_from(const JsonValue& value, const std::vector<std::string>& numbers) {
-  std::vector<Stretch> stretches;
-  for (const JsonValue& element : value.elements("triangles"))
-    stretches.push_back(formula(element, numbers, parse_stretch));
-  return stretches;
 }
 
 /// Three vertices each; in a family also an index with its values, if the element stands for several triangles.
@@ -135,32 +101,13 @@ TrianglePatterns triangles_from(const JsonValue& value, const std::vector<std::s
   return patterns;
 }
 
-SidePattern pattern_from(const JsonValue& value, const std::vector<std::string>& numbers) {
-  value.expect_members({"ring", "path", "rings", "paths", "chord", "chords", "ports"});
-  SidePattern side;
-  const auto chord = [&](const JsonValue& json) {
-    const std::vector<JsonValue> ends = json.elements("triangles", 2, 2);
-    side.chords.push_back({formula(ends[0], numbers, parse_stretch), formula(ends[1], numbers, parse_stretch)});
-  };
-  for (const std::string& member : value.members()) {
-    const JsonValue inside = value[member];
-    if (member == "ring" || member == "path")
-      side.chains.push_back({member == "ring", stretches_from(inside, numbers)});
-    if (member == "rings" || member == "paths")
-      for (const JsonValue& chain : inside.elements("lists of triangles"))
-        side.chains.push_back({member == "rings", stretches_from(chain, numbers)});
-    if (member == "chord") chord(inside);
-    if (member == "chords")
-      for (const JsonValue& one : inside.elements("pairs of triangles")) chord(one);
-    if (member == "ports") side.ports = stretches_from(inside, numbers);
-  }
-  if (side.chains.empty()) value.refuse("expected a ring, a path, or several");
-  return side;
-}
-
-SideForm side_from(const JsonValue& value, const std::vector<std::string>& numbers) {
-  if (numbers.empty() && (value.has("triangles") || value.has("edges"))) return graph_from(value);
-  return pattern_from(value, numbers);
+/// Of tables/families.json, whose forms the verifier checks.
+Fan fan_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+  value.expect_members({"ring", "path", "chord"});
+  Fan fan{value.has("ring"), {}, value.has("chord")};
+  for (const JsonValue& element : value[fan.ring ? "ring" : "path"].elements("triangles"))
+    fan.elements.push_back(formula(element, numbers, parse_stretch));
+  return fan;
 }
 
 Mask mask_from(const JsonValue& value, std::size_t count, const std::string& what) {
@@ -169,7 +116,7 @@ Mask mask_from(const JsonValue& value, std::size_t count, const std::string& wha
   return mask;
 }
 
-/// `after` is null for patterns.
+/// `after` is null for families.
 void take_give_up(const JsonValue& value, const Side* after, Description& description) {
   if (!value.is_text()) {
     if (after == nullptr) value.expected("\"none\" or \"all\"");
@@ -181,7 +128,7 @@ void take_give_up(const JsonValue& value, const Side* after, Description& descri
   if (word == "all") description.may_give_up = ~Mask{0};
 }
 
-/// `after` is null for patterns, whose terms count everything.
+/// `after` is null for families, whose terms count everything.
 Term term_from(const JsonValue& value, const Side* after) {
   value.expect_members({"count", "weight", "edges", "triangles", "ports"});
   const std::size_t count = value["count"].one_of(count_words);
@@ -195,7 +142,7 @@ Term term_from(const JsonValue& value, const Side* after) {
     if (!value.has(member)) continue;
     if (may_choose != among)
       value[member].refuse(fmt::format("\"{}\" does not choose among {}", count_words.at(count), member));
-    if (after == nullptr) value[member].refuse("a pattern has different ones at each position; leave this out");
+    if (after == nullptr) value[member].refuse("a family has different ones at each position; leave this out");
     term.of = mask_from(value[member], how_many(among, *after), among);
   }
   return term;
@@ -246,33 +193,6 @@ void expect_bounds(const JsonValue& value, const std::vector<std::string>& numbe
   }
 }
 
-/// Whether a pattern says which way strips turn: a fan, whose triangles with an index have one port each, or a
-/// quadrilateral, two triangles with two ports each.
-bool has_turns(const SidePattern& side) {
-  if (side.chains.size() != 1) return false;
-  const std::vector<Stretch>& row = side.chains[0].elements;
-  const auto has_index = [](const Stretch& one) { return one.range.has_value(); };
-  if (side.ports.empty()) return side.chords.size() <= 1;
-  return !side.chains[0].ring && side.chords.empty() && row.size() == 2 && side.ports.size() == 4 &&
-         std::none_of(row.begin(), row.end(), has_index) &&
-         std::none_of(side.ports.begin(), side.ports.end(), has_index);
-}
-
-/// A bound on indices needs strips whose turns are known; the verifier checks this again at each position.
-void expect_turns(const JsonValue& bounds, const Description& description) {
-  const auto* before = std::get_if<SidePattern>(&description.before);
-  const auto* after = std::get_if<SidePattern>(&description.after);
-  const bool known = before != nullptr ? has_turns(*before) && has_turns(*after) : !description.is_graph_only();
-  for (const JsonValue& bound : bounds.elements("bounds")) {
-    if (!bound.has("indices")) continue;
-    if (description.constraint.most_edges == 3)
-      bound["indices"].refuse("a forest has no strips and so no indices; leave this bound out");
-    if (!known)
-      bound["indices"].refuse(
-          "a graph does not say which way a strip turns; describe the sides by triangles or leave this bound out");
-  }
-}
-
 /// Reads what only families have.
 void take_positions(const JsonValue& value, Description& family) {
   if (value.has("numbers")) family.numbers = numbers_from(value["numbers"]);
@@ -293,20 +213,12 @@ void take_positions(const JsonValue& value, Description& family) {
   if (family.section.empty()) family.section = family.name;
 }
 
-/// Makes the patch of a single operation that is not a pattern, so that faults are reported with their place in the
-/// file.
+/// Makes the patch of a single operation, so that faults are reported with their place in the file.
 std::optional<Patch> patch_from(const JsonValue& value, const Description& description) {
-  if (!description.numbers.empty() || description.is_pattern()) return {};
-  if (description.is_graph_only()) {
-    Patch patch{std::get<Side>(description.before), std::get<Side>(description.after)};
-    if (patch.after.owner.size() != patch.before.owner.size())
-      value["after"]["ports"].refuse("expected the same number of ports as before");
-    return patch;
-  }
+  if (!description.numbers.empty()) return {};
   try {
     return surface_patch(named_at(std::get<TrianglePatterns>(description.before),
-                                  std::get<TrianglePatterns>(description.after), description.boundary, {}))
-        .patch;
+                                  std::get<TrianglePatterns>(description.after), description.boundary, {}));
   } catch (const PatchFault& fault) {
     const JsonValue member = value[fault.member];
     if (fault.element < 0) member.refuse(fault.what());
@@ -342,7 +254,10 @@ Description description_from(const JsonValue& value, Author author) {
   description.before_in_file = value["before"].where();
   description.after_in_file = value["after"].where();
   if (value.has("boundary")) description.boundary_in_file = value["boundary"].where();
-  if (value["before"].is_list()) {
+  if (author == Author::restrip && !value["before"].is_list()) {
+    description.before = fan_from(value["before"], description.numbers);
+    description.after = fan_from(value["after"], description.numbers);
+  } else {
     description.before = triangles_from(value["before"], description.numbers);
     description.after = triangles_from(value["after"], description.numbers);
     if (value.has("boundary"))
@@ -353,12 +268,6 @@ Description description_from(const JsonValue& value, Author author) {
       }
     if (serves_every_position(description))
       value["section"].refuse("a family given by triangles has a section for each position");
-  } else {
-    if (value.has("boundary")) value["boundary"].refuse("this is for patches given by triangles");
-    description.before = side_from(value["before"], description.numbers);
-    description.after = side_from(value["after"], description.numbers);
-    if (description.before.index() != description.after.index())
-      value["after"].refuse("expected the same form as \"before\"");
   }
   const std::optional<Patch> patch = patch_from(value, description);
   const Side* after = patch ? &patch->after : nullptr;
@@ -369,7 +278,6 @@ Description description_from(const JsonValue& value, Author author) {
   if (description.constraint.most_edges == 1) description.preference.erase(description.preference.begin());
   description.own_cost = value.has("cost");
   if (description.own_cost) description.preference = preference_from(value["cost"], after);
-  if (value.has("at_most")) expect_turns(value["at_most"], description);
   if (value.has("table")) description.has_table = value["table"].truth();
   return description;
 }

@@ -1,4 +1,4 @@
-// Reads and writes files of descriptions (docs/reference/operation-file.md): one description, or a list.
+// Reads files of descriptions (docs/reference/operation-file.md): one description, or a list.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,5 @@ inline constexpr std::size_t most_terms = 64;  ///< of a criterion
 /// Reads the text of a file; `file` is only used in errors.
 [[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text,
                                                           Author author = Author::user);
-
-/// The operation file of a family at one position, with the preference of its shipped rules; its name is "split-k4-a2",
-/// or "flip-own". For another constraint than the family's, the file states no preference and so has the default, and
-/// the name ends in the constraint.
-[[nodiscard]] std::string operation_file_text(const Position& position, Constraint constraint = {});
 
 }  // namespace restrip::generator

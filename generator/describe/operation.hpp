@@ -31,17 +31,35 @@ struct Side {
   friend bool operator==(const Side&, const Side&) = default;
 };
 
-/// The condition on solid edges: no cycle, and a maximum at each triangle. Two make strips, one a matching, three a
-/// forest.
+/// The condition on solid edges: no cycle, and a maximum at each triangle. Two make strips, one a matching.
 struct Constraint {
   unsigned most_edges = 2;
   friend bool operator==(const Constraint&, const Constraint&) = default;
+};
+
+/// A triangle in traversal order from the first: every other one is reached across a side of an earlier one, which is
+/// its side 0.
+struct SurfaceTriangle {
+  unsigned from = 0;                   ///< the triangle from which it is entered, by index in the list
+  unsigned from_side = 0;              ///< and the side of that triangle
+  std::array<unsigned, 3> vertex{};    ///< its corners; side s runs from corner s to the next one
+  std::array<std::uint8_t, 3> side{};  ///< an inner edge, port_side plus a port, or boundary_side
+  static constexpr std::uint8_t port_side = 64;
+  static constexpr std::uint8_t boundary_side = 255;
+};
+
+/// The triangles in a header, for code that changes a mesh; empty for the fans of tables/families.json.
+struct Surface {
+  std::vector<SurfaceTriangle> before;
+  std::vector<SurfaceTriangle> after;
+  unsigned vertices = 0;  ///< of both sides, numbered in order of appearance in the file
 };
 
 /// Before and after share the ports; nothing else need correspond.
 struct Patch {
   Side before;
   Side after;
+  Surface surface;
 };
 
 /// docs/reference/operation-file.md defines each.
@@ -81,7 +99,7 @@ struct Operation {
 // The words of operation files.
 
 /// By the maximum of solid edges at a triangle, from one.
-inline constexpr std::array<std::string_view, 3> constraint_words{"matching", "strips", "forest"};
+inline constexpr std::array<std::string_view, 2> constraint_words{"matching", "strips"};
 
 /// Every count, in the order of Count.
 inline constexpr std::array<std::string_view, 10> count_words{

@@ -37,7 +37,8 @@ Criterion tie_break(const Position& position, const Side& after) {
   const Description& family = *position.family;
   if (family.own_cost || family.constraint.most_edges != 2) return {};
   // If one of two ports must be given up, either is possible; this has always been the flip's choice.
-  if (family.numbers.empty()) return family.is_pattern() ? Criterion{{Count::kept, -1, 0b0101}} : Criterion{};
+  if (family.numbers.empty())
+    return family.author == Author::restrip ? Criterion{{Count::kept, -1, 0b0101}} : Criterion{};
   Mask fan = 0;
   for (const unsigned owner : after.owner) fan |= Mask{1} << owner;
   const Mask added = ((Mask{1} << after.nodes) - 1) & ~fan;
@@ -49,7 +50,7 @@ Criterion tie_break(const Position& position, const Side& after) {
                   {Count::joined, weight.joined_pair},
                   {Count::solid, weight.solid_at_new, edges_at(after, added, 1)},
                   {Count::solid, 2 * std::int64_t{weight.solid_at_new}, edges_at(after, added, 2)}};
-  if (family.is_pattern() && !std::get<SidePattern>(family.after).chords.empty()) {
+  if (const auto* side = std::get_if<Fan>(&family.after); side != nullptr && side->chord) {
     const Mask chord = Mask{1} << (after.edges.size() - 1);
     const Mask first_arc = (Mask{2} << position.at) - 1;
     terms.push_back({Count::solid, weight.solid_chord, chord});

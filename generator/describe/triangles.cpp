@@ -82,12 +82,26 @@ class Disc {
     for (unsigned t = 0; t < corners_.size(); ++t)
       for (unsigned s = 0; s < 3; ++s)
         if (const Ends edge = side(t, s); is_open(edge) && !other.is_open(edge))
-          fail(static_cast<int>(t), fmt::format("{} is an edge of the outline {} the operation, but not {} it; both "
-                                                "sides need the same outline",
-                                                words(edge), member_, other.member_));
+          fail(static_cast<int>(t),
+               fmt::format("{} is an edge of the outline {} the operation, but not {} it; both sides need the same "
+                           "outline{}",
+                           words(edge), member_, other.member_, remedy(edge, other)));
   }
 
  private:
+  /// What may have been meant by an edge of the outline that the other side does not have.
+  [[nodiscard]] std::string remedy(Ends edge, const Disc& other) const {
+    if (other.is_open(back(edge))) return "; is this triangle clockwise?";
+    const auto is_there = [&](unsigned v) {
+      return std::any_of(other.corners_.begin(), other.corners_.end(),
+                         [&](const Corners& c) { return std::find(c.begin(), c.end(), v) != c.end(); });
+    };
+    for (const unsigned v : {edge.first, edge.second})
+      if (!is_there(v))
+        return fmt::format("; {} is {}: include the triangle across this edge, or declare the boundary of the mesh",
+                           names_[v], member_ == "after" ? "new" : "not there afterwards");
+    return "";
+  }
   /// The number of names for one that is not there.
   [[nodiscard]] unsigned index_of(const std::string& name) const {
     return static_cast<unsigned>(std::find(names_.begin(), names_.end(), name) - names_.begin());
@@ -117,8 +131,9 @@ class Disc {
       const auto [there, fresh] = sides_.emplace(ends, SideOf{number, s});
       if (fresh) continue;
       if (has(back(ends))) fail(element, fmt::format("the edge {} has two triangles already", words(ends)));
-      fail(element, fmt::format("this triangle and triangle {} both run along {} in this direction: turn one of them",
-                                there->second.triangle, words(ends)));
+      fail(element,
+           fmt::format("this triangle and triangle {} both run along {} in this direction: is one of them clockwise?",
+                       there->second.triangle, words(ends)));
     }
   }
 
@@ -251,7 +266,7 @@ NamedPatch named_at(const TrianglePatterns& before, const TrianglePatterns& afte
   return named;
 }
 
-SurfacePatch surface_patch(const NamedPatch& named) {
+Patch surface_patch(const NamedPatch& named) {
   std::vector<std::string> names;
   Disc before("before", named.before, names);
   Disc after("after", named.after, names);
@@ -264,9 +279,9 @@ SurfacePatch surface_patch(const NamedPatch& named) {
   for (unsigned i = 0; ports.empty() && i < 3 * before.corners().size(); ++i)
     if (const Ends first = before.side(i / 3, i % 3); before.is_open(first)) ports = before.rim_from(first.first);
   std::erase_if(ports, [&](Ends edge) { return !before.is_open(edge); });
-  SurfacePatch patch;
-  std::tie(patch.patch.before, patch.surface.before) = numbered(before, ports);
-  std::tie(patch.patch.after, patch.surface.after) = numbered(after, ports);
+  Patch patch;
+  std::tie(patch.before, patch.surface.before) = numbered(before, ports);
+  std::tie(patch.after, patch.surface.after) = numbered(after, ports);
   patch.surface.vertices = static_cast<unsigned>(names.size());
   return patch;
 }

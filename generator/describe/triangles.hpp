@@ -39,29 +39,6 @@ using StretchPattern = std::array<IndexedName, 2>;
 [[nodiscard]] NamedPatch named_at(const TrianglePatterns& before, const TrianglePatterns& after,
                                   const std::vector<StretchPattern>& boundary, const PositionNumbers& place);
 
-/// A triangle in traversal order from the first: every other one is reached across a side of an earlier one, which is
-/// its side 0.
-struct SurfaceTriangle {
-  unsigned from = 0;                   ///< the triangle from which it is entered, by index in the list
-  unsigned from_side = 0;              ///< and the side of that triangle
-  std::array<unsigned, 3> vertex{};    ///< its corners; side s runs from corner s to the next one
-  std::array<std::uint8_t, 3> side{};  ///< an inner edge, port_side plus a port, or boundary_side
-  static constexpr std::uint8_t port_side = 64;
-  static constexpr std::uint8_t boundary_side = 255;
-};
-
-/// The triangles in a header, for code that changes a mesh; empty for patches that are graphs only.
-struct Surface {
-  std::vector<SurfaceTriangle> before;
-  std::vector<SurfaceTriangle> after;
-  unsigned vertices = 0;  ///< of both sides, numbered in order of appearance in the file
-};
-
-struct SurfacePatch {
-  Patch patch;
-  Surface surface;
-};
-
 /// A fault and its place: member "before", "after" or "boundary", and the index of its element, if it concerns one.
 struct PatchFault : std::runtime_error {
   PatchFault(std::string in_member, int in_element, const std::string& what)
@@ -71,6 +48,6 @@ struct PatchFault : std::runtime_error {
 };
 
 /// Throws PatchFault if the triangles are not discs with the same outline.
-[[nodiscard]] SurfacePatch surface_patch(const NamedPatch& named);
+[[nodiscard]] Patch surface_patch(const NamedPatch& named);
 
 }  // namespace restrip::generator

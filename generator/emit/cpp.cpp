@@ -62,25 +62,23 @@ std::string table(const OperationLayout& layout, const std::string& name) {
     arguments += fmt::format(", {}", layout.positions.size());
     std::string positions;
     for (const OperationLayout::At& at : layout.positions) {
-      const auto& [before, after] = sizes(at.patch);
+      const auto& [before, after] = sizes(at.position.patch);
       positions += fmt::format("    {{{{{}}}, {}, {}, {}, {}}},\n", fmt::join(at.position.numbers(), ", "), before,
-                               after, at.patch.before.ports(), at.first);
+                               after, at.position.patch.before.ports(), at.first);
     }
     rules = fmt::format("{},\n    {},\n    {{{{\n{}    }}}},\n    {{\n{}    }}}}", layout.matching(),
                         quoted_place(layout.named()), positions, numbers(layout.entries));
   } else {
-    const auto& [before, after] = sizes(first.patch);
-    rules = fmt::format("{},\n    {},\n    {},\n    {},\n    {{\n{}    }}}}", before, after, first.patch.before.ports(),
-                        layout.matching(), numbers(layout.entries));
+    const auto& [before, after] = sizes(first.position.patch);
+    rules = fmt::format("{},\n    {},\n    {},\n    {},\n    {{\n{}    }}}}", before, after,
+                        first.position.patch.before.ports(), layout.matching(), numbers(layout.entries));
   }
-  if (layout.named().is_graph_only())
-    return fmt::format("Operation{}<{}> {}{{\n    {};\n", is_family ? "Family" : "Table", arguments, name, rules);
   // The triangles of all positions, one after another; and for each position, the number of vertices and the start of
   // its triangles.
   Surface all;
   std::string positions;
   for (const OperationLayout::At& at : layout.positions) {
-    const auto [before, after, vertices] = surface_at(at.position);
+    const auto& [before, after, vertices] = at.position.patch.surface;
     positions += fmt::format("    {{{}, {}, {}}},\n", vertices, all.before.size(), all.after.size());
     all.before.insert(all.before.end(), before.begin(), before.end());
     all.after.insert(all.after.end(), after.begin(), after.end());
@@ -104,7 +102,7 @@ RulesHeader rules_header(const Certificate& family, const Packing& packing, unsi
   const Section& first = family.sections.at(0);
   if (first.position.family->numbers.empty()) {
     // FlipTable of restrip/tables/format.hpp is the table of an operation with one position.
-    const OperationLayout layout = operation_layout({{first.position, &first}});
+    const OperationLayout layout = operation_layout({{first.serves.at(0), &first}});
     const auto none = std::count(layout.entries.begin(), layout.entries.end(), layout.none());
     const auto valid = static_cast<std::ptrdiff_t>(layout.entries.size()) - none;
     return {banner(fmt::format("Rules of the {}: {} valid configurations.", family.name, valid)) +

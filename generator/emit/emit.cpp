@@ -74,7 +74,6 @@ void add_figures(const Certificate& certificate, std::size_t bytes, OrderedJson&
     symmetries = std::max(symmetries, section.symmetries);
   }
   const Claims claims = sum(parts);
-  const bool graph_only = sections[0].position.family->is_graph_only();
   json.push_back({{"name", name},
                   {"configurations", claims.configurations},
                   {"valid", claims.valid},
@@ -85,12 +84,10 @@ void add_figures(const Certificate& certificate, std::size_t bytes, OrderedJson&
                   {"costing", claims.costing},
                   {"worst_strips", claims.worst_strips},
                   {"worst_isolated", claims.worst_isolated},
-                  {"bytes", bytes},
-                  {"graph_only", graph_only}});
-  text +=
-      fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", name, claims.configurations,
-                  plural(claims.configurations, "configuration"), rows, plural(rows, "rule"), bytes,
-                  plural(bytes, "byte"), graph_only ? "  graph only: not checked to be an operation on a mesh\n" : "");
+                  {"bytes", bytes}});
+  text += fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n", name, claims.configurations,
+                      plural(claims.configurations, "configuration"), rows, plural(rows, "rule"), bytes,
+                      plural(bytes, "byte"));
 }
 
 }  // namespace

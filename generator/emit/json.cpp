@@ -77,10 +77,10 @@ std::string json_operation(const OperationLayout& layout) {
     const auto size = [](const Side& side) {
       return fmt::format("{{\"triangles\": {}, \"edges\": {}}}", side.nodes, side.edges.size());
     };
-    positions.push_back(
-        fmt::format("    {{\"numbers\": [{}], \"before\": {}, \"after\": {}, \"ports\": {}, \"first\": {}}}",
-                    fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(named.numbers.size()), ", "),
-                    size(at.patch.before), size(at.patch.after), at.patch.before.ports(), at.first));
+    positions.push_back(fmt::format(
+        "    {{\"numbers\": [{}], \"before\": {}, \"after\": {}, \"ports\": {}, \"first\": {}}}",
+        fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(named.numbers.size()), ", "),
+        size(at.position.patch.before), size(at.position.patch.after), at.position.patch.before.ports(), at.first));
   }
   return fmt::format(
       "{{\n\"format\": \"restrip-operation-table\",\n\"version\": 1,\n"

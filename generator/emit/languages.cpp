@@ -162,11 +162,11 @@ TableLayout arrays_of(const OperationLayout& layout) {
   for (const OperationLayout::At& at : layout.positions) {
     std::size_t place = 0;
     for (std::size_t i = 0; i < digits; ++i) place = place * base + at.position.numbers().at(i);
-    const Side& before = at.patch.before;
+    const Side& before = at.position.patch.before;
     by_place[0][place] = static_cast<std::uint32_t>(before.edges.size());
     by_place[1][place] = before.ports();
     by_place[2][place] = before.nodes;
-    by_place[3][place] = at.patch.after.nodes;
+    by_place[3][place] = at.position.patch.after.nodes;
     by_place[4][place] = static_cast<std::uint32_t>(at.first);
   }
   return {0,
@@ -250,8 +250,8 @@ std::string operation_check(std::string_view text, const char* position, const c
   Filling filling{{"name", name}, {"capitals", capitals(name)}, {"positions", ""}, {"arguments", ""}};
   for (const OperationLayout::At& at : layout.positions)
     filling["positions"] += fmt::format(fmt::runtime(position), nlohmann::json(name_of(at.position)).dump(),
-                                        layout.matching() ? 0 : at.patch.before.edges.size(), at.patch.before.ports(),
-                                        fmt::join(at.position.numbers(), ", "));
+                                        layout.matching() ? 0 : at.position.patch.before.edges.size(),
+                                        at.position.patch.before.ports(), fmt::join(at.position.numbers(), ", "));
   for (std::size_t i = 0; i < layout.named().numbers.size(); ++i)
     filling["arguments"] += fmt::format(fmt::runtime(argument), i);
   return filled(text, filling);

@@ -27,58 +27,54 @@ bool are_neighbours(const Side& side, unsigned one, unsigned other) {
   });
 }
 
-enum class Fan { closed, open };
+enum class FanKind { closed, open };
 
 /// The fan formed by a side: one port at each triangle, each next to the previous one.
-std::optional<Fan> fan_of(const Side& side) {
+std::optional<FanKind> fan_of(const Side& side) {
   if (side.ports() != side.nodes) return {};
   std::vector<unsigned> sorted = side.owner;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
   for (std::size_t i = 0; i + 1 < side.owner.size(); ++i)
     if (!are_neighbours(side, side.owner[i], side.owner[i + 1])) return {};
-  if (side.edges.size() + 1 == side.nodes) return Fan::open;
+  if (side.edges.size() + 1 == side.nodes) return FanKind::open;
   return side.edges.size() == side.nodes && are_neighbours(side, side.owner.back(), side.owner.front())
-             ? std::optional(Fan::closed)
+             ? std::optional(FanKind::closed)
              : std::nullopt;
 }
 
-/// The same for all its positions.
-Fan fan_of(const Description& family) {
-  std::optional<Fan> fan;
+/// What the side after is at every position up to the default limit, at all of which it is checked.
+struct FanAfter {
+  FanKind kind = FanKind::open;
+  Sum triangles;
+};
+FanAfter fan_after(const Description& family) {
+  FanAfter fan;
+  for (const TrianglePattern& pattern : std::get<TrianglePatterns>(family.after)) {
+    if (!pattern.index) ++fan.triangles.constant;
+    if (!pattern.index) continue;
+    const auto& [from, to] = *pattern.index->range;
+    for (std::size_t i = 0; i < fan.triangles.factors.size(); ++i)
+      fan.triangles.factors.at(i) += to.factors.at(i) - from.factors.at(i);
+    fan.triangles.constant += to.constant - from.constant;
+  }
   const std::vector<Position> positions = positions_up_to(family, default_max_k);
+  if (positions.empty()) refuse(family, fmt::format("it has no position up to {}", default_max_k));
+  std::optional<FanKind> first;
   for (const Position& position : positions) {
-    const std::optional<Fan> here = fan_of(make_patch(position).after);
-    if (!here || (fan && fan != here))
+    const Side side = make_patch(position).after;
+    const std::optional<FanKind> here = fan_of(side);
+    if (!here || first.value_or(*here) != *here)
       refuse(family, fmt::format("the side after of {} is not a fan with one port at each triangle, in their order",
                                  name_of(position)));
-    fan = here;
-  }
-  if (!fan) refuse(family, fmt::format("it has no position up to {}", default_max_k));
-  return *fan;
-}
-
-/// The number of triangles after the operation, valid at all checked positions.
-Sum triangles_after(const Description& family) {
-  Sum all;
-  const auto add = [&](const std::optional<Stretch::Range>& range) {
-    if (!range) ++all.constant;
-    for (const auto& [sum, sign] : {std::pair{range ? range->to : Sum{}, 1}, {range ? range->from : Sum{}, -1}}) {
-      for (std::size_t i = 0; i < all.factors.size(); ++i) all.factors.at(i) += sign * sum.factors.at(i);
-      all.constant += sign * sum.constant;
-    }
-  };
-  if (const auto* triangles = std::get_if<TrianglePatterns>(&family.after))
-    for (const TrianglePattern& triangle : *triangles) add(triangle.index ? triangle.index->range : std::nullopt);
-  else
-    for (const Chain& chain : std::get<SidePattern>(family.after).chains)
-      for (const Stretch& stretch : chain.elements) add(stretch.range);
-  // A range that ends before it begins is empty, and the sum is smaller.
-  for (const Position& position : positions_up_to(family, default_max_k))
-    if (const unsigned nodes = make_patch(position).after.nodes; all.at(position.numbers()) != static_cast<int>(nodes))
+    first = here;
+    // A range that ends before it begins is empty, and the sum is smaller.
+    if (const int sum = fan.triangles.at(position.numbers()); sum != static_cast<int>(side.nodes))
       refuse(family, fmt::format("{} has {} triangles after the operation, but its ranges as a sum give {}",
-                                 name_of(position), nodes, all.at(position.numbers())));
-  return all;
+                                 name_of(position), side.nodes, sum));
+  }
+  fan.kind = *first;
+  return fan;
 }
 
 /// "k + 2 * i - 1", with the numbers' names by index.
@@ -104,9 +100,10 @@ std::string served_header(const Description& family) {
   if (family.constraint.most_edges != 2) refuse(family, "its solid edges are not strips");
   if (family.own_cost) refuse(family, "it has a custom cost");
   if (family.may_give_up != 0) refuse(family, "it may give ports up");
-  const bool closed = fan_of(family) == Fan::closed;
-  const Sum size = triangles_after(family);
-  const std::string call = fmt::format("best({}_fan({}), ", closed ? "closed" : "open", text_of(size));
+  const FanAfter fan = fan_after(family);
+  const Sum& size = fan.triangles;
+  const std::string call =
+      fmt::format("best({}_fan({}), ", fan.kind == FanKind::closed ? "closed" : "open", text_of(size));
   // The call uses those on which the number of ports depends.
   std::string parameters;
   for (std::size_t i = 0; i < family.numbers.size(); ++i)

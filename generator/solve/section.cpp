@@ -19,8 +19,8 @@ namespace {
 void find_keys(Section& section, const Operation& rows_of) {
   section.relevant = relevant_pairs(rows_of);
   std::vector<std::vector<Coloring>> before;
-  for (const Position& position : section.serves)
-    before.push_back(legal_colorings(make_patch(position).before, rows_of.constraint));
+  for (const PositionWithPatch& position : section.serves)
+    before.push_back(legal_colorings(position.patch.before, rows_of.constraint));
   std::vector<PortPairs> joined;
   for (Mask ports = 0; ports <= rows_of.patch.after.all_ports(); ++ports) {
     joined.clear();
@@ -46,9 +46,9 @@ std::size_t row_with(const Key& key, const std::vector<Row>& rows) {
 
 /// Names the first configuration that has the key.
 [[noreturn]] void refuse_without_rule(const Section& section, const Key& key) {
-  for (const Position& position : section.serves) {
+  for (const PositionWithPatch& position : section.serves) {
     std::optional<Configuration> first;
-    for_each_valid(operation_at(position), [&](const Configuration& c) {
+    for_each_valid(operation_at(position, position.patch), [&](const Configuration& c) {
       PortPairs joined = c.outcome.joined;
       joined &= section.relevant.at(c.ports);
       if (!first && Key{c.ports, joined} == key) first = c;
@@ -128,8 +128,8 @@ void find_rules(Section& section, const Operation& rows_of, Watched watched) {
 }
 
 void make_claims(Section& section) {
-  for (const Position& position : section.serves) {
-    const Operation operation = operation_at(position);
+  for (const PositionWithPatch& position : section.serves) {
+    const Operation operation = operation_at(position, position.patch);
     const Patch& patch = operation.patch;
     const bool matching = operation.constraint.most_edges == 1;
     const std::vector<bool> larger = larger_in_orbits(patch, symmetries(operation).generators);
@@ -149,10 +149,10 @@ void make_claims(Section& section) {
 }
 
 /// Throws std::runtime_error if the rows are not valid for this position, or a user's is too large for a table.
-void expect_served(const Position& position, const Position& rows) {
+void expect_served(const PositionWithPatch& position, const Position& rows) {
   const Description& family = *position.family;
   const Description& first = *rows.family;
-  const Patch patch = make_patch(position);
+  const Patch& patch = position.patch;
   for (const Side* side : {&patch.before, &patch.after})
     if (family.author == Author::user &&
         (side->nodes > most_nodes || side->owner.empty() || side->ports() > most_ports ||
@@ -213,8 +213,8 @@ std::vector<Patches> patches_of(const std::vector<Description>& descriptions, un
           const Position rows = position_of_rows(position);
           section = sections.insert(section, {certificate, rows, {}});
         }
-        expect_served(position, section->position);
-        section->serves.push_back(position);
+        section->serves.push_back({position, make_patch(position)});
+        expect_served(section->serves.back(), section->position);
       }
     }
   }
@@ -243,8 +243,8 @@ Answers answers_of(const Description& description, const std::vector<Section>& k
   Answers answers;
   answers.images.reserve(patches.size());
   for (const Patches& one : patches) {
-    const PositionNumbers numbers = one.serves[0].numbers();
-    const Position position{&description, numbers[0], numbers[1], numbers[2]};
+    PositionWithPatch position = one.serves[0];
+    position.family = &description;
     const auto found = std::find_if(known.begin(), known.end(), [&](const Section& other) {
       return std::find(other.serves.begin(), other.serves.end(), position) != other.serves.end();
     });

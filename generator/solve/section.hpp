@@ -39,9 +39,9 @@ struct Claims {
 
 /// A section to solve: its patches.
 struct Patches {
-  std::string certificate;       ///< "fan-collapse"
-  Position position;             ///< family and valence, and the rest of the position unless all positions are served
-  std::vector<Position> serves;  ///< the positions whose configurations these rules answer
+  std::string certificate;  ///< "fan-collapse"
+  Position position;        ///< family and valence, and the rest of the position unless all positions are served
+  std::vector<PositionWithPatch> serves;  ///< the positions whose configurations these rules answer
 };
 
 /// The solution.
@@ -86,7 +86,7 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, const ch
 
 /// A position and the section whose rows answer its configurations.
 struct AnsweredPosition {
-  Position position;
+  PositionWithPatch position;
   const Section* section = nullptr;
 };
 

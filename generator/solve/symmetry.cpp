@@ -31,7 +31,8 @@ void take_generator(int, int* image, int*, int, int, int n) {
 /// after, and a vertex for each term that chooses among some of these.
 struct PatchGraph {
   explicit PatchGraph(const Operation& operation) {
-    const auto& [before, after] = operation.patch;
+    const Side& before = operation.patch.before;
+    const Side& after = operation.patch.after;
     const unsigned ports = before.ports();
     for (unsigned p = 0; p < ports; ++p) colors.push_back({0, operation.may_give_up >> p & 1U});
     first_before = size();

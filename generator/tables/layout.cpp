@@ -39,7 +39,7 @@ TableLayout table_layout(const std::vector<Certificate>& rules, const Packing& p
     if (acts.numbers.empty()) {
       const Section& only = family.sections.at(0);
       layout.arrays.push_back(
-          array_of(identifier(family.name) + "_rules", operation_layout({{only.position, &only}}).entries));
+          array_of(identifier(family.name) + "_rules", operation_layout({{only.serves.at(0), &only}}).entries));
       continue;
     }
     const RuleBlocks blocks = fill(family.sections, packing, max_k);

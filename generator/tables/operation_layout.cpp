@@ -9,14 +9,14 @@ OperationLayout operation_layout(const std::vector<AnsweredPosition>& positions)
   // An entry has at least one bit more than a rule, so that all ones means none.
   std::size_t bits = 0;
   for (const auto& [position, section] : positions) {
-    const Patch& patch = layout.positions.emplace_back(OperationLayout::At{position, make_patch(position), 0}).patch;
-    bits = std::max(bits, patch.after.edges.size() + patch.after.owner.size());
+    layout.positions.push_back({position, 0});
+    bits = std::max(bits, position.patch.after.edges.size() + position.patch.after.owner.size());
   }
   layout.width = bits < 8 ? 8 : bits < 16 ? 16 : 32;
   // For matchings, whose keys are the ports, entry P serves every colouring.
   const bool matching = layout.matching();
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Operation operation = operation_at(positions[i].position);
+    const Operation operation = operation_at(positions[i].position, positions[i].position.patch);
     const Side& before = operation.patch.before;
     const unsigned ports = before.ports();
     const std::size_t first = layout.entries.size();

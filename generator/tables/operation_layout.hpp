@@ -15,8 +15,7 @@ namespace restrip::generator {
 struct OperationLayout {
   /// A position and the start of its entries.
   struct At {
-    Position position;
-    Patch patch;
+    PositionWithPatch position;
     std::size_t first = 0;
   };
 

@@ -14,7 +14,7 @@ scratch.mkdir(parents=True, exist_ok=True)
 (scratch / "one.trace").write_text("restrip-trace 1\nclaim best\nt 0 1 2\nend 0\n")
 COMMANDS = {
     "restrip": ("--help", "--version", "stats --help", "stats one.obj", "stats one.obj --json -", "convert one.obj -o - --to ply"),
-    "restrip-generate": ("--help", "--version", "tables --help", "dump --family flip", "dump --family split --k 7", "describe --family split --k 4 --at 2"),
+    "restrip-generate": ("--help", "--version", "tables --help", "dump --family flip", "dump --family split --k 7"),
     "restrip-verify": ("--help", "explain --help", "rules --help"),
     "restrip-verify-automaton": ("--help",),
     "restrip-dump-tables": ("--help", "--max-k 3", "--max-k 7", "--digests --max-k 3", "--automaton --max-k 3"),

@@ -22,8 +22,8 @@ PLAIN = {
     "name": "plain",
     "about": "A new vertex inside a triangle.",
     "constraint": "strips",
-    "before": {"triangles": 1, "edges": [], "ports": [0, 0, 0]},
-    "after": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},
+    "before": [["a", "b", "c"]],
+    "after": [["a", "b", "m"], ["b", "c", "m"], ["m", "c", "a"]],
 }
 # What ends lines, comments or strings somewhere, or looks as if it did; and plain words.
 PIECES = ["\n", "\r", "\r\n", "\v", "\f", "\0", "\x1b[2K", "\x7f", "\x85", "\u2028", "\u2029", "\u202e", "\u200b", "\ufeff", "\\", "\\\n", "\\u000a",

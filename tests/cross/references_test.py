@@ -21,7 +21,7 @@ LINK = re.compile(r"(?<!`)\[[^\]`]*(?:`[^`]*`[^\]`]*)*\]\(([^)\s]+)\)")
 
 # Named and not in the tree: patterns (NAME.cpp, x.hpp), what a build or an installation makes, files of the reader's own.
 ELSEWHERE = re.compile(r"(?:.*[/_])?(?:NAME|FAMILY|TEST|DIR)(?:[/_.].*)?|x\.\w+|(?:main|use|print-[a-z-]+)\.cpp|restrip_(?:(?:automaton|tables)(?:_check)?|rule_of_bisect|check_of_bisect)\.\w+"
-                       r"|(?:sheet|level|terrain)\.svg|play\.cpp|AutomatonNumbers\.v|(?:mutants|mutant_names)\.hpp|share/restrip/restrip\.hpp|rules/(?:include|certificates)/.*")
+                       r"|(?:sheet|level|terrain)\.svg|play\.cpp|AutomatonNumbers\.v|(?:faults|fault_names)\.hpp|share/restrip/restrip\.hpp|rules/(?:include|certificates)/.*")
 # Names files as they were called then.
 HISTORY = "CHANGELOG.md"
 

@@ -3,7 +3,7 @@
 set(std "<[a-z_0-9]+>")
 set(allowed_in_common "${std}|\"common/.*\"|<(fmt|nlohmann|openssl)/.*>|<(fcntl|signal|unistd|sys/stat|sys/types).h>")
 set(allowed_in_generator "${std}|\"common/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
-set(allowed_in_verify "${std}|\"common/(counted|digest|file_error|json|printable|reading|share).hpp\"|<(boost|fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
+set(allowed_in_verify "${std}|\"common/(counted|digest|file_error|json|printable|reading|share).hpp\"|<(boost|fmt|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"(restrip|mesh|operations|output|search|formats|live)/.*\"|RESTRIP_USER_CONFIG")
 set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-z0-9_]+).hpp\"")
 set(allowed_in_tools "${std}|\"(restrip|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
@@ -22,7 +22,7 @@ set(door_reports "\"common/(output|report_output|system_calls).hpp\"")
 # The page "Make a rule": one file is the generator's, one the verifier's; what is below them has neither.
 set(door_maker "\"common/[^\"]*\"|<nlohmann/json.hpp>|<stdio.h>")
 set(door_maker_generator "\"commands/pipeline.hpp\"")
-set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"|\"judge/orbits.hpp\"")
+set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
@@ -107,7 +107,7 @@ function(judge room source line out)
      OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
      OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"
-     OR source MATCHES "/web/maker/module/(verify|no_nauty/orbits).cpp$" AND what MATCHES "^(${door_maker_verify})$"
+     OR source MATCHES "/web/maker/module/verify.cpp$" AND what MATCHES "^(${door_maker_verify})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/emit/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/emit/templates/(automaton|operation|tables)_check.c$" AND what MATCHES "^(${door_check})$"

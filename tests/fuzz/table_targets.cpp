@@ -9,7 +9,6 @@
 #include "certificate/certificate_form.hpp"
 #include "certificate/manifest.hpp"
 #include "judge/table_dump.hpp"
-#include "model/families_text.hpp"
 #include "model/input.hpp"
 #include "target.hpp"
 
@@ -107,15 +106,6 @@ Target dump_target() {
 
 std::string corpus_text(const char* name) { return read_file(fmt::format("{}/{}.json", RESTRIP_OPERATIONS, name)); }
 
-/// The shipped families, under other names.
-std::string custom_families() {
-  std::string text(families_text);
-  for (const std::string_view member : {"\"name\": \"", "\"certificate\": \""})
-    for (std::size_t at = text.find(member); at != std::string::npos; at = text.find(member, at + 1))
-      text.insert(at + member.size(), "my-");
-  return text;
-}
-
 void promise_limits(const Side& side) {
   promise(side.triangles >= 1 && side.triangles <= most_triangles, "triangles within limits");
   promise(side.ports() >= 1 && side.ports() <= most_ports, "ports within limits");
@@ -146,7 +136,7 @@ Target operation_file_target() {
     return true;
   };
   return {"operation-file",
-          {corpus_text("split-face-graph"), corpus_text("bisect-costs"), corpus_text("flip-forest"), custom_families(),
+          {corpus_text("split-face-own"), corpus_text("bisect-costs"), corpus_text("families/spoke-flips"),
            read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
           refusing(read),
           10000};
@@ -156,8 +146,8 @@ Target operation_file_target() {
 Family family_of_one(const std::string& text) { return families_of(parse_descriptions("f", text), 1).front(); }
 
 Target operation_dump_target() {
-  const auto family = std::make_shared<const Family>(family_of_one(corpus_text("split-face-graph")));
-  std::string seed = "restrip-table-dump 4\ntable split-face-graph\n";
+  const auto family = std::make_shared<const Family>(family_of_one(corpus_text("split-face-own")));
+  std::string seed = "restrip-table-dump 4\ntable split-face-own\n";
   for (Mask ports = 0; ports < 8; ++ports) seed += fmt::format("0 {:x} {}\n", ports, ports == 7 ? "-" : "0 0 2 2");
   seed += "end 8\n";
   const auto read = of_stream([family](std::FILE* stream) {

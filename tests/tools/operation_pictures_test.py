@@ -101,15 +101,12 @@ class Programs(unittest.TestCase):
                 self.assertIn(f">{name}</text>", svg)
 
     def test_refusals(self):
-        for name, graph in json.loads((CORPUS.parent / "graphs.json").read_text(encoding="utf-8")).items():
-            (self.folder / f"{name}.json").write_text(json.dumps(graph), encoding="utf-8")
-            self.assertIn("is a graph only, which has no picture", self.refused("scripts/pictures.py", f"{name}.json", "out.svg"))
         faulty = json.loads((CORPUS.parent / "refused_operations.json").read_text(encoding="utf-8"))
         for name, operation in faulty.items():
             (self.folder / f"{name}.json").write_text(json.dumps(operation), encoding="utf-8")
         for fault, sentence in {"pinched": "not a disc", "handle": "not a disc", "closed": "not a disc", "turned-triangle": "not a disc",
                                 "crossed-ports": "rim differs before and after", "parity": "rim differs before and after",
-                                "both-forms": "restrip-generate rules names the fault", "stretch-to-nowhere": "restrip-generate rules names the fault"}.items():
+                                "stretch-to-nowhere": "restrip-generate rules names the fault"}.items():
             self.assertIn(sentence, self.refused("scripts/pictures.py", f"{fault}.json", "out.svg"), fault)
         self.assertIn("names the fault", self.refused("web/atlas/atlas.py", "no-port.json", "--certificates", CERTIFICATES, "-o", "out"))
         (self.folder / "list.json").write_text("[1]", encoding="ascii")

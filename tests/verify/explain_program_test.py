@@ -33,14 +33,15 @@ for command, code in (("explain", 1), ("rules", 0)):
     run(re.search(r"Example:\n +(.*)", verify(command + " --help", 0))[1], code)
 
 # Verdicts, text and JSON the same.
-split = "explain --family split --k 5 --at 2 --before 12 --ports 5"
+split = "explain --family split --k 5 --at 2 --before 18 --ports 5"
 bisect = f"explain --operation {root}/tables/operations/bisect.json --before 1 --ports 0"
 for arguments, code, verdict in (
-        (split, 0, None), (split + " --after 6d", 0, "best"), (split + " --after 0", 1, "worse"),
-        (split + " --after ff", 1, "not valid"), (split + " --after 1 --ports-after 4", 1, "not valid"),
+        (split, 0, None), (split + " --after 109", 0, "best"), (split + " --after 0", 1, "worse"),
+        (split + " --after 255", 1, "not valid"), (split + " --after 1 --ports-after 4", 1, "not valid"),
         ("explain --family flip --before 0 --ports 6 --after 0", 1, "unsound"),
         ("explain --family flip --before 0 --ports 6 --after 1 --ports-after 4", 0, "equally good"),
-        ("explain --family open-split --k 4 --at 0,2 --before 0 --ports 1 --after 0", 1, "worse"), (bisect, 0, None)):
+        ("explain --family open-split --k 4 --at 0,2 --before 0 --ports 1 --after 0", 1, "worse"), (bisect, 0, None),
+        (split.replace("18", "0x12") + " --after 0x6d", 0, "best")):
     verify(arguments, code, f"\nverdict   {verdict}" if verdict else "\nwhy       ")
     report = json.loads(verify(arguments + " --svg why.svg --json -", code))
     assert report.get("verdict") == verdict, report
@@ -55,9 +56,9 @@ for arguments, code, verdict in (
 (scratch / "why.svg").unlink()
 shutil.copy(root / "tables/operations/bisect.json", scratch / "own.json")
 for arguments, says in (
-        (split.replace("12", "1f"), "not a valid configuration: triangle t0 has 3 solid edges"),
-        (split.replace("12", "20"), "--before 20: expected a hexadecimal mask of at most 5 bits"),
-        (split + " --after zz", "--after zz: expected a hexadecimal mask of at most 8 bits"),
+        (split.replace("18", "31"), "not a valid configuration: triangle t0 has 3 solid edges"),
+        (split.replace("18", "32"), "--before 32: expected a mask of at most 5 bits, decimal as in dumps or hexadecimal after 0x"),
+        (split + " --after zz", "--after zz: expected a mask of at most 8 bits"),
         (split + " --ports-after 5", "--ports-after requires --after"),
         (split.replace("--at 2", "--at 5"), "split has no position (5, 5)"),
         (split.replace("--at 2", ""), "split needs the numbers k, a: --k gives the first, --at the others"),
@@ -125,9 +126,9 @@ for more in (1 << 8, 1 << 32, -(1 << 32), 1 << 64):
 
 # Two operations with the same columns: one must be named, and the commands that are printed name it.
 first, second = "turned-over", "left-alone"
-side = {"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]}
+side, turned = [["a", "b", "c"], ["b", "a", "d"]], [["c", "a", "d"], ["d", "b", "c"]]
 (scratch / "two.json").write_text(json.dumps({"restrip_operation": 1, "operations": [
-    {"name": first, "before": side, "after": {**side, "ports": [1, 0, 0, 1]}}, {"name": second, "before": side, "after": side}]}))
+    {"name": first, "before": side, "after": turned}, {"name": second, "before": side, "after": side}]}))
 (scratch / "a.csv").write_text("inner,ports,inner_after,ports_after\n0,0,1,0\n1,6,1,6\n")
 verify("rules a.csv --operation two.json", 2, f"a.csv:1: the columns of {first} and of {second}: expected --family with one of these names")
 verify(f"rules a.csv --operation two.json --family {second}", 0, f"{second}: 2 rows")

@@ -178,7 +178,7 @@ TEST(Explain, SaysWhatTryingEverythingSays) {
 
 /// A vertex of k triangles before and after its split at (k, a), in two rings of 2k triangles. Triangles: t_i, then the
 /// rings, in each two after each port, then A and D. What is connected outside is connected through the outer ring.
-StripMesh mesh_around(const Operation& split, bool after, Colors colors, const std::vector<unsigned>& outside) {
+StripMesh mesh_around(const Operation& split, bool after, Colors colors, const std::array<unsigned, 2>& outside) {
   const unsigned k = split.numbers.at(0);
   const unsigned a = split.numbers.at(1);
   std::vector<std::uint32_t> indices;

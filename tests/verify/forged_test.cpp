@@ -116,11 +116,11 @@ TEST(ForgedCertificate, WhoseRulesCannotHaveReasons) {
     if (row.by.empty()) row.because = "-";
   const Verdict found = verdict_on(good.path, certificate_text("merge-face-matching", {table}), {});
   EXPECT_EQ(found.exit_code, 2);
-  EXPECT_TRUE(found.says("reasons require strips or forests")) << found.text;
+  EXPECT_TRUE(found.says("reasons require strips whose cost")) << found.text;
 }
 
 TEST(ForgedCertificate, WithoutItsEnd) {
-  const Forgery& split = forgery_of("split-face-graph");
+  const Forgery& split = forgery_of("split-face-own");
   for (std::size_t length = 0; length < split.certificate.size(); ++length)
     EXPECT_EQ(verdict_on(split.path, split.certificate.substr(0, length), {}).exit_code, 2) << length;
 }
@@ -138,14 +138,14 @@ TEST(ForgedDump, IsRefusedForItsCrime) {
 
 // An answer as good as the certificate's row is right by itself, but differs from the certificate.
 TEST(ForgedDump, OtherThanTheCertificate) {
-  const Forgery& split = forgery_of("split-face-graph");
-  const std::string other = Alteration{"split-face-graph", "0 2 5 2", "0 2 6 2", {}}.in(split.dump);
+  const Forgery& split = forgery_of("split-face-own");
+  const std::string other = Alteration{"split-face-own", "0 2 5 2", "0 2 6 2", {}}.in(split.dump);
   EXPECT_EQ(verdict_on(split.path, {}, other).exit_code, 0);
   const Verdict found = verdict_on(split.path, split.certificate, other);
   EXPECT_EQ(found.crimes.size(), 1U);
   expect_refused(
       found,
-      "line 5, table split-face-graph, inner 0, ports 2: the table answers \"6 2\", the certificate has \"copy 2 0 "
+      "line 5, table split-face-own, inner 0, ports 2: the table answers \"6 2\", the certificate has \"copy 2 0 "
       "5 2 by 1 0 2\" in line 14");
 }
 

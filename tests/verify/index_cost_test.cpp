@@ -12,7 +12,6 @@
 #include <map>
 #include <set>
 
-#include "../support/refusal_of.hpp"
 #include "definition/definition.hpp"
 #include "model/description.hpp"
 #include "model/family.hpp"
@@ -299,46 +298,6 @@ TEST(IndexCost, Flip) {
   const Drawn after{{{1, 2, 3}, {3, 0, 1}}, {{1, 3}}, ports};
   for (const Family& family : all_families(4))
     if (family.name == "flip") expect_every_pair(family.sections.at(0).operations.at(0), before, after);
-}
-
-TEST(IndexCost, GraphsWhoseTurnsAreNotKnownAreRefused) {
-  const auto complaint = [](const std::string& members, const std::string& text = "\"name\": \"index-own\"") {
-    return refusal_of([&] {
-      const std::string file =
-          "{\"restrip_operation\": 1, \"at_most\": [{\"indices\": 0}], " + text + ", " + members + "}";
-      for (const Description& one : parse_descriptions("f", file)) (void)families_of({one}, 5);
-    });
-  };
-  const std::string refused = "at_most[0].indices: expected no bound on indices";
-  const std::string family = R"x("name": "index-own", "numbers": ["k", "i"], "where": "3 <= k <= 5, i <= k")x";
-  for (
-      const auto& [members, text, is_refused] : std::vector<std::tuple<std::string, std::string, bool>>{
-          {R"x("before": {"triangles": 2, "edges": [[0, 1]], "ports": [0, 0]},
-               "after": {"triangles": 3, "edges": [[0, 1], [1, 2]], "ports": [0, 2]})x",
-           "\"name\": \"index-own\"", true},
-          {R"x("before": {"triangles": 1, "edges": [], "ports": [0]}, "after": {"triangles": 1, "edges": [], "ports": [0]})x",
-           "\"name\": \"index-own\"", true},
-          {R"x("constraint": "forest", "before": [["a", "b", "c"]], "after": [["a", "b", "c"]])x",
-           "\"name\": \"index-own\"", true},
-          {R"x("constraint": "matching", "before": [["a", "b", "c"]], "after": [["a", "b", "c"]])x",
-           "\"name\": \"index-own\"", false},
-          {R"x("before": {"path": ["t[0,k)"]}, "after": {"path": ["t[0,i)", "A", "t[i,k)"]})x", family, false},
-          {R"x("before": {"path": ["t[0,k)"]}, "after": {"path": ["t[0,i)", "A", "B", "t[i,k)"]})x", family, false},
-          {R"x("before": {"path": ["t[0,k)"]}, "after": {"path": ["t[i,k)", "t[0,i)"]})x", family, true},
-          {R"x("before": {"path": ["t[0,k)"]}, "after": {"ring": ["t[0,k)"]})x", family, true},
-          {R"x("before": {"ring": ["t[0,k)"]}, "after": {"ring": ["t[i,k)", "t[0,i)"]})x", family, false},
-          {R"x("before": {"ring": ["t[0,k)"]}, "after": {"ring": ["t[i,k)", "A", "t[0,i)"]})x", family, true},
-          {R"x("before": {"path": ["t[0,k)"]}, "after": {"paths": [["t[0,2)"], ["t[2,k)"]]})x", family, true},
-          {R"x("before": {"path": ["L", "R"], "ports": ["L", "L", "R", "R"]},
-               "after": {"path": ["L", "R"], "ports": ["L", "R", "R", "L"]})x",
-           "\"name\": \"index-own\"", false},
-          {R"x("before": {"path": ["L", "R"], "ports": ["L", "L", "R", "R"]},
-               "after": {"path": ["L", "R"], "ports": ["L", "R", "L", "R"]})x",
-           "\"name\": \"index-own\"", true}}) {
-    const std::string said = complaint(members, text);
-    EXPECT_EQ(said.find(refused) != std::string::npos, is_refused) << members << "\n" << said;
-    EXPECT_EQ(said.empty(), !is_refused) << members << "\n" << said;
-  }
 }
 
 }  // namespace

@@ -105,9 +105,7 @@ bool NaiveOperation::cycle_allowed(bool after, int inner, Dropped dropped) const
 }
 
 bool NaiveOperation::valid(bool after, NaiveColors colors, Dropped dropped) const {
-  const int most = operation_.constraint == Constraint::strips     ? 2
-                   : operation_.constraint == Constraint::matching ? 1
-                                                                   : 3;
+  const int most = operation_.constraint == Constraint::strips ? 2 : 1;
   const std::vector<int> degree = degrees(after, colors);
   for (unsigned triangle = 0; triangle < degree.size(); ++triangle) {
     const bool is_new = is_named(side(after), triangle, "A") || is_named(side(after), triangle, "D");
@@ -138,7 +136,7 @@ NaiveKey NaiveOperation::key(NaiveColors configuration) const {
   return {configuration.ports, joined(false, configuration) & joinable_[static_cast<std::size_t>(configuration.ports)]};
 }
 
-/// No port is in two of them, or a-b and b-c imply a-c.
+/// No port is in two of them.
 std::vector<Pairs> NaiveOperation::worlds_of(int ports) const {
   std::vector<std::pair<int, int>> all;
   for (int j = 0; j < static_cast<int>(operation_.ports()); ++j)
@@ -148,21 +146,13 @@ std::vector<Pairs> NaiveOperation::worlds_of(int ports) const {
   std::vector<Pairs> worlds;
   for (int chosen = 0; chosen < 1 << all.size(); ++chosen) {
     Pairs world;
+    std::set<int> ends;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (has(chosen, static_cast<int>(i))) world.insert(all[i]);
-    bool is_world = true;
-    for (const std::pair<int, int>& one : world)
-      for (const std::pair<int, int>& other : world) {
-        const std::set<int> ends = {one.first, one.second, other.first, other.second};
-        if (ends.size() != 3) continue;
-        // Two pairs with one port in common: the other two must be connected as well, if this is a world at all.
-        std::vector<int> rest;
-        for (const int port : ends)
-          if ((port == one.first || port == one.second) != (port == other.first || port == other.second))
-            rest.push_back(port);
-        is_world = is_world && operation_.constraint == Constraint::forest && world.contains({rest[0], rest[1]});
+      if (has(chosen, static_cast<int>(i))) {
+        world.insert(all[i]);
+        ends.insert({all[i].first, all[i].second});
       }
-    if (is_world) worlds.push_back(world);
+    if (ends.size() == 2 * world.size()) worlds.push_back(world);
   }
   return worlds;
 }

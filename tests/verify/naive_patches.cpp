@@ -44,8 +44,8 @@ Operation operation_by_hand(const std::string& name, const std::vector<unsigned>
   operation.numbers = position;
   operation.cost = {{{Count::strips}}, {{Count::isolated}, {Count::given_up}}, {{Count::given_up}}};
   if (name == "flip") {
-    operation.before = {2, {{0, 1}}, {0, 0, 1, 1}, {"L", "R"}, {}};
-    operation.after = {2, {{0, 1}}, {1, 0, 0, 1}, {"L", "R"}, {}};
+    operation.before = {2, {{0, 1}}, {0, 0, 1, 1}, {}, {}, {}};
+    operation.after = {2, {{0, 1}}, {1, 0, 0, 1}, {}, {}, {}};
     operation.may_give_up = 15;
     return operation;
   }

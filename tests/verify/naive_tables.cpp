@@ -150,7 +150,7 @@ std::string dump_text(const std::vector<std::string>& tables) {
 }
 
 std::string dump_text(const NaiveOperation& operation, const NaiveTable& table) {
-  return dump_text({table_text(operation, answers_of(operation, table), operation.operation().on_a_mesh())});
+  return dump_text({table_text(operation, answers_of(operation, table), false)});
 }
 
 std::string with_end(const std::string& above, std::size_t rows) {

@@ -32,9 +32,9 @@ def main():
             raise SystemExit(done.stdout + done.stderr)
         accepted += 1
     operation = corpus / "seven-to-five.json"
-    subprocess.run([generate, "rules", "--operation", operation, "--operation", corpus / "flip-forest.json", "--out", scratch], check=True,
+    subprocess.run([generate, "rules", "--operation", operation, "--operation", corpus / "merge-face.json", "--out", scratch], check=True,
                    stdout=subprocess.DEVNULL)
-    for name in ("seven-to-five", "flip-forest"):
+    for name in ("seven-to-five", "merge-face"):
         done = checked(script, corpus / (name + ".json"), scratch / f"certificates/operations/{name}.cert")
         if done.returncode != 0:
             raise SystemExit(done.stdout + done.stderr)

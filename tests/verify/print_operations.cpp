@@ -5,7 +5,6 @@
 
 #include "restrip/tables/operation_dump.hpp"
 #include "restrip/tables/operations/bisect_costs.hpp"
-#include "restrip/tables/operations/flip_forest.hpp"
 #include "restrip/tables/operations/hub_goes.hpp"
 #include "restrip/tables/operations/merge_face_matching.hpp"
 #include "restrip/tables/operations/spoke_flips.hpp"
@@ -15,8 +14,8 @@
 static_assert(restrip::tables::rule_of(restrip::tables::hub_goes_rules, {3}, 0, 0b111).ports != 0b111);
 static_assert(restrip::tables::rule_of(restrip::tables::hub_goes_rules, {6}, 0b011111, 0).strips == 0);
 static_assert(!restrip::tables::rule_of(restrip::tables::hub_goes_rules, {6}, 0b111111, 0).valid);
-static_assert(restrip::tables::rule_of(restrip::tables::spoke_flips_rules, {6, 4}, 0, 0).valid);
-static_assert(!restrip::tables::rule_of(restrip::tables::spoke_flips_rules, {6, 5}, 0, 0).valid);
+static_assert(restrip::tables::rule_of(restrip::tables::spoke_flips_rules, {6, 3}, 0, 0).valid);
+static_assert(!restrip::tables::rule_of(restrip::tables::spoke_flips_rules, {6, 4}, 0, 0).valid);
 static_assert(!restrip::tables::rule_of(restrip::tables::spoke_flips_rules, {7, 0}, 0, 0).valid);
 
 int main(int argc, char** argv) {
@@ -27,7 +26,6 @@ int main(int argc, char** argv) {
   };
   tables::for_each_operation(print);
   print("bisect-costs", tables::bisect_costs_rules);
-  print("flip-forest", tables::flip_forest_rules);
   print("hub-goes", tables::hub_goes_rules);
   print("merge-face-matching", tables::merge_face_matching_rules);
   print("spoke-flips", tables::spoke_flips_rules);

@@ -2,7 +2,7 @@
 # Compiled tables: shipped ones, and generated ones for operations of the corpus.
 set(corpus ${RESTRIP_CORPUS_DIR}/operations)
 set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
-foreach(path IN ITEMS bisect-costs flip-forest merge-face-matching families/hub-goes families/spoke-flips)
+foreach(path IN ITEMS bisect-costs merge-face-matching families/hub-goes families/spoke-flips)
   list(APPEND corpus_files ${corpus}/${path}.json)
   get_filename_component(name ${path} NAME)
   string(REPLACE - _ header ${name})
@@ -67,23 +67,19 @@ foreach(file IN LISTS corpus_files)
                          ${generated}/include/restrip/tables/operations/${header}.hpp --dump-command
                          "$<TARGET_FILE:print_operations> ${name}")
 endforeach()
-operation_program_test(header_of_fewer_positions "expected .*, 18> spoke_flips.*was not run.*NOT verified: " --operation ${corpus}/families/spoke-flips.json
+operation_program_test(header_of_fewer_positions "expected .*, 14, [0-9]+, [0-9]+> spoke_flips.*was not run.*NOT verified: " --operation ${corpus}/families/spoke-flips.json
                        --max-k 7 --header ${generated}/include/restrip/tables/operations/spoke_flips.hpp --dump-command
                        "$<TARGET_FILE:print_operations> spoke-flips")
 operation_program_test(other_table "line 2: (expected \"operation merge\", found \"operation bisect\"|\"table bisect\" is not a table)" --operation
                        ${RESTRIP_TABLES_DIR}/operations/merge.json --header ${tables}/merge.hpp --dump-command "$<TARGET_FILE:print_operations> bisect")
 
-set(small "")
-if(RESTRIP_SANITIZE)
-  set(small small)
-endif()
 add_test(NAME verify.operations.generated
          COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/generated.sh $<TARGET_FILE:restrip-generate> $<TARGET_FILE:restrip-verify> ${corpus}
-                 ${CMAKE_CURRENT_BINARY_DIR}/generated-and-verified ${small})
+                 ${CMAKE_CURRENT_BINARY_DIR}/generated-and-verified)
 
 # The schema agrees with the reader. Only the reader is tested, so one build is enough.
 if(NOT RESTRIP_SANITIZE)
-  file(GLOB schema_files ${RESTRIP_TABLES_DIR}/families.json ${RESTRIP_TABLES_DIR}/operations/*.json ${corpus}/*.json ${corpus}/families/*.json
+  file(GLOB schema_files ${RESTRIP_TABLES_DIR}/operations/*.json ${corpus}/*.json ${corpus}/families/*.json
                          ${PROJECT_SOURCE_DIR}/examples/*.json)
   add_test(NAME verify.operations.schema
            COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/schema_test.py ${PROJECT_SOURCE_DIR}/docs/operation.schema.json

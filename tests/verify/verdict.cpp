@@ -78,8 +78,8 @@ Verdict verdict_of(const fs::path& tables_dir) {
   return collected([&](const ClaimListener& listener) { verify_tables(options, listener); });
 }
 
-const std::vector<std::string> corpus_operations = {"split-face-graph",         "merge-face",          "bisect-costs",
-                                                    "bisect-boundary-matching", "merge-face-matching", "flip-forest"};
+const std::vector<std::string> corpus_operations = {"split-face-own", "merge-face", "bisect-costs",
+                                                    "bisect-boundary-matching", "merge-face-matching"};
 
 std::string corpus_path(const std::string& name) {
   return fmt::format("{}/operations/{}.json", RESTRIP_CORPUS_DIR, name);

@@ -67,7 +67,7 @@ let styles;
 for (const { puzzle, mine } of shown) {
   const { k, a, loop, ports } = puzzle;
   const hex = (mask) => mask.toString(16);
-  const said = verify('explain', '--family', 'split', '--k', String(k), '--at', String(a), '--before', hex(loop), '--ports', hex(ports), '--after', hex(mine), '--svg', picture);
+  const said = verify('explain', '--family', 'split', '--k', String(k), '--at', String(a), '--before', String(loop), '--ports', String(ports), '--after', String(mine), '--svg', picture);
   // The best of the smallest mask; a table may have another.
   const { verdict, because, fault } = puzzle.judged(mine, BigInt(`0x${said.best.inner}`));
   assert.deepEqual([verdict, because], [said.verdict, said.because], puzzle.name);

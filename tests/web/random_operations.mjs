@@ -25,7 +25,7 @@ export function randomOperation(random, name) {
       return [...triangle.slice(turn), ...triangle.slice(0, turn)];
     });
   };
-  const constraint = ['strips', 'strips', 'strips', 'matching', 'forest'][random(5)];
+  const constraint = ['strips', 'strips', 'strips', 'matching'][random(4)];
   const operation = { restrip_operation: 1, name, about: 'Two triangulations of a polygon.', constraint, before: side('b'), after: side('a'),
     give_up: constraint === 'matching' ? 'all' : ['none', 'all', [random(corners)]][random(3)] };
   if (random(5) === 0) operation.cost = [[{ count: 'strips' }], [{ count: 'ends', weight: 2 }, { count: 'given_up' }], [{ count: 'solid', edges: [0] }]];

@@ -142,13 +142,14 @@ int main(int argc, char** argv) {
   std::string json;
   CLI::App app("Proves the certificate of an automaton: rules of fans of any valence.");
   app.name("restrip-verify-automaton");
+  app.set_version_flag("--version", RESTRIP_VERSION);
   app.footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
-      "Example, from the top of the source tree:\n"
-      "  build/release/bin/restrip-verify-automaton --tables-dir tables\n"
+      "Example, from the top of the source tree, with the folder of the programs in PATH:\n"
+      "  restrip-verify-automaton --tables-dir tables\n"
       "The compiled automaton as well:\n"
-      "  build/release/bin/restrip-verify-automaton --tables-dir tables \\\n"
-      "    --dump-command \"build/release/bin/restrip-dump-tables --automaton\"\n"
+      "  restrip-verify-automaton --tables-dir tables \\\n"
+      "    --dump-command \"restrip-dump-tables --automaton\"\n"
       "The look-up in C, from the folder that `restrip-generate automaton --language c` wrote:\n"
       "  cc restrip_automaton_check.c -o check_automaton\n"
       "  restrip-verify-automaton --tables-dir SOURCE/tables --digest-command ./check_automaton");

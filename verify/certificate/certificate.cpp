@@ -63,7 +63,7 @@ Row parse_row(const LineReader& reader, const Operation& operation) {
     }
   } else if (std::size_t at = 6; reader.words().size() >= at) {
     if (!may_have_reasons(operation))
-      reader.fail("expected no reason: reasons require strips or forests whose cost begins like the default cost");
+      reader.fail("expected no reason: reasons require strips whose cost begins like the default cost");
     row.reason = parse_reason(reader, at, operation.after.inner_edges() + ports, 0);
     if (at != reader.words().size())
       reader.fail(fmt::format("expected the end of the reason, found \"{}\"", reader.rest(at)));

@@ -11,6 +11,7 @@ usage: restrip-check [--json FILE] TRACE
 
   --json FILE  Writes the report as JSON; with - to standard output instead of the text
   --help       Prints this help
+  --version    Prints the version
 
 Exit status: 0 accepted, 1 refused or unreadable, 2 wrong use or lost output.
 Example: restrip replay --built-in --triangles 2000 --policy local --repeats 0 --trace run.trace
@@ -36,6 +37,9 @@ let rec options found = function
   | [] -> found
   | ("--help" | "-h") :: _ ->
       print_string usage;
+      finish 0
+  | "--version" :: _ ->
+      print_endline Version.number;
       finish 0
   | "--json" :: file :: rest ->
       if file <> "-" && not (Filename.check_suffix file ".json") then wrong_use (file ^ ": the name must end in .json");

@@ -1,7 +1,6 @@
 #include "definition/definition.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/container_hash/hash.hpp>
@@ -16,15 +15,11 @@ void extend(Constraint constraint, unsigned ports, unsigned port, const World& w
   if (port == ports || constraint == Constraint::matching) return all.push_back(world);
   extend(constraint, ports, port + 1, world, all);  // it is not connected to any later port
   if (is_solid(world.ports, port)) return;
-  // Or it starts a set with one later port or more.
-  const Mask later = (mask_count(ports) - 1) & ~(mask_count(port + 1) - 1) & ~world.ports;
-  for (Mask others = later; others != 0; others = (others - 1) & later) {
-    if (constraint == Constraint::strips && solid_count(others) != 1) continue;
+  for (unsigned other = port + 1; other < ports; ++other) {
+    if (is_solid(world.ports, other)) continue;
     World more = world;
-    more.ports |= others | single(port);
-    more.connected.push_back({port});
-    for (unsigned other = port + 1; other < ports; ++other)
-      if (is_solid(others, other)) more.connected.back().push_back(other);
+    more.ports |= single(port) | single(other);
+    more.connected.push_back({port, other});
     extend(constraint, ports, port + 1, more, all);
   }
 }
@@ -44,15 +39,14 @@ std::vector<World> worlds_of(Constraint constraint, unsigned ports) {
   std::vector<World> all;
   extend(constraint, ports, 0, {}, all);
   std::sort(all.begin(), all.end(), [](const World& one, const World& other) {
-    const auto connections = [](const World& world) { return solid_count(world.ports) - world.connected.size(); };
-    return std::pair(connections(one), one.connected) < std::pair(connections(other), other.connected);
+    return std::pair(one.connected.size(), one.connected) < std::pair(other.connected.size(), other.connected);
   });
   return all;
 }
 
 std::string text_of(const World& world) {
   std::string text;
-  for (const std::vector<unsigned>& ports : world.connected) text += fmt::format(" {}", fmt::join(ports, "-"));
+  for (const auto& [one, other] : world.connected) text += fmt::format(" {}-{}", one, other);
   return text.empty() ? "no ports connected outside" : fmt::format("ports{} connected outside", text);
 }
 
@@ -60,9 +54,7 @@ PatchInWorlds::PatchInWorlds(const Side& side, Constraint constraint, const std:
     : side_(side), most_solid_(most_solid(constraint)) {
   for (const World& world : worlds) {
     auto& edges = outside_.emplace_back();
-    for (const std::vector<unsigned>& ports : world.connected)
-      for (std::size_t i = 1; i < ports.size(); ++i)
-        edges.emplace_back(side.triangles + ports[i - 1], side.triangles + ports[i]);
+    for (const auto& [one, other] : world.connected) edges.emplace_back(side.triangles + one, side.triangles + other);
   }
 }
 

@@ -27,11 +27,11 @@
 
 namespace restrip::verify {
 
-/// The effect of solid edges outside: sets of at least two ports that are connected there. Pairs for strips, sets of
-/// any size for forests; none for matchings, in which no strip continues.
+/// The effect of solid edges outside: pairs of ports that are connected there; none for matchings, in which no strip
+/// continues.
 struct World {
-  Mask ports = 0;  ///< all that are in some set
-  std::vector<std::vector<unsigned>> connected;
+  Mask ports = 0;  ///< all that are in some pair
+  std::vector<std::array<unsigned, 2>> connected;
 };
 
 /// Every world of this number of ports, fewest connections first: number 0 connects nothing.

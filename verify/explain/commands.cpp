@@ -19,11 +19,12 @@ namespace {
 
 Mask mask_of(const std::string& option, const std::string& text, unsigned bits) {
   std::uint64_t value = 0;
-  const char* const begin = text.data() + (text.starts_with("0x") ? 2 : 0);
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value, 16);
+  const bool is_hexadecimal = text.starts_with("0x");
+  const char* const begin = text.data() + (is_hexadecimal ? 2 : 0);
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value, is_hexadecimal ? 16 : 10);
   if (error != std::errc() || end != text.data() + text.size() || value >= wide_mask_count(bits))
-    throw std::invalid_argument(
-        fmt::format("{} {}: expected a hexadecimal mask of at most {} bits", option, text, bits));
+    throw std::invalid_argument(fmt::format(
+        "{} {}: expected a mask of at most {} bits, decimal as in dumps or hexadecimal after 0x", option, text, bits));
   return static_cast<Mask>(value);
 }
 
@@ -117,19 +118,20 @@ std::function<int()> add_explain(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
       "explain", "One configuration: the best recolouring, why nothing is better, or what is wrong with another");
   command->footer(
-      "Masks are hexadecimal and numbered as in docs/reference/notation.md; dumps print the same in decimal.\n"
+      "Masks are numbered as in docs/reference/notation.md and decimal, as `restrip-generate dump` prints them;\n"
+      "0x begins a hexadecimal one, as in certificates.\n"
       "Verdicts:\n"
       "  not valid     a triangle has too many solid edges, the patch has a cycle, or a port changed that may not\n"
       "  unsound       not valid in the world named, in which the configuration is valid; no such world has\n"
       "                fewer connections\n"
       "  worse         sound, and costs more than the best\n"
       "  equally good  costs the same as the best, of which the one with the smallest mask is shown; the rule of a\n"
-      "                table is any of them, and describe of restrip-generate prints how ties are broken\n"
+      "                table is any of them (docs/reference/tables.md, \"Tie-break\")\n"
       "  best          the one shown\n"
       "t0=A is a solid edge, t0-A a dashed one.\n\n"
       "Exit code: 0 if there is no recolouring to judge or it is as good as the best, 1 if it is not, 2 bad input.\n\n"
       "Example:\n"
-      "  restrip-verify explain --family split --k 5 --at 2 --before 1a --ports 5 --after ff --svg why.svg");
+      "  restrip-verify explain --family split --k 5 --at 2 --before 26 --ports 5 --after 255 --svg why.svg");
   const auto given = std::make_shared<ExplainOptions>();
   command->add_option("--family", given->family,
                       "A shipped family, such as split; or one of several in the operation file");

@@ -61,7 +61,7 @@ std::string listed_edges(const Side& side, const Obstacle& obstacle) {
   const Mask ports = obstacle.edges.ports | obstacle.ports;
   if (ports != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", solid_count(ports) == 1 ? "port" : "ports");
   for (unsigned port = 0; port < side.ports(); ++port)
-    if (is_solid(ports, port)) text += fmt::format(" {}", port);
+    if (is_solid(ports, port)) text += ' ' + port_name(side, port);
   return text;
 }
 
@@ -87,7 +87,7 @@ std::string port_fault(const Operation& operation, Mask before, Mask after) {
 /// Its edges and masks, and what it changes if it is valid.
 std::string line_of(const Operation& operation, Colors configuration, Colors after, bool valid) {
   std::string text =
-      fmt::format("{}\n          inner {:x}, ports {:x}", drawn(operation.after, after), after.inner, after.ports);
+      fmt::format("{}\n          inner {}, ports {}", drawn(operation.after, after), after.inner, after.ports);
   if (!valid) return text + "\n";
   const Change change = change_of(operation, configuration, after);
   return text + fmt::format("; strips {:+}, isolated {:+}\n", change.strips, change.isolated);
@@ -217,10 +217,10 @@ std::string arguments_of(const Operation& operation, Colors configuration, const
   const Numbers& numbers = operation.numbers;
   if (!numbers.empty()) text += fmt::format("--k {} ", numbers.front());
   if (numbers.size() > 1) text += fmt::format("--at {} ", fmt::join(numbers.begin() + 1, numbers.end(), ","));
-  text += fmt::format("--before {:x} --ports {:x}", configuration.inner, configuration.ports);
+  text += fmt::format("--before {} --ports {}", configuration.inner, configuration.ports);
   if (!recoloring) return text;
-  text += fmt::format(" --after {:x}", recoloring->inner);
-  return recoloring->ports == configuration.ports ? text : text + fmt::format(" --ports-after {:x}", recoloring->ports);
+  text += fmt::format(" --after {}", recoloring->inner);
+  return recoloring->ports == configuration.ports ? text : text + fmt::format(" --ports-after {}", recoloring->ports);
 }
 
 std::string text_of(const Definition& definition, const Explanation& explanation,

@@ -55,7 +55,7 @@ Judgement judgement_of(const Definition& definition, Colors configuration, Color
 
 /// "t0=A t0=t1, port 0: triangle t0 has 3 solid edges".
 std::string text_of(const Definition& definition, const Obstacle& obstacle);
-/// The arguments of `restrip-verify explain` after the operation: "--k 5 --at 2 --before 5 --ports 1 --after 3f".
+/// The arguments of `restrip-verify explain` after the operation: "--k 5 --at 2 --before 5 --ports 1 --after 63".
 std::string arguments_of(const Operation& operation, Colors configuration, const std::optional<Colors>& recoloring);
 
 /// Reports of an explanation and, if given, of a recolouring.

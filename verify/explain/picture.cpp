@@ -82,7 +82,8 @@ class PanelPicture {
     for (unsigned i = 0; i < side.triangles; ++i) {
       const Point p = at(places[i]);
       text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"11\"/>\n", p.x, p.y);
-      text(p + Point{0, 4}, name_of(side, i), "node");
+      const std::string name = name_of(side, i);
+      text(p + Point{0, 4}, name.size() <= 3 ? name : std::to_string(i), "node");
     }
   }
   const std::string& text() const { return text_; }
@@ -102,21 +103,19 @@ class PanelPicture {
   void text(Point p, const std::string& words, const char* kind) {
     text_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", kind, p.x, p.y, words);
   }
-  /// One arc from each port of a set to the next, around the patch the shorter way.
-  void outside(const std::vector<unsigned>& ports, std::size_t number) {
+  /// An arc between two ports, around the patch the shorter way.
+  void outside(const std::array<unsigned, 2>& ports, std::size_t number) {
     const double radius = port_radius + 0.2 + 0.08 * static_cast<double>(number);
-    for (std::size_t i = 1; i < ports.size(); ++i) {
-      const double from = turn_of(*panel_.side, ports[i - 1]);
-      const double to = turn_of(*panel_.side, ports[i]);
-      const Point a = at(on_circle(port_radius, from));
-      const Point b = at(on_circle(radius, from));
-      const Point c = at(on_circle(radius, to));
-      const Point d = at(on_circle(port_radius, to));
-      text_ += fmt::format(
-          "<path class=\"outside\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}A{:.1f} {:.1f} 0 0 {} {:.1f} {:.1f}L{:.1f} "
-          "{:.1f}\"/>\n",
-          a.x, a.y, b.x, b.y, scale * radius, scale * radius, to - from <= 0.5 ? 0 : 1, c.x, c.y, d.x, d.y);
-    }
+    const double from = turn_of(*panel_.side, ports[0]);
+    const double to = turn_of(*panel_.side, ports[1]);
+    const Point a = at(on_circle(port_radius, from));
+    const Point b = at(on_circle(radius, from));
+    const Point c = at(on_circle(radius, to));
+    const Point d = at(on_circle(port_radius, to));
+    text_ += fmt::format(
+        "<path class=\"outside\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}A{:.1f} {:.1f} 0 0 {} {:.1f} {:.1f}L{:.1f} "
+        "{:.1f}\"/>\n",
+        a.x, a.y, b.x, b.y, scale * radius, scale * radius, to - from <= 0.5 ? 0 : 1, c.x, c.y, d.x, d.y);
   }
 
   const Panel& panel_;

@@ -46,7 +46,7 @@ int inner_swaps(const Side& side, Colors colors) {
 }  // namespace
 
 IndexCost::IndexCost(const Operation& operation) : operation_(operation) {
-  if (operation.on_a_mesh()) return;
+  if (!operation.is_fan()) return;
   inserts_ = carried(operation.before, operation.after);
   removes_ = carried(operation.after, operation.before);
 }

@@ -80,8 +80,7 @@ class HeaderReader {
 
   /// Stops at the first wrong line.
   void read() {
-    const bool good = expect_all(lines_before_entries()) && take_entries() &&
-                      (operations_.front().on_a_mesh() ? take_surface() : expect("    }};")) && expect("") &&
+    const bool good = expect_all(lines_before_entries()) && take_entries() && take_surface() && expect("") &&
                       expect("}  // namespace restrip::tables");
     if (good && !rest_.empty()) fail("the end of the file", rest_.substr(0, rest_.find('\n')));
   }
@@ -95,17 +94,12 @@ class HeaderReader {
     std::replace(variable.begin(), variable.end(), '-', '_');
     variable += "_rules";  // no word of a language, macro or library name
     const Operation& first = operations_.front();
-    const bool surface = first.on_a_mesh();
     const bool matching = first.constraint == Constraint::matching;
-    std::string triangles;  // of all positions
-    if (surface) {
-      unsigned before = 0;
-      unsigned after = 0;
-      for (const Operation& operation : operations_) {
-        before += operation.before.triangles;
-        after += operation.after.triangles;
-      }
-      triangles = fmt::format(", {}, {}", before, after);
+    unsigned before = 0;  // triangles of all positions
+    unsigned after = 0;
+    for (const Operation& operation : operations_) {
+      before += operation.before.triangles;
+      after += operation.after.triangles;
     }
     std::vector<std::string> lines{
         "// " + (description_.about.empty() ? name : description_.about),
@@ -118,20 +112,16 @@ class HeaderReader {
         "namespace restrip::tables {",
         ""};
     if (!is_family()) {
-      lines.insert(
-          lines.end(),
-          {fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{", surface ? "SurfaceOperation" : "OperationTable",
-                       check_.width, entries_, triangles, variable),
-           fmt::format("    {}{{{}, {}}},", surface ? "{" : "", first.before.triangles, first.before.inner_edges()),
-           fmt::format("    {{{}, {}}},", first.after.triangles, first.after.inner_edges()),
-           fmt::format("    {},", first.ports()), fmt::format("    {},", matching), "    {"});
+      lines.insert(lines.end(), {fmt::format("inline constexpr SurfaceOperation<std::uint{}_t, {}, {}, {}> {}{{",
+                                             check_.width, entries_, before, after, variable),
+                                 fmt::format("    {{{{{}, {}}},", first.before.triangles, first.before.inner_edges()),
+                                 fmt::format("    {{{}, {}}},", first.after.triangles, first.after.inner_edges()),
+                                 fmt::format("    {},", first.ports()), fmt::format("    {},", matching), "    {"});
       return lines;
     }
-    lines.insert(
-        lines.end(),
-        {fmt::format("inline constexpr {}<std::uint{}_t, {}, {}{}> {}{{", surface ? "SurfaceFamily" : "OperationFamily",
-                     check_.width, entries_, operations_.size(), triangles, variable),
-         fmt::format("    {}{},", surface ? "{" : "", matching), fmt::format("    \"{}\",", position()), "    {{"});
+    lines.insert(lines.end(), {fmt::format("inline constexpr SurfaceFamily<std::uint{}_t, {}, {}, {}, {}> {}{{",
+                                           check_.width, entries_, operations_.size(), before, after, variable),
+                               fmt::format("    {{{},", matching), fmt::format("    \"{}\",", position()), "    {{"});
     std::uint64_t begin = 0;
     for (const Operation& operation : operations_) {
       Numbers numbers = operation.numbers;

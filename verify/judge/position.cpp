@@ -42,8 +42,8 @@ PositionCheck check_position(const PositionTask& task) {
                                                                   : check.not_best[judged.criterion];
       failures.add(failures.count != 0
                        ? std::string()
-                       : fmt::format("{}:{}: \"{}\"\n    {}, inner {:x}, ports {:x}\n{}", task.file, row.line,
-                                     row.text(), operation.name(), configuration.inner, configuration.ports,
+                       : fmt::format("{}:{}: \"{}\"\n    {}, inner {}, ports {}\n{}", task.file, row.line, row.text(),
+                                     operation.name(), configuration.inner, configuration.ports,
                                      judge.explained(configuration, row.after, judged)));
     }
     const Change change = change_of(operation, configuration, row.after);
@@ -86,10 +86,8 @@ PositionCheck check_position(const PositionTask& task) {
                             operation.ports(), most_searched_ports);
     }
   lap(check.seconds.reasons);
-  check.merged = merged_orbits(operation, Symmetries(operation, Symmetries::Keep::both_sides), valid);
-  lap(check.seconds.merged);
-  if (searched(operation)) check.nauty = nauty_orbits(operation, valid);
-  lap(check.seconds.nauty);
+  check.orbits = merged_orbits(operation, Symmetries(operation, Symmetries::Keep::both_sides), valid);
+  lap(check.seconds.orbits);
   return check;
 }
 

@@ -28,15 +28,13 @@ struct PositionCheck {
   std::array<Failures, most_criteria> not_best;
   std::vector<bool> row_used;
   std::vector<std::string> reason_faults;  ///< by row; for rules that serve a configuration here
-  OrbitCounts merged;
-  std::optional<OrbitCounts> nauty;
+  OrbitCounts orbits;
 
   /// Processor time.
   struct Seconds {
     double judging = 0;
     double reasons = 0;
-    double merged = 0;
-    double nauty = 0;
+    double orbits = 0;
   } seconds;
 };
 

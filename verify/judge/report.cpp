@@ -91,7 +91,6 @@ std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals
                   {"graphs", totals.graphs},
                   {"answers_proved", json_of(totals.answers)},
                   {"answers_not_compared", json_of(totals.not_compared)},
-                  {"graph_only", totals.graph_only},
                   {"read", text_of(totals.read)},
                   {"failed", totals.failed},
                   {"verified", totals.failed == 0}});

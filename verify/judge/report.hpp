@@ -78,7 +78,6 @@ struct Totals {
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
   Sources read;
-  bool graph_only = false;  ///< an operation that is not checked to be possible on a mesh
   /// Answers of the shipped headers by operation: answers proved right, and answers read but not checked because their
   /// family was not chosen.
   AnswerCounts answers;

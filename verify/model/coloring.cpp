@@ -70,6 +70,10 @@ std::string name_of(const Side& side, unsigned triangle) {
   return triangle < side.names.size() ? side.names[triangle] : std::to_string(triangle);
 }
 
+std::string port_name(const Side& side, unsigned port) {
+  return port < side.port_names.size() ? fmt::format("{} ({})", port, side.port_names[port]) : std::to_string(port);
+}
+
 std::string invalid_because(const Side& side, Colors colors, unsigned most_solid) {
   const Degrees count = degrees(side, colors);
   for (unsigned triangle = 0; triangle < side.triangles; ++triangle)
@@ -85,7 +89,7 @@ std::string drawn(const Side& side, Colors colors) {
                         name_of(side, side.edges[edge][1]));
   text += colors.ports == 0 ? ", no port solid" : solid_count(colors.ports) == 1 ? ", solid port" : ", solid ports";
   for (unsigned port = 0; port < side.ports(); ++port)
-    if (is_solid(colors.ports, port)) text += fmt::format(" {}", port);
+    if (is_solid(colors.ports, port)) text += ' ' + port_name(side, port);
   return text;
 }
 

@@ -77,6 +77,8 @@ Survey survey(const Side& side, Colors colors);
 
 /// The name of a triangle in the description.
 std::string name_of(const Side& side, unsigned triangle);
+/// "3", or with the vertices of its edge "3 (a b)".
+std::string port_name(const Side& side, unsigned port);
 
 /// Why the colours are not valid: "triangle 2 has 3 solid edges"; empty if they are.
 std::string invalid_because(const Side& side, Colors colors, unsigned most_solid);

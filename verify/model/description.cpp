@@ -138,29 +138,9 @@ void expect_limits(const JsonValue& description, const Operation& operation) {
 
 void expect_version(const JsonValue& value) { value.number(1, 1, "the version of the format"); }
 
-/// Whether some triangle of a side has its side on the boundary of the mesh.
-bool touches_boundary(const Side& side) {
-  return std::any_of(side.around.begin(), side.around.end(), [](const auto& around) {
-    return std::find(around.begin(), around.end(), boundary_side) != around.end();
-  });
-}
-
-/// A bound on indices needs strips, and on both sides the way in which they turn.
-void expect_turns(const JsonValue& bound, const Operation& operation) {
-  if (operation.constraint == Constraint::forest)
-    bound.refuse("expected no bound on indices: the solid edges of a forest are not strips");
-  const bool known = !operation.before.around.empty() && !operation.after.around.empty();
-  if (!known || (!operation.on_a_mesh() && touches_boundary(operation.before) != touches_boundary(operation.after)))
-    bound.refuse(
-        fmt::format("expected no bound on indices: in this graph it is not known which way a strip turns{}; "
-                    "give the sides by their triangles",
-                    operation.position.empty() ? "" : fmt::format(" ({})", operation.position)));
-}
-
 void take_bounds(const JsonValue& value, const std::vector<std::string>& numbers, Operation& operation) {
   for (const JsonValue& bound : value.elements("bounds")) {
     bound.expect_members({"where", "strips", "isolated", "indices"});
-    if (const std::optional<JsonValue> indices = bound.member("indices")) expect_turns(*indices, operation);
     const bool holds = conditions_of(bound, numbers, "where").hold(operation.numbers);
     lower(operation.most_strips, bound.member("strips"), holds);
     lower(operation.most_isolated, bound.member("isolated"), holds);
@@ -211,7 +191,7 @@ Description::Description(const JsonValue& value, Author author) : value_(value),
       value["position"].expected(fmt::format("each number in braces, also \"{{{}}}\"", number));
   section = words_of(value, "section", numbers, position);
   if (const auto flag = value.member("table")) has_table = flag->truth();
-  if (!numbers.empty() && value["before"].is_list() && serves_every_position())
+  if (author == Author::user && serves_every_position())
     value["section"].refuse("expected all numbers: triangles may be numbered again at each position");
   for (unsigned k = 0; k <= most_searched_ports; ++k)
     if (const std::vector<Numbers> some = positions(k); !some.empty()) {
@@ -242,18 +222,12 @@ Operation Description::at(const Numbers& values) const {
   operation.numbers = values;
   if (const std::optional<JsonValue> constraint = value_.member("constraint"))
     operation.constraint = static_cast<Constraint>(constraint->one_of(constraint_names));
-  const NamedNumbers named{numbers, values};
-  Sides sides = read_sides(value_, named);
+  Sides sides = read_sides(value_, {numbers, values}, author_);
   operation.before = std::move(sides.before);
   operation.after = std::move(sides.after);
   operation.vertices = sides.vertices;
   operation.placed_before = std::move(sides.placed_before);
   operation.placed_after = std::move(sides.placed_after);
-  const JsonValue after = value_["after"];
-  if (operation.after.ports() != operation.before.ports())
-    after.member("ports").value_or(after).refuse(
-        fmt::format("expected the same number of ports as before, {}, found {}", operation.before.ports(),
-                    operation.after.ports()));
   if (const std::optional<JsonValue> give_up = value_.member("give_up"))
     operation.may_give_up = give_up_of(*give_up, operation.ports());
   if (author_ == Author::user) expect_limits(value_, operation);
@@ -268,7 +242,7 @@ Operation Description::at(const Numbers& values) const {
   return operation;
 }
 
-Side Description::side_after(const Numbers& values) const { return read_side(value_["after"], {numbers, values}); }
+Side Description::side_after(const Numbers& values) const { return read_fan_after(value_, {numbers, values}); }
 
 std::string Description::filled(std::string text, const Numbers& values) const {
   for (std::size_t i = 0; i < numbers.size(); ++i) {

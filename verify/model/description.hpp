@@ -8,15 +8,12 @@
 #include <vector>
 
 #include "common/json.hpp"
-#include "model/operation.hpp"
+#include "model/side_reader.hpp"
 
 namespace restrip::verify {
 
 inline constexpr unsigned longest_name = 60;
 inline constexpr std::size_t most_numbers = 3;
-
-/// Who wrote a file. Names of restrip's own tables are reserved for restrip's families.
-enum class Author { user, restrip };
 
 class Description {
  public:
@@ -38,7 +35,7 @@ class Description {
   std::vector<Numbers> positions(unsigned max_k) const;
   /// Throws files::FileError if the description is impossible at this position.
   Operation at(const Numbers& values) const;
-  /// Its patch after, which may depend on fewer numbers.
+  /// The side after of a fan, which may depend on fewer numbers.
   Side side_after(const Numbers& values) const;
   /// Replaces the names in braces by the numbers.
   std::string filled(std::string text, const Numbers& values) const;

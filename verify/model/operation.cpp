@@ -4,17 +4,7 @@
 
 namespace restrip::verify {
 
-unsigned most_solid(Constraint constraint) {
-  switch (constraint) {
-    case Constraint::strips:
-      return 2;
-    case Constraint::matching:
-      return 1;
-    case Constraint::forest:
-      break;
-  }
-  return 3;
-}
+unsigned most_solid(Constraint constraint) { return constraint == Constraint::strips ? 2 : 1; }
 
 bool may_have_reasons(const Operation& operation) {
   const std::vector<Criterion> first = default_cost(Constraint::strips);

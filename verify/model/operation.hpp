@@ -19,8 +19,8 @@ inline constexpr unsigned most_criteria = 8;
 inline constexpr unsigned most_terms = 64;
 inline constexpr std::int64_t largest_weight = 1'000'000;
 
-enum class Constraint { strips, matching, forest };
-inline constexpr std::array<std::string_view, 3> constraint_names = {"strips", "matching", "forest"};
+enum class Constraint { strips, matching };
+inline constexpr std::array<std::string_view, 2> constraint_names = {"strips", "matching"};
 
 enum class Count { strips, isolated, given_up, kept, joined, solid, ends, ends_at_port, neighbouring_ends, squares };
 inline constexpr std::array<std::string_view, 10> count_names = {
@@ -61,8 +61,7 @@ struct Operation {
   Side before;
   Side after;
   Mask may_give_up = 0;
-  /// The number of vertex names on both sides together, if it is given by triangles and was checked to be possible on a
-  /// mesh; otherwise 0.
+  /// The number of vertex names on both sides together; 0 for the fans of tables/families.json.
   unsigned vertices = 0;
   std::vector<PlacedTriangle> placed_before;  ///< its triangles in the order of the file
   std::vector<PlacedTriangle> placed_after;
@@ -71,7 +70,7 @@ struct Operation {
   std::optional<int> most_isolated;  ///< the same for isolated triangles
   std::optional<int> most_indices;   ///< claim: no operation adds more to 3 strips + swaps (judge/index_cost.hpp)
 
-  bool on_a_mesh() const { return vertices != 0; }
+  bool is_fan() const { return vertices == 0; }
   unsigned ports() const { return before.ports(); }
   std::string name() const { return position.empty() ? family : family + ' ' + position; }
 };
@@ -84,7 +83,7 @@ inline bool admissible(const Operation& operation, Mask ports, Mask kept) {
   return is_subset(kept, ports) && is_subset(ports & ~kept, operation.may_give_up);
 }
 
-/// Whether rules may have reasons: for strips or forests, if the cost is fewest strips, then fewest isolated triangles
+/// Whether rules may have reasons: for strips, if the cost is fewest strips, then fewest isolated triangles
 /// and ports given up, then fewest ports given up.
 bool may_have_reasons(const Operation& operation);
 

@@ -27,12 +27,17 @@ struct Side {
   unsigned triangles = 0;
   std::vector<std::array<unsigned, 2>> edges;
   std::vector<unsigned> owner_of_port;
-  std::vector<std::string> names;  ///< of the triangles, from the description
-  /// What lies at the three sides of each triangle, counter-clockwise; empty if the description does not say: a strip
-  /// turns at a triangle, and which way depends on this order.
+  std::vector<std::string> names;       ///< of the triangles, from the description: "t0", or "abm" by their vertices
+  std::vector<std::string> port_names;  ///< "a b" by the vertices; empty for fans, whose port i is at t_i
+  /// What lies at the three sides of each triangle, counter-clockwise: a strip turns at a triangle, and which way
+  /// depends on this order.
   std::vector<std::array<unsigned, 3>> around;
 
-  friend bool operator==(const Side&, const Side&) = default;
+  /// Whatever the names.
+  friend bool operator==(const Side& one, const Side& other) {
+    return one.triangles == other.triangles && one.edges == other.edges && one.owner_of_port == other.owner_of_port &&
+           one.around == other.around;
+  }
 
   unsigned inner_edges() const { return static_cast<unsigned>(edges.size()); }
   unsigned ports() const { return static_cast<unsigned>(owner_of_port.size()); }

@@ -1,5 +1,5 @@
 #pragma once
-// Reads a side of an operation in any of the forms in docs/reference/operation-file.md.
+// Reads the sides of an operation: triangles (docs/reference/operation-file.md), or the fans of tables/families.json.
 
 #include "common/json.hpp"
 #include "model/operation.hpp"
@@ -22,14 +22,16 @@ struct NamedRange {
 /// Throws std::invalid_argument with a sentence.
 NamedRange range_of(const std::string& text, const NamedNumbers& numbers);
 
-/// The sides of a description at one position.
-Sides read_sides(const JsonValue& description, const NamedNumbers& numbers);
+/// Who wrote a file. Only restrip's has fans, and names of its tables are reserved for it.
+enum class Author { user, restrip };
+
+/// The sides of a description at one position. Throws files::FileError.
+Sides read_sides(const JsonValue& description, const NamedNumbers& numbers, Author author);
+/// The side after of a fan, which may depend on fewer numbers.
+Side read_fan_after(const JsonValue& description, const NamedNumbers& numbers);
 
 /// Reads sides given by triangles (docs/reference/operation-file.md, "Triangles"), which have indices in a family
 /// ("Families"). Throws files::FileError if they are not an operation on a mesh.
 Sides read_surface(const JsonValue& description, const NamedNumbers& numbers);
-
-/// A graph, or triangles around rings and along paths. Throws files::FileError, also if the limits are exceeded.
-Side read_side(const JsonValue& value, const NamedNumbers& numbers);
 
 }  // namespace restrip::verify

@@ -78,7 +78,8 @@ class SurfaceReader {
     try {
       NamedRange range = range_of(value.text("an index with its values"), numbers_);
       const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-      if (!std::all_of(range.name.begin(), range.name.end(), is_letter) ||
+      if (range.name.empty() || range.name.size() > longest_word ||
+          !std::all_of(range.name.begin(), range.name.end(), is_letter) ||
           std::find(numbers_.names.begin(), numbers_.names.end(), range.name) != numbers_.names.end())
         throw std::invalid_argument(fmt::format(
             "expected an index of lower-case letters other than the numbers of the family, found \"{}\"", range.name));

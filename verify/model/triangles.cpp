@@ -49,6 +49,11 @@ class Complex {
     throw SurfaceFault{member_, triangle, what};
   }
 
+  bool has(const Name& vertex) const {
+    return std::any_of(triangles_.begin(), triangles_.end(), [&](const auto& corners) {
+      return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    });
+  }
   /// Edges of one triangle, by their start vertex.
   const std::map<Name, Along>& rim() const { return rim_; }
 
@@ -86,7 +91,7 @@ class Complex {
       if (along.size() == 2 && along[0].from == from)
         fail(t,
              fmt::format("expected the triangles at the edge {} {} to run along it in opposite directions, found that "
-                         "triangle {} runs in the same direction",
+                         "triangle {} runs in the same direction; is one of them clockwise?",
                          from, to, along[0].triangle));
     }
   }
@@ -148,13 +153,26 @@ std::map<Name, Along> ports_at(const Complex& complex, const NamedSurface& surfa
   return ports;
 }
 
+/// What may have been meant by an edge that is on the outline of one side only.
+std::string remedy(const Name& from, const Name& to, const Complex& complex, const std::map<Name, Along>& others,
+                   const Complex& other) {
+  const auto reversed = others.find(to);
+  if (reversed != others.end() && reversed->second.to == from) return "; is this triangle clockwise?";
+  for (const Name& vertex : {from, to})
+    if (!other.has(vertex))
+      return fmt::format("; {} is {}: include the triangle across this edge, or declare the boundary of the mesh",
+                         vertex, complex.member() == "after" ? "new" : "not there afterwards");
+  return "";
+}
+
 void expect_among(const std::map<Name, Along>& ports, const Complex& complex, const std::map<Name, Along>& others,
                   const Complex& other) {
   for (const auto& [from, port] : ports)
     if (const auto same = others.find(from); same == others.end() || same->second.to != port.to)
       complex.fail(port.triangle, fmt::format("expected the same outline on both sides, the edge {} {} is on it {} the "
-                                              "operation but not {} it",
-                                              from, port.to, complex.member(), other.member()));
+                                              "operation but not {} it{}",
+                                              from, port.to, complex.member(), other.member(),
+                                              remedy(from, port.to, complex, others, other)));
 }
 
 }  // namespace
@@ -192,9 +210,12 @@ Sides graphs_of(const NamedSurface& surface) {
   const auto fill = [&](Side& side, std::vector<PlacedTriangle>& placed, const NamedTriangles& triangles,
                         const Complex& complex, const std::map<Name, Along>& ports) {
     side.triangles = static_cast<unsigned>(triangles.size());
-    for (const auto& [a, b, c] : triangles)
+    for (const auto& [a, b, c] : triangles) {
       placed.push_back(
           {{vertices.at(a), vertices.at(b), vertices.at(c)}, {boundary_side, boundary_side, boundary_side}});
+      const bool is_short = a.size() + b.size() + c.size() == 3;
+      side.names.push_back(is_short ? a + b + c : fmt::format("{}.{}.{}", a, b, c));
+    }
     for (const auto& edge : complex.inner_edges()) {
       for (const Along& along : edge) placed[along.triangle].side[along.side] = side.inner_edges();
       side.edges.push_back({static_cast<unsigned>(edge[0].triangle), static_cast<unsigned>(edge[1].triangle)});
@@ -203,6 +224,7 @@ Sides graphs_of(const NamedSurface& surface) {
       const Along& port = ports.at(from);
       placed[port.triangle].side[port.side] = first_port_side + side.ports();
       side.owner_of_port.push_back(static_cast<unsigned>(port.triangle));
+      side.port_names.push_back(fmt::format("{} {}", port.from, port.to));
     }
     for (const PlacedTriangle& one : placed) side.around.push_back(one.side);
   };

@@ -23,7 +23,7 @@ struct NamedSurface {
 struct Sides {
   Side before;
   Side after;
-  unsigned vertices = 0;  ///< of triangles with named vertices; 0 for the other forms
+  unsigned vertices = 0;  ///< 0 for fans
   std::vector<PlacedTriangle> placed_before;
   std::vector<PlacedTriangle> placed_after;
 };
@@ -36,7 +36,7 @@ struct SurfaceFault {
 };
 
 /// The dual graphs: inner edges by their triangles and ports by their owners, both in order, and what lies around each
-/// triangle; triangles have no names.
+/// triangle.
 /// Throws SurfaceFault unless both sides are discs of triangles with the same outline, apart from edges on the boundary
 /// of the mesh. The caller checks the limits on triangles, edges and ports.
 Sides graphs_of(const NamedSurface& surface);

@@ -29,7 +29,7 @@ STYLES = [WEB / "viewer/style.css", WEB / "atlas/atlas.css"]
 SCRIPTS = [WEB / "atlas/atlas.mjs"]
 LONGEST_PAGE = 450  # rules; a longer section has several pages, split by the number of solid ports
 UNITS = {  # what a rule adds, one and several; what solid edges make
-    "strips": ("strip", "strips", "strip"), "forest": ("tree", "trees", "tree"),
+    "strips": ("strip", "strips", "strip"),
     "matching": ("triangle left alone", "triangles left alone", "pair")}
 
 
@@ -62,7 +62,7 @@ class Page:
             raise Refused(f"{self.title}: a copy of the certificate has no rule")
 
     def changes(self, key, colors, kept):
-        """How many configurations of a key gain how many strips, trees or triangles alone by this recolouring."""
+        """How many configurations of a key gain how many strips or triangles alone by this recolouring."""
         return {strips_added(self.positions[0], before, colors, key[0], kept): count for before, count in self.known[key][0].items()}
 
     def parts(self):

@@ -146,7 +146,7 @@ class Page {
     field('undo').disabled = this.at === 0;
     field('redo').disabled = this.at + 1 === this.states.length;
     field('drawing').hidden = operation && !this.drawing;
-    field('drawn').textContent = operation && !this.drawing ? 'Families and graphs are not drawn here. Change the operation file below.' : '';
+    field('drawn').textContent = operation && !this.drawing ? 'Families are not drawn here. Change the operation file below.' : '';
     if (!this.drawing) field('file').open = true;
     if (field('text').value !== text) field('text').value = text;
     if (operation) {

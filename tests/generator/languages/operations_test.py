@@ -1,6 +1,6 @@
 """The tables of operation files in another language. restrip-verify proves all answers of the look-up, as the dump of a table;
-the reported changes of strips are checked here. The look-up is asked for every configuration of shipped operations, of matchings
-and forests, and of families with one to three numbers, which are named like keywords of the languages, and for bits outside the
+the reported changes of strips are checked here. The look-up is asked for every configuration of shipped operations, of matchings,
+and of families with one to three numbers, which are named like keywords of the languages, and for bits outside the
 patch and positions that do not exist. All look-ups are in one program. If one entry is altered, the verifier refuses the answers.
 The example of docs/how-to/other-languages.md prints the output shown there.
 
@@ -18,12 +18,13 @@ NONE = (0, 0, 0, 0)  # valid, colours, ports, strips
 # Gaps of open fans, with numbers whose names are keywords.
 THREE_NUMBERS = {
     "restrip_operation": 1, "name": "union", "constraint": "strips", "numbers": ["int", "fn", "let"],
-    "where": "int >= 1, 0 <= fn < let <= int", "before": {"path": ["t[0,fn)", "A", "t[fn,let)", "D", "t[let,int)"], "chord": ["A", "D"]},
-    "after": {"path": ["t[0,int)"]},
+    "where": "int >= 2, 1 <= fn < let <= int",
+    "before": [["v", "u[i]", "u[i+1]", "i[0,fn)"], ["v", "u[i]", "u[i+1]", "i[fn,let)"], ["v", "u[i]", "u[i+1]", "i[let,int)"]],
+    "after": [["v", "u[i]", "u[i+1]", "i[0,int)"]], "boundary": [["u[int]", "u[0]"]],
 }
 # With a separate rule for each configuration that a shader's words hold in 8 bits.
 FILES = (*sorted((ROOT / "tables/operations").glob("*.json")), *sorted((ROOT / "tests/corpus/operations/families").glob("*.json")),
-         ROOT / "tests/corpus/operations/flip-forest.json")
+         ROOT / "tests/corpus/operations/bisect-costs.json")
 
 
 class Operation:

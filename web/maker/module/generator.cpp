@@ -16,7 +16,7 @@ nlohmann::ordered_json generated(const nlohmann::json& request) {
   if (request.contains("max_k")) max_k = request.at("max_k").get<unsigned>();
   generator::Order order = generator::order_of(names, max_k);
   order.languages = request.at("languages").get<std::set<std::string>>();
-  const generator::Emitted made = generator::make(order);
+  const generator::Emitted made = generator::make(order, generator::patches_of(order.descriptions, order.max_k));
   nlohmann::ordered_json out = {{"files", nlohmann::ordered_json::object()},
                                 {"report", nlohmann::ordered_json::parse(made.json).at("operations")},
                                 {"text", made.text}};
