@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-INDEX_WAYS = ["local", "quick", "full", "best"]
+INDEX_WAYS = ["local", "quick", "full"]
 PAPER_WAYS = {
     "paper": "both halves of a cut edge inherit its colour; the two new triangles join when both are isolated",
     "paper-tunnel": "the same, with tunnelling while more than a tenth of the strips are isolated triangles",

@@ -352,14 +352,14 @@ restrip_status done(restrip_mesh* mesh, restrip_status allowed, restrip_change* 
 /// The operations that take one halfedge, in the order of their numbers.
 struct AtHalfedge {
   Refusal (*check)(const StripMesh&, StripMesh::Halfedge);
-  Rewrite (*apply)(Keeper<StripMesh>&, StripMesh::Halfedge);
+  Rewrite (*apply)(Keeper&, StripMesh::Halfedge);
   bool adds_vertex;
 };
 /// One that has a table.
 template <OperationPlace (*at)(const StripMesh&, StripMesh::Halfedge)>
 constexpr AtHalfedge by_table(bool adds_vertex) {
   return {[](const StripMesh& mesh, StripMesh::Halfedge h) { return check_apply(mesh, at(mesh, h)); },
-          [](Keeper<StripMesh>& keeper, StripMesh::Halfedge h) {
+          [](Keeper& keeper, StripMesh::Halfedge h) {
             const OperationPlace place = at(keeper.mesh(), h);
             const Vertex from = keeper.mesh().from(h);
             NewVertices added;
@@ -370,8 +370,8 @@ constexpr AtHalfedge by_table(bool adds_vertex) {
           adds_vertex};
 }
 constexpr std::array<AtHalfedge, 6> at_halfedge{{
-    {check_collapse, [](Keeper<StripMesh>& keeper, StripMesh::Halfedge h) { return keeper.collapse(h); }, false},
-    {check_flip, [](Keeper<StripMesh>& keeper, StripMesh::Halfedge h) { return keeper.flip(h); }, false},
+    {check_collapse, [](Keeper& keeper, StripMesh::Halfedge h) { return keeper.collapse(h); }, false},
+    {check_flip, [](Keeper& keeper, StripMesh::Halfedge h) { return keeper.flip(h); }, false},
     by_table<split_face_at>(true),
     by_table<join_faces_at>(false),
     by_table<bisect_at>(true),

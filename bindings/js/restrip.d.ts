@@ -18,7 +18,7 @@ export type Source = string | Url | ArrayBuffer | ArrayBufferView | Module;
 export type Outcome<Made = {}> = ({ ok: true } & Made) | { ok: false; reason: string };
 /** The effort of an operation to keep strips good. 'baked': plays the strips that `restrip bake` precomputed for each
  *  level; for meshes opened by Restrip.baked. */
-export type Policy = 'bare' | 'rules' | 'local' | 'quick' | 'full' | 'best' | 'baked';
+export type Policy = 'bare' | 'rules' | 'local' | 'quick' | 'full' | 'baked';
 /** The cost to minimise: a weight for each strip, each swap (a repeated index), each isolated triangle; 0 to 1000. */
 export type Cost = 'strips' | 'indices' | { restart: number; swap: number; isolated?: number };
 export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'boundary-split' | 'boundary-collapse' | 'flip';

@@ -19,7 +19,7 @@ using testing_support::for_each_allocation;
 
 // The code of a policy never changes: a program that was compiled before a policy was added continues to work.
 static_assert(RESTRIP_POLICY_BARE == 0 && RESTRIP_POLICY_RULES == 1 && RESTRIP_POLICY_LOCAL == 2);
-static_assert(RESTRIP_POLICY_QUICK == 3 && RESTRIP_POLICY_FULL == 4 && RESTRIP_POLICY_BEST == 5);
+static_assert(RESTRIP_POLICY_QUICK == 3 && RESTRIP_POLICY_FULL == 4);
 constexpr std::int32_t policy_codes = policies.size();
 
 TEST(CArguments, NullIsACode) {

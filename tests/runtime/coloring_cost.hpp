@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "restrip/output/strips.hpp"
-#include "restrip/search/impl/descent.hpp"
 
 namespace restrip {
 

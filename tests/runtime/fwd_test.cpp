@@ -10,7 +10,7 @@ struct Terrain {
   Terrain();
   std::unique_ptr<restrip::LiveMesh> live;
   [[nodiscard]] static std::size_t triangles(const restrip::StripMesh& mesh);
-  [[nodiscard]] static std::size_t strips(const restrip::Keeper<restrip::StripMesh>& keeper);
+  [[nodiscard]] static std::size_t strips(const restrip::Keeper& keeper);
   [[nodiscard]] static std::size_t room(const restrip::LiveBuffer& buffer);
 };
 
@@ -27,7 +27,7 @@ namespace {
 
 Terrain::Terrain() : live(std::make_unique<restrip::LiveMesh>(restrip::sample::octahedron())) {}
 std::size_t Terrain::triangles(const restrip::StripMesh& mesh) { return mesh.triangle_count(); }
-std::size_t Terrain::strips(const restrip::Keeper<restrip::StripMesh>& keeper) { return keeper.strips(); }
+std::size_t Terrain::strips(const restrip::Keeper& keeper) { return keeper.strips(); }
 std::size_t Terrain::room(const restrip::LiveBuffer& buffer) { return buffer.room(); }
 
 TEST(Fwd, IsEnoughForAMember) {

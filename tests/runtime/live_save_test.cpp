@@ -98,7 +98,7 @@ TEST(LiveSave, LoadsWhatWasSaved) {
         SCOPED_TRACE(testing::Message() << row.name << " cost " << cost.swap << " form " << int(form));
         const IndexWidth width = seed % 2 == 0 ? IndexWidth::automatic : IndexWidth::bits32;
         live_on({.policy = row.policy, .cost = cost, .history = seed % 3 * 1000, .format = {form, width}}, seed + 1,
-                row.policy == Policy::best ? 6 : 40);
+                40);
         ++seed;
         if (HasFatalFailure()) return;
       }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "restrip/output/strips.hpp"
-#include "restrip/search/impl/strip_locator.hpp"
+#include "search/strip_locator.hpp"
 
 namespace restrip {
 

@@ -14,14 +14,16 @@
 #include <string>
 #include <vector>
 
+#include "output/strip_buffer.hpp"
 #include "random_operation.hpp"
 #include "restrip/live_mesh.hpp"
-#include "output/strip_buffer.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/impl/window.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "search/strip_locator.hpp"
+#include "search/tunnel.hpp"
 #include "step_counter.hpp"
 
 namespace restrip {
@@ -95,73 +97,53 @@ StripMesh band(Vertex n) {
   return mesh;
 }
 
-// The middle of a long strip grows, its chunk is divided again and again, and the strip's length does not matter.
-TEST(Complexity, DividingTheMiddleOfAStripDoesNotDependOnItsLength) {
+// The middle of a long strip grows, is cut, linked and looked up: at twice the length about one level of its tree more.
+TEST(Complexity, ALongStripIsLocatedCutLinkedAndRewrittenInLogarithmicTime) {
   Work growing[2];
+  Work cutting[2];
+  Work asking[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 40'000U << size;
     StripMesh mesh = band(n);
     mesh.reserve(2 * n + 2'000, 2 * n + 2'000);
-    StripLocator locator(mesh, 8);
+    StripLocator locator(mesh);
     locator.reserve(2 * n + 2'000);
     ASSERT_EQ(locator.strips(), 1U);
     std::vector<Triangle> patch;
+    patch.reserve(2'000);
     for (Vertex i = 0; i < 1'000; ++i) {
-      const Halfedge h = mesh.spoke(n);
+      const Halfedge h = mesh.spoke(n + i % 50);
       const Where where{h, turn_ccw(mesh, h), Where::Spokes::right_only};
-      growing[size].steps += work_of([&] {
-                               fan_triangles(mesh, where.right, patch);
-                               locator.before_patch(mesh, patch);
-                               const auto done = split(mesh, where);
-                               edge_triangles(mesh, done.halfedge, patch);
-                               locator.after_patch(mesh, patch);
-                             }).steps;
+      if (check_split(mesh, where) != Refusal::granted) continue;
+      fan_triangles(mesh, where.right, patch);
+      growing[size].steps += work_of([&] { locator.before_patch(mesh, patch); }).steps;
+      const auto done = split(mesh, where);
+      edge_triangles(mesh, done.halfedge, patch);
+      growing[size].steps += work_of([&] { locator.after_patch(mesh, patch); }).steps;
     }
     EXPECT_EQ(locator.strips(), 1U);
+    std::uint64_t orders = 0;
+    asking[size] = work_of([&] {
+      for (Triangle t = 0; t < 20'000; ++t) orders += locator.position(t).order;
+    });
+    EXPECT_GT(orders, 0U);
+    for (Triangle t = 0; t < 20'000; t += 7)
+      for (unsigned side = 0; side < 3; ++side) {
+        const Halfedge h = StripMesh::halfedge(t, side);
+        if (!mesh.solid(h)) continue;
+        const Work both = work_of([&] {
+          locator.cut(mesh, h);
+          locator.link(mesh, h);
+        });
+        cutting[size].steps += both.steps;
+        EXPECT_EQ(both.allocations, 0U);
+        break;
+      }
+    EXPECT_LT(cutting[size].steps, 20'000U / 7 * 3'000U);
   }
   EXPECT_TRUE(grows_at_most(constant, growing[0], growing[1]));
-}
-
-TEST(Complexity, AddingChunksInTheMiddleOfAListIsLogarithmic) {
-  Work adding[2];
-  for (const unsigned size : {0U, 1U}) {
-    detail::ChunkLists lists;
-    lists.reserve(100'000, 1);
-    auto last = lists.add();
-    auto middle = last;
-    for (unsigned i = 0; i < 20'000U << size; ++i) {
-      last = lists.add_next_to(last, true);
-      if (i == 10'000U << size) middle = last;
-    }
-    adding[size] = work_of([&] {
-      for (int i = 0; i < 10'000; ++i) lists.add_next_to(middle, i % 3 == 0);
-    });
-    EXPECT_LT(adding[size].steps, 10'000U * 400);
-    EXPECT_EQ(adding[size].allocations, 0U);
-  }
-  EXPECT_TRUE(grows_at_most(constant, adding[0], adding[1]));
-}
-
-TEST(Complexity, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
-  Work cut[2];
-  Work link[2];
-  for (const unsigned size : {0U, 1U}) {
-    const Vertex n = 50'000U << size;
-    StripMesh mesh = band(n);
-    StripLocator locator(mesh);
-    locator.reserve(2 * n);
-    const Halfedge h = mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n);
-    for (int round = 0; round < 2; ++round) {  // the second one after warm-up
-      cut[size] = work_of([&] { locator.cut(mesh, h); });
-      ASSERT_EQ(locator.strips(), 2U);
-      link[size] = work_of([&] { locator.link(mesh, h); });
-      ASSERT_EQ(locator.strips(), 1U);
-    }
-    EXPECT_EQ(cut[size].allocations + link[size].allocations, 0U);
-    EXPECT_LT(cut[size].steps + link[size].steps, std::uint64_t{n});
-  }
-  EXPECT_TRUE(grows_at_most(linear, cut[0], cut[1]));
-  EXPECT_TRUE(grows_at_most(linear, link[0], link[1]));
+  EXPECT_TRUE(grows_at_most(constant, cutting[0], cutting[1]));
+  EXPECT_TRUE(grows_at_most(constant, asking[0], asking[1]));
 }
 
 // The band is cut after 100 triangles, and the other strip is twice as long in the second mesh.
@@ -274,27 +256,6 @@ TEST(Complexity, SearchesAreLinearInTheirStates) {
     searching[size].steps /= tunnel.counts().states / 100 + 1;
   }
   EXPECT_TRUE(grows_at_most(linear, searching[0], searching[1]));
-}
-
-// Windows see strips of few indices, whose length does not depend on the mesh.
-TEST(Complexity, WindowsDoNotDependOnTheSizeOfTheMesh) {
-  Work solving[2];
-  for (const unsigned size : {0U, 1U}) {
-    StripMesh torus = sample::torus(60, 60U << size);
-    stripify(torus, Effort::fast, Cost::indices());
-    Window window;
-    // The largest ones first, so that later ones allocate nothing.
-    for (Triangle t = 0; t < torus.triangle_bound(); t += 40) window.around(torus, t, {.triangles = 60});
-    const std::uint64_t windows = window.counts().windows;
-    const Triangle stride = 6U << size;
-    solving[size] = work_of([&] {
-      for (Triangle t = 0; t < torus.triangle_bound(); t += stride) window.around(torus, t, {.triangles = 25});
-    });
-    EXPECT_EQ(window.counts().windows, windows + 1'200);
-    EXPECT_EQ(window.counts().refused, 0U);
-    EXPECT_EQ(solving[size].allocations, 0U);
-  }
-  EXPECT_TRUE(grows_at_most(constant, solving[0], solving[1]));
 }
 
 // The same searches at the same budget in a mesh of sixteen times the triangles, and background work beside them.

@@ -14,8 +14,8 @@
 
 #include "coloring_cost.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/impl/descent.hpp"
 #include "sample_meshes.hpp"
+#include "search/chain_search.hpp"
 
 namespace restrip::moves {
 
@@ -32,18 +32,17 @@ inline std::uint32_t edge_number(const StripMesh& mesh, Halfedge h) { return std
 // A move as the set of dual edges whose colours it changes.
 using Changes = std::set<std::uint32_t>;
 
-inline Changes changes_of(const StripMesh& mesh, const StripMove& move) {
+inline Changes changes_of(const StripMesh& mesh, const ChainMove& move) {
   Changes changes{edge_number(mesh, move.edge)};
-  for (const Halfedge h : move.given_up)
-    if (h.id != none) changes.insert(edge_number(mesh, h));
+  if (!move.joins()) changes.insert(edge_number(mesh, move.cut));
   return changes;
 }
 
 /// Of those that cost `highest` at most.
-inline std::multiset<Changes> changes_of(const StripMesh& mesh, std::span<const StripMove> moves,
+inline std::multiset<Changes> changes_of(const StripMesh& mesh, std::span<const ChainMove> moves,
                                          std::int32_t highest = any_price) {
   std::multiset<Changes> all;
-  for (const StripMove& move : moves)
+  for (const ChainMove& move : moves)
     if (move.price <= highest) all.insert(changes_of(mesh, move));
   return all;
 }
@@ -57,44 +56,38 @@ inline void recolor(StripMesh& mesh, const Changes& changes) {
   for (const std::uint32_t id : to_set) mesh.set_solid({id}, true);
 }
 
-// All moves at the dual edge of h, from the definition in descent.hpp. Those that begin at a strip's end are the same.
-inline std::vector<Changes> moves_of(const StripMesh& mesh, Halfedge h) {
-  const Halfedge back = mesh.opposite(h);
-  const Triangle t = StripMesh::triangle(h);
-  const Triangle u = StripMesh::triangle(back);
+// All moves at a strip end over the side h, from the definition in chain_search.cpp: h becomes solid, and a triangle
+// across that has two solid edges gives up one of them. Pairs of triangles that follow each other already have none,
+// nor have three triangles around one vertex, which follow each other but for the ends.
+inline std::vector<Changes> moves_over(const StripMesh& mesh, Halfedge h) {
+  const Triangle end = StripMesh::triangle(h);
+  const Triangle across = StripMesh::triangle(mesh.opposite(h));
   const std::uint32_t edge = edge_number(mesh, h);
-  if (mesh.solid(h)) return {{edge}};
   const auto solid_edges = [&](Triangle triangle) {
     std::vector<Halfedge> edges;
     for (unsigned side = 0; side < 3; ++side)
       if (mesh.solid(StripMesh::halfedge(triangle, side))) edges.push_back(StripMesh::halfedge(triangle, side));
     return edges;
   };
-  for (const Halfedge g : solid_edges(t))
-    if (StripMesh::triangle(mesh.opposite(g)) == u) return {};  // they follow each other already
-  std::vector<Changes> moves{{edge}};
-  for (const Triangle triangle : {t, u}) {
-    const std::vector<Halfedge> edges = solid_edges(triangle);
-    if (edges.size() < 2) continue;
-    std::vector<Changes> longer;
-    for (const Changes& move : moves)
-      for (const Halfedge g : edges) {
-        longer.push_back(move);
-        longer.back().insert(edge_number(mesh, g));
-      }
-    moves = longer;
-  }
+  Triangle last = none;
+  for (const Halfedge g : solid_edges(end)) last = StripMesh::triangle(mesh.opposite(g));
+  if (last == across) return {};
+  const std::vector<Halfedge> edges = solid_edges(across);
+  if (edges.size() < 2) return {{edge}};
+  std::vector<Changes> moves;
+  for (const Halfedge g : edges)
+    if (StripMesh::triangle(mesh.opposite(g)) != last || last == none) moves.push_back({edge, edge_number(mesh, g)});
   return moves;
 }
 
-// All moves at the sides of a triangle; a search at the ends of strips does not clear their solid edges.
-inline std::multiset<Changes> moves_around(const StripMesh& mesh, Triangle t, bool clears) {
+// All moves that begin at a strip end.
+inline std::multiset<Changes> moves_from(const StripMesh& mesh, Triangle end) {
   std::multiset<Changes> all;
   for (unsigned side = 0; side < 3; ++side) {
-    const Halfedge h = StripMesh::halfedge(t, side);
-    if (StripMesh::on_boundary(mesh.opposite(h)) || StripMesh::triangle(mesh.opposite(h)) == t) continue;
-    if (mesh.solid(h) && !clears) continue;
-    for (const Changes& move : moves_of(mesh, h)) all.insert(move);
+    const Halfedge h = StripMesh::halfedge(end, side);
+    const Halfedge back = mesh.opposite(h);
+    if (mesh.solid(h) || StripMesh::on_boundary(back) || StripMesh::triangle(back) == end) continue;
+    for (const Changes& move : moves_over(mesh, h)) all.insert(move);
   }
   return all;
 }
@@ -118,10 +111,10 @@ std::size_t expect_moves_right(const StripMesh& mesh, Search& search, Triangle t
                                const std::multiset<Changes>& expected, Valid&& valid) {
   const ColoringChange before = cost_of(mesh);
   const auto found = search.moves_at(mesh, t, any_price);
-  const std::vector<StripMove> all(found.begin(), found.end());
+  const std::vector<ChainMove> all(found.begin(), found.end());
   EXPECT_EQ(changes_of(mesh, all), expected) << "triangle " << t;
   std::size_t compared = 0;
-  for (const StripMove& move : all) {
+  for (const ChainMove& move : all) {
     StripMesh after = mesh;
     recolor(after, changes_of(mesh, move));
     const bool is_valid = check_coloring(after).valid;
@@ -138,7 +131,7 @@ std::size_t expect_moves_right(const StripMesh& mesh, Search& search, Triangle t
 template <class Search>
 void expect_limits_right(const StripMesh& mesh, Search& search, Triangle t) {
   const auto found = search.moves_at(mesh, t, any_price);
-  const std::vector<StripMove> all(found.begin(), found.end());
+  const std::vector<ChainMove> all(found.begin(), found.end());
   for (std::int32_t highest = -8; highest <= 4; ++highest)
     EXPECT_EQ(changes_of(mesh, search.moves_at(mesh, t, highest)), changes_of(mesh, all, highest))
         << "triangle " << t << ", at most " << highest;
@@ -152,9 +145,9 @@ inline std::vector<Triangle> all_triangles(const StripMesh& mesh) {
 }
 
 // Repeats run() until it lowers the cost no more. Colours stay valid, changes are reported, and in the end none of the
-// moves around the triangles that `where` lists lowers the cost.
-template <class Run, class Where>
-void expect_ends_where_no_move_pays(StripMesh& mesh, const Cost& cost, Run&& run, Where&& where, bool clears) {
+// moves at strip ends lowers the cost.
+template <class Run>
+void expect_ends_where_no_move_pays(StripMesh& mesh, const Cost& cost, Run&& run) {
   const ColoringChange before = cost_of(mesh);
   ColoringChange sum;
   for (ColoringChange reported{-1, -1, -1}; reported.price(cost) < 0;) {
@@ -165,7 +158,8 @@ void expect_ends_where_no_move_pays(StripMesh& mesh, const Cost& cost, Run&& run
     EXPECT_LE(reported.price(cost), 0);
   }
   std::multiset<Changes> all;
-  for (const Triangle t : where(mesh)) all.merge(moves_around(mesh, t, clears));
+  for (const Triangle t : all_triangles(mesh))
+    if (mesh.solid_degree(t) < 2) all.merge(moves_from(mesh, t));
   EXPECT_GE(best_price(mesh, cost, all), 0);
 }
 

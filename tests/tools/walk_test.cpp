@@ -94,7 +94,7 @@ TEST(Walk, FindsFaultsInWhatIsKeptWithTheMesh) {
 
 TEST(Walk, FindsCountersThatAreWrong) {
   struct Meddles : Operations {
-    Keeper<StripMesh> keeper;
+    Keeper keeper;
     explicit Meddles(StripMesh& on) : Operations(on), keeper(on, Policy::local, Cost::indices()) {}
     [[nodiscard]] std::string fault() const override { return find_fault(keeper); }
   };

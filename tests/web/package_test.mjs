@@ -858,7 +858,7 @@ function undoRestores() {
     while (mesh.undo());
     mesh.update();
   };
-  for (const [policy, cost] of [['local', 'strips'], ['quick', 'strips'], ['quick', 'indices'], ['best', 'indices']])
+  for (const [policy, cost] of [['local', 'strips'], ['quick', 'strips'], ['quick', 'indices'], ['full', 'indices']])
     for (const [form, bits] of [['restart', 32], ['stitched', 'auto'], ['lengths', 16]]) {
       const mesh = restrip.mesh(grid(9, 9)).begin({ policy, cost, form, bits, history: 1e6 });
       thereAndBack(mesh, (each, n) => sculpted(each, 100 * n + 7, 6));

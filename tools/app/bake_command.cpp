@@ -95,8 +95,8 @@ Subcommand add_bake(CLI::App& app) {
       ->required();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--effort", command.bake.effort,
-                  "search budget per record, in edges; with --cost indices, 3,900 edges stand for one look at a strip "
-                  "end and one triangle of an exact window")
+                  "search budget per record, in edges; with --cost indices, 600 edges stand for one look at a strip "
+                  "end")
       ->check(whole_number_from(1, 1'000'000'000'000))
       ->capture_default_str();
   add_cost_option(*sub, command.cost, command.bake.cost);

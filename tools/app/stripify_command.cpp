@@ -165,18 +165,18 @@ Subcommand add_stripify(CLI::App& app) {
                                                  : word == "best" ? restrip::Effort::best
                                                                   : restrip::Effort::fast;
                               },
-                              "fast: one pass; full: a search or annealing; best: ten times longer, with exact "
-                              "windows for --cost indices; file: the strips of the file")
+                              "fast: one pass; full: a search or annealing; best: ten times longer annealing "
+                              "for --cost indices; file: the strips of the file")
                            ->check(one_of({"fast", "full", "best", "file"}))
                            ->default_str("fast");
   add_cost_option(*sub, command.cost);
   const auto* limit =
       sub->add_option("--limit", command.limit,
-                      "for --effort full and best, per triangle: search states with --cost strips (default: 40, 1000), "
-                      "annealing moves and colourings of windows with --cost indices (default: 100, 1000)")
+                      "for --effort full and best, per triangle: search states with --cost strips (default: 40), "
+                      "annealing moves with --cost indices (default: 100, 900)")
           ->check(whole_number_from(1, 1'000'000));
   const auto* seed =
-      sub->add_option("--seed", command.seed, "of annealing and windows")->check(whole_number())->capture_default_str();
+      sub->add_option("--seed", command.seed, "of annealing")->check(whole_number())->capture_default_str();
   const auto* cache = sub->add_option("--cache", command.cache.size,
                                       "cut and order strips for a first-in-first-out vertex cache of this many "
                                       "vertices; 16 suits most hardware")

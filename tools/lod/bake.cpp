@@ -14,12 +14,10 @@
 #include "lod/trail_search.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/impl/end_search.hpp"
-#include "restrip/search/impl/rounds.hpp"
-#include "restrip/search/impl/strip_locator.hpp"
-#include "restrip/search/impl/tunnel.hpp"
-#include "restrip/search/impl/window.hpp"
 #include "restrip/search/stripify.hpp"
+#include "search/chain_search.hpp"
+#include "search/strip_locator.hpp"
+#include "search/tunnel.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -135,10 +133,7 @@ class Baker {
 /// Bakes for the fewest strips.
 class StripBaker final : public Baker {
  public:
-  StripBaker(BakedMesh& baked, std::size_t effort)
-      : Baker(baked),
-        effort_(effort),
-        locator_(StripLocator::chunk_limit_for_long_strips(baked.mesh.fine_triangles())) {}
+  StripBaker(BakedMesh& baked, std::size_t effort) : Baker(baked), effort_(effort) {}
 
  private:
   [[nodiscard]] std::size_t strips() const override { return locator_.strips(); }
@@ -247,23 +242,21 @@ class StripBaker final : public Baker {
   std::size_t waited_ = 0;
 };
 
-/// Bakes for the fewest indices. After each plain split, it searches briefly at the strip ends around it, with chains
-/// of any length, and then solves an exact window. It changes the fewest colours that achieve a saving, because each
-/// flip is played at run time.
+/// Bakes for the fewest indices. After each plain split, it searches for chains of moves from the strip ends around it.
+/// Short chains come first, because each flip is played at run time.
 class IndexBaker final : public Baker {
  public:
-  IndexBaker(BakedMesh& baked, const BakeOptions& options)
-      : Baker(baked), search_(options.cost), window_(options.cost, 1, Windings::priced, Ties::fewest_changes) {
-    constexpr std::size_t effort_of_each = 3'900;  // a strip end, and a triangle of a window
-    const std::size_t each = options.effort / effort_of_each;
+  IndexBaker(BakedMesh& baked, const BakeOptions& options) : Baker(baked), search_(options.cost) {
+    constexpr std::size_t effort_of_a_look = 600;
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
-    limits_ = {.looks = static_cast<std::uint32_t>(std::min(each, most)), .length = EndSearch::max_length, .worse = 2};
-    size_ = static_cast<std::uint32_t>(std::min(each, Window::max_triangles));
+    limits_ = {.looks = static_cast<std::uint32_t>(std::min(options.effort / effort_of_a_look, most)),
+               .length = 16,
+               .worse = 2};
   }
 
  private:
   [[nodiscard]] std::size_t strips() const override { return strips_; }
-  [[nodiscard]] std::size_t states() const override { return search_.counts().looked + window_.counts().tried; }
+  [[nodiscard]] std::size_t states() const override { return search_.counts().looked; }
 
   void begin(StripMesh& base) override {
     stripify(base, Effort::best, search_.cost());
@@ -273,17 +266,13 @@ class IndexBaker final : public Baker {
   void bake_split(const VertexSplit& where, Vertex v_t) override {
     const Rewrite done = split_plainly(where, v_t);
     edge_triangles(mesh(), done.halfedge, from_);
-    const Triangle inserted = from_.front();
     add_rings(mesh(), from_, 2);
-    ColoringChange change = search_.run(mesh(), from_, limits_);
-    if (size_ > 1) change += window_.around(mesh(), inserted, {.triangles = size_}).change;
+    const ColoringChange change = search_.run(mesh(), from_, limits_);
     strips_ += static_cast<std::size_t>(done.strips + change.strips);
   }
 
-  EndSearch search_;
-  EndLimits limits_;
-  Window window_;
-  std::uint32_t size_ = 0;  // of a window, in triangles
+  ChainSearch search_;
+  ChainLimits limits_;
   std::size_t strips_ = 0;
   std::vector<Triangle> from_;
 };

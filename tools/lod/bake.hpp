@@ -13,8 +13,7 @@ namespace restrip::tools {
 
 struct BakeOptions {
   /// Fewest strips: work per record that would add a strip, in edges walked by the search for short trails, about 30 ns
-  /// each. Other costs: every 3,900 buy one more strip end to search from (end_search.hpp) and one more triangle in the
-  /// exact window (window.hpp) of each record. A window has at most 100 triangles.
+  /// each. Other costs: every 600 buy one more strip end that the search of each record examines.
   std::size_t effort = 250'000;
   Cost cost = Cost::strips();  ///< the cost to minimise at every level
 };
@@ -41,7 +40,7 @@ struct BakeReport {
 
 /// Stripifies the base and walks up. After each split whose connected component has more strips than its lower bound,
 /// it searches for the fewest flips that save a strip: first around the split, then by tunnelling from further away.
-/// Under other costs, it lowers the cost around each split by chains of moves at strip ends and by an exact window.
+/// Under other costs, it lowers the cost around each split by chains of moves at strip ends.
 /// Throws BadInput, naming the split, if a split is not possible. Deterministic except for `seconds`.
 [[nodiscard]] BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options = {}, BakeReport* report = nullptr);
 

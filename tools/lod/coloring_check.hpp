@@ -8,8 +8,11 @@
 
 #include "meshes/soup.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/search/impl/strip_locator.hpp"
 #include "restrip/search/keeper.hpp"
+
+namespace restrip {
+class StripLocator;
+}
 
 namespace restrip::tools {
 
@@ -33,10 +36,11 @@ namespace restrip::tools {
 [[nodiscard]] std::string find_fault_around(const StripMesh& mesh, Vertex v);
 inline constexpr std::size_t farthest_cycle = 4096;
 
-/// Compares the locator with the strips of the mesh and the order of the triangles in each. Empty if they agree.
+/// Compares the locator with the strips of the mesh and the order of the triangles in each. Empty if they agree. In
+/// locator_check.cpp.
 [[nodiscard]] std::string find_fault(const StripMesh& mesh, const StripLocator& locator);
 
 /// Compares the strips, swaps and isolated triangles of the mesh with the keeper's counts. Empty if they agree.
-[[nodiscard]] std::string find_fault(const Keeper<StripMesh>& keeper);
+[[nodiscard]] std::string find_fault(const Keeper& keeper);
 
 }  // namespace restrip::tools

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/search/impl/strip_locator.hpp"
+#include "search/strip_locator.hpp"
 
 namespace restrip::tools {
 

@@ -48,7 +48,7 @@ class UnderPolicy final : public Maintainer {
   }
 
  private:
-  Keeper<StripMesh> keeper_;
+  Keeper keeper_;
 };
 
 /// The library's Keeper with baked strips. Played records report changes in strips only, and may recolour dual edges
@@ -79,7 +79,7 @@ class Baked final : public Maintainer {
   }
   void collapse_silently(Halfedge chord, std::size_t record) override { keeper_.collapse_record(record, chord); }
 
-  Keeper<StripMesh> keeper_;
+  Keeper keeper_;
   const BakedRecords& records_;
   Witness witness_;
 };

@@ -13,8 +13,8 @@
 #include "replay/methods.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/operations.hpp"
-#include "restrip/search/impl/strip_locator.hpp"
-#include "restrip/search/impl/tunnel.hpp"
+#include "search/strip_locator.hpp"
+#include "search/tunnel.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -21,6 +21,11 @@
 namespace restrip::tools {
 namespace {
 
+Rewrite with(Rewrite done, const ColoringChange& more) {
+  done += more;
+  return done;
+}
+
 class Replay {
  public:
   Replay(const PreparedMethod& prepared, const ReplayOptions& options)
@@ -73,7 +78,7 @@ class Replay {
   }
   Rewrite split_one(std::size_t i) {
     const auto done = maintainer_->split(spokes_of(mesh_, splits_[i]), splits_[i].v_t, i);
-    return detail::with(done, maintainer_->between());
+    return with(done, maintainer_->between());
   }
 
   /// Plays all splits. Calls at_level(n) where the mesh is the reported level n, and after(i, done) after split i.
@@ -96,7 +101,7 @@ class Replay {
       if (i == 0) return;
       const Record& record = splits_[i - 1];
       const auto done = maintainer_->collapse(mesh_.spoke(record.v_s, record.v_t), i - 1);
-      after(i - 1, detail::with(done, maintainer_->between()));
+      after(i - 1, with(done, maintainer_->between()));
     }
   }
 

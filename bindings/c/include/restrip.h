@@ -225,10 +225,9 @@ RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t eff
 enum {
   RESTRIP_POLICY_BARE = 0,   /* no rule, dual edges of changed triangles become dashed; 1 */
   RESTRIP_POLICY_RULES = 1,  /* nothing; 2 */
-  RESTRIP_POLICY_LOCAL = 2,  /* 4 looks at the strip ends of the patch; 3 to 5 */
-  RESTRIP_POLICY_QUICK = 3,  /* 12 looks, chains of 8 moves; 10 to 30 */
+  RESTRIP_POLICY_LOCAL = 2,  /* 3 looks at the strip ends of the patch; 3 to 5 */
+  RESTRIP_POLICY_QUICK = 3,  /* 10 looks, chains of 8 moves; 10 to 30 */
   RESTRIP_POLICY_FULL = 4,   /* 70 looks, around the patch as well; 40 to 200 */
-  RESTRIP_POLICY_BEST = 5,   /* the same, then a window of 40 triangles; 300 to 600 */
   RESTRIP_POLICY_BAKED = 255 /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
 /* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A

@@ -180,7 +180,7 @@ class Session {
   }
   /// Splits each of the records, or undoes it if it is split.
   void play(std::span<const std::uint32_t> records) {
-    Keeper<StripMesh>& keeper = live_->keeper();
+    Keeper& keeper = live_->keeper();
     for (const std::uint32_t i : records) {
       const Record& r = source_.splits[i];
       const bool in_step = live_->level().has_value();

@@ -15,23 +15,21 @@ struct LiveOptions;
 struct BakedFile;
 struct OperationView;
 class LiveBuffer;
-template <class Mesh>
 class Keeper;
 
 /// The numbers are the codes of the C interface, so a new policy comes last. The order is that of policy.hpp.
-enum class Policy : std::uint8_t { bare, rules, local, quick, full, best };
+enum class Policy : std::uint8_t { bare, rules, local, quick, full };
 
 /// The default policy, chosen for default_cost (mesh/cost.hpp).
 inline constexpr Policy default_policy = Policy::quick;
 
 /// In the order of their running times. The resulting cost is never higher than with the previous effort.
 enum class Effort {
-  fast,  ///< one pass, linear time. Strips: greedy.hpp, about 200 to 700 triangles per strip; otherwise strips of some
-         ///< 50 triangles that keep turning left and right, and a few moves at their ends
-  full,  ///< strips: then rounds of tunnelling (rounds.hpp), towards one strip for each connected component; otherwise
-         ///< annealing and a round of small windows, some 10 microseconds a triangle
-  best   ///< strips: larger limits of tunnelling; otherwise annealing for four times as long again, and larger windows
-         ///< (window_rounds.hpp) for about as long as that
+  fast,  ///< one pass, linear time. Strips: greedy, about 200 to 700 triangles per strip; otherwise strips of some 50
+         ///< triangles that keep turning left and right, and a few moves at their ends
+  full,  ///< strips: then rounds of tunnelling, towards one strip for each connected component; otherwise annealing and
+         ///< chains of moves at strip ends, some 10 microseconds a triangle
+  best   ///< strips: the same as full; otherwise annealing for several times as long, and chains until none gains
 };
 
 /// The default effort, here and in LiveMesh, in C and JavaScript and on every command line. policy.hpp has the default

@@ -175,8 +175,8 @@ class LiveMesh {
   /// Counts of rules used and not used in all operations so far, undone ones included.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept;
   /// The parts, for members that are not repeated here: include search/keeper.hpp, output/live_buffer.hpp.
-  [[nodiscard]] Keeper<StripMesh>& keeper() noexcept;
-  [[nodiscard]] const Keeper<StripMesh>& keeper() const noexcept;
+  [[nodiscard]] Keeper& keeper() noexcept;
+  [[nodiscard]] const Keeper& keeper() const noexcept;
   [[nodiscard]] const LiveBuffer& buffer() const noexcept;
 
  private:

@@ -27,7 +27,7 @@ namespace restrip {
 
 namespace {
 
-using State = Keeper<StripMesh>::State;
+using State = Keeper::State;
 
 /// Frames of the mesh, with the counts of its keeper between them.
 struct Frames {
@@ -68,7 +68,7 @@ struct LiveMesh::Parts {
   RESTRIP_COLD Parts(StripMesh own, const LiveOptions& options, std::shared_ptr<const BakedFile> from = nullptr)
       : file(std::move(from)),
         mesh(std::move(own)),
-        keeper(file ? Keeper<StripMesh>(mesh, file->records) : Keeper<StripMesh>(mesh, options.policy, options.cost)),
+        keeper(file ? Keeper(mesh, file->records) : Keeper(mesh, options.policy, options.cost)),
         buffer(options.format, options.layout),
         most_history(options.history) {
     if (options.deferred) return;
@@ -139,7 +139,7 @@ struct LiveMesh::Parts {
 
   std::shared_ptr<const BakedFile> file;  // of a baked mesh
   StripMesh mesh;
-  Keeper<StripMesh> keeper;
+  Keeper keeper;
   std::vector<Triangle> changed;
   std::size_t framed = 0;
   LiveBuffer buffer;
@@ -250,7 +250,7 @@ std::optional<std::size_t> LiveMesh::level() const noexcept {
   return player != nullptr && player->in_step() ? std::optional(player->level()) : std::nullopt;
 }
 std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
-  Keeper<StripMesh>& keeper = parts_->keeper;
+  Keeper& keeper = parts_->keeper;
   if (!this->level()) return 0;
   const std::vector<SplitRecord>& splits = parts_->file->splits;
   RESTRIP_ASSERT(level <= splits.size(), "LiveMesh::move_to_level", "the level does not exist");
@@ -270,7 +270,7 @@ void LiveMesh::restart() {
   parts_->interrupt();
   parts_->mesh = std::move(base);
   parts_->keeper.rebuild();  // also if no memory is left for the next line
-  parts_->keeper = Keeper<StripMesh>(parts_->mesh, parts_->file->records);
+  parts_->keeper = Keeper(parts_->mesh, parts_->file->records);
   if (parts_->begun) parts_->begin();
 }
 
@@ -311,8 +311,8 @@ const StripMesh& LiveMesh::mesh() const noexcept { return parts_->mesh; }
 std::size_t LiveMesh::strips() const noexcept { return keeper().strips(); }
 std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
 const RuleCounts& LiveMesh::rule_counts() const noexcept { return keeper().rule_counts(); }
-Keeper<StripMesh>& LiveMesh::keeper() noexcept { return parts_->keeper; }
-const Keeper<StripMesh>& LiveMesh::keeper() const noexcept { return parts_->keeper; }
+Keeper& LiveMesh::keeper() noexcept { return parts_->keeper; }
+const Keeper& LiveMesh::keeper() const noexcept { return parts_->keeper; }
 const LiveBuffer& LiveMesh::buffer() const noexcept { return parts_->buffer; }
 
 }  // namespace restrip

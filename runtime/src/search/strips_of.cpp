@@ -13,6 +13,7 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
+#include "search/annealing.hpp"
 
 namespace restrip::detail {
 
@@ -47,7 +48,7 @@ IndexBuffer strips_of(const TriangleList<Element>& list, std::size_t vertex_coun
                       Effort effort, Cost cost, const VertexCache& cache, BuildReport* report) {
   if (report == nullptr && cost.swap != 0 && cache.size == 0) {
     Annealing annealing(ColoringCopy(list, vertex_count), cost, 1);
-    color_from_scratch(annealing, effort, cost, 0, 1);
+    color_from_scratch(annealing, effort, cost, 0);
     const ListedStrips<Element> strips{std::move(annealing.colors()), list};
     return format_strips(indices_of_strips(strips), format);
   }

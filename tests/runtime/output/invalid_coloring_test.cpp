@@ -8,6 +8,7 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
+#include "search/strip_locator.hpp"
 
 namespace restrip {
 namespace {

@@ -29,7 +29,7 @@ void for_each_colored(Use&& use) {
       stripify(mesh, Effort::fast, cost);
       use(mesh);
       std::mt19937 random(5);
-      Keeper<StripMesh> keeper(mesh, Policy::rules, cost);
+      Keeper keeper(mesh, Policy::rules, cost);
       for (int i = 0; i < 40; ++i) random_operation(keeper, random, i % 2 == 0);
       use(mesh);
       for (const auto h : sample::dual_edges(mesh))

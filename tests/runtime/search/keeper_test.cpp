@@ -19,12 +19,12 @@
 #include "restrip/tables/operations/refine_face.hpp"
 #include "restrip/tables/operations/split_face.hpp"
 #include "sample_meshes.hpp"
-#include "strip_moves.hpp"
+#include "search/greedy.hpp"
 
 namespace restrip {
 namespace {
 
-void expect_right(const Keeper<StripMesh>& keeper) {
+void expect_right(const Keeper& keeper) {
   if (keeper.locator() != nullptr) {
     ASSERT_TRUE(agrees(*keeper.locator(), keeper.mesh()));
   }
@@ -115,13 +115,12 @@ TEST(Keeper, StripsDoNotAge) {
   expect_right(keeper);
 }
 
-// Random operations make rough meshes; a local minimum of the whole mesh, by chains, is the measure.
+// Random operations make rough meshes; strips from scratch are the measure.
 TEST(KeeperByCost, IndicesDoNotAge) {
   std::mt19937 random(22);
   for (const Policy policy : searching_policies()) {
-    const IndexPlan& plan = row_of(policy).plan;
-    const std::uint32_t looks = plan.limits.looks;
-    const double allowed = plan.window > 0 ? 1.10 : looks >= 70 ? 1.15 : looks >= 12 ? 1.20 : 1.25;
+    const std::uint32_t looks = row_of(policy).plan.limits.looks;
+    const double allowed = looks >= 70 ? 1.15 : looks >= 10 ? 1.20 : 1.25;
     StripMesh mesh = sample::torus(40, 40);
     stripify(mesh, Effort::full, Cost::indices());
     Keeper keeper(mesh, policy, Cost::indices());
@@ -139,28 +138,25 @@ TEST(KeeperByCost, IndicesDoNotAge) {
 }
 
 TEST(KeeperByCost, ContinuesInTheBackground) {
+  std::mt19937 random(9);
   StripMesh mesh = sample::torus(30, 30);
-  stripify_fast(mesh);
+  sample::color_at_random(mesh, 0.6, random);
   Keeper keeper(mesh, Policy::quick, Cost::indices());
   std::size_t saved = 0;
   const std::size_t before = keeper.cost();
   const auto improve_often = [&](int times) {
-    for (int i = 0; i < times; ++i) saved += keeper.improve(1000);
+    for (int i = 0; i < times; ++i) saved += keeper.improve(100);
     expect_right(keeper);
     EXPECT_EQ(before - keeper.cost(), saved);
   };
   improve_often(2);
-  EXPECT_GT(keeper.cost(), before * 9 / 10) << "a small budget does a small part of the work";
-  improve_often(48);
-  EXPECT_LT(keeper.cost(), before * 4 / 5);
-  // A descent over all triangles ends; windows find more.
-  StripMesh descended = mesh;
-  Descent descent(Cost::indices());
-  for (int change = -1; change < 0;)
-    change = descent.run(descended, moves::all_triangles(descended), {.tries = 4, .worse = 1}).price(Cost::indices());
-  const auto local_minimum = static_cast<std::size_t>(cost_of(descended).price(Cost::indices()));
-  improve_often(500);
-  EXPECT_LT(keeper.cost(), local_minimum - local_minimum / 20);
+  EXPECT_GT(saved, 0U);
+  const std::size_t soon = saved;
+  improve_often(20'000);
+  EXPECT_GT(saved, 4 * soon) << "a small budget does a small part of the work";
+  EXPECT_LT(keeper.cost(), before / 2);
+  // It ends when no end has a chain that gains.
+  EXPECT_EQ(keeper.improve(1'000'000), 0U);
 }
 
 TEST(Keeper, OfAnEmptyMeshHasNothingToImprove) {
@@ -202,7 +198,7 @@ TEST(KeeperByCost, CountsAgainWhenAsked) {
 // ---- The rule first.
 
 /// Any operation at a random place, shipped ones and a custom one. `fan`: it is a split or a collapse.
-Checked any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow, bool& fan) {
+Checked any_operation(Keeper& keeper, std::mt19937& random, bool grow, bool& fan) {
   const StripMesh& mesh = keeper.mesh();
   const DrawnOperation drawn = draw(mesh, random, all_operations, trend_of(grow));
   const bool custom = grow && random() % 12 == 0;
@@ -307,7 +303,7 @@ TEST(RuleFirst, APatchAloneBecomesOneStrip) {
 TEST(RuleFirst, BisectionKeepsIndicesFew) {
   for (const Policy policy : searching_policies()) {
     const std::uint32_t looks = row_of(policy).plan.limits.looks;
-    const double most = looks >= 70 ? 1.38 : looks >= 12 ? 1.42 : 1.45;
+    const double most = looks >= 70 ? 1.38 : looks >= 10 ? 1.42 : 1.45;
     StripMesh mesh = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, 4);
     Keeper keeper(mesh, policy, Cost::indices());
     const auto halved = [&](StripMesh::Halfedge h) {  // the side opposite the newest vertex

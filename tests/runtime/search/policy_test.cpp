@@ -25,7 +25,7 @@ bool same_steps(const PolicyRow& a, const PolicyRow& b, Cost cost) {
   if (cost == Cost::strips())
     return std::string_view(a.description) == b.description && a.search.states == b.search.states &&
            a.search.enough == b.search.enough;
-  return std::string_view(a.for_indices) == b.for_indices && a.plan.window == b.plan.window;
+  return std::string_view(a.for_indices) == b.for_indices;
 }
 
 /// The cost after the same operations under each policy, from the shortest look to the longest. On a mesh of a

@@ -1,6 +1,6 @@
 // The locator agrees with a walk along the strip for every triangle, after any mixture of cuts, links and local
 // rewrites.
-#include "restrip/search/impl/strip_locator.hpp"
+#include "search/strip_locator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/search/impl/tunnel.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "search/tunnel.hpp"
 
 namespace restrip {
 namespace {
@@ -64,15 +64,11 @@ void random_operation(StripLocator& locator, StripMesh& mesh, std::mt19937& rand
   operation_at(locator, mesh, random_halfedge(mesh, random), random, grow);
 }
 
-// Chunks of all sizes: many small ones, the usual ones, and one for every strip.
-class StripLocatorOf : public ::testing::TestWithParam<std::uint32_t> {};
-INSTANTIATE_TEST_SUITE_P(ChunkLimits, StripLocatorOf, ::testing::Values(8, StripLocator::default_chunk_limit, 1024));
-
-TEST_P(StripLocatorOf, AgreesAfterRewrites) {
+TEST(StripLocator, AgreesAfterRewrites) {
   std::mt19937 random(4);
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh, Effort::fast, Cost::strips());
-    StripLocator locator(mesh, GetParam());
+    StripLocator locator(mesh);
     ASSERT_TRUE(agrees(locator, mesh));
     for (int i = 0; i < 5000; ++i) {
       if (i / 500 % 2 == 0)
@@ -87,11 +83,11 @@ TEST_P(StripLocatorOf, AgreesAfterRewrites) {
   }
 }
 
-TEST_P(StripLocatorOf, AgreesOnALargeMeshAfterEverything) {
+TEST(StripLocator, AgreesOnALargeMeshAfterEverything) {
   std::mt19937 random(5);
   StripMesh mesh = sample::torus(90, 70);
   stripify(mesh, Effort::fast, Cost::strips());
-  StripLocator locator(mesh, GetParam());
+  StripLocator locator(mesh);
   for (int i = 0; i < 60000; ++i) {
     if (random() % 3 != 0)
       random_cut_or_link(locator, mesh, random);
@@ -105,12 +101,12 @@ TEST_P(StripLocatorOf, AgreesOnALargeMeshAfterEverything) {
   ASSERT_TRUE(check_coloring(mesh).valid);
 }
 
-// Splits at one vertex, over and over: the labels between the two triangles at its fan come closer until there is
-// no room. Some strips have been cut and linked before, so that chunks read in either direction.
-TEST_P(StripLocatorOf, AgreesWithoutRoomBetweenLabels) {
+// Splits at one vertex, over and over, among strips that have been cut and linked before, so that trees read in either
+// direction.
+TEST(StripLocator, AgreesWhereOneVertexGrows) {
   std::mt19937 random(6);
   StripMesh mesh = sample::torus(30, 20);
-  StripLocator locator(mesh, GetParam());
+  StripLocator locator(mesh);
   Tunnel tunnel;
   for (int place = 0; place < 30; ++place) {
     for (int i = 0; i < 1000; ++i) random_cut_or_link(locator, mesh, random);
@@ -131,9 +127,8 @@ TEST_P(StripLocatorOf, AgreesWithoutRoomBetweenLabels) {
   ASSERT_TRUE(check_coloring(mesh).valid);
 }
 
-// A strip creeps round a ring of triangles, linked at one end and cut at the other, further than a chunk has labels;
-// and back.
-TEST_P(StripLocatorOf, AgreesWhereAStripCreepsOutOfItsLabels) {
+// A strip creeps round a ring of triangles, linked at one end and cut at the other; and back.
+TEST(StripLocator, AgreesWhereAStripCreeps) {
   StripMesh mesh = sample::tube(6, 1);
   std::vector<Halfedge> ring;  // from each triangle to the next
   for (Halfedge h = StripMesh::halfedge(0, 0); ring.size() < mesh.triangle_count(); h = mesh.opposite(ring.back())) {
@@ -141,7 +136,7 @@ TEST_P(StripLocatorOf, AgreesWhereAStripCreepsOutOfItsLabels) {
     while (StripMesh::on_boundary(mesh.opposite(h)));
     ring.push_back(h);
   }
-  StripLocator locator(mesh, GetParam());
+  StripLocator locator(mesh);
   constexpr std::size_t length = 5;
   constexpr std::size_t way = 2600;
   const auto dual_edge = [&](std::size_t i) { return ring[i % ring.size()]; };

@@ -27,7 +27,7 @@ __all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "
 __version__: str = lib.plain("version").decode()
 
 # For type checkers; __init__ and the functions name the same words when a value is none of them.
-Policy = Literal["bare", "rules", "local", "quick", "full", "best"]
+Policy = Literal["bare", "rules", "local", "quick", "full"]
 Effort = Literal["fast", "full", "best"]
 Cost = Union[Literal["strips", "indices"], Tuple[int, int, int]]
 Form = Literal["restart", "stitched", "list"]
@@ -38,7 +38,7 @@ Progress = Callable[[int, int, int], Optional[bool]]
 
 _COSTS = {"strips": (1, 0, 0), "indices": (3, 1, 0)}
 _EFFORTS = ("fast", "full", "best")
-_POLICIES = {"bare": 0, "rules": 1, "local": 2, "quick": 3, "full": 4, "best": 5}
+_POLICIES = {"bare": 0, "rules": 1, "local": 2, "quick": 3, "full": 4}
 _FORMATS = ("restart", "stitched", "strips", "vtk")
 _FORMS = {"restart": 0, "stitched": 1, "list": 3}
 _LENGTHS = 2
@@ -219,7 +219,7 @@ class LiveMesh:
 
     `faces` has three columns, counter-clockwise; vertices are numbers below `vertex_count` (by default the largest plus
     one). Strips are made from scratch by `effort` ("fast", "full", "best"; None: every triangle is a strip) and maintained by
-    `policy` ("bare", "rules", "local", "quick", "full", "best": docs/reference/policies.md has figures) for `cost`: "strips",
+    `policy` ("bare", "rules", "local", "quick", "full": docs/reference/policies.md has figures) for `cost`: "strips",
     "indices", or a triple (restart, swap, isolated) of weights. Memory is linear in the faces and in the largest vertex
     number, about 17 bytes for each. Sparse vertices are refused: renumber them by
     `used, corners = np.unique(faces, return_inverse=True)`; with `corners.reshape(-1, 3)` in place of `faces`, `used[i]` is vertex i.

@@ -365,7 +365,7 @@ class StripMesh {
   void touch(Triangle t) noexcept {
     if (watch_.changed != nullptr) watch_.changed->push_back(t);
   }
-  // set_solid() that is not reported to the watch, for trial moves (TrialColors of end_search.hpp).
+  // set_solid() that is not reported to the watch, for trial moves (TrialColors of chain_search.cpp).
   void color(Halfedge h, bool solid) noexcept {
     std::uint32_t& link = link_of(h);
     link = (link & ~1U) | static_cast<std::uint32_t>(solid);

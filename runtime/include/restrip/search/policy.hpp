@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "restrip/fwd.hpp"
-#include "restrip/search/impl/end_search.hpp"
 
 namespace restrip {
 
@@ -15,6 +15,14 @@ namespace restrip {
 struct Search {
   std::uint32_t states = 0;  ///< state limit per search; 0 disables searching
   std::uint32_t enough = 0;  ///< triangles per strip: searches are smaller while strips are longer on average. 0: never
+};
+
+/// A search by chains of moves at strip ends, under costs that weigh swaps or isolated triangles. Each move of a chain
+/// joins two strips or moves a strip end; a chain is made if it lowers the cost.
+struct ChainLimits {
+  std::uint32_t looks = (std::numeric_limits<std::uint32_t>::max)();  ///< ends examined, with up to three dashed edges
+  std::uint32_t length = 1;                                           ///< moves of a chain
+  std::int32_t worse = 0;                                             ///< the highest rise of the cost within a chain
 };
 
 /// The search that follows an operation, under costs that weigh swaps or isolated triangles.
@@ -26,8 +34,7 @@ struct IndexPlan {
     ring    ///< the same and their neighbours
   };
   From from = From::patch;
-  EndLimits limits{.looks = 0};  ///< 0 looks: no search; the cost is counted but not minimised
-  std::uint32_t window = 0;      ///< triangles of a final window around the operation; 0: no window
+  ChainLimits limits{.looks = 0};  ///< 0 looks: no search; the cost is counted but not minimised
 };
 
 /// The most that an operation adds to the cost, for every mesh, valence and history (docs/explanation/theory.md, "What
@@ -57,19 +64,19 @@ inline constexpr std::array policies{
     PolicyRow{Policy::local,
               "local",
               "ends of strips that meet are joined",
-              "4 looks at the strip ends of the patch",
+              "3 looks at the strip ends of the patch",
               "none",
               "3 to 5",
               {},
-              {IndexPlan::From::ends, {.looks = 4}}},
+              {IndexPlan::From::ends, {.looks = 3, .length = 3}}},
     PolicyRow{Policy::quick,
               "quick",
               "tunnelling",
-              "12 looks, chains of 8 moves",
+              "10 looks, chains of 8 moves",
               "a locator of the strips",
               "10 to 30",
               {56, 150},
-              {IndexPlan::From::patch, {.looks = 12, .length = EndSearch::max_length, .worse = 1}}},
+              {IndexPlan::From::patch, {.looks = 10, .length = 8, .worse = 1}}},
     PolicyRow{Policy::full,
               "full",
               "tunnelling",
@@ -77,15 +84,7 @@ inline constexpr std::array policies{
               "a locator of the strips",
               "40 to 200",
               {320, 0},
-              {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}}},
-    PolicyRow{Policy::best,
-              "best",
-              "tunnelling",
-              "the same, then a window of 40 triangles",
-              "a locator of the strips",
-              "300 to 600",
-              {1024, 0},
-              {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}, 40}}};
+              {IndexPlan::From::ring, {.looks = 70, .length = 8, .worse = 2}}}};
 
 [[nodiscard]] constexpr const PolicyRow& row_of(Policy policy) noexcept {
   std::size_t i = 0;

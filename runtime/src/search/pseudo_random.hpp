@@ -1,4 +1,4 @@
-// Pseudo-random bits for searches. Included by annealing.hpp and window.hpp.
+// Pseudo-random bits for searches.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,6 @@ class PseudoRandom {
   /// A number less than `bound`.
   constexpr std::uint32_t below(std::uint32_t bound) noexcept {
     return static_cast<std::uint32_t>(std::uint64_t{bits()} * bound >> 32);
-  }
-
-  /// The state, for searches that are saved and resumed.
-  template <class Visit>
-  void visit_state(Visit&& visit) {
-    visit(state_);
-    if (state_ == 0) state_ = 1;
   }
 
  private:

@@ -1,4 +1,4 @@
-// Strips of few indices in one pass. Included by annealing.hpp.
+// Strips of few indices in one pass.
 #pragma once
 
 #include <algorithm>

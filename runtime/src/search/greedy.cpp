@@ -1,6 +1,6 @@
-// Strips from scratch in one pass.
+// Greedy strips.
 //
-// Method. Fewest strips = most solid edges without a cycle and with at most two at each triangle. All dual edges start
+// Outline. Fewest strips = most solid edges without a cycle and with at most two at each triangle. All dual edges start
 // *open*; one after another is made solid or dropped. A triangle is *forced* if it can still take all of its open
 // edges: they all become solid, which loses nothing as long as the rest can be completed. Only when nothing is forced
 // is an edge chosen freely, at the strip end that has waited longest. Strips then grow around each other in rings, and
@@ -9,27 +9,18 @@
 // Frieze ("Hamilton cycles in random graphs with minimum degree at least 3", 2013).
 //
 // Each end of a growing strip knows the other end, so the test for cycles takes constant time.
-#pragma once
+#include "search/greedy.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "restrip/search/sided_mesh.hpp"
-
 namespace restrip {
 
-/// Colours the whole mesh from scratch and returns the number of strips. One pass, linear time, 12 bytes a triangle
-/// while it runs; the result is the same on every machine.
-template <NumberedMesh Mesh>
-std::size_t stripify_fast(Mesh& mesh);
+namespace {
 
-namespace detail {
-
-template <SidedMesh Mesh>
 class GreedyStrips {
  public:
-  explicit GreedyStrips(Mesh& mesh) : mesh_(mesh), nodes_(mesh.triangle_bound()) {
+  explicit GreedyStrips(StripMesh& mesh) : mesh_(mesh), nodes_(mesh.triangle_bound()) {
     waiting_.reserve(mesh.triangle_count());
   }
 
@@ -128,19 +119,15 @@ class GreedyStrips {
     }
   }
 
-  Mesh& mesh_;
+  StripMesh& mesh_;
   std::vector<Node> nodes_;
   std::vector<Triangle> forced_;
   std::vector<Triangle> waiting_;  // every end so far, oldest first
   std::size_t solid_ = 0;
 };
 
-}  // namespace detail
+}  // namespace
 
-template <NumberedMesh Mesh>
-std::size_t stripify_fast(Mesh& mesh) {
-  auto&& sides = by_sides(mesh);
-  return detail::GreedyStrips(sides).run();
-}
+std::size_t stripify_fast(StripMesh& mesh) { return GreedyStrips(mesh).run(); }
 
 }  // namespace restrip

@@ -12,104 +12,17 @@
 // search of n states has examined n different ends. If one triangle in d is an end, it takes about d states to find
 // one. Only a successful chain, the shortest of those tried, changes colours and locator, or, on request, the chain to
 // one state of a search that fails.
-#pragma once
+#include "search/tunnel.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
-#include "restrip/search/impl/strip_locator.hpp"
-#include "restrip/search/sided_mesh.hpp"
+#include "search/sides.hpp"
 
 namespace restrip {
 
-/// The work of tunnelling so far.
-struct TunnelCounts {
-  std::size_t searches = 0;
-  std::size_t states = 0;       ///< examined in all searches
-  std::size_t joined = 0;       ///< searches that joined two strips
-  std::size_t moves = 0;        ///< edges made solid
-  std::ptrdiff_t isolated = 0;  ///< increase in isolated triangles
-};
+using detail::lowest_side;
 
-/// The search, with its memory. One object can run any number of searches on any mesh, one after the other; nothing is
-/// allocated once its arrays have grown to the largest search.
-class Tunnel {
- public:
-  enum class OnFailure {
-    stay,   ///< nothing changes
-    wander  ///< the moves to the last state examined are made, and the strip ends there
-  };
-
-  /// Tries to join the strip that ends at `end` with another one, by examining at most `max_states` states. Returns
-  /// true if the mesh now has one strip fewer. `locator` must belong to the mesh. Deterministic.
-  ///
-  /// A search that fails does not change the number of strips. After `wander` the next search starts from the far limit
-  /// of this one.
-  ///
-  /// Complexity: O(max_states * length of the chains), where chains have about 5 moves at 100 states, 12 at 1,000, 25
-  /// at 10,000. Does nothing when `end` is inside a strip.
-  bool join(SidedMesh auto& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
-            OnFailure on_failure = OnFailure::stay);
-
-  [[nodiscard]] const TunnelCounts& counts() const noexcept { return counts_; }
-
- private:
-  using Halfedge = StripMesh::Halfedge;
-  using Order = std::uint64_t;
-
-  // A stretch of a strip: from low to high, or down from high to low. `last` of its path or not.
-  struct Piece {
-    Order low;
-    Order high;
-    std::uint32_t strip;
-    std::uint32_t flags;
-
-    static constexpr std::uint32_t down_flag = 1;
-    static constexpr std::uint32_t last_flag = 2;
-    [[nodiscard]] static Piece whole(std::uint32_t strip) noexcept { return {0, ~Order{0}, strip, last_flag}; }
-    [[nodiscard]] bool down() const noexcept { return (flags & down_flag) != 0; }
-    [[nodiscard]] bool last() const noexcept { return (flags & last_flag) != 0; }
-    [[nodiscard]] bool has(Order order) const noexcept { return low <= order && order <= high; }
-    [[nodiscard]] Order front() const noexcept { return down() ? high : low; }
-    [[nodiscard]] Order back() const noexcept { return down() ? low : high; }
-    // This stretch reversed, in the middle of a path.
-    [[nodiscard]] Piece turned() const noexcept { return {low, high, strip, (flags & down_flag) ^ down_flag}; }
-    [[nodiscard]] Piece from(Order x, bool upwards) const noexcept {
-      return {upwards ? x : low, upwards ? high : x, strip, flags};
-    }
-  };
-  // The paths after some moves: first the path that begins at `end`, then the others that differ from the locator.
-  struct State {
-    std::uint32_t parent;
-    Halfedge join;  // the last move made the dual edge of `join` solid
-    Halfedge cut;   // and the index of `cut`, a halfedge of the new end, dashed
-    Order x;        // of the last move
-    Order y;
-    std::uint32_t where;        // the piece of the parent that x is in, or the name of its strip if no move touched it
-    bool touched;               // which of the two
-    std::uint32_t pieces = 0;   // when it has: the first one in pieces_,
-    std::uint32_t current = 0;  // the number in the path of the new end,
-    std::uint32_t total = 0;    // and in all paths
-  };
-  bool move(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x);
-  bool reach(SidedMesh auto& mesh, StripLocator& locator, const State& state);
-  void lay_out(std::uint32_t s);
-  Piece* room_for(State& state, std::uint32_t total);
-  void commit(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join = {});
-
-  std::vector<State> states_;
-  std::vector<Piece> pieces_;  // as large as in the largest search
-  std::uint32_t used_ = 0;     // of pieces_
-  std::vector<std::uint32_t> seen_;
-  std::uint32_t search_ = 0;
-  std::uint32_t max_states_ = 0;
-  std::vector<std::uint32_t> chain_;
-  TunnelCounts counts_;
-};
-
-bool Tunnel::join(SidedMesh auto& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
+bool Tunnel::join(StripMesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
                   OnFailure on_failure) {
   RESTRIP_ASSERT(mesh.alive(end) && locator.knows(end), "Tunnel::join",
                  "the triangle is not one of this mesh, or the locator does not know it");
@@ -127,7 +40,7 @@ bool Tunnel::join(SidedMesh auto& mesh, StripLocator& locator, Triangle end, std
   const StripLocator::Position at = locator.position(end);
   bool down = false;
   if (const unsigned solid = mesh.solid_sides(end); solid != 0) {
-    const Halfedge there = mesh.opposite(detail::lowest_side(end, solid));
+    const Halfedge there = mesh.opposite(lowest_side(end, solid));
     down = locator.position(StripMesh::triangle(there)).order < at.order;
   }
   states_.push_back({none, {}, {}, 0, 0, at.strip, false});
@@ -140,7 +53,7 @@ bool Tunnel::join(SidedMesh auto& mesh, StripLocator& locator, Triangle end, std
     const Triangle last = s == 0 ? end : StripMesh::triangle(states_[s].cut);
     // The side of the cut is not among the sides over which a move may go: its colour is still solid.
     for (unsigned dashed = 7U & ~mesh.solid_sides(last); dashed != 0 && !joined; dashed &= dashed - 1) {
-      const Halfedge join = detail::lowest_side(last, dashed);
+      const Halfedge join = lowest_side(last, dashed);
       const Halfedge there = mesh.opposite(join);
       joined = !StripMesh::on_boundary(there) && move(mesh, locator, s, join, StripMesh::triangle(there));
     }
@@ -154,14 +67,14 @@ bool Tunnel::join(SidedMesh auto& mesh, StripLocator& locator, Triangle end, std
 
 // Adds a state, unless its end was already reached. True when the new end lies next to the end of another strip, and
 // the two have been joined: most searches end here, so looking ahead spares expanding half of all states.
-bool Tunnel::reach(SidedMesh auto& mesh, StripLocator& locator, const State& state) {
+bool Tunnel::reach(StripMesh& mesh, StripLocator& locator, const State& state) {
   const Triangle y = StripMesh::triangle(state.cut);
   if (seen_[y] == search_ || states_.size() >= max_states_) return false;
   seen_[y] = search_;
   const auto s = static_cast<std::uint32_t>(states_.size());
   states_.push_back(state);
   for (unsigned dashed = 7U & ~mesh.solid_sides(y); dashed != 0; dashed &= dashed - 1) {
-    const Halfedge join = detail::lowest_side(y, dashed);
+    const Halfedge join = lowest_side(y, dashed);
     const Halfedge there = mesh.opposite(join);
     if (StripMesh::on_boundary(there)) continue;
     const Triangle x = StripMesh::triangle(there);
@@ -173,7 +86,7 @@ bool Tunnel::reach(SidedMesh auto& mesh, StripLocator& locator, const State& sta
 }
 
 // The moves over one dashed edge, to x. True when one of them has joined two strips.
-bool Tunnel::move(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
+bool Tunnel::move(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
   // A triangle next to x in its strip: the halfedge that leads from it to x.
   struct Neighbor {
     Halfedge towards_x;
@@ -183,7 +96,7 @@ bool Tunnel::move(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, 
   unsigned n = 0;
   bool seen_all = true;
   for (unsigned solid = mesh.solid_sides(x); solid != 0; solid &= solid - 1) {
-    next[n].towards_x = mesh.opposite(detail::lowest_side(x, solid));
+    next[n].towards_x = mesh.opposite(lowest_side(x, solid));
     seen_all = seen_all && seen_[StripMesh::triangle(next[n].towards_x)] == search_;
     ++n;
   }
@@ -220,7 +133,7 @@ bool Tunnel::move(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, 
   return false;
 }
 
-inline Tunnel::Piece* Tunnel::room_for(State& state, std::uint32_t total) {
+Tunnel::Piece* Tunnel::room_for(State& state, std::uint32_t total) {
   state.pieces = used_;
   state.total = total;
   used_ += total;
@@ -229,7 +142,7 @@ inline Tunnel::Piece* Tunnel::room_for(State& state, std::uint32_t total) {
 }
 
 // Computes the paths of a state from the paths of its parent.
-inline void Tunnel::lay_out(std::uint32_t s) {
+void Tunnel::lay_out(std::uint32_t s) {
   State& state = states_[s];
   if (state.total != 0) return;
   const State& parent = states_[state.parent];
@@ -288,7 +201,7 @@ inline void Tunnel::lay_out(std::uint32_t s) {
 }
 
 // Makes the moves that lead to a state, and then `last_join`, if any; each leaves a valid colouring.
-void Tunnel::commit(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join) {
+void Tunnel::commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join) {
   const auto link = [&](Halfedge h) {
     for (const Halfedge side : {h, mesh.opposite(h)})
       counts_.isolated -= mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
@@ -305,6 +218,31 @@ void Tunnel::commit(SidedMesh auto& mesh, StripLocator& locator, std::uint32_t s
     link(states_[*step].join);
   }
   if (last_join.id != none) link(last_join);
+}
+
+// ---- rounds
+
+std::size_t TunnelRounds::run(StripMesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget,
+                              std::size_t enough, const std::function<bool(Triangle)>& worth) {
+  const std::size_t before = tunnel.counts().states;
+  std::size_t passed = 0;
+  const auto spent = [&] { return tunnel.counts().states - before + passed / 64; };
+  while (locator.strips() > enough && spent() < budget) {
+    if (next_ >= mesh.triangle_bound()) {
+      const std::size_t strips = locator.strips();
+      const bool poor = strips + strips / 8 >= strips_at_start_;
+      if (poor) states_ = (std::min)(last_, states_ > last_ / 4 ? last_ : states_ * 4);
+      strips_at_start_ = strips;
+      next_ = 0;
+      if (mesh.triangle_count() == 0) break;
+    }
+    const Triangle t = next_++;
+    ++passed;
+    if (!mesh.alive(t) || mesh.solid_degree(t) > 1 || (worth && !worth(t))) continue;
+    const auto on_failure = states_ >= last_ ? Tunnel::OnFailure::wander : Tunnel::OnFailure::stay;
+    tunnel.join(mesh, locator, t, states_, on_failure);
+  }
+  return spent();
 }
 
 }  // namespace restrip

@@ -1,4 +1,4 @@
-// A copy of the colours of a mesh, to be changed and written back. Included by annealing.hpp.
+// A copy of the colours of a mesh, to be changed and written back.
 #pragma once
 
 #include <array>
@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/triangle_list.hpp"
-#include "restrip/search/sided_mesh.hpp"
 
 namespace restrip::detail {
 
-/// A SidedMesh of 13 bytes a triangle, whose triangles do not change. Halfedges are numbered as in the mesh, 4 *
-/// triangle + side.
+/// The part of a StripMesh that searches read, in 13 bytes a triangle; triangles do not change. Halfedges are numbered
+/// as in the mesh, 4 * triangle + side.
 class ColoringCopy {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  explicit ColoringCopy(const SidedMesh auto& mesh)
+  explicit ColoringCopy(const StripMesh& mesh)
       : across_(mesh.triangle_bound()), alive_(mesh.triangle_bound(), false), solid_(mesh.triangle_bound(), 0) {
     for (Triangle t = 0; t < across_.size(); ++t) {
       across_[t] = {none, none, none};
@@ -48,9 +48,9 @@ class ColoringCopy {
     }
   }
   /// Colours the mesh.
-  void give(SidedMesh auto& mesh) const { mesh.set_colors(solid_); }
+  void give(StripMesh& mesh) const { mesh.set_colors(solid_); }
 
-  // The members of SidedMesh.
+  // As in StripMesh.
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
     const std::uint32_t there = across(h.id);
     return there == none ? StripMesh::across_boundary(h) : Halfedge{there};

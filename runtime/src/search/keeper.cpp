@@ -1,0 +1,237 @@
+// Keeper: the rule of an operation, or colours that are as good; then the steps of the policy, which only lower the
+// cost.
+//
+// Outline of an operation. begin() makes sure that the counts are right, and marks the keeper as out of date, which it
+// stays if the operation ends by an exception. The engine does the operation, as a Step (steps.hpp), and what its
+// policy adds. counted() takes the change of the counts. Baked strips are played by their own class.
+//
+// Invariant. If up_to_date(), the counts are those of the mesh and, under a policy that tunnels, the locator knows
+// every strip.
+#include "restrip/search/keeper.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
+#include "search/fewest_strips.hpp"
+#include "search/lowest_cost.hpp"
+#include "search/rule_choice.hpp"
+#include "search/steps.hpp"
+
+namespace restrip {
+
+/// One of the two engines, and what both use.
+struct Keeper::Engine {
+  detail::RuleChoice choice;
+  std::optional<detail::FewestStrips> fewest;
+  std::optional<detail::LowestCost> lowest;
+  detail::Surroundings around;  // for operations that do not count
+
+  Engine(const PolicyRow& row, const Cost& cost) : choice(cost) {
+    if (choice.weighs())
+      lowest.emplace(row.plan, cost);
+    else
+      fewest.emplace(row);
+  }
+  Rewrite perform(StripMesh& mesh, const detail::Step& step) {
+    return fewest ? fewest->perform(mesh, choice, step) : lowest->perform(mesh, choice, around, step);
+  }
+  [[nodiscard]] detail::SearchNumbers numbers() const noexcept {
+    return fewest ? fewest->numbers() : lowest->numbers();
+  }
+  void set_numbers(const detail::SearchNumbers& numbers) noexcept {
+    fewest ? fewest->set_numbers(numbers) : lowest->set_numbers(numbers);
+  }
+};
+
+Keeper::Keeper(StripMesh& mesh, Policy policy, Cost cost)
+    : mesh_(&mesh), policy_(policy), cost_(cost), engine_(std::make_unique<Engine>(row_of(policy), cost)) {
+  rebuild();
+}
+Keeper::Keeper(StripMesh& mesh, const BakedRecords& records, std::size_t level)
+    : Keeper(mesh, Policy::local, Cost::strips()) {
+  baked_.emplace(mesh, records, level);
+}
+Keeper::Keeper(Keeper&&) noexcept = default;
+Keeper& Keeper::operator=(Keeper&&) noexcept = default;
+Keeper::~Keeper() = default;
+
+void Keeper::set_search(Search search) {
+  if (engine_->fewest && engine_->fewest->set_search(search)) rebuild();
+}
+void Keeper::set_plan(const IndexPlan& plan) noexcept {
+  if (engine_->lowest) engine_->lowest->set_plan(plan);
+}
+void Keeper::reserve(std::size_t triangles) {
+  if (engine_->fewest) engine_->fewest->reserve(triangles);
+}
+
+// ---- operations
+
+Rewrite Keeper::split(const VertexSplit& where, Vertex new_vertex) {
+  RESTRIP_ASSERT_GRANTED(check_split(*mesh_, where, new_vertex), "Keeper::split");
+  return perform(detail::SplitStep(where, new_vertex));
+}
+Rewrite Keeper::collapse(Halfedge chord) {
+  RESTRIP_ASSERT_GRANTED(check_collapse(*mesh_, chord), "Keeper::collapse");
+  return perform(detail::CollapseStep(chord));
+}
+Rewrite Keeper::flip(Halfedge h) {
+  RESTRIP_ASSERT_GRANTED(check_flip(*mesh_, h), "Keeper::flip");
+  return perform(detail::FlipStep(h));
+}
+Rewrite Keeper::apply(const OperationView& table, Halfedge where, NewVertices* added) {
+  RESTRIP_ASSERT_GRANTED(check_apply(*mesh_, table, where), "Keeper::apply");
+  NewVertices unused;
+  return perform(detail::ApplyStep(table, where, added != nullptr ? *added : unused));
+}
+
+Rewrite Keeper::split_record(std::size_t record, const VertexSplit& where, Vertex new_vertex) {
+  RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper does not play baked strips");
+  if (!baked_->can_split(record)) return split(where, new_vertex);
+  begin();
+  return counted(baked_->split(record, where, new_vertex));
+}
+Rewrite Keeper::collapse_record(std::size_t record, Halfedge chord) {
+  RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper does not play baked strips");
+  if (!baked_->can_collapse(record)) return collapse(chord);
+  begin();
+  return counted(baked_->collapse(record, chord));
+}
+
+void Keeper::begin() {
+  if (!up_to_date_) rebuild();
+  up_to_date_ = false;
+}
+
+// Isolated triangles are not counted while baked strips are played: begin() counts them.
+void Keeper::leave_levels() noexcept {
+  if (!baked_ || !baked_->in_step()) return;
+  baked_->leave_step();
+  up_to_date_ = false;
+}
+
+Rewrite Keeper::perform(const detail::Step& step) {
+  leave_levels();
+  begin();
+  return policy_ == Policy::bare ? bare(step) : counted(engine_->perform(*mesh_, step));
+}
+
+Rewrite Keeper::bare(const detail::Step& step) {
+  if (engine_->lowest) engine_->lowest->unsettle();
+  std::vector<Triangle>& patch = engine_->choice.start();
+  detail::Surroundings& around = engine_->around;
+  around.clear();
+  step.surround(*mesh_, around);
+  around.count_before(*mesh_);
+  const Halfedge h = step.bare(*mesh_);
+  patch.clear();
+  step.find_new(*mesh_, h, patch);
+  around.add(patch);
+  return counted({around.change(*mesh_), h, 0});
+}
+
+Rewrite Keeper::counted(const Rewrite& done) {
+  strips_ += static_cast<std::size_t>(done.strips);
+  swaps_ += static_cast<std::size_t>(done.swaps);
+  isolated_ += static_cast<std::size_t>(done.isolated);
+  up_to_date_ = true;
+  return done;
+}
+
+// ---- background work
+
+std::size_t Keeper::improve(std::size_t budget) {
+  leave_levels();
+  begin();
+  const std::size_t before = cost();
+  counted({engine_->fewest ? engine_->fewest->improve(*mesh_, budget) : engine_->lowest->improve(*mesh_, budget),
+           Halfedge{}, 0});
+  return before - cost();
+}
+
+// ---- the whole mesh
+
+void Keeper::rebuild() {
+  up_to_date_ = false;
+  if (engine_->lowest) {
+    engine_->lowest->unsettle();
+    strips_ = count_strips(*mesh_);
+    swaps_ = count_swaps(*mesh_);
+  } else {
+    strips_ = engine_->fewest->rebuild(*mesh_);
+    swaps_ = 0;
+  }
+  isolated_ = 0;
+  for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
+    isolated_ += mesh_->alive(t) && mesh_->solid_sides(t) == 0 ? 1U : 0U;
+  up_to_date_ = true;
+}
+
+Keeper::State Keeper::state() noexcept {
+  State state{up_to_date_, strips_, swaps_, isolated_, cost_, engine_->numbers(), {}};
+  if (baked_ && baked_->in_step()) state.level = baked_->level();
+  return state;
+}
+void Keeper::return_to(const State& state) {
+  const bool same_cost = state.cost == cost_;
+  if (locator() != nullptr || (engine_->fewest && engine_->fewest->tunnels()) || !state.known || !same_cost) {
+    rebuild();
+  } else {
+    strips_ = state.strips;
+    swaps_ = state.swaps;
+    isolated_ = state.isolated;
+    up_to_date_ = true;
+  }
+  if (same_cost)
+    engine_->set_numbers(state.searches);
+  else if (engine_->lowest)
+    engine_->lowest.emplace(engine_->lowest->plan(), cost_);  // searches begin again
+  if (baked_) state.level ? baked_->restart(*state.level) : baked_->leave_step();
+}
+void Keeper::keep(Policy policy, const Cost& cost) {
+  Keeper other(*mesh_, policy, cost);
+  other.return_to(state());
+  other.engine_->choice.counts() = engine_->choice.counts();
+  *this = std::move(other);
+}
+
+// ---- counts
+
+std::size_t Keeper::swaps() const { return engine_->choice.weighs() ? swaps_ : count_swaps(*mesh_); }
+const RuleCounts& Keeper::rule_counts() const noexcept { return engine_->choice.counts(); }
+const StripLocator* Keeper::locator() const noexcept {
+  return engine_->fewest && engine_->fewest->tunnels() && up_to_date_ ? &engine_->fewest->locator() : nullptr;
+}
+
+// ---- operations that are checked first
+
+Checked checked_split(Keeper& keeper, const VertexSplit& where, Vertex new_vertex) {
+  Checked done;
+  done.refusal = check_split(keeper.mesh(), where, new_vertex);
+  if (!done) return done;
+  done.rewrite = keeper.split(where, new_vertex);
+  done.new_vertices.push_back(keeper.mesh().to(done.rewrite.halfedge));
+  return done;
+}
+Checked checked_collapse(Keeper& keeper, Halfedge chord) {
+  Checked done;
+  done.refusal = check_collapse(keeper.mesh(), chord);
+  if (done) done.rewrite = keeper.collapse(chord);
+  return done;
+}
+Checked checked_flip(Keeper& keeper, Halfedge h) {
+  Checked done;
+  done.refusal = check_flip(keeper.mesh(), h);
+  if (done) done.rewrite = keeper.flip(h);
+  return done;
+}
+Checked checked_apply(Keeper& keeper, const OperationView& table, Halfedge where) {
+  Checked done;
+  done.refusal = check_apply(keeper.mesh(), table, where);
+  if (done) done.rewrite = keeper.apply(table, where, &done.new_vertices);
+  return done;
+}
+
+}  // namespace restrip

@@ -1,0 +1,176 @@
+// The operations of a Keeper, in steps: what a policy needs to know about each, and how it is done.
+#include "search/steps.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/apply.hpp"
+#include "restrip/operations/impl/absorb.hpp"
+#include "restrip/operations/impl/join.hpp"
+#include "restrip/operations/impl/patch_sides.hpp"
+
+namespace restrip::detail {
+
+namespace {
+
+void add_next_to(const StripMesh& mesh, StripMesh::Halfedge h, std::vector<Triangle>& patch) {
+  for (const auto side : {h, mesh.opposite(h)})
+    if (!StripMesh::on_boundary(side)) patch.push_back(StripMesh::triangle(side));
+}
+
+void add_triangles(const StripMesh& mesh, std::span<const tables::PatchTriangle> triangles, StripMesh::Halfedge first,
+                   std::vector<Triangle>& patch) {
+  patch.clear();
+  const PatchSides all = read_sides(mesh, triangles, first);
+  for (const auto& sides : all.sides()) patch.push_back(StripMesh::triangle(sides[0]));
+}
+
+}  // namespace
+
+// ---- counts
+
+void Surroundings::add(Triangle t) {
+  if (std::find(triangles_.begin(), triangles_.end(), t) == triangles_.end()) triangles_.push_back(t);
+}
+void Surroundings::add_next_to(const StripMesh& mesh, Halfedge h) {
+  for (const Halfedge side : {h, mesh.opposite(h)})
+    if (!StripMesh::on_boundary(side)) add(StripMesh::triangle(side));
+}
+void Surroundings::add_neighbors(const StripMesh& mesh) {
+  for (std::size_t i = 0, n = triangles_.size(); i < n; ++i)
+    for_each_neighbor(mesh, triangles_[i], [this](Triangle t) { add(t); });
+}
+
+ColoringChange Surroundings::change(const StripMesh& mesh) {
+  std::erase_if(triangles_, [&](Triangle t) { return !mesh.alive(t); });
+  ColoringChange change = counted(mesh);
+  change += -before_;
+  return change;
+}
+
+// `strips` is the number of triangles minus the number of solid edges.
+ColoringChange Surroundings::counted(const StripMesh& mesh) const {
+  ColoringChange count;
+  count.strips = static_cast<int>(triangles_.size());
+  for (auto t = triangles_.begin(); t != triangles_.end(); ++t) {
+    count.isolated += mesh.solid_sides(*t) == 0 ? 1 : 0;
+    for (unsigned side = 0; side < 3; ++side) {
+      const Halfedge h = StripMesh::halfedge(*t, side);
+      if (!mesh.solid(h)) continue;
+      if (std::find(triangles_.begin(), t, StripMesh::triangle(mesh.opposite(h))) != t) continue;  // counted there
+      --count.strips;
+      count.swaps += int{restrip::is_swap(mesh, h)};
+    }
+  }
+  return count;
+}
+
+// ---- split
+
+void SplitStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const {
+  fan_triangles(mesh, where.spoke(), patch);
+}
+Rewrite SplitStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+  const auto change = begin_split(choice, mesh, where);
+  const Rewrite done = finish_split(mesh, change, change_by_split(mesh, where, change, new_vertex));
+  choice.begin_after_split(mesh, change, done.halfedge);
+  return done;
+}
+Rewrite SplitStep::joined(StripMesh& mesh, RuleChoice& choice) const {
+  const auto change = begin_split(choice, mesh, where);
+  choice.note(change);
+  return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, new_vertex));
+}
+void SplitStep::surround(const StripMesh& mesh, Surroundings& around) const {
+  using Spokes = VertexSplit::Spokes;
+  if (where.spokes != Spokes::right_only) around.add_next_to(mesh, where.left);
+  if (where.spokes != Spokes::left_only) around.add_next_to(mesh, where.right);
+}
+void SplitStep::find_new(const StripMesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const {
+  add_next_to(mesh, chord, patch);
+}
+
+// ---- collapse
+
+void CollapseStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const {
+  edge_triangles(mesh, chord, patch);
+}
+Rewrite CollapseStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+  const auto change = begin_collapse(choice, mesh, chord);
+  const Rewrite done = finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
+  choice.begin_after_collapse(mesh, change, done.halfedge);
+  return done;
+}
+Rewrite CollapseStep::joined(StripMesh& mesh, RuleChoice& choice) const {
+  const auto change = begin_collapse(choice, mesh, chord);
+  choice.note(change);
+  return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
+}
+void CollapseStep::surround(const StripMesh& mesh, Surroundings& around) const {
+  around.add_next_to(mesh, chord);
+  around.add_neighbors(mesh);
+}
+void CollapseStep::find_new(const StripMesh& /*mesh*/, Halfedge /*spoke*/, std::vector<Triangle>& /*patch*/) const {}
+
+// ---- flip
+
+FlipStep::FlipStep(Halfedge h) : CollapseStep(h) {
+  is_fan = false;
+  may_isolate = MayIsolate::next_to_patch;
+}
+void FlipStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const {
+  patch.clear();
+  add_next_to(mesh, chord, patch);
+}
+Rewrite FlipStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+  return choice.taken(flip_by_rule(mesh, chord));
+}
+Rewrite FlipStep::joined(StripMesh& mesh, RuleChoice& choice) const {
+  const Rewrite done = by_rules(mesh, choice);
+  return with(done, join_at_edge(mesh, done.halfedge));
+}
+// The colouring would not stay valid with the colours of the two triangles' sides, so all of them are cleared.
+StripMesh::Halfedge FlipStep::bare(StripMesh& mesh) const {
+  for (auto h : {chord, mesh.opposite(chord)})
+    for (int side = 0; side < 3; ++side, h = StripMesh::next(h))
+      if (mesh.solid(h)) mesh.set_solid(h, false);
+  return mesh.turn_edge(chord);
+}
+
+// ---- apply
+
+ApplyStep::ApplyStep(const OperationView& of, Halfedge at, NewVertices& vertices)
+    : table(of), where(at), added(vertices) {
+  rings = 1;
+  may_isolate = MayIsolate::everywhere;
+}
+void ApplyStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const {
+  add_triangles(mesh, table.triangles_before, where, patch);
+}
+Rewrite ApplyStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+  return choice.taken(apply_unchecked(mesh, table, where, &added));
+}
+Rewrite ApplyStep::joined(StripMesh& mesh, RuleChoice& choice) const {
+  const Rewrite done = by_rules(mesh, choice);
+  return with(done, join_patch(mesh, table, done.halfedge));
+}
+// Without a rule no side of the patch can stay solid.
+StripMesh::Halfedge ApplyStep::bare(StripMesh& mesh) const {
+  const PatchSides patch = read_sides(mesh, table.triangles_before, where);
+  for (const auto& triangle : patch.sides())
+    for (const Halfedge h : triangle)
+      if (mesh.solid(h)) mesh.set_solid(h, false);
+  return replace_patch(mesh, table, patch, &added);
+}
+void ApplyStep::surround(const StripMesh& mesh, Surroundings& around) const {
+  const PatchSides patch = read_sides(mesh, table.triangles_before, where);
+  for (const auto& triangle : patch.sides())
+    for (const Halfedge h : triangle) around.add_next_to(mesh, h);
+}
+void ApplyStep::find_new(const StripMesh& mesh, Halfedge first, std::vector<Triangle>& patch) const {
+  add_triangles(mesh, table.triangles_after, first, patch);
+}
+
+}  // namespace restrip::detail

@@ -1,0 +1,73 @@
+// Strips from scratch.
+//
+// Outline. Under the cost of strips alone: greedy strips (greedy.cpp), then rounds of tunnelling (tunnel.cpp) until
+// they are as few as the connected components or the limit is reached. Otherwise strips that grow one after the other
+// (growing.hpp), or the ones just named if swaps cost nothing, and chains of moves at their ends (chain_search.cpp);
+// then annealing (annealing.cpp) and longer chains, until no end has a chain that gains.
+//
+// Invariant. A step that ends with a higher cost than the step before it is undone, so no effort is worse than a lower
+// one.
+#include "restrip/search/stripify.hpp"
+
+#include <algorithm>
+
+#include "restrip/mesh/walks.hpp"
+#include "search/annealing.hpp"
+#include "search/chain_search.hpp"
+#include "search/greedy.hpp"
+#include "search/strip_locator.hpp"
+#include "search/tunnel.hpp"
+
+namespace restrip {
+
+namespace detail {
+
+void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit) {
+  const std::uint64_t triangles = annealing.triangle_count();
+  ChainSearch chains(cost);
+  if (cost.swap != 0) {
+    annealing.grow();
+    chains.run_everywhere(annealing.colors(), {.looks = 1, .length = 1});
+  }
+  if (effort == Effort::fast) return;
+  annealing.keep();
+  const auto anneal = [&](std::uint64_t moves) {
+    annealing.cool(moves, 100);
+    annealing.keep();
+    annealing.go_back();
+    constexpr ChainLimits far{.looks = 70, .length = 16, .worse = 2};
+    while (chains.run_everywhere(annealing.colors(), far).price(cost) < 0 && effort == Effort::best) {
+    }
+    annealing.keep();
+    annealing.go_back();
+  };
+  anneal(limit != 0 && effort == Effort::full ? limit : 100 * triangles);
+  if (effort == Effort::full) return;
+  if (limit != 0) return anneal(limit);
+  // Small meshes take hardly any time, so they are searched until luck does not matter.
+  const std::uint64_t moves = 900 * triangles;
+  for (std::uint64_t done = 0; done == 0 || done < 1'000'000; done += moves + 1) anneal(moves);
+}
+
+}  // namespace detail
+
+std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit, std::uint64_t seed) {
+  const std::uint64_t triangles = mesh.triangle_count();
+  if (cost.swap == 0) {
+    const std::size_t strips = stripify_fast(mesh);
+    if (effort == Effort::fast) return strips;
+    const bool strips_alone = cost.isolated == 0;
+    StripLocator locator(mesh);
+    Tunnel tunnel;
+    TunnelRounds().run(mesh, locator, tunnel,
+                       static_cast<std::size_t>(strips_alone && limit != 0 ? limit : 40 * triangles),
+                       connected_components(mesh));
+    if (strips_alone) return locator.strips();
+  }
+  detail::Annealing annealing(detail::ColoringCopy(mesh), cost, seed);
+  detail::color_from_scratch(annealing, effort, cost, limit);
+  annealing.give(mesh);
+  return annealing.strips();
+}
+
+}  // namespace restrip
