@@ -88,7 +88,9 @@ for file in operations:
     text = verify(f"rules rules.csv --operation {file}", 0, f"{file.stem}: ")
     assert re.search(r"\nwithout a row +0\n", text) and "positions without any row" not in text, text
 run(f"restrip-generate dump --operation {operations[0]} --max-k 3", 2, "not a family, so --max-k has no effect")
-run(f"restrip-generate dump --operation {root}/tables/families.json", 2, "dump a file of one at a time")
+one, other = ({"name": name, "before": [["a", "b", "c"]], "after": [["a", "b", "c"]]} for name in ("one", "other"))
+(scratch / "list.json").write_text(json.dumps({"restrip_operation": 1, "operations": [one, other]}))
+run("restrip-generate dump --operation list.json", 2, "dump a file of one at a time")
 run("restrip-generate dump --family split --k 5 > rules.csv", 0)
 rows = (scratch / "rules.csv").read_text().splitlines()
 (scratch / "marked.csv").write_bytes(b"\xef\xbb\xbf" + "\r\n".join([*rows, ""]).encode())  # as spreadsheets write it
