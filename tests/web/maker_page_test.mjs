@@ -1,6 +1,6 @@
 // The page "Make a rule" in headless Chromium, by mouse and keyboard alone. A flip (keyboard only), a 4-to-2 and a removal
 // of a vertex are drawn from an empty outline; each is impossible at first, which is drawn, and proved after the button that
-// allows strips to be cut. Each step can be undone and redone, from the keyboard too, and the focus stays in the drawing. The
+// allows strips to be cut, and applied to the page's sheet. Each step can be undone and redone, from the keyboard too, and the focus stays in the drawing. The
 // files are those of the program; the downloaded header and the code that the page shows are compiled and run. A changed rule
 // is judged beside the best one. The address shows the operation again, in an open tab and after a reload; a damaged one says
 // so. A mistake in the typed file is shown at its place; work is stopped. Vertices are dragged by mouse and touch. The page is
@@ -62,6 +62,19 @@ try {
     }
     assert.fail(`Tab does not reach ${selector}`);
   };
+  /// Clicks on a place of the sheet where the operation fits.
+  const tryIt = async () => {
+    await page.until('/^The best rule leaves/.test(document.getElementById("case").textContent)');  // nothing above it moves any more
+    const place = await page.run(() => {
+      const svg = document.querySelector('#sheet svg');
+      svg.scrollIntoView({ block: 'center' });
+      const { x, y } = new DOMPoint(...restripMaker.trial.places[0].center).matrixTransform(svg.getScreenCTM());
+      return [x, y];
+    });
+    await mouse('mousePressed', place);
+    await mouse('mouseReleased', place);
+    await page.until('/^Applied/.test(document.getElementById("tried").textContent)');
+  };
   const outline = async (corners) => {
     await page.run(() => document.getElementById('corners').focus());
     await key(String(corners));
@@ -93,6 +106,10 @@ try {
   await done(page, '^✓ proved, 25 cases.*at worst 1 strip more');
   assert.equal(await page.run('JSON.parse(document.getElementById("text").value).give_up'), 'all');
   await page.until('/^The best rule leaves/.test(document.getElementById("case").textContent)');
+  await tabTo('#sheet svg');
+  await key('ArrowRight');
+  await key('Enter');
+  await page.until('/^Applied: \\d+ → \\d+ strips/.test(document.getElementById("tried").textContent)');
   // Undone to the outline, and redone; a vertex moved by arrows is one step.
   for (let n = 0; n < 2; ++n) await key('z', 2);
   assert.equal(await page.run('restripMaker.drawing.operation.after.flat().join("")'), 'abcacd');
@@ -114,6 +131,8 @@ try {
   await done(page, '^No rule');
   await click('#allow');
   await done(page, '^✓ proved');
+  await tryIt();
+  await shown('tried');
   await page.run(() => document.querySelector('#draw-before [data-vertex=m]').focus());
   await key('Delete');
   assert.deepEqual([await sizes(), await page.run('document.activeElement.closest("#draw-before") !== null')], [[2, 2], true]);
@@ -133,6 +152,7 @@ try {
   await click('#allow');
   await done(page, '^✓ proved, 2,040 cases');
   assert.match(await text('counted'), /^306 rules; \d+ claims of the verifier, of which all hold\./);
+  await tryIt();
   const operation = await text('text') || await page.run('document.getElementById("text").value');
   assert.deepEqual(new Set(JSON.parse(operation).before.map((t) => [...t].sort().join(''))), new Set(['abm', 'bcm', 'cdm', 'dem', 'efm', 'afm']));
   assert.equal(JSON.parse(operation).name, 'hex');

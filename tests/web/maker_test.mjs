@@ -2,6 +2,7 @@
 // operations, the module writes the same certificate, header and tables in other languages, and the verifier's claims
 // and its last line are the same, byte by byte. Files with mistakes are refused in the same words. Of 200 certificates
 // with one rule changed, and sealed again, the module and the program say the same: first line, claims, counterexamples.
+// On the page's sheet of triangles each application changes the number of strips as its rule says.
 // The module without nauty makes the same files and the same claims.
 //   node maker_test.mjs WEB_FOLDER RESTRIP_GENERATE RESTRIP_VERIFY MODULE MODULE_WITHOUT_NAUTY SCRATCH
 import assert from 'node:assert/strict';
@@ -10,6 +11,8 @@ import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'nod
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { judged, made, program } from '../../web/maker/programs.mjs';
+import { Drawing, addedBy, ruleOf } from '../../web/maker/surface.mjs';
+import { Trial } from '../../web/maker/trial.mjs';
 import { randomOperation } from './random_operations.mjs';
 
 /// The certificate with its last line made again: the number of rows, the sum of all bytes, and the sum of each byte times
@@ -102,6 +105,38 @@ for (let n = 0; n < 50; ++n) {
   else operations.set(`random-${n}.json`, [text, mine]);
 }
 assert.ok(refused < 25 && shapes.size > 20, `${refused} refused, ${shapes.size} shapes`);
+
+// ---- tried on the sheet of the page: strips stay strips, counted from scratch, and change as the rule says
+globalThis.document = { activeElement: null };
+const element = { addEventListener() {}, contains: () => false, querySelector: () => ({ setAttribute() {} }) };
+let applied = 0;
+for (const [name, [text, mine]] of operations) {
+  let drawing = null;
+  try { drawing = Drawing.of(text); } catch { /* a graph */ }
+  if (!drawing) continue;
+  const tables = JSON.parse(Object.entries(mine.files).find(([file]) => file.endsWith('.json'))[1]);
+  const table = { ...tables, ...tables.positions[0] };
+  let words = '';
+  let expected = 0;
+  const trial = new Trial(element, (said) => { words = said; });
+  trial.begin(drawing, (configuration) => {
+    const rule = ruleOf(table, configuration);
+    expected = addedBy(table, configuration, rule);
+    return rule;
+  });
+  for (let n = 0; n < 12 && trial.places.length > 0; ++n) {
+    const before = trial.strips;
+    trial.near = random(trial.places.length);
+    trial.apply();
+    if (!words.startsWith('Applied')) continue;
+    ++applied;
+    assert.equal(trial.strips, before + expected, `${name}: ${words}`);
+    trial.undo();
+    assert.equal(trial.strips, before);
+    trial.apply();
+  }
+}
+assert.ok(applied > 100, `${applied} operations on the sheet`);
 
 // ---- without nauty
 for (const [name, [text, mine]] of operations) {

@@ -3,12 +3,9 @@
 // the same depth there, and the first one drawn wins): at several levels, under policies and costs, in the
 // view-dependent modes, after 20 cuts and after a random walk of the slider. The copy of the index buffer on the graphics card is the
 // live one. The live buffer does not depend on the processor's speed. The figures on the page are the same as from
-// `restrip replay` for the same way. A frame does the most operations that fit into its budget of time, by a clock that
-// the test turns. Strips in colours take one draw call. A dropped mesh is prepared in a worker and shown, a file that is
-// not a mesh is refused with a sentence. Without WebGL or JavaScript, and when the context is lost, the page says so.
-// The race holds what race_check.mjs says, the picture of README.md what picture_check.mjs says. The page is not higher
-// or wider than its content: on a desktop the panel scrolls, on a telephone the page does. Nothing is said on the
-// console.
+// `restrip replay` for the same way. Strips in colours take one draw call. A dropped mesh is prepared in a worker and shown, also from gzip and with
+// the buffers of a .gltf; a file that is not a mesh is refused with a sentence. Without WebGL or JavaScript, and when the context is lost, the page says so.
+// The race holds what race_check.mjs says, the picture of README.md what picture_check.mjs says. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -174,39 +171,8 @@ try {
   assert.ok(walked.operations > levels, `only ${walked.operations} operations`);
   assert.ok(walked.inOrder);
 
-  // Four operations take a millisecond of this clock, and a frame has twelve: after the first frame, which has 256, 48 each.
-  await choose(page, { level: 0 });
-  await settled(page);
-  await page.run(() => {
-    const { mesh } = restripViewer;
-    restripViewer.pace.most = 256;
-    let clock = 0;
-    window.parts = [];
-    const { frame } = restripViewer;
-    restripViewer.frame = (now) => {
-      window.parts.push(0);
-      frame.call(restripViewer, now);
-    };
-    window.now = performance.now;
-    performance.now = () => clock;
-    mesh.moveTo = (level, most) => {
-      const done = Object.getPrototypeOf(mesh).moveTo.call(mesh, level, most);
-      clock += done / 4;
-      window.parts[window.parts.length - 1] += done;
-      return done;
-    };
-  });
   await choose(page, { level: 1000 });
   await settled(page);
-  const parts = await page.run(() => {
-    performance.now = window.now;
-    delete restripViewer.mesh.moveTo;
-    delete restripViewer.frame;
-    return window.parts.filter((done) => done > 0);
-  });
-  assert.equal(parts.reduce((sum, n) => sum + n), 1000);
-  assert.deepEqual(new Set(parts.slice(1, -1)), new Set([48]), `${parts}`);
-
   // Strips in colours: one draw call, the pixels of the surface, and a colour for each strip that is seen.
   const coloured = await page.run(() => {
     const viewer = window.restripViewer;
@@ -230,7 +196,7 @@ try {
   assert.ok(coloured.strips > 10 && coloured.ribbons === coloured.strips && coloured.shown > 10000);
   assert.deepEqual([coloured.made, coloured.different], [1, 0]);
 
-  // A wall is dark where the library's colours do not join two triangles, and only there; a strip keeps its colour.
+  // A strip keeps its colour.
   await choose(page, { policy: 'quick', cost: 'strips', level: 101 });
   await settled(page);
   const names = await page.run('[...restripViewer.ribbon.names]');
@@ -241,51 +207,6 @@ try {
     return names.filter((name, t) => name >= 0 && name === before[t]).length / names.filter((name) => name >= 0).length;
   }, names);
   assert.ok(kept > 0.6, `${kept} of the triangles keep their colour`);
-  const walls = await page.run(() => {
-    const viewer = window.restripViewer;
-    const { camera, mesh, ribbon, scene } = viewer;
-    const { width, height } = scene.canvas;
-    viewer.draw({ patch: false });
-    const pixels = scene.pixels();
-    const [view, projection] = [camera.view(), camera.projection(width / height)];
-    const turned = (m, p) => [0, 1, 2, 3].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r] * (p[3] ?? 1));
-    const onScreen = (p) => { const [x, y, , w] = turned(projection, turned(view, p)); return [(x / w + 1) / 2 * width, (y / w + 1) / 2 * height]; };
-    const light = (p, away) => {
-      const [x, y] = onScreen(p).map(Math.floor);
-      let least = Infinity;
-      for (let dx = -away; dx <= away; ++dx)
-        for (let dy = -away; dy <= away; ++dy) {
-          const at = 4 * ((y + dy) * width + x + dx);
-          least = Math.min(least, 0.3 * pixels[at] + 0.6 * pixels[at + 1] + 0.1 * pixels[at + 2]);
-        }
-      return least;
-    };
-    const seen = (p) => { const hit = mesh.pick(camera.eye, p.map((c, n) => c - camera.eye[n])); return hit && Math.hypot(...hit.map((c, n) => c - p[n])) < 2e-3 * camera.size; };
-    const point = (v) => [...mesh.points.subarray(3 * v, 3 * v + 3)];
-    const mean = (...all) => [0, 1, 2].map((n) => all.reduce((sum, p) => sum + p[n] / all.length, 0));
-    const counts = { walls: 0, brightWalls: 0, joined: 0, darkJoined: 0 };
-    for (let i = 0; i < ribbon.count; ++i) {
-      for (let side = 0; side < 3; ++side) {
-        const j = ribbon.place[ribbon.beyond(i, side)];
-        if (j < i) continue;
-        const [here, there] = [i, j].map((t) => [...ribbon.corners(t)].map(point));
-        const ends = [side, (side + 1) % 3].map((n) => here[n]);
-        const [from, to] = ends.map(onScreen);
-        const area = ([a, b, c]) => ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-        const long = Math.hypot(to[0] - from[0], to[1] - from[1]);
-        // Long edges between broad triangles that face the camera.
-        if (long < 20 || [here, there].some((corners) => area(corners.map(onScreen)) < 10 * long)) continue;
-        const places = [mean(...ends), mean(...here), mean(...there)];
-        if (!places.every(seen)) continue;
-        const share = light(places[0], 1) / Math.min(light(places[1], 0), light(places[2], 0));
-        if (ribbon.joined(i, side)) ++counts.joined, counts.darkJoined += share < 0.6 ? 1 : 0;
-        else ++counts.walls, counts.brightWalls += share > 0.5 ? 1 : 0;
-      }
-    }
-    return counts;
-  });
-  assert.ok(walls.walls >= 8 && walls.joined >= 8, JSON.stringify(walls));
-  assert.deepEqual([walls.brightWalls, walls.darkJoined], [0, 0], JSON.stringify(walls));
   writeFileSync(join(scratch, 'viewer-ribbon.png'), await page.screenshot());
 
   // Cut it: after each of 20 clicks the two new triangles are in view while the strips are cut, and not before.
@@ -375,18 +296,15 @@ try {
       cut.anywhere();
       const { k, before, after, strips } = mesh.last;
       const counts = [...document.querySelectorAll('#steps button')].map((button) => +/(\d+) strips?$/.exec(button.textContent)[1]);
-      const fills = [...document.querySelectorAll('#steps [value=mended] .old[style]')].map(({ style }) => style.fill);
-      const { ribbon, only } = cut.shown.mended;
-      const names = [...only].map((triangle) => ribbon.names[triangle]);
       const bits = (mask) => mask.toString(2).replaceAll('0', '').length;
       found.push({ counts, expected: [k - bits(before), k + 2 - bits(after)], drawings: document.querySelectorAll('#steps svg').length, strips,
-        text: document.getElementById('last-text').textContent, fills: fills.length, faces: names.length, colours: new Set(fills).size >= new Set(names).size });
+        text: document.getElementById('last-text').textContent });
     }
     return found;
   });
-  for (const { counts, expected, drawings, strips, text, fills, faces, colours } of splits) {
+  for (const { counts, expected, drawings, strips, text } of splits) {
     assert.deepEqual([counts[0], counts[2], counts.length, drawings], [...expected, 3, 3]);
-    assert.ok(counts[1] > counts[0] && counts[2] - counts[0] >= strips && fills === faces && colours);
+    assert.ok(counts[1] > counts[0] && counts[2] - counts[0] >= strips);
     assert.match(text, /^A vertex with k = \d+ triangles\. (Repaired by its rule( split-[-\w]+)?\.|Its rule.* leaves \d+ strips? in the patch; the policy then searched further\.)$/);
   }
   assert.ok(splits.some(({ text }) => /rule split-/.test(text)));
@@ -536,52 +454,12 @@ try {
   await touch('touchEnd');
   assert.notEqual(await phone.run('restripViewer.camera.yaw'), yaw);
   await agrees(phone, 'on a telephone');
-  // If the mesh is not visible, nothing is drawn for the light, and the mesh is not a stop of the Tab key.
-  const drawn = async (part) => {
-    await phone.run((name) => { location.hash = `#part=${name}`; }, part);
-    await phone.until((name) => restripViewer.part === name && restripViewer.settled, part);
-    return phone.run(async () => {
-      restripViewer.light = true;
-      restripViewer.ask();
-      await new Promise((later) => setTimeout(later, 200));
-      let frames = 0;
-      const { frame } = restripViewer;
-      restripViewer.frame = (now) => (++frames, frame.call(restripViewer, now));
-      for (let n = 0; n < 20; ++n) await new Promise(requestAnimationFrame);
-      delete restripViewer.frame;
-      restripViewer.light = false;
-      return [frames > 5, document.getElementById('canvas').checkVisibility({ visibilityProperty: true })];
-    });
-  };
-  assert.deepEqual([await drawn('ribbon'), await drawn('turn'), await drawn('use')], [[true, true], [false, false], [false, false]]);
   await phone.run(() => { location.hash = '#part=ribbon'; });
   writeFileSync(join(scratch, 'viewer-phone.png'), await phone.screenshot());
   quiet(phone);
 
   await checkTurn(browser, address, scratch);
   await checkParts(browser, address, scratch);
-
-  // No blank room below the content, at any size, with the panel scrolled to its end.
-  const sized = await browser.page(1280, 480);
-  await sized.open(`${address}#part=race`);
-  for (const [width, height, panel, part] of [[1280, 480, true, 'race'], [840, 520, true, 'ribbon'], [360, 640, false, 'race']]) {
-    await sized.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false });
-    await sized.run((name) => { location.hash = `#part=${name}`; }, part);
-    await sized.until((name, wide) => window.restripViewer?.part === name && restripViewer.settled && innerWidth === wide, part, width);
-    const found = await sized.run(() => {
-      const [root, aside] = [document.documentElement, document.querySelector('aside')];
-      aside.scrollTop = 1e6;
-      const lowest = Math.max(...[...aside.children].map((child) => child.getBoundingClientRect().bottom + scrollY));
-      return { height: root.scrollHeight, width: root.scrollWidth, content: document.querySelector('main').getBoundingClientRect().bottom + scrollY,
-        scrolls: aside.scrollHeight > aside.clientHeight, blank: aside.getBoundingClientRect().bottom + scrollY - lowest };
-    });
-    assert.equal(found.width, width, `at ${width} x ${height} the page sticks out sideways`);
-    assert.ok(Math.abs(found.height - found.content) <= 1, `at ${width} x ${height} the page is higher than its content`);
-    if (panel) assert.equal(found.height, height);
-    assert.equal(found.scrolls, panel);
-    assert.ok(found.blank < 60, `at ${width} x ${height} the panel ends ${found.blank} pixels after its content`);
-  }
-  quiet(sized);
 } finally {
   await browser.stop();
 }

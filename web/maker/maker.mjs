@@ -1,6 +1,7 @@
 // The page "Make a rule".
 import { embedded } from '../viewer/embedded.mjs';
-import { Drawing, edgesOf, operationAt, picture, sides, size } from './surface.mjs';
+import { Drawing, addedBy, edgesOf, operationAt, picture, ruleOf, sides, size } from './surface.mjs';
+import { Trial } from './trial.mjs';
 
 const field = (id) => document.getElementById(id);
 const base = { restrip_operation: 1, constraint: 'strips' };
@@ -101,6 +102,8 @@ class Page {
     field('costing').onchange = () => this.step(0);
     field('position').onchange = () => this.place(+field('position').value);
     for (const side of ['before', 'after', 'mine']) for (const kind of ['click', 'keydown']) field(`case-${side}`).addEventListener(kind, (event) => this.#paint(side, event));
+    this.trial = new Trial(field('sheet'), (text) => { field('tried').textContent = text; });
+    field('back').onclick = () => this.trial.undo();
     field('repair').onclick = () => { this.mine = null; this.look(); };
     field('copy').onclick = async () => {
       await this.address();
@@ -161,6 +164,7 @@ class Page {
     if (text !== this.asked) this.make(text);
     else if (this.shown && this.drawing) {  // vertices were moved
       this.shown = this.drawing;
+      this.trial.begin(this.shown, (one) => this.rule(one));
       this.look();
     }
   }
@@ -280,10 +284,10 @@ class Page {
     this.asked = text;
     this.made = this.shown = this.mine = null;
     const name = `${/"name":\s*"([\w-]+)"/.exec(text)?.[1] ?? 'operation'}.json`;
-    for (const id of ['fault', 'look', 'take', 'impossible']) field(id).hidden = true;
+    for (const id of ['fault', 'look', 'try', 'take', 'impossible']) field(id).hidden = true;
     field('state').className = '';
     field('state').textContent = 'Generating …';
-    field('counted').textContent = '';
+    for (const id of ['counted', 'case', 'verdict', 'why']) field(id).textContent = '';
     field('claims').tBodies[0].innerHTML = '';
     field('stop').hidden = false;
     const begun = performance.now();
@@ -312,8 +316,7 @@ class Page {
     field('state').className = 'verified';
     field('state').textContent = `${ok ? '✓ proved' : '✗ NOT proved'}, ${counted(figures.valid, 'case')}, in ${((performance.now() - begun) / 1000).toFixed(2)} s: `
       + `${figures.worst_strips > 0 ? `at worst ${counted(figures.worst_strips, 'strip')} more than before` : 'never more strips than before'}`;
-    field('counted').textContent = `${counted(figures.keys, 'rule')}; ${counted(verdict.claims.length, 'claim')} of the verifier, of which ${ok ? 'all hold' : `${verdict.failed} fail`}.`
-      + (verdict.claims.some(({ claim }) => claim === 'the orbits, counted again') ? '' : ' Orbits were counted once: this page was built without the source of nauty.');
+    field('counted').textContent = `${counted(figures.keys, 'rule')}; ${counted(verdict.claims.length, 'claim')} of the verifier, of which ${ok ? 'all hold' : `${verdict.failed} fail`}.`;
     if (!ok) {
       field('fault').hidden = false;
       field('fault').textContent = verdict.claims.find(({ holds }) => !holds).counterexample;
@@ -354,7 +357,7 @@ class Page {
     const values = Object.fromEntries(this.tables.numbers.map((number, i) => [number, position.numbers[i]]));
     const at = operationAt(JSON.parse(this.text), values);
     this.shown = at && Drawing.of(JSON.stringify(at), this.tables.numbers.length === 0 ? this.drawing?.places : {});
-    field('look').hidden = !this.shown;
+    for (const id of ['look', 'try']) field(id).hidden = !this.shown;
     const id = this.name.replace('.json', '').replaceAll('-', '_');
     const table = this.tables.numbers.length === 0 ? `restrip::tables::${id}_rules` : `position_of(restrip::tables::${id}_rules, {${position.numbers.join(', ')}})`;
     const [a, b] = this.shown?.operation.before[0] ?? ['from', 'to'];
@@ -371,6 +374,7 @@ class Page {
     for (let one = 0; one < 1 << edges; ++one)
       if (!this.table.matching || isMatching(one))
         for (let ports = 0; ports < 1 << position.ports; ++ports) if (this.rule({ inner: one, ports })) this.cases.push({ inner: one, ports });
+    this.trial.begin(this.shown, (one) => this.rule(one));
     this.case = { ...this.cases[Math.min(1, this.cases.length - 1)] };
     this.mine = null;
     return this.look();
@@ -384,22 +388,13 @@ class Page {
   }
 
   // ---- configurations
-  /// The rule of a configuration, or null if it is not valid.
-  rule({ inner, ports } = this.case) {
-    const { entries, none, first, matching, ports: count } = this.table;
-    const entry = entries[first + (matching ? ports : inner << count | ports)];
-    return entry === none ? null : { inner: entry >> count, ports: entry & (1 << count) - 1 };
-  }
-  added({ inner, ports }, rule) {
-    const bits = (mask) => hex(mask).split('').reduce((sum, digit) => sum + [0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4][parseInt(digit, 16)], 0);
-    return this.table.after.triangles - this.table.before.triangles - bits(rule.inner) - bits(rule.ports) + bits(inner) + bits(ports);
-  }
+  rule(configuration = this.case) { return ruleOf(this.table, configuration); }
   step(by) {
     const { cases } = this;
     const from = this.number();
     for (let n = by ? 1 : 0; n <= cases.length; ++n) {
       const one = cases[(from + n * (by || 1) + n * cases.length) % cases.length];
-      if (field('costing').checked && this.added(one, this.rule(one)) <= 0) continue;
+      if (field('costing').checked && addedBy(this.table, one, this.rule(one)) <= 0) continue;
       this.case = { ...one };
       this.mine = null;
       return this.look();
@@ -428,7 +423,7 @@ class Page {
     if (explained.error) return say(explained.error);
     if (explained.invalid) return say(`Strips cannot look like this: ${explained.invalid}.`);
     const strips = (colors) => {
-      const added = this.added(one, colors);
+      const added = addedBy(this.table, one, colors);
       return added === 0 ? 'as many strips as before' : `${counted(Math.abs(added), 'strip')} ${added > 0 ? 'more' : 'fewer'}`;
     };
     const best = `The best rule leaves ${strips(rule)}.`;

@@ -224,3 +224,14 @@ export function picture(drawing, side, label, { colors = null, marked = { inner:
   }
   return `<svg class="patch" viewBox="0 0 ${size.join(' ')}" role="${edit || paint ? 'group' : 'img'}" aria-label="${label}">${svg}</svg>`;
 }
+
+/// The rule of a configuration in a table as JSON at one of its positions, or null if the configuration is not valid.
+export function ruleOf({ entries, none, first, matching, ports: count }, { inner, ports }) {
+  const entry = entries[first + (matching ? ports : inner << count | ports)];
+  return entry === none ? null : { inner: entry >> count, ports: entry & (1 << count) - 1 };
+}
+/// The number of strips that a rule adds.
+export function addedBy({ before, after }, { inner, ports }, rule) {
+  const bits = (mask) => mask.toString(2).replaceAll('0', '').length;
+  return after.triangles - before.triangles - bits(rule.inner) - bits(rule.ports) + bits(inner) + bits(ports);
+}
