@@ -123,4 +123,5 @@ def main():
     TABLES[arguments.table](arguments.generate)
 
 
-main()
+if __name__ == "__main__":
+    main()
