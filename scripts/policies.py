@@ -105,6 +105,7 @@ COPIES = [  # a file, what is before the copy, what is after it, and the copy
     ("README.md", r"<!-- tested: cross\.policies -->\n\|[^\n]*\n\|[^\n]*\n", r"<!-- /tested -->", readme),
     ("bindings/c/include/restrip.h", r"enum \{\n(?=  RESTRIP_POLICY_)", r"\};\n", c),
     ("bindings/js/restrip.d.ts", r"export type Policy = ", r" \| 'baked';", lambda listed: quoted(listed, "'", " | ")),
+    ("bindings/js/restrip.mjs", r"\nconst policies = \[", r"\];\n", lambda listed: quoted(listed, "'", ", ")),
     ("bindings/python/src/restrip/__init__.py", r"\n_POLICIES = \{", r"\}\n", lambda listed: ", ".join(f'"{row.name}": {row.code}' for row in listed)),
     ("bindings/python/src/restrip/__init__.py", r"\nPolicy = Literal\[", r"\]\n", lambda listed: quoted(listed, '"', ", ")),
     ("bindings/python/src/restrip/__init__.py", r"    `policy` \(", r": docs/reference/policies\.md", lambda listed: quoted(listed, '"', ", ")),

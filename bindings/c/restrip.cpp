@@ -14,10 +14,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "restrip/restrip.hpp"
+#include "table.hpp"
 
 namespace restrip::c {
 
@@ -47,14 +49,32 @@ struct restrip_buffer {
 };
 
 struct restrip_levels {
+  restrip_levels(restrip::StripMesh mesh, std::span<const restrip::Simplifier::Point> points,
+                 restrip::BoundaryPolicy boundary)
+      : simplifier(std::move(mesh), points, boundary) {}
+  bool run(std::size_t wanted, std::size_t most = static_cast<std::size_t>(-1)) {
+    const bool ended = simplifier.run(wanted, most);
+    stopped_short = ended && simplifier.mesh().triangle_count() > wanted;
+    return ended;
+  }
+
+  restrip::Simplifier simplifier;
+  bool stopped_short = false;
+  // Of the view.
   std::vector<std::uint32_t> base;
   std::vector<restrip_record> records;
   std::vector<restrip_obstacle> obstacles;
 };
 
 struct restrip_mesh {
-  explicit restrip_mesh(restrip::LiveMesh made) : live(std::move(made)) {}
+  explicit restrip_mesh(restrip::LiveMesh made) : live(std::move(made)) { read_draws(); }
   [[nodiscard]] const restrip::StripMesh& mesh() const noexcept { return live.mesh(); }
+  /// After each change of the buffer, so that readers change nothing.
+  void read_draws() {
+    std::vector<restrip::IndexRange> runs;
+    live.buffer().draws(runs);
+    draws = restrip::c::ranges_of(runs);
+  }
 
   restrip::LiveMesh live;
   // What functions return until they are called again.
@@ -69,8 +89,8 @@ using namespace restrip;
 
 // ---- codes, texts and arguments
 
-/// The codes of the refusals, which never change, in the order of Refusal up to no_manifold.
-constexpr std::array<restrip_status, 15> codes{
+/// The codes of the refusals, which never change, in the order of Refusal up to same_vertex.
+constexpr std::array<restrip_status, 17> codes{
     RESTRIP_OK,
     RESTRIP_NO_SUCH_EDGE,
     RESTRIP_DIFFERENT_VERTICES,
@@ -85,22 +105,36 @@ constexpr std::array<restrip_status, 15> codes{
     RESTRIP_EDGE_EXISTS,
     RESTRIP_VERTEX_IN_USE,
     RESTRIP_VERTEX_TOO_FAR,
-    RESTRIP_OTHER_VALENCE,
+    RESTRIP_NO_MANIFOLD,
+    RESTRIP_OTHER_PATCH,
+    RESTRIP_SAME_VERTEX,
 };
-static_assert(codes.size() == static_cast<std::size_t>(Refusal::no_manifold) + 1);
+static_assert(codes.size() == static_cast<std::size_t>(Refusal::same_vertex) + 1);
 
 constexpr restrip_status status_of(Refusal refusal) noexcept {
   if (refusal == Refusal::colors_not_valid) return RESTRIP_BAD_COLORING;
   const auto place = static_cast<std::size_t>(refusal);
-  // The others are of operations that the C interface lacks.
   return place < codes.size() ? codes[place] : RESTRIP_UNEXPECTED;
 }
 
-/// The result of work(), or the code of the exception that ends it.
+/// Writes a text for the caller, cut off to `size` with its end.
+void tell(std::string_view what, char* text, std::size_t size) noexcept {
+  if (size != 0) text[what.copy(text, size - 1)] = '\0';
+}
+
+/// The result of work(), or the code of the exception that ends it; `text` receives the sentence about bytes that were
+/// refused. Without exceptions RESTRIP_THROW does not return.
 template <class Work>
-restrip_status guarded(Work&& work) noexcept {
+restrip_status guarded(Work&& work, [[maybe_unused]] char* text = nullptr,
+                       [[maybe_unused]] std::size_t text_size = 0) noexcept {
+#ifdef __cpp_exceptions
   try {
     return work();
+  } catch (const std::invalid_argument& error) {
+    constexpr std::string_view prefix = "restrip: ";
+    const std::string_view what = error.what();
+    tell(what.starts_with(prefix) ? what.substr(prefix.size()) : what, text, text_size);
+    return RESTRIP_BAD_FILE;
   } catch (const std::bad_alloc&) {
     return RESTRIP_OUT_OF_MEMORY;
   } catch (const std::length_error&) {
@@ -108,11 +142,9 @@ restrip_status guarded(Work&& work) noexcept {
   } catch (...) {
     return RESTRIP_UNEXPECTED;
   }
-}
-
-/// Writes a text for the caller, cut off to `size` with its end.
-void tell(std::string_view what, char* text, std::size_t size) noexcept {
-  if (size != 0) text[what.copy(text, size - 1)] = '\0';
+#else
+  return work();
+#endif
 }
 
 /// The number given, as a member of an enumeration of the library, 0 to `last`.
@@ -236,6 +268,14 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
 
 // ---- simplification
 
+/// Writes the corners of all triangles, in the order of their numbers.
+template <class Out>
+void write_corners(const StripMesh& mesh, Out out) {
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t))
+      for (const Vertex v : mesh.corners(t)) *out++ = v;
+}
+
 restrip_record record_of(const SplitRecord& split) noexcept { return {split.v_s, split.v_t, split.v_l, split.v_r}; }
 
 /// What is wrong with the arguments of a simplification; empty if nothing is.
@@ -274,19 +314,10 @@ restrip_status simplify(const Index* indices, std::size_t index_count, const dou
     std::vector<Simplifier::Point> places(vertex_count);
     for (std::size_t i = 0; i < 3 * vertex_count; ++i) places[i / 3][i % 3] = points[i];
     BuildReport found;
-    Simplifier simplifier(StripMesh::build(list, vertex_count, &found), places,
-                          boundary == RESTRIP_BOUNDARY_LOCK ? BoundaryPolicy::lock : BoundaryPolicy::move);
-    simplifier.run(wanted);
-    auto levels = std::make_unique<restrip_levels>();
-    const StripMesh& coarse = simplifier.mesh();
-    for (Triangle t = 0; t < coarse.triangle_bound(); ++t)
-      if (coarse.alive(t))
-        for (const Vertex v : coarse.corners(t)) levels->base.push_back(v);
-    const std::vector<SplitRecord>& collapses = simplifier.collapses();
-    std::transform(collapses.rbegin(), collapses.rend(), std::back_inserter(levels->records), record_of);
-    if (coarse.triangle_count() > wanted)
-      for (const Obstacle& obstacle : simplifier.obstacles())
-        levels->obstacles.push_back({obstacle.why, obstacle.edges});
+    auto levels = std::make_unique<restrip_levels>(
+        StripMesh::build(list, vertex_count, &found), places,
+        boundary == RESTRIP_BOUNDARY_LOCK ? BoundaryPolicy::lock : BoundaryPolicy::move);
+    levels->run(wanted);
     if (report != nullptr) *report = report_of(found);
     *out = levels.release();
     return RESTRIP_OK;
@@ -301,22 +332,12 @@ restrip_status read_bytes(const void* bytes, std::size_t size, char* text, std::
   if (out == nullptr || (bytes == nullptr && size != 0) || (text == nullptr && text_size != 0))
     return RESTRIP_NULL_ARGUMENT;
   tell({}, text, text_size);
-  return guarded([&]() -> restrip_status {
-    try {
-      *out = new restrip_mesh(read(std::span(static_cast<const std::byte*>(bytes), size)));
-    } catch (const std::invalid_argument& error) {
-      constexpr std::string_view prefix = "restrip: ";
-      const std::string_view what = error.what();
-      tell(what.starts_with(prefix) ? what.substr(prefix.size()) : what, text, text_size);
-      return RESTRIP_BAD_FILE;
-    }
-    return RESTRIP_OK;
-  });
+  return guarded([&] { return read(std::span(static_cast<const std::byte*>(bytes), size)); }, text, text_size);
 }
 
 /// Whether h is a halfedge of the mesh.
 bool known(const restrip_mesh* mesh, restrip_halfedge h) noexcept {
-  return mesh != nullptr && mesh->mesh().alive(StripMesh::Halfedge{h});
+  return mesh != nullptr && mesh->mesh().alive(Halfedge{h});
 }
 
 // ---- operations
@@ -337,45 +358,31 @@ restrip_status indexable(const restrip_mesh& mesh, Refusal refusal, Vertex v_t =
   return (v_t == none ? mesh.mesh().next_vertex() : v_t) > highest_index16 ? RESTRIP_TOO_LARGE : RESTRIP_OK;
 }
 
-/// Does an operation if its check `allowed` it, and reports the change.
-template <class Operation>
-restrip_status done(restrip_mesh* mesh, restrip_status allowed, restrip_change* change,
-                    Operation&& operation) noexcept {
-  if (allowed != RESTRIP_OK) return allowed;
-  return guarded([&] {
-    const auto rewrite = operation(mesh->live.keeper());
-    if (change != nullptr) *change = {rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
-    return RESTRIP_OK;
-  });
+/// Reports what became of an operation.
+restrip_status reported(const Checked& done, restrip_change* change) noexcept {
+  if (!done) return status_of(done.refusal);
+  const auto& rewrite = done.rewrite;
+  if (change != nullptr) *change = {rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
+  return RESTRIP_OK;
 }
 
 /// The operations that take one halfedge, in the order of their numbers.
 struct AtHalfedge {
-  Refusal (*check)(const StripMesh&, StripMesh::Halfedge);
-  Rewrite (*apply)(Keeper&, StripMesh::Halfedge);
+  Refusal (*check)(const StripMesh&, Halfedge);
+  Checked (LiveMesh::*apply)(Halfedge);
   bool adds_vertex;
 };
-/// One that has a table.
-template <OperationPlace (*at)(const StripMesh&, StripMesh::Halfedge)>
-constexpr AtHalfedge by_table(bool adds_vertex) {
-  return {[](const StripMesh& mesh, StripMesh::Halfedge h) { return check_apply(mesh, at(mesh, h)); },
-          [](Keeper& keeper, StripMesh::Halfedge h) {
-            const OperationPlace place = at(keeper.mesh(), h);
-            const Vertex from = keeper.mesh().from(h);
-            NewVertices added;
-            Rewrite done = keeper.apply(place.table, place.where, &added);
-            if (!added.empty()) done.halfedge = keeper.mesh().spoke(from, added[0]);
-            return done;
-          },
-          adds_vertex};
+template <OperationPlace (*at)(const StripMesh&, Halfedge)>
+Refusal check_at(const StripMesh& mesh, Halfedge h) {
+  return check_apply(mesh, at(mesh, h));
 }
 constexpr std::array<AtHalfedge, 6> at_halfedge{{
-    {check_collapse, [](Keeper& keeper, StripMesh::Halfedge h) { return keeper.collapse(h); }, false},
-    {check_flip, [](Keeper& keeper, StripMesh::Halfedge h) { return keeper.flip(h); }, false},
-    by_table<split_face_at>(true),
-    by_table<join_faces_at>(false),
-    by_table<bisect_at>(true),
-    by_table<merge_at>(false),
+    {check_collapse, &LiveMesh::collapse, false},
+    {check_flip, &LiveMesh::flip, false},
+    {check_at<split_face_at>, &LiveMesh::split_face, true},
+    {check_at<join_faces_at>, &LiveMesh::join_faces, false},
+    {check_at<bisect_at>, &LiveMesh::bisect, true},
+    {check_at<merge_at>, &LiveMesh::merge, false},
 }};
 
 restrip_status check(const restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h) noexcept {
@@ -387,8 +394,19 @@ restrip_status check(const restrip_mesh* mesh, std::int32_t operation, restrip_h
   });
 }
 restrip_status apply(restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h, restrip_change* change) noexcept {
-  return done(mesh, check(mesh, operation, h), change,
-              [&](auto& keeper) { return at_halfedge[static_cast<std::size_t>(operation)].apply(keeper, {h}); });
+  if (mesh == nullptr) return RESTRIP_NULL_ARGUMENT;
+  const AtHalfedge& row = at_halfedge[static_cast<std::size_t>(operation)];
+  return guarded([&] {
+    if (row.adds_vertex)  // the mesh may not grow, so the reason of the refusal matters
+      if (const restrip_status status = indexable(*mesh, Refusal::granted); status != RESTRIP_OK) {
+        const Refusal refusal = row.check(mesh->mesh(), {h});
+        return refusal == Refusal::granted ? status : status_of(refusal);
+      }
+    const Vertex from = restrip_mesh_from(mesh, h);
+    Checked done = (mesh->live.*row.apply)({h});
+    if (done && row.adds_vertex) done.rewrite.halfedge = mesh->mesh().spoke(from, done.new_vertex());
+    return reported(done, change);
+  });
 }
 
 /// What is wrong with the arguments of a function that does an operation at each of n halfedges.
@@ -399,15 +417,26 @@ restrip_status each_fault(const restrip_mesh* mesh, std::int32_t operation, std:
   return known ? RESTRIP_OK : RESTRIP_BAD_ARGUMENT;
 }
 
-// ---- functions that count and fill
+// ---- the live buffer
 
-template <class Element, class From>
-restrip_status fill(const std::vector<From>& all, Element* out, std::size_t capacity, std::size_t* count) {
-  *count = all.size();
-  if (out == nullptr) return RESTRIP_OK;
-  if (capacity < all.size()) return RESTRIP_TOO_SMALL;
-  std::transform(all.begin(), all.end(), out, [](From value) { return static_cast<Element>(value); });
-  return RESTRIP_OK;
+/// If memory runs out before the caller has the ranges of an update, the next one returns them as well.
+struct Undelivered {
+  LiveMesh* live;
+  explicit Undelivered(LiveMesh* from) noexcept : live(from) {}
+  Undelivered(const Undelivered&) = delete;
+  Undelivered& operator=(const Undelivered&) = delete;
+  ~Undelivered() {
+    if (live != nullptr) live->keep_upload();
+  }
+};
+
+restrip_status step(restrip_mesh* mesh, bool (LiveMesh::*way)(), std::int32_t* done) noexcept {
+  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    *done = (mesh->live.*way)() ? 1 : 0;
+    mesh->read_draws();
+    return RESTRIP_OK;
+  });
 }
 
 // ---- rules
@@ -438,6 +467,7 @@ Rule rule_of(std::int32_t rule, std::uint32_t k, std::uint32_t i, std::uint32_t 
 
 static_assert(RESTRIP_LARGEST_FAN == max_word_valence);
 static_assert(RESTRIP_NONE == none);
+static_assert(RESTRIP_MOST_NEW_VERTICES == NewVertices::most);
 static_assert(RESTRIP_POLICY_BAKED >= policies.size());
 
 }  // namespace
@@ -477,6 +507,22 @@ restrip_status restrip_mesh_build_u16(const std::uint16_t* indices, std::size_t 
                                       restrip_build_report* report, std::uint32_t* origin, restrip_mesh** mesh) {
   return build(indices, index_count, vertex_count, report, origin, mesh);
 }
+restrip_status restrip_mesh_copy(const restrip_mesh* mesh, restrip_mesh** copy) {
+  if (copy != nullptr) *copy = nullptr;
+  if (any_null(mesh, copy)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    *copy = new restrip_mesh(LiveMesh(StripMesh(mesh->mesh()), {.format = {}, .deferred = true}));
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_mesh_reserve(restrip_mesh* mesh, std::size_t triangles, std::size_t vertices) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (triangles > StripMesh::max_triangles || vertices > most_vertices) return RESTRIP_TOO_LARGE;
+  return guarded([&] {
+    mesh->live.reserve(triangles, vertices);
+    return RESTRIP_OK;
+  });
+}
 void restrip_mesh_free(restrip_mesh* mesh) { delete mesh; }
 
 std::size_t restrip_mesh_triangle_count(const restrip_mesh* mesh) {
@@ -493,6 +539,12 @@ restrip_status restrip_mesh_corners(const restrip_mesh* mesh, std::uint32_t t, s
   if (!mesh->mesh().alive(t)) return RESTRIP_BAD_ARGUMENT;
   const auto found = mesh->mesh().corners(t);
   std::copy(found.begin(), found.end(), corners);
+  return RESTRIP_OK;
+}
+restrip_status restrip_mesh_triangles(const restrip_mesh* mesh, std::uint32_t* corners, std::size_t size) {
+  if (any_null(mesh, corners)) return RESTRIP_NULL_ARGUMENT;
+  if (size < 3 * mesh->mesh().triangle_count()) return RESTRIP_TOO_SMALL;
+  write_corners(mesh->mesh(), corners);
   return RESTRIP_OK;
 }
 
@@ -593,8 +645,9 @@ std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
 
 restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right, std::uint32_t v_t,
                                   restrip_change* change) {
-  return done(mesh, restrip_mesh_check_split(mesh, left, right, v_t), change,
-              [&](auto& keeper) { return keeper.split(where_of(left, right), v_t); });
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (const restrip_status status = indexable(*mesh, Refusal::granted, v_t); status != RESTRIP_OK) return status;
+  return guarded([&] { return reported(mesh->live.split(where_of(left, right), v_t), change); });
 }
 restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   return apply(mesh, RESTRIP_COLLAPSE, h, change);
@@ -613,6 +666,61 @@ restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restr
 }
 restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   return apply(mesh, RESTRIP_MERGE, h, change);
+}
+restrip_status restrip_table_make(const restrip_operation* operation, char* text, std::size_t text_size,
+                                  restrip_table** table) {
+  if (table != nullptr) *table = nullptr;
+  if (any_null(operation, table) || (text == nullptr && text_size != 0) ||
+      any_null(operation->before, operation->after, operation->entries))
+    return RESTRIP_NULL_ARGUMENT;
+  tell({}, text, text_size);
+  return guarded([&]() -> restrip_status {
+    const std::string fault = restrip::c::fault_of(*operation);
+    tell(fault, text, text_size);
+    if (!fault.empty()) return RESTRIP_BAD_ARGUMENT;
+    auto made = std::make_unique<restrip_table>();
+    std::vector<bool> old(operation->vertices);
+    for (const auto& [from, count, to] : {std::tuple(operation->before, operation->before_count, &made->before),
+                                          std::tuple(operation->after, operation->after_count, &made->after)})
+      for (const restrip_patch_triangle& t : std::span(from, count)) {
+        to->push_back(
+            {t.from, t.from_side, {t.vertex[0], t.vertex[1], t.vertex[2]}, {t.side[0], t.side[1], t.side[2]}});
+        for (const std::uint8_t v : t.vertex) {
+          if (!old[v] && to == &made->after) ++made->new_vertices;
+          old[v] = true;
+        }
+      }
+    made->entries.assign(operation->entries, operation->entries + operation->entry_count);
+    made->view.before = {static_cast<unsigned>(made->before.size()), operation->edges_before};
+    made->view.after = {static_cast<unsigned>(made->after.size()), operation->edges_after};
+    made->view.ports = operation->ports;
+    made->view.vertices = operation->vertices;
+    made->view.entry_bytes = sizeof(std::uint32_t);
+    made->view.entries = made->entries.data();
+    made->view.triangles_before = made->before;
+    made->view.triangles_after = made->after;
+    *table = made.release();
+    return RESTRIP_OK;
+  });
+}
+void restrip_table_free(restrip_table* table) { delete table; }
+restrip_status restrip_mesh_apply(restrip_mesh* mesh, const restrip_table* table, restrip_halfedge h,
+                                  restrip_change* change, std::uint32_t* added, std::size_t* added_count) {
+  if (any_null(mesh, table) || (added == nullptr) != (added_count == nullptr)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&]() -> restrip_status {
+    if (table->new_vertices != 0) {
+      const auto highest = static_cast<Vertex>(mesh->mesh().vertex_bound() + table->new_vertices - 1);
+      const Vertex v = table->new_vertices == 1 ? mesh->mesh().next_vertex() : highest;
+      const Refusal refusal = check_apply(mesh->mesh(), table->view, {h});
+      if (const restrip_status status = indexable(*mesh, refusal, v); status != RESTRIP_OK) return status;
+    }
+    const Checked done = mesh->live.apply(table->view, {h});
+    if (done && added != nullptr) {
+      std::copy(done.new_vertices.begin(), done.new_vertices.end(), added);
+      *added_count = done.new_vertices.size();
+    }
+    return reported(done, change);
+  });
 }
 restrip_status restrip_mesh_apply_each(restrip_mesh* mesh, std::int32_t operation, std::size_t n,
                                        const restrip_halfedge* halfedges, restrip_status* statuses,
@@ -634,6 +742,29 @@ restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfed
   return indexable(*mesh, check_split(mesh->mesh(), where_of(left, right), v_t), v_t);
 }
 
+restrip_status restrip_mesh_play(restrip_mesh* mesh, const restrip_record* records, std::size_t n, std::int32_t forward,
+                                 std::size_t* done) {
+  if (done != nullptr) *done = 0;
+  if (any_null(mesh) || (n != 0 && records == nullptr)) return RESTRIP_NULL_ARGUMENT;
+  const auto spoke = [mesh](std::uint32_t v, std::uint32_t w, bool& missing) {
+    const restrip_halfedge h = w == RESTRIP_NONE ? RESTRIP_NONE : restrip_mesh_find(mesh, v, w);
+    missing = missing || (h == RESTRIP_NONE && w != RESTRIP_NONE);
+    return h;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const restrip_record& r = records[forward != 0 ? i : n - 1 - i];
+    bool missing = false;
+    const restrip_halfedge left = spoke(r.v_s, forward != 0 ? r.v_l : r.v_t, missing);
+    const restrip_halfedge right = spoke(r.v_s, forward != 0 ? r.v_r : RESTRIP_NONE, missing);
+    const restrip_status status = missing        ? RESTRIP_NO_SUCH_EDGE
+                                  : forward == 0 ? restrip_mesh_collapse(mesh, left, nullptr)
+                                                 : restrip_mesh_split(mesh, left, right, r.v_t, nullptr);
+    if (status != RESTRIP_OK) return status;
+    if (done != nullptr) *done = i + 1;
+  }
+  return RESTRIP_OK;
+}
+
 restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.level()) return RESTRIP_BAD_ARGUMENT;
@@ -646,15 +777,16 @@ restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std:
 
 // ---- strips and index buffers out
 
-restrip_status restrip_mesh_strip_triangles(const restrip_mesh* mesh, std::uint32_t* triangles, std::size_t capacity,
-                                            std::size_t* count) {
-  if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return fill(extract_strips(mesh->mesh()).order, triangles, capacity, count); });
-}
-restrip_status restrip_mesh_strip_starts(const restrip_mesh* mesh, std::size_t* starts, std::size_t capacity,
-                                         std::size_t* count) {
-  if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return fill(extract_strips(mesh->mesh()).start, starts, capacity, count); });
+restrip_status restrip_mesh_strips(const restrip_mesh* mesh, std::uint32_t* triangles, std::size_t triangles_size,
+                                   std::size_t* starts, std::size_t starts_size) {
+  if (any_null(mesh, triangles, starts)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    const Strips strips = extract_strips(mesh->mesh());
+    if (triangles_size < strips.order.size() || starts_size < strips.start.size()) return RESTRIP_TOO_SMALL;
+    std::copy(strips.order.begin(), strips.order.end(), triangles);
+    std::copy(strips.start.begin(), strips.start.end(), starts);
+    return RESTRIP_OK;
+  });
 }
 
 // ---- buffers in any form
@@ -709,6 +841,7 @@ restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_format* form
     return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     mesh->live.begin_buffer(wanted, how, history);
+    mesh->read_draws();
     return RESTRIP_OK;
   });
 }
@@ -718,50 +851,38 @@ restrip_status restrip_live_update(restrip_mesh* mesh, std::size_t merge_gap, st
   if (align == 0 || (align != 2 && align % 4 != 0)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     const Upload upload = mesh->live.update({merge_gap, align});
-    try {
-      mesh->ranges = restrip::c::ranges_of(upload);
-    } catch (...) {
-      mesh->live.keep_upload();
-      throw;
-    }
+    Undelivered undelivered{&mesh->live};
+    mesh->ranges = restrip::c::ranges_of(upload);
+    mesh->read_draws();
+    undelivered.live = nullptr;
     *ranges = mesh->ranges.data();
     *range_count = mesh->ranges.size();
     if (outgrown != nullptr) *outgrown = upload.outgrown ? 1 : 0;
     return RESTRIP_OK;
   });
 }
-restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, std::size_t* room) {
+restrip_status restrip_live_buffer(const restrip_mesh* mesh, restrip_buffer_view* view, std::size_t* room) {
   if (any_null(mesh, view)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
-    const LiveBuffer& buffer = mesh->live.buffer();
-    std::vector<IndexRange> draws;
-    buffer.draws(draws);
-    mesh->draws = restrip::c::ranges_of(draws);
-    *view = {buffer.bytes().data(),
-             buffer.size(),
-             static_cast<std::int32_t>(8 * buffer.index_bytes()),
-             static_cast<std::int32_t>(buffer.format().form),
-             mesh->draws.data(),
-             mesh->draws.size(),
-             mesh->mesh().triangle_count()};
-    if (room != nullptr) *room = buffer.room();
-    return RESTRIP_OK;
-  });
+  const LiveBuffer& buffer = mesh->live.buffer();
+  *view = {buffer.bytes().data(),
+           buffer.size(),
+           static_cast<std::int32_t>(8 * buffer.index_bytes()),
+           static_cast<std::int32_t>(buffer.format().form),
+           mesh->draws.data(),
+           mesh->draws.size(),
+           mesh->mesh().triangle_count()};
+  if (room != nullptr) *room = buffer.room();
+  return RESTRIP_OK;
 }
-restrip_status restrip_live_undo(restrip_mesh* mesh, std::int32_t* done) {
-  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return *done = mesh->live.undo() ? 1 : 0, RESTRIP_OK; });
-}
-restrip_status restrip_live_redo(restrip_mesh* mesh, std::int32_t* done) {
-  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] { return *done = mesh->live.redo() ? 1 : 0, RESTRIP_OK; });
-}
+restrip_status restrip_live_undo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, &LiveMesh::undo, done); }
+restrip_status restrip_live_redo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, &LiveMesh::redo, done); }
 restrip_status restrip_live_history_size(const restrip_mesh* mesh, std::size_t* undoable, std::size_t* redoable) {
   if (any_null(mesh, undoable, redoable)) return RESTRIP_NULL_ARGUMENT;
   *undoable = mesh->live.undoable();
   *redoable = mesh->live.redoable();
   return RESTRIP_OK;
 }
+size_t restrip_live_frame(const restrip_mesh* mesh) { return mesh == nullptr ? 0 : mesh->live.frame(); }
 
 restrip_status restrip_mesh_save(restrip_mesh* mesh, const void** bytes, std::size_t* size) {
   if (any_null(mesh, bytes, size)) return RESTRIP_NULL_ARGUMENT;
@@ -774,19 +895,23 @@ restrip_status restrip_mesh_save(restrip_mesh* mesh, const void** bytes, std::si
 }
 restrip_status restrip_mesh_load(const void* bytes, std::size_t size, std::size_t history, char* text,
                                  std::size_t text_size, restrip_mesh** mesh) {
-  return read_bytes(bytes, size, text, text_size, mesh,
-                    [history](std::span<const std::byte> all) { return LiveMesh::load(all, history); });
+  return read_bytes(bytes, size, text, text_size, mesh, [&](std::span<const std::byte> all) {
+    *mesh = new restrip_mesh(LiveMesh::load(all, history));
+    return RESTRIP_OK;
+  });
 }
 
 // ---- baked meshes
 
 restrip_status restrip_baked_read(const void* bytes, std::size_t size, char* text, std::size_t text_size,
                                   restrip_mesh** mesh) {
-  return read_bytes(bytes, size, text, text_size, mesh, [](std::span<const std::byte> all) {
+  return read_bytes(bytes, size, text, text_size, mesh, [&](std::span<const std::byte> all) -> restrip_status {
     auto file = std::make_shared<BakedFile>();
     const std::string fault = read_baked(all, *file);
-    if (!fault.empty()) throw std::invalid_argument(fault);
-    return LiveMesh(std::move(file), {.format = {}, .deferred = true});
+    tell(fault, text, text_size);
+    if (!fault.empty()) return RESTRIP_BAD_FILE;
+    *mesh = new restrip_mesh(LiveMesh(std::move(file), {.format = {}, .deferred = true}));
+    return RESTRIP_OK;
   });
 }
 std::size_t restrip_baked_levels(const restrip_mesh* mesh) {
@@ -856,11 +981,30 @@ restrip_status restrip_simplify_u16(const std::uint16_t* indices, std::size_t in
                                     restrip_levels** levels) {
   return simplify(indices, index_count, points, vertex_count, wanted, boundary, report, text, text_size, levels);
 }
-restrip_status restrip_levels_read(const restrip_levels* levels, restrip_levels_view* view) {
+restrip_status restrip_levels_run(restrip_levels* levels, std::size_t wanted, std::size_t most, std::size_t* left) {
+  if (any_null(levels)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    const bool ended = levels->run(wanted, most);
+    if (left != nullptr) *left = ended ? 0 : levels->simplifier.mesh().triangle_count() - wanted;
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_levels_read(restrip_levels* levels, restrip_levels_view* view) {
   if (any_null(levels, view)) return RESTRIP_NULL_ARGUMENT;
-  *view = {levels->base.data(),    levels->base.size(),      levels->records.data(),
-           levels->records.size(), levels->obstacles.data(), levels->obstacles.size()};
-  return RESTRIP_OK;
+  return guarded([&] {
+    levels->base.clear();
+    write_corners(levels->simplifier.mesh(), std::back_inserter(levels->base));
+    const std::vector<SplitRecord>& collapses = levels->simplifier.collapses();
+    levels->records.resize(collapses.size());
+    std::transform(collapses.rbegin(), collapses.rend(), levels->records.begin(), record_of);
+    levels->obstacles.clear();
+    if (levels->stopped_short)
+      for (const Obstacle& obstacle : levels->simplifier.obstacles())
+        levels->obstacles.push_back({obstacle.why, obstacle.edges});
+    *view = {levels->base.data(),    levels->base.size(),      levels->records.data(),
+             levels->records.size(), levels->obstacles.data(), levels->obstacles.size()};
+    return RESTRIP_OK;
+  });
 }
 void restrip_levels_free(restrip_levels* levels) { delete levels; }
 

@@ -1,10 +1,10 @@
 // Mesh files, read by the readers of the program `restrip`, as a WebAssembly module. formats.d.ts is the manual.
-import { compiled } from './module.mjs';
+import { compiled, contentOf } from './module.mjs';
 
 /// Compiles the readers: their bytes, or where to fetch them from; by default the file next to this one.
 export async function loadReaders(source = new URL('./restrip-readers.wasm', import.meta.url)) {
   const module = await compiled(source);
-  return (name, content) => readWith(module, name, content);
+  return async (name, content) => readWith(module, name, await contentOf(name, content));
 }
 
 // The C library would print last messages to a file, which does not exist here.
@@ -12,7 +12,7 @@ const badDescriptor = 8;
 const noFiles = { fd_write: () => badDescriptor, fd_seek: () => badDescriptor, fd_close: () => badDescriptor };
 
 /// Each file has a new module, so memory left by a refused file is released with it.
-async function readWith(module, name, content) {
+async function readWith(module, name, bytes) {
   let memory;
   const text = (address, bytes) => new TextDecoder().decode(new Uint8Array(memory.buffer, address >>> 0, bytes));
   const refuse = (address) => {
@@ -28,7 +28,6 @@ async function readWith(module, name, content) {
     new Uint8Array(memory.buffer, address, bytes.length).set(bytes);
     return [address, bytes.length];
   };
-  const bytes = content instanceof ArrayBuffer ? new Uint8Array(content) : new Uint8Array(content.buffer, content.byteOffset, content.byteLength);
   let found;
   try {
     found = exports.readers_read(...put(bytes), ...put(new TextEncoder().encode(name))) >>> 0;

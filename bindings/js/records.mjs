@@ -9,9 +9,19 @@ export class Records {
   /// The number of played ones.
   count;
 
-  constructor(first, needs) {
-    this.#first = first;
-    this.#needs = needs;
+  /// Splits each record once, in their order, by split(i). `around`: gives the triangles around vertices.
+  constructor(splits, { around, split } = {}) {
+    const [first, needs, last] = [[0], [], new Map()];  // by triangle: the last record it was part of
+    for (let i = 0; i < splits.length / 4; ++i) {
+      const [vS, vT] = splits.subarray(4 * i, 4 * i + 2);
+      const own = new Set(around(vS).map((t) => last.get(t)).filter((record) => record !== undefined));
+      needs.push(...own);
+      first.push(needs.length);
+      split(i);
+      for (const t of around(vS, vT)) last.set(t, i);
+    }
+    this.#first = Uint32Array.from(first);
+    this.#needs = Uint32Array.from(needs);
     this.reset();
   }
   /// `played`: a byte for each record.

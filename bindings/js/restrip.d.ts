@@ -10,9 +10,21 @@
  *  needed. */
 type Url = typeof globalThis extends { URL: { prototype: infer T } } ? T : { readonly href: string };
 type Module = typeof globalThis extends { WebAssembly: { Module: { prototype: infer T } } } ? T : object;
-/** A WebAssembly module: where to fetch it from, its bytes, or compiled. It is compiled while it arrives if the server
- *  gives it the type application/wasm. */
-export type Source = string | Url | ArrayBuffer | ArrayBufferView | Module;
+/** Of a Blob or a Response. */
+interface Arriving { arrayBuffer(): Promise<ArrayBuffer> }
+/** Of any realm, shared or not. */
+export type Bytes = ArrayBufferLike | ArrayBufferView;
+/** A WebAssembly module: where to fetch it from, its bytes, compiled, or a promise of one of them. It is compiled while it
+ *  arrives if the server gives it the type application/wasm. A page that was opened as a file can only give bytes. */
+export type Source = Awaitable<string | Url | Bytes | Arriving | Module>;
+/** The content of a file. */
+export type Content = Awaitable<string | Bytes | Arriving>;
+type Awaitable<T> = T | PromiseLike<T>;
+// Arrays that are not shared: Uint8Array<ArrayBuffer> for TypeScript from 5.7 on, Uint8Array before.
+export type OwnBytes = ReturnType<Uint8Array['slice']>;
+export type OwnFloats = ReturnType<Float32Array['slice']>;
+export type OwnNumbers = ReturnType<Uint32Array['slice']>;
+export type OwnNarrow = ReturnType<Uint16Array['slice']>;
 
 /** What became of an operation: done, or refused for a reason, one sentence that names its vertices. */
 export type Outcome<Made = {}> = ({ ok: true } & Made) | { ok: false; reason: string };
@@ -42,7 +54,9 @@ export const none: 0xffffffff;
 /** Without argument: restrip.wasm next to this module, in browsers and in Node. */
 export function load(source?: Source): Promise<Restrip>;
 
+/** Made by load(). */
 export class Restrip {
+  private constructor();
   /** A progressive mesh. `points`: 3 finite numbers a vertex; `base`: 3 a triangle; `splits`: 4 a record: v_s, the new v_t,
    * v_l, v_r (one of the last two is `none` on the boundary). Every vertex needs a point. Throws when a record cannot be
    * played. */
@@ -56,11 +70,11 @@ export class Restrip {
   simplifying(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): Generator<number, StripMesh, void>;
   /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or not a
    *  mesh. */
-  baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;
+  baked(bytes: Bytes): StripMesh;
   /** A mesh from the bytes of StripMesh.save(), or of LiveMesh::save() in C++, with the points of its vertices. It has begun, with the
    *  policy, cost and form that it had; it has no records. `history`: see begin().
    *  Throws when the bytes are truncated, altered, of another version, or not a mesh. */
-  saved(bytes: ArrayBuffer | ArrayBufferView, options: { points: ArrayLike<number>; history?: number }): StripMesh;
+  saved(bytes: Bytes, options: { points: ArrayLike<number>; history?: number }): StripMesh;
   /** The rule of a configuration, numbered as in docs/reference/notation.md: `edges` are the loop or inner edges before. Any k
    * up to 61. `valid` is false for positions out of range and colours that no valid colouring has. */
   rule(configuration: { family: Family; k?: number; a?: number; i?: number; j?: number;
@@ -75,6 +89,17 @@ export interface Rule {
   colors: bigint;
   /** The ports that stay solid: all, except for flips. */
   ports: bigint;
+}
+
+/** The table of a custom operation (docs/how-to/other-languages.md); a TypeScript program reads it with JSON.parse(). */
+export interface OperationTable {
+  format: string;
+  name: string;
+  matching: boolean;
+  none: number;
+  entries: number[];
+  positions: { numbers: number[]; before: { triangles: number; edges: number }; after: { triangles: number; edges: number }; ports: number; first: number;
+    vertices?: number; triangles_before?: number[][]; triangles_after?: number[][] }[];
 }
 
 /** Some consecutive indices. */
@@ -113,21 +138,22 @@ export interface LastOperation {
   portsAfter: bigint;
   strips: number;
   isolated: number;
-  trianglesBefore: Uint32Array;
-  trianglesAfter: Uint32Array;
+  trianglesBefore: OwnNumbers;
+  trianglesAfter: OwnNumbers;
 }
 
 /** Call begin() first. Before it only `points`, `levels`, `splits`, `hasBakedStrips`, `leftOut`, addPoint(), setPoint()
  * and close() do not throw. A view of memory (`indices`) is valid until the next call of any method of any
  * mesh, and while its mesh can be reached. */
 export class StripMesh implements Disposable {
-  /** Replaced when addPoint(), bisect() or splitFace() makes it longer, in constant time on average, or undo() shorter: read it again.
-   * bisect() and splitFace() may reuse the number of a removed vertex; then it keeps its length. */
-  readonly points: Float32Array;
+  /** Replaced when addPoint(), bisect() or splitFace() makes it longer, in constant time on average, or undo() shorter:
+   * read it again. bisect() and splitFace() may reuse the number of a removed vertex; then it keeps its length. begin() gives
+   * vertices of records their points again. */
+  readonly points: OwnFloats;
   /** Number of records. */
   readonly levels: number;
   /** A copy, 4 numbers a record. */
-  readonly splits: Uint32Array;
+  readonly splits: OwnNumbers;
   /** May be begun with policy 'baked'. */
   readonly hasBakedStrips: boolean;
   readonly leftOut: { triangles: number; nonManifoldVertices: number; boundaryEdges: number };
@@ -135,7 +161,7 @@ export class StripMesh implements Disposable {
   /** Goes to the base, makes its strips from scratch, and maintains them with these options. A mesh with records loses
    *  single operations; a mesh without records keeps them: its base is the present mesh. Policy 'baked' begins with the
    *  baked strips instead and ignores the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex number is 65,535
-   *  or above. With 16, addPoint() throws for such a vertex, and bisect() and splitFace() refuse it. `history`: the budget of undo(),
+   *  or above. With 16, operations that need such a vertex are refused. `history`: the budget of undo(),
    *  in changed triangles of all frames together, some 100 bytes each; beyond it the oldest frames are dropped, but never the last one.
    *  Defaults: 'quick', 'indices', 'restart', 32, no history. */
   begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto'; history?: number; layout?: Layout }): this;
@@ -156,9 +182,9 @@ export class StripMesh implements Disposable {
   approach(wanted: Uint8Array, most?: number): number;
   /** The neighbours of a vertex, counter-clockwise; at a non-manifold vertex only some of them. Empty when the
    *  mesh does not have the vertex. A copy. */
-  around(v: number): Uint32Array;
+  around(v: number): OwnNumbers;
   /** The records that can be split now, because all records that they need are split. Linear time. */
-  readonly ready: Uint32Array;
+  readonly ready: OwnNumbers;
   /** A new vertex for split(). Returns its number. bisect() and splitFace() may take it if they come first. */
   addPoint(x: number, y: number, z: number): number;
   /** Moves a vertex; strips do not depend on positions. */
@@ -167,6 +193,13 @@ export class StripMesh implements Disposable {
   split(vS: number, vT: number, vL: number, vR: number): Outcome;
   collapse(vS: number, vT: number): Outcome;
   flip(u: number, v: number): Outcome;
+  /** A custom operation, by its table as data: the JSON file that the page *Make a rule* exports, or `restrip-generate
+   * rules --language json` writes, as JSON.parse() reads it. The side from u to v is the first side of the first
+   * triangle under `before` of its file; of a family, the first position that fits is done. `vertices`: the new
+   * vertices, in the order in which the file names them; their points are in the middle of that first triangle,
+   * until setPoint() moves them. The table is checked once: a rule that could spoil a mesh throws. Keep the object, so that
+   * it is not read again. */
+  apply(table: OperationTable, u: number, v: number): Outcome<{ vertices: number[] }>;
   /** A new vertex at the middle of an edge, or of the triangle with these corners, counter-clockwise from any of them. */
   bisect(u: number, v: number): Outcome<{ vertex: number }>;
   splitFace(a: number, b: number, c: number): Outcome<{ vertex: number }>;
@@ -182,24 +215,25 @@ export class StripMesh implements Disposable {
   /** The ranges to draw: the runs of the form 'lengths', else the whole buffer; of a list, in which an operation writes only the slots
    *  of the triangles that it changed, 3 indices a triangle. */
   readonly draws: Range[];
-  /** Undoes or redoes a frame; update() ends a frame, and changes since then count as one. Triangles, strips and the level are
-   *  restored exactly, and so are the number of points and the points that operations wrote; the next update() draws them as after any
-   *  change. What setPoint() moved stays. False when there is no such frame. Time linear in the frame, and in the records. */
+  /** Undoes or redoes a frame; update() ends a frame, and changes since then count as one. Triangles, strips, the level and
+   *  all points are what they were at the last update() of the frame that is returned to. An update() without a change of
+   *  the mesh ends no frame: points that addPoint() and setPoint() wrote then belong to the frame before. Call update()
+   *  next. False when there is no such frame. Time linear in the frame, and in the records. */
   undo(): boolean;
   redo(): boolean;
   /** Frames that can be undone and redone. */
   readonly history: { undoable: number; redoable: number };
   /** The mesh, its strips, policy, cost and form as bytes for Restrip.saved(): not points, records or history. Linear time. */
-  save(): Uint8Array;
+  save(): OwnBytes;
   /** A copy of the index buffer of strips made from scratch, by the fastest way, for the present mesh. The maintained
    *  strips do not change. With `cacheSize` they are cut, joined and ordered for a first-in-first-out vertex cache of that
    *  many vertices (16 for most hardware), in which a miss is worth `cacheWeight` indices (0: default). Linear time. */
-  fromScratch(options?: { cost?: Cost; cacheSize?: number; cacheWeight?: number }): Uint32Array;
+  fromScratch(options?: { cost?: Cost; cacheSize?: number; cacheWeight?: number }): OwnNumbers;
   /** The index buffer in the form that begin() was given. A 16-bit list of an odd number of triangles ends with one more
    * index, which is not drawn. A view, not a copy. */
-  readonly indices: Uint32Array | Uint16Array;
+  readonly indices: OwnNumbers | OwnNarrow;
   /** A copy of the triangles, 3 numbers each. */
-  readonly triangles: Uint32Array;
+  readonly triangles: OwnNumbers;
 
   readonly figures: Figures;
   /** Indices of a buffer written from scratch, without gaps. Linear time. */
@@ -210,9 +244,9 @@ export class StripMesh implements Disposable {
   /** The triangles, strip by strip and in the order of their strips, 9 numbers each: the triangle, its three corners, the
    * triangles beyond its three sides (`none` at the boundary), a mask of the sides where its strip continues, and the strip,
    * named by its lowest triangle. Side 0 is from the first corner to the second. Linear time. */
-  readonly ribbon: Uint32Array;
+  readonly ribbon: OwnNumbers;
   /** The same for the strips that fromScratch() made last; empty before. */
-  readonly scratchRibbon: Uint32Array;
+  readonly scratchRibbon: OwnNumbers;
   /** The first point where a ray meets the mesh, or null. Linear time. */
   pick(from: ArrayLike<number>, along: ArrayLike<number>): [number, number, number] | null;
   readonly last: LastOperation | null;

@@ -17,11 +17,14 @@ from setuptools.dist import Distribution
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
 except ImportError:  # before setuptools 70.1
-    from wheel.bdist_wheel import bdist_wheel
+    try:
+        from wheel.bdist_wheel import bdist_wheel
+    except ImportError:
+        bdist_wheel = None  # a source archive needs no wheel
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE / "sources" if (HERE / "sources").is_dir() else HERE.parents[1]
-SOURCES = ("cmake/project.cmake", "LICENSE", "bindings/c", "runtime/include", "tables/include")  # the parts of the repository that the archive contains
+SOURCES = ("cmake/project.cmake", "LICENSE", "bindings/c", "runtime/include", "runtime/src", "tables/include")  # the parts of the repository that the archive contains
 C = ROOT / "bindings/c"
 PROJECT = dict(re.findall(r'^set\(RESTRIP_(\w+) "?(.*?)"?\)', (ROOT / "cmake/project.cmake").read_text(), re.M))
 VERSION = PROJECT["VERSION"]
@@ -33,17 +36,20 @@ NAME = {"darwin": "librestrip_c.dylib", "win32": "restrip_c.dll"}.get(sys.platfo
 class WithLibrary(build_py):
     def run(self):
         super().run()
-        target = pathlib.Path(self.build_lib) / "restrip" / NAME
+        # What is installed with pip install -e is imported from the sources.
+        editable = getattr(self, "editable_mode", False)
+        target = (HERE / "src" if editable else pathlib.Path(self.build_lib)) / "restrip" / NAME
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(ROOT / "LICENSE", target.parent / "LICENSE")
+        if not editable:
+            shutil.copyfile(ROOT / "LICENSE", target.parent / "LICENSE")
         made = os.environ.get("RESTRIP_C_LIBRARY")
         if made:
             shutil.copyfile(made, target)
             return
         subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-fPIC", "-shared", "-fvisibility=hidden",
                         "-fvisibility-inlines-hidden", *shlex.split(os.environ.get("CXXFLAGS", "")), f'-DRESTRIP_VERSION="{VERSION}"',
-                        *(f"-I{folder}" for folder in (C / "include", C, ROOT / "runtime/include", ROOT / "tables/include")),
-                        C / "restrip.cpp", "-o", target], check=True)
+                        *(f"-I{folder}" for folder in (C / "include", ROOT / "runtime/include", ROOT / "runtime/src", ROOT / "tables/include")),
+                        C / "restrip.cpp", *sorted((ROOT / "runtime/src").rglob("*.cpp")), "-o", target], check=True)
 
 
 class WithSources(sdist):
@@ -64,12 +70,15 @@ class WithBinary(Distribution):
         return True
 
 
-class OfThisMachine(bdist_wheel):
-    """The library depends on the machine, but not on the version of Python."""
+commands = {"build_py": WithLibrary, "sdist": WithSources}
+if bdist_wheel:
+    class OfThisMachine(bdist_wheel):
+        """The library depends on the machine, but not on the version of Python."""
 
-    def get_tag(self):
-        return ("py3", "none", super().get_tag()[2])
+        def get_tag(self):
+            return ("py3", "none", super().get_tag()[2])
 
+    commands["bdist_wheel"] = OfThisMachine
 
 setup(name="restrip", version=VERSION, description="Triangle strips, made from scratch and maintained while a mesh changes", license="MIT",
       author=PROJECT["AUTHORS"], keywords=["triangle strips", "level of detail", "mesh", "index buffer"],
@@ -79,4 +88,4 @@ setup(name="restrip", version=VERSION, description="Triangle strips, made from s
       long_description=(HERE / "README.md").read_text(), long_description_content_type="text/markdown", python_requires=">=3.8",
       packages=["restrip"], package_dir={"": "src"}, package_data={"restrip": ["py.typed"]}, install_requires=["numpy"],
       options={"build": {"build_base": SCRATCH}, "egg_info": {"egg_base": SCRATCH}},
-      cmdclass={"build_py": WithLibrary, "bdist_wheel": OfThisMachine, "sdist": WithSources}, distclass=WithBinary)
+      cmdclass=commands, distclass=WithBinary)

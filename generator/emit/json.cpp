@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "emit/languages.hpp"
 #include "emit/number_lines.hpp"
@@ -72,15 +74,28 @@ std::string json_operation(const OperationLayout& layout) {
   const Description& named = layout.named();
   const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
   std::vector<std::string> positions;
+  const auto listed = [](const std::vector<SurfaceTriangle>& triangles) {
+    std::vector<std::string> words;
+    words.reserve(triangles.size());
+    for (const SurfaceTriangle& t : triangles)
+      words.push_back(
+          fmt::format("[{}, {}, {}, {}]", t.from, t.from_side, fmt::join(t.vertex, ", "), fmt::join(t.side, ", ")));
+    return fmt::format("[{}]", fmt::join(words, ", "));
+  };
   for (const OperationLayout::At& at : layout.positions) {
     const PositionNumbers all = at.position.numbers();
+    const auto& [before, after, vertices] = at.position.patch.surface;
+    const std::string surface =
+        fmt::format(",\n     \"vertices\": {}, \"triangles_before\": {}, \"triangles_after\": {}", vertices,
+                    listed(before), listed(after));
     const auto size = [](const Side& side) {
       return fmt::format("{{\"triangles\": {}, \"edges\": {}}}", side.nodes, side.edges.size());
     };
-    positions.push_back(fmt::format(
-        "    {{\"numbers\": [{}], \"before\": {}, \"after\": {}, \"ports\": {}, \"first\": {}}}",
-        fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(named.numbers.size()), ", "),
-        size(at.position.patch.before), size(at.position.patch.after), at.position.patch.before.ports(), at.first));
+    positions.push_back(
+        fmt::format("    {{\"numbers\": [{}], \"before\": {}, \"after\": {}, \"ports\": {}, \"first\": {}{}}}",
+                    fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(named.numbers.size()), ", "),
+                    size(at.position.patch.before), size(at.position.patch.after), at.position.patch.before.ports(),
+                    at.first, surface));
   }
   return fmt::format(
       "{{\n\"format\": \"restrip-operation-table\",\n\"version\": 1,\n"

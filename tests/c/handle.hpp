@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
@@ -88,17 +89,10 @@ inline restrip_buffer_view live_view(restrip_mesh* mesh) {
   EXPECT_EQ(restrip_live_buffer(mesh, &view, nullptr), RESTRIP_OK);
   return view;
 }
-/// The strips with restarts, of 32 bits.
-inline std::vector<std::uint32_t> strips_of(const restrip_mesh* mesh) {
-  const restrip_format format{RESTRIP_FORM_RESTART, 32, 0, 0, 1};
-  restrip_buffer* buffer = nullptr;
-  restrip_buffer_view view{};
-  EXPECT_EQ(restrip_mesh_buffer(mesh, nullptr, &format, &buffer), RESTRIP_OK);
-  EXPECT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
-  const auto* const first = static_cast<const std::uint32_t*>(view.indices);
-  std::vector<std::uint32_t> indices(first, first + view.index_count);
-  restrip_buffer_free(buffer);
-  return indices;
+inline std::string saved(restrip_mesh* mesh) {
+  const void* bytes = nullptr;
+  std::size_t size = 0;
+  EXPECT_EQ(restrip_mesh_save(mesh, &bytes, &size), RESTRIP_OK);
+  return {static_cast<const char*>(bytes), size};
 }
-
 }  // namespace restrip::c_test

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -108,13 +109,22 @@ TEST(CSimplify, LevelsAreThoseOfTheProgramsAndLeadBack) {
         ASSERT_EQ(restrip_mesh_build_u32(view.base, view.base_count, input.vertex_count(), nullptr, nullptr, &made),
                   RESTRIP_OK);
         const Handle mesh(made);
-        for (std::size_t i = 0; i < view.record_count; ++i) {
-          const restrip_record& record = view.records[i];
-          ASSERT_EQ(restrip_mesh_split(made, restrip_mesh_find(made, record.v_s, record.v_l),
-                                       restrip_mesh_find(made, record.v_s, record.v_r), record.v_t, nullptr),
-                    RESTRIP_OK);
-        }
+        std::size_t done = 0;
+        ASSERT_EQ(restrip_mesh_play(made, view.records, view.record_count, 1, &done), RESTRIP_OK);
+        EXPECT_EQ(done, view.record_count);
         EXPECT_EQ(sorted(corners_of(made)), sorted({soup.triangles.begin(), soup.triangles.end()}));
+        if (view.record_count == 0) continue;
+        EXPECT_EQ(restrip_mesh_play(made, view.records, view.record_count, 1, &done), RESTRIP_VERTEX_IN_USE);
+        EXPECT_EQ(done, 0U);
+        ASSERT_EQ(restrip_mesh_play(made, view.records, view.record_count, 0, nullptr), RESTRIP_OK);
+        EXPECT_EQ(restrip_mesh_triangle_count(made), view.base_count / 3);
+
+        // In steps the result is the same.
+        Levels steps;
+        ASSERT_EQ(input.simplify(SIZE_MAX, boundary, steps), RESTRIP_OK);
+        EXPECT_EQ(view_of(steps).record_count, 0U);
+        for (std::size_t left = 1; left != 0;) ASSERT_EQ(restrip_levels_run(steps.get(), wanted, 3, &left), RESTRIP_OK);
+        expect_equal(view_of(steps), expected);
       }
 }
 

@@ -9,7 +9,7 @@ set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-
 set(allowed_in_tools "${std}|\"(restrip|search|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
-set(allowed_in_bindings/js "${allowed_in_web}")
+set(allowed_in_bindings/js "${std}|\"restrip.h\"")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(common|measure|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too

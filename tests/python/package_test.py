@@ -184,9 +184,23 @@ class Simplify(unittest.TestCase):
         self.assertEqual([array.tolist() for array in made[:2]],
                          [array.tolist() for array in restrip.simplify(points.tolist(), np.asfortranarray(faces, np.uint16), 99.9 / len(faces))[:2]])
         mesh = restrip.LiveMesh(made.faces, len(points))
+        twin = restrip.LiveMesh(made.faces, len(points))
         for v_s, v_t, v_l, v_r in made.records.tolist():
-            mesh.split(mesh.find(v_s, v_l), mesh.find(v_s, v_r), v_t)
+            twin.split(*(restrip.NONE if v == restrip.NONE else twin.find(v_s, v) for v in (v_l, v_r)), v_t)
+        mesh.play(made.records)
         self.assertEqual(rotated(mesh.faces()), rotated(faces))
+        self.assertEqual(mesh.faces().tolist(), twin.faces().tolist())
+        mesh.play(made.records[-50:], forward=False)
+        with self.assertRaisesRegex(restrip.RestripError, f"^record {len(made.records) - 1}: "):
+            mesh.play(made.records, forward=False)
+        mesh.play(made.records[:-50], forward=False)
+        self.assertEqual(rotated(mesh.faces()), rotated(made.faces))
+        with self.assertRaisesRegex(restrip.RestripError, "^record 1: "):
+            mesh.play(made.records[[0, 0]])
+        for wrong in (made.records[:, :3], made.records.ravel(), made.records + 0.5):
+            with self.assertRaisesRegex(ValueError, "records: expected"):
+                mesh.play(wrong)
+        mesh = restrip.LiveMesh(faces, len(points))
         self.assertTrue(mesh.check().valid)
         self.assertEqual(len(restrip.simplify([], [], 0.5).faces), 0)
         self.assertEqual(restrip.simplify(points, faces, 1).records.shape, (0, 4))
@@ -268,6 +282,8 @@ class Live(unittest.TestCase):
         self.assertEqual(mesh.find_each(40, [41, 40, 3]).tolist(), [mesh.find(40, w) for w in (41, 40, 3)])
         wanted = sides.ravel()[::-1]  # not contiguous
         for operation in ("flip", "bisect", "merge", "split_face", "join_faces", "collapse"):
+            if operation == "collapse":
+                wanted = np.arange(4 * mesh.triangle_bound, dtype=np.uint32)
             codes = mesh.check_each(operation, wanted)
             reasons = [mesh.why_not(operation, h) for h in wanted]
             self.assertEqual([restrip.describe(code) if code else None for code in codes], reasons)
@@ -340,6 +356,45 @@ class Live(unittest.TestCase):
             with self.assertRaisesRegex(restrip.RestripError, f"^load: .*{said}"):
                 restrip.LiveMesh.load(damaged)
 
+    def test_copies_are_of_the_class_and_keep_attributes(self):
+        class Terrain(restrip.LiveMesh):
+            __slots__ = ("name",)
+
+            def __init__(self, faces, heights):
+                super().__init__(faces)
+                self.heights, self.name = heights, "hill"
+
+        mesh = Terrain(grid(4), list(range(16)))
+        mesh.begin_buffer(history=100)
+        for other in (copy.copy(mesh), copy.deepcopy(mesh)):
+            self.assertEqual((type(other), other.heights, other.name, other.report), (Terrain, mesh.heights, "hill", mesh.report))
+            self.assertEqual(rotated(other.faces()), rotated(mesh.faces()))
+            other.collapse(other.find(5, 6))
+            self.assertEqual(mesh.triangle_count, 18)
+            other.close()
+        self.assertIs(copy.copy(mesh).heights, mesh.heights)
+        self.assertIsNot(copy.deepcopy(mesh).heights, mesh.heights)
+        mesh = restrip.LiveMesh(grid(4))
+        mesh.note = {"of": "mine"}
+        self.assertEqual(pickle.loads(pickle.dumps(mesh)).note, {"of": "mine"})
+
+    def test_custom_operations_are_tables(self):
+        data = {"format": "restrip-operation-table", "name": "divide-face", "matching": False, "none": 255, "entries": [24, 25, 50, 51, 44, 29, 46, 255],
+                "positions": [{"numbers": [], "before": {"triangles": 1, "edges": 0}, "after": {"triangles": 3, "edges": 3}, "ports": 3, "first": 0, "vertices": 4,
+                               "triangles_before": [[0, 0, 0, 1, 2, 64, 65, 66]],
+                               "triangles_after": [[0, 0, 0, 1, 3, 64, 0, 2], [0, 1, 3, 1, 2, 0, 65, 1], [1, 2, 3, 2, 0, 1, 66, 2]]}]}
+        table, mesh = restrip.Table(data), restrip.LiveMesh(grid(6))
+        corners = mesh.corners(7)
+        change, vertices = mesh.apply(table, 4 * 7)
+        self.assertEqual((mesh.ends(change.halfedge), vertices, mesh.triangle_count), (corners[:2], [36], 52))
+        self.assertTrue(mesh.check().valid)
+        with self.assertRaisesRegex(restrip.RestripError, "apply: the halfedge is not one of this mesh"):
+            mesh.apply(table, restrip.NONE)
+        with self.assertRaisesRegex(ValueError, "Table: .*entry 0 is not a sound rule"):
+            restrip.Table({**data, "entries": [56, *data["entries"][1:]]})
+        with self.assertRaisesRegex(ValueError, "this is not the table of an operation"):
+            restrip.Table({})
+
     def test_layouts_are_checked(self):
         mesh = restrip.LiveMesh(grid(6))
         for wrong in ({"cache_size": 65}, {"waste": -1}, {"work": 101}):
@@ -373,8 +428,10 @@ class Live(unittest.TestCase):
         self.assertEqual([strip.tolist() for strip in mesh.strips()], [strip.tolist() for strip in strips])
         with self.assertRaises(restrip.RestripError):
             mesh.colors = np.full(mesh.triangle_bound, 7)
-        with self.assertRaises(restrip.RestripError):
+        with self.assertRaisesRegex(ValueError, "colors: expected 72 numbers, one for each triangle number, found 71"):
             mesh.colors = colors[1:]
+        with self.assertRaisesRegex(restrip.RestripError, "corners: no triangle has the number 72"):
+            mesh.corners(72)
         for wrong in (colors.astype(int) + 256, colors - 0.0, colors.astype(int) - 8, colors == 1, [8] * len(colors), colors.reshape(-1, 1), "no"):
             with self.assertRaisesRegex(ValueError, "colors: expected integers from 0 to 7"):
                 mesh.colors = wrong

@@ -13,10 +13,23 @@ import numpy as np
 import restrip
 
 faces = np.array([[0, 1, 2]])
-one: np.ndarray = restrip.strips_of(faces, "strips", "stitched")
-several: list[np.ndarray] = restrip.strips_of(faces, format="strips")
+from numpy.typing import NDArray
+
+one: "NDArray[np.uint16] | NDArray[np.uint32]" = restrip.strips_of(faces, "strips", "stitched")
+several: "list[NDArray[np.uint16] | NDArray[np.uint32]]" = restrip.strips_of(faces, format="strips")
+cells: NDArray[np.int64] = restrip.strips_of(faces, "indices", "vtk")
+
+
+def any_format(format: restrip.Format) -> object:
+    return restrip.strips_of(faces, format=format)
+
+
+numbers: NDArray[np.uint32] = restrip.faces_of(several[0]).astype(np.uint32)
+made = restrip.simplify([[0.0, 0.0, 0.0]], faces, 0.5, boundary="lock")
+records: NDArray[np.uint32] = made.records
 with restrip.LiveMesh(faces, policy="quick", cost=(3, 1, 0)) as mesh:
     mesh.begin_buffer("list", 16)
+    mesh.play(records)
     print(len(mesh), mesh.indices(index="auto"), one, several)
     codes, changes = mesh.apply_each("flip", mesh.find_each(faces[:, 0], faces[:, 1]))
     print(codes[0], changes["halfedge"], restrip.describe(int(mesh.check_each("bisect", [0])[0])))
@@ -24,7 +37,7 @@ with restrip.LiveMesh(faces, policy="quick", cost=(3, 1, 0)) as mesh:
     again: restrip.LiveMesh = restrip.LiveMesh.load(saved, history=100)
 """
 BAD = ['restrip.LiveMesh(faces, policy="quikc")', 'restrip.LiveMesh(faces, cost="turns")', 'restrip.LiveMesh(faces, effort="most")', 'mesh.begin_buffer("lists")',
-       'mesh.indices(index=8)', 'mesh.keep("quikc")', 'mesh.apply_each("split", [0])', 'restrip.LiveMesh.load("saved")', 'restrip.strips_of(faces, format="fans")', 'wrong: np.ndarray = restrip.strips_of(faces, format="strips")']
+       'mesh.indices(index=8)', 'mesh.keep("quikc")', 'mesh.apply_each("split", [0])', 'restrip.LiveMesh.load("saved")', 'restrip.strips_of(faces, format="fans")', 'wrong: np.ndarray = restrip.strips_of(faces, format="strips")', 'restrip.simplify([[0.0]], faces, 1, boundary="keep")', 'floats: NDArray[np.float64] = mesh.faces()']
 
 
 def lines_with_faults(text):

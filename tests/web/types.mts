@@ -1,5 +1,5 @@
 // What TypeScript makes of the package's types; package_test.mjs compiles this.
-import { load, none, restartIndex, type Figures, type Outcome, type StripMesh } from 'restrip-wasm';
+import { Restrip, load, none, restartIndex, type Figures, type Outcome, type StripMesh } from 'restrip-wasm';
 import { loadReaders } from 'restrip-wasm/formats';
 import address from 'restrip-wasm/restrip.wasm';
 import readers from 'restrip-wasm/restrip-readers.wasm';
@@ -7,6 +7,10 @@ import readers from 'restrip-wasm/restrip-readers.wasm';
 const addresses: string[] = [address, readers];
 const restrip = await load(new URL(address, 'https://restrip.example/'));
 const readMesh = await loadReaders(addresses[1]);
+await load(fetch(address));
+await readMesh('mesh.obj', new Blob(['v 0 0 0']));
+// @ts-expect-error
+new Restrip();
 const read = await readMesh('mesh.obj', new Uint8Array(3));
 if (read.triangles) {
   using mesh: StripMesh = restrip.simplified(read, 0.5).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
@@ -23,6 +27,7 @@ if (read.triangles) {
   for (const { first, count } of mesh.update()) mesh.indices.subarray(first, first + count).includes(restartIndex);
   mesh.begin({ history: 100, layout: { cache: 16 } }).keep({ policy: 'full', cost: 'strips' });
   const undone: boolean = mesh.undo() && mesh.redo() && mesh.history.undoable > mesh.recolor({ effort: 'best' });
+  const download: Blob = new Blob([mesh.save(), mesh.indices]);
   const resumed: StripMesh = restrip.saved(mesh.save(), { points: mesh.points, history: 5 });
   // @ts-expect-error
   mesh.keep({ policy: 'baked' });
@@ -34,7 +39,7 @@ if (read.triangles) {
   mesh.begin({ policy: 'quickly' });
   // @ts-expect-error
   mesh.indices = new Uint32Array(1);
-  void [done, figures.strips, refusal, size, undone, resumed];
+  void [done, figures.strips, refusal, size, undone, resumed, download];
 } else if (read.base) {
   restrip.progressive(read).close();
 } else {

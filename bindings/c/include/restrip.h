@@ -25,7 +25,7 @@
  * (functions that take a const restrip_mesh *), or be changed by one. The library has no other state.
  *
  * Complexities are given for T triangles. Memory: 24 bytes a triangle and 5 a vertex; 13 more a triangle under
- * RESTRIP_POLICY_QUICK, RESTRIP_POLICY_FULL and RESTRIP_POLICY_BEST for fewest strips; and the contents of a live
+ * RESTRIP_POLICY_QUICK and RESTRIP_POLICY_FULL for fewest strips; and the contents of a live
  * buffer or a baked mesh.
  */
 #ifndef RESTRIP_H
@@ -74,15 +74,17 @@ enum {
   RESTRIP_DANGLING_EDGE = 10,      /* a triangle at the collapsed edge has no other neighbour */
   RESTRIP_EDGE_EXISTS = 11,        /* an edge that the operation would make is in the mesh already */
   RESTRIP_VERTEX_IN_USE = 12,      /* the vertex named for a split has triangles already */
-  RESTRIP_OTHER_VALENCE = 13,      /* the vertex to be removed has the wrong number of triangles */
+  RESTRIP_NO_MANIFOLD = 13,        /* the mesh would not be a manifold */
   RESTRIP_VERTEX_TOO_FAR = 14,     /* the vertex named for a split is more than 2^20 beyond all others */
+  RESTRIP_OTHER_PATCH = 15,        /* the triangles there are not those of the custom operation */
+  RESTRIP_SAME_VERTEX = 16,        /* two vertices of the custom operation are one vertex of the mesh */
 
   /* Everything else. */
   RESTRIP_NULL_ARGUMENT = 100, /* a pointer that must not be null is null */
   RESTRIP_BAD_ARGUMENT = 101,  /* outside its range, or not supported here: see the function */
   RESTRIP_BAD_COLORING = 102,  /* the colours given are not a valid colouring */
   RESTRIP_TOO_LARGE = 103,     /* more than a mesh can hold, or a vertex that 16-bit indices cannot name */
-  RESTRIP_TOO_SMALL = 104,     /* the array given is too short; the size needed has been written */
+  RESTRIP_TOO_SMALL = 104,     /* the array given is too short */
   RESTRIP_BAD_FILE = 105,      /* the bytes are not a saved or baked mesh, or a damaged one */
   RESTRIP_NOT_BAKED = 106,     /* the mesh was not read from a baked mesh */
   RESTRIP_OUT_OF_STEP = 107,   /* the mesh has left its baked levels; see restrip_baked_restart */
@@ -122,6 +124,11 @@ RESTRIP_API restrip_status restrip_mesh_build_u32(const uint32_t* indices, size_
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
 RESTRIP_API restrip_status restrip_mesh_build_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
+/* A mesh of the same triangles, with their numbers and colours, under the default policy. It has no live buffer yet and
+ * is not baked. After an error *copy is null. O(T). */
+RESTRIP_API restrip_status restrip_mesh_copy(const restrip_mesh* mesh, restrip_mesh** copy);
+/* Makes room for a mesh of this size, also in the live buffer: `room` of restrip_live_buffer is then enough for it. */
+RESTRIP_API restrip_status restrip_mesh_reserve(restrip_mesh* mesh, size_t triangles, size_t vertices);
 /* Frees the mesh and all arrays that it returned. Null is allowed. */
 RESTRIP_API void restrip_mesh_free(restrip_mesh* mesh);
 
@@ -144,12 +151,15 @@ RESTRIP_API size_t restrip_mesh_triangle_bound(const restrip_mesh* mesh);
 RESTRIP_API size_t restrip_mesh_vertex_bound(const restrip_mesh* mesh);
 /* The corners of triangle t, counter-clockwise. RESTRIP_BAD_ARGUMENT when it does not exist. */
 RESTRIP_API restrip_status restrip_mesh_corners(const restrip_mesh* mesh, uint32_t t, uint32_t corners[3]);
+/* The corners of all triangles, in the order of their numbers: an array with room for three numbers each (else
+ * RESTRIP_TOO_SMALL). O(T). */
+RESTRIP_API restrip_status restrip_mesh_triangles(const restrip_mesh* mesh, uint32_t* corners, size_t size);
 
 /* ---- Halfedges --------------------------------------------------------------------------------- */
 
 /* A directed mesh edge; its triangle lies to its left. Side s of triangle t, 4 t + s, runs from corner s to corner s
- * + 1. Other numbers name halfedges without a triangle, on the boundary. Halfedges of triangles that an operation does
- * not remove stay valid. */
+ * + 1. Numbers from 2^31 on name halfedges without a triangle, on the boundary. Halfedges of triangles that an
+ * operation does not remove stay valid. */
 typedef uint32_t restrip_halfedge;
 
 /* The halfedge from vertex v to vertex w, or RESTRIP_NONE. O(valence of v). */
@@ -246,7 +256,7 @@ typedef struct restrip_change {
 } restrip_change;
 
 /* The operations of a dynamic mesh. Each is checked: an operation that would spoil the mesh is refused by one of
- * the codes 1 to 14 and changes nothing. `change` may be null. O(valence), and the time of the policy. After
+ * the codes 1 to 16 and changes nothing. `change` may be null. O(valence), and the time of the policy. After
  * RESTRIP_OUT_OF_MEMORY the operation may or may not have been done (compare restrip_mesh_triangle_count); mesh and
  * colours are valid.
  *
@@ -269,16 +279,60 @@ RESTRIP_API restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedg
  * Split face: a new vertex v_t inside the triangle of h, which leaves v_s; one triangle becomes three. `halfedge` of
  * the change is v_s -> v_t. */
 RESTRIP_API restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
-/* Join faces: removes v_t of h = v_s -> v_t, an interior vertex of three triangles (else RESTRIP_OTHER_VALENCE), which
- * become one. `halfedge` of the change leaves v_s, and its opposite has that triangle to its left. */
+/* Join faces: removes v_t of h = v_s -> v_t, an interior vertex of three triangles (else RESTRIP_OTHER_PATCH), which
+ * become one. `halfedge` of the change is a side of it. */
 RESTRIP_API restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 /* Bisect: a new vertex v_t on the mesh edge of h, which leaves v_s; the triangles at it become two each. `halfedge` of
  * the change is v_s -> v_t. */
 RESTRIP_API restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 /* Merge: removes v_t of h = v_s -> v_t, an interior vertex of four triangles, or a boundary vertex of two triangles
- * with h or its opposite on the boundary (else RESTRIP_OTHER_VALENCE), and joins v_s to the vertex beyond. `halfedge`
- * of the change is the mesh edge that replaces two, and leaves v_s. */
+ * with h or its opposite on the boundary (else RESTRIP_OTHER_PATCH), and joins v_s to the vertex beyond. `halfedge`
+ * of the change is a side of a triangle that is left. */
 RESTRIP_API restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+
+/* A custom operation, with the table that `restrip-generate rules` made of its file (docs/reference/operation-file.md);
+ * the JSON that it writes with --language json has these numbers. Vertices are numbered from 0 in the order in which
+ * the file names them, before and after together.
+ *
+ * Triangles are in the order of a traversal: each after the first is met from triangle `from` across its side
+ * `from_side`, and its side 0 is that one. Side s runs from corner s to the next one. It is an inner edge by its
+ * number, 64 + a port, or 255 on the boundary of the mesh. */
+typedef struct restrip_patch_triangle {
+  uint8_t from;
+  uint8_t from_side;
+  uint8_t vertex[3];
+  uint8_t side[3];
+} restrip_patch_triangle;
+typedef struct restrip_operation {
+  uint32_t ports;
+  uint32_t edges_before; /* inner edges */
+  uint32_t edges_after;
+  uint32_t vertices;
+  int32_t matching; /* 1: a table for matchings, which a mesh does not have */
+  const restrip_patch_triangle* before;
+  size_t before_count;
+  const restrip_patch_triangle* after;
+  size_t after_count;
+  /* The entry at `inner edges << ports | ports` has the same masks after the operation; RESTRIP_NONE: not a valid
+   * colouring. */
+  const uint32_t* entries;
+  size_t entry_count;
+} restrip_operation;
+typedef struct restrip_table restrip_table;
+/* Copies and checks a table: its triangles, and that each rule is sound in every mesh. RESTRIP_BAD_ARGUMENT otherwise;
+ * then `text` receives what is wrong, cut off after text_size - 1 bytes; it may be null with text_size 0. After an
+ * error *table is null. Linear in the entries. */
+RESTRIP_API restrip_status restrip_table_make(const restrip_operation* operation, char* text, size_t text_size,
+                                              restrip_table** table);
+/* Null is allowed. */
+RESTRIP_API void restrip_table_free(restrip_table* table);
+/* Does the operation, checked like the others. h is the side from the first vertex to the second of the first triangle
+ * before, `halfedge` of the change the same of the first triangle after. `added` and `added_count` may be null, or
+ * receive the new vertices, in the order in which the file names them; `added` has room for RESTRIP_MOST_NEW_VERTICES.
+ */
+#define RESTRIP_MOST_NEW_VERTICES 18
+RESTRIP_API restrip_status restrip_mesh_apply(restrip_mesh* mesh, const restrip_table* table, restrip_halfedge h,
+                                              restrip_change* change, uint32_t* added, size_t* added_count);
 
 /* The operations that take one halfedge. */
 enum {
@@ -303,6 +357,20 @@ RESTRIP_API restrip_status restrip_mesh_check_each(const restrip_mesh* mesh, int
 RESTRIP_API restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left,
                                                     restrip_halfedge right, uint32_t v_t);
 
+/* One vertex split, by vertices: v_t is split off v_s, between v_l and v_r. On the boundary v_l or v_r is RESTRIP_NONE.
+ * It makes the triangles (v_s, v_t, v_l) and (v_t, v_s, v_r). */
+typedef struct restrip_record {
+  uint32_t v_s;
+  uint32_t v_t;
+  uint32_t v_l;
+  uint32_t v_r;
+} restrip_record;
+/* Plays the records in their order, or, with `forward` 0, collapses them again from the last one on: the records of
+ * restrip_simplify_u32 on a mesh of its base. Ends with the status of the first that the mesh refuses; `done` may be
+ * null, or receives the number played. */
+RESTRIP_API restrip_status restrip_mesh_play(restrip_mesh* mesh, const restrip_record* records, size_t n,
+                                             int32_t forward, size_t* done);
+
 /* Background work between operations: examines about `budget` states of searches, a few hundred nanoseconds each.
  * `saved` may be null, or receives the decrease of the cost. RESTRIP_BAD_ARGUMENT while a baked level is played, which
  * it would leave. */
@@ -310,17 +378,12 @@ RESTRIP_API restrip_status restrip_mesh_improve(restrip_mesh* mesh, size_t budge
 
 /* ---- Strips and index buffers out -------------------------------------------------------------- */
 
-/* These count and fill: with a null array they write the size needed to *count and return RESTRIP_OK; with an array
- * they fill it and write the size used to *count. If `capacity` is too small, they return RESTRIP_TOO_SMALL, write the
- * size needed to *count, and leave the array unchanged. All O(T), in the same order for equal meshes on every
- * machine. */
+/* The triangles of all strips, one strip after the other, each triangle once; strip s is from place starts[s] to
+ * starts[s + 1] - 1. `triangles` has room for restrip_mesh_triangle_count numbers, `starts` for one more than
+ * restrip_mesh_strip_count (else RESTRIP_TOO_SMALL). O(T), in the same order for equal meshes on every machine. */
+RESTRIP_API restrip_status restrip_mesh_strips(const restrip_mesh* mesh, uint32_t* triangles, size_t triangles_size,
+                                               size_t* starts, size_t starts_size);
 
-/* The triangles of all strips, one strip after the other: each triangle once. */
-RESTRIP_API restrip_status restrip_mesh_strip_triangles(const restrip_mesh* mesh, uint32_t* triangles, size_t capacity,
-                                                        size_t* count);
-/* Strip s of that list is from place starts[s] to starts[s + 1] - 1: one more number than strips. */
-RESTRIP_API restrip_status restrip_mesh_strip_starts(const restrip_mesh* mesh, size_t* starts, size_t capacity,
-                                                     size_t* count);
 /* ---- Index buffers in any form ---------------------------------------------------------------- */
 
 /* Forms of an index buffer. */
@@ -414,14 +477,14 @@ RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_
  * of 4, as WebGPU requires. The last may end with the buffer, whose length is a multiple of four bytes. `outgrown` may
  * be null, or receives 1 when the buffer has become longer than `room` of restrip_live_buffer was, or its indices
  * wider: make a new one on the device. The only range is then the whole buffer. The ranges are valid until the next
- * update. Linear in the changes; O(T) the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and
- * restrip_baked_restart. RESTRIP_TOO_LARGE when 16 bits cannot name a vertex; after that and after
- * RESTRIP_OUT_OF_MEMORY the next update writes the whole buffer. The frame has ended all the same, and can be undone. */
+ * update. Linear in the changes, and for RESTRIP_FORM_LENGTHS in the runs; O(T) the first time and after
+ * restrip_mesh_stripify, restrip_mesh_set_colors and restrip_baked_restart. RESTRIP_TOO_LARGE when 16 bits cannot name
+ * a vertex; after that and after RESTRIP_OUT_OF_MEMORY the next update writes the whole buffer. */
 RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, size_t merge_gap, size_t align,
                                                const restrip_range** ranges, size_t* range_count, int32_t* outgrown);
 /* The buffer after the last update; empty before the first. `room` may be null, or receives the number of indices that
- * the device should have room for. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
-RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
+ * the device should have room for. O(1). */
+RESTRIP_API restrip_status restrip_live_buffer(const restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
 /* Undoes the last frame, or redoes the next one; changes since the last update are a frame. *done receives 1, or 0 when
  * no frame is left. Triangles, numbers, halfedges, colours and baked levels are restored; the next update draws them as
  * after any change. The history begins again after restrip_baked_restart and some errors.
@@ -430,6 +493,10 @@ RESTRIP_API restrip_status restrip_live_undo(restrip_mesh* mesh, int32_t* done);
 RESTRIP_API restrip_status restrip_live_redo(restrip_mesh* mesh, int32_t* done);
 /* The number of frames that can be undone, and redone. O(1). */
 RESTRIP_API restrip_status restrip_live_history_size(const restrip_mesh* mesh, size_t* undoable, size_t* redoable);
+/* The number of frames that led to the present state; 0 without a history. For data that undo is to restore as well,
+ * such as points: after restrip_live_undo it is the frame whose data is wanted. An update that ends a frame raises it.
+ * O(1). */
+RESTRIP_API size_t restrip_live_frame(const restrip_mesh* mesh);
 
 /* ---- Baked meshes ------------------------------------------------------------------------------ */
 
@@ -437,15 +504,6 @@ RESTRIP_API restrip_status restrip_live_history_size(const restrip_mesh* mesh, s
  * is the base with its first n records played. All functions above work on it. Your own changes (split, collapse, flip,
  * stripify, keep, set_colors) leave the levels: from then on the policy maintains the strips, RESTRIP_POLICY_LOCAL
  * unless you choose another, and restrip_baked_move returns RESTRIP_OUT_OF_STEP until restrip_baked_restart. */
-
-/* One vertex split, by vertices: v_t is split off v_s, between v_l and v_r. On the boundary v_l or v_r is RESTRIP_NONE.
- * Record i makes the triangles with these corners. */
-typedef struct restrip_record {
-  uint32_t v_s;
-  uint32_t v_t;
-  uint32_t v_l;
-  uint32_t v_r;
-} restrip_record;
 
 /* Reads the bytes of a baked mesh and returns a mesh at level 0. The bytes are copied and checked, and every record is
  * played once. RESTRIP_BAD_FILE if they are damaged, of another version, or do not describe a mesh. Then `text`
@@ -484,7 +542,7 @@ typedef struct restrip_obstacle {
   size_t edges;
 } restrip_obstacle;
 
-/* A coarser mesh and the way back. Pointers are valid as long as the levels. */
+/* A coarser mesh and the way back. */
 typedef struct restrip_levels_view {
   const uint32_t* base; /* the remaining triangles, three corners each */
   size_t base_count;    /* indices: three times the number of triangles that was reached */
@@ -516,7 +574,12 @@ RESTRIP_API restrip_status restrip_simplify_u16(const uint16_t* indices, size_t 
                                                 size_t vertex_count, size_t wanted, int32_t boundary,
                                                 restrip_build_report* report, char* text, size_t text_size,
                                                 restrip_levels** levels);
-RESTRIP_API restrip_status restrip_levels_read(const restrip_levels* levels, restrip_levels_view* view);
+/* Continues to `wanted` triangles, by at most `most` collapses, for callers that show progress or may stop: begin with
+ * restrip_simplify_u32 and a `wanted` of SIZE_MAX. `left` may be null, or receives how many triangles more than wanted
+ * there are; 0 when it has ended. */
+RESTRIP_API restrip_status restrip_levels_run(restrip_levels* levels, size_t wanted, size_t most, size_t* left);
+/* The pointers are valid until the levels are changed, read again or freed. Linear in the view. */
+RESTRIP_API restrip_status restrip_levels_read(restrip_levels* levels, restrip_levels_view* view);
 /* Null is allowed. */
 RESTRIP_API void restrip_levels_free(restrip_levels* levels);
 

@@ -62,7 +62,7 @@ std::string text_of(const char* path) {
 TEST(Policies, EveryInterfaceHasTheirDefaults) {
   const std::string header = text_of("bindings/c/include/restrip.h");
   const std::string types = text_of("bindings/js/restrip.d.ts");
-  const std::string script = text_of("bindings/js/restrip.mjs");
+  const std::string script = text_of("bindings/js/restrip.mjs") + text_of("bindings/js/arguments.mjs");
   const std::string python = text_of("bindings/python/src/restrip/__init__.py");
   static_assert(default_policy == Policy::quick && default_cost == Cost::indices() && default_effort == Effort::fast);
   expect_in(text_of("README.md"),

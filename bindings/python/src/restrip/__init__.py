@@ -16,14 +16,14 @@ import numbers
 import operator
 import sys
 import warnings
-from typing import Callable, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Literal, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 
 from . import _library as lib
 from ._library import NONE, RestripError, describe
 
-__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Simplified", "describe", "faces_of", "simplify", "strips_of"]
+__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Simplified", "Table", "describe", "faces_of", "simplify", "strips_of"]
 __version__: str = lib.plain("version").decode()
 
 # For type checkers; __init__ and the functions name the same words when a value is none of them.
@@ -35,6 +35,11 @@ Operation = Literal["collapse", "flip", "split_face", "join_faces", "bisect", "m
 Format = Literal["restart", "stitched", "strips", "vtk"]
 Index = Literal["auto", 16, 32]
 Progress = Callable[[int, int, int], Optional[bool]]
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Indices = Union[NDArray[np.uint16], NDArray[np.uint32]]
+    Numbers = NDArray[np.uint32]
 
 _COSTS = {"strips": (1, 0, 0), "indices": (3, 1, 0)}
 _EFFORTS = ("fast", "full", "best")
@@ -43,7 +48,9 @@ _FORMATS = ("restart", "stitched", "strips", "vtk")
 _FORMS = {"restart": 0, "stitched": 1, "list": 3}
 _LENGTHS = 2
 _SLICES = 50
+_SLICE = 1 << 16  # of searched states or collapses between looks at signals: some hundredths of a second
 _TOO_LARGE = 103  # RESTRIP_TOO_LARGE
+_MOST_NEW = 18  # RESTRIP_MOST_NEW_VERTICES
 _MOST = 2 * sys.maxsize + 1  # of size_t
 _GAP = 1 << 20  # vertex numbers further above the number of corners are sparse
 _NEEDS_32 = "vertex 65,535 needs 32-bit indices; use index='auto'"
@@ -92,13 +99,12 @@ class Simplified(NamedTuple):
     """A coarser mesh and the way back. All vertices are those of the points given:
       faces      the remaining faces, three columns
       records    from coarse to fine, four columns: each splits v_t off v_s, between v_l and v_r (NONE on the boundary). On
-                 LiveMesh(faces, len(points)) a record is played by
-                 mesh.split(mesh.find(v_s, v_l), mesh.find(v_s, v_r), v_t), and the last one leads back to the faces given
+                 LiveMesh(faces, len(points)) mesh.play(records) leads back to the faces given
       shortfall  None, or a sentence that says why there are more faces than wanted
       report     a Report on the faces given"""
 
-    faces: np.ndarray
-    records: np.ndarray
+    faces: Numbers
+    records: Numbers
     shortfall: Optional[str]
     report: Report
 
@@ -184,7 +190,7 @@ def _numbers(address: Optional[int], count: int, dtype) -> np.ndarray:
     return np.frombuffer((ctypes.c_uint8 * (count * np.dtype(dtype).itemsize)).from_address(address), dtype)
 
 
-def _array(view: lib.BufferView) -> np.ndarray:
+def _array(view: lib.BufferView) -> Indices:
     """The indices of a view, while it is valid."""
     return _numbers(view.indices, view.index_count, np.uint16 if view.index_bits == 16 else np.uint32)
 
@@ -210,8 +216,44 @@ def _explained(name: str, *arguments) -> None:
         raise RestripError(error.code, f"{lib.shown(name)}: {text.value.decode()}") from None
 
 
+def _slots(kind: type) -> Tuple[str, ...]:
+    slots = kind.__dict__.get("__slots__", ())
+    return tuple(name for name in ((slots,) if isinstance(slots, str) else slots) if name not in ("__dict__", "__weakref__"))
+
+
+def _loaded(kind: type, data: bytes) -> LiveMesh:
+    """A copy of a mesh, of a class that may have another load()."""
+    return LiveMesh.load.__func__(kind, data)  # type: ignore[attr-defined]
+
+
 def _address(array: np.ndarray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
+
+
+class Table:
+    """The table of a custom operation, for LiveMesh.apply: `data` is the JSON that `restrip-generate rules --language json` or the page
+    Make a rule writes, as json.load reads it. ValueError for a table that could spoil a mesh."""
+
+    def __init__(self, data: Dict[str, Any]):
+        self._positions: List[int] = []
+        if not isinstance(data, dict) or data.get("format") != "restrip-operation-table":
+            raise ValueError("Table: this is not the table of an operation; make one with restrip-generate rules --language json")
+        for at in data["positions"]:
+            if "triangles_before" not in at:
+                raise ValueError(f"Table: {data['name']} has no triangles: its operation was described as a graph")
+            before, after = (np.asarray(at[f"triangles_{side}"], np.uint8).reshape(-1, 8) for side in ("before", "after"))
+            size = 1 << (at["ports"] + (0 if data["matching"] else at["before"]["edges"]))
+            entries = np.asarray(data["entries"][at["first"]:at["first"] + size], np.uint32)
+            entries[entries == data["none"]] = NONE
+            table = ctypes.c_void_p()
+            _explained("table_make", lib.Operation(at["ports"], at["before"]["edges"], at["after"]["edges"], at["vertices"], bool(data["matching"]), _address(before),
+                                                   len(before), _address(after), len(after), _address(entries), len(entries)), table)
+            assert table.value is not None
+            self._positions.append(table.value)
+
+    def __del__(self) -> None:
+        for address in getattr(self, "_positions", ()):
+            lib.plain("table_free", address)
 
 
 class LiveMesh:
@@ -237,7 +279,7 @@ class LiveMesh:
     outgrown: bool
     room: int
 
-    def __init__(self, faces, vertex_count: Optional[int] = None, *, policy: Policy = "quick", cost: Cost = "indices",
+    def __init__(self, faces: ArrayLike, vertex_count: Optional[int] = None, *, policy: Policy = "quick", cost: Cost = "indices",
                  effort: Optional[Effort] = "fast"):
         self._handle: Optional[int] = None
         self.outgrown, self.room, self._index = False, 0, None
@@ -294,12 +336,16 @@ class LiveMesh:
             return "<restrip.LiveMesh, closed>"
         return f"<restrip.LiveMesh of {self.triangle_count} triangles in {self.strip_count} strips>"
 
-    def __reduce__(self):
-        return type(self).load, (self.save(),), {"report": self.report, "_index": self._index}
+    def __reduce__(self) -> Tuple[Any, ...]:
+        """With what programs noted on it; the history is not copied."""
+        noted = {name: value for name, value in self.__dict__.items() if name not in ("_handle", "outgrown", "room")}
+        slots = {name: getattr(self, name) for kind in type(self).__mro__ for name in _slots(kind) if hasattr(self, name)}
+        return _loaded, (type(self), self.save()), (noted, slots)
 
     def save(self) -> bytes:
         """Faces, numbers, colours, policy, cost and format, the same on every machine: 13 bytes a face, and a bit for each number.
-        Frames of undo() are not saved, and the loaded mesh begins its buffer again. Copies and pickles are made of these bytes."""
+        Frames of undo() are not saved, and the loaded mesh begins its buffer again. Copies and pickles are made of these bytes and of the
+        attributes that programs add."""
         data, size = ctypes.c_void_p(), ctypes.c_size_t()
         lib.call("mesh_save", self._mesh, data, size)
         return ctypes.string_at(data, size.value)
@@ -349,11 +395,14 @@ class LiveMesh:
     def corners(self, triangle: int) -> Tuple[int, int, int]:
         """The vertices of a triangle, counter-clockwise. RestripError if no triangle has this number."""
         found = np.empty(3, np.uint32)
-        lib.call("mesh_corners", self._mesh, _number("triangle", triangle), _address(found))
+        try:
+            lib.call("mesh_corners", self._mesh, _number("triangle", triangle), _address(found))
+        except RestripError as error:
+            raise RestripError(error.code, f"corners: no triangle has the number {triangle}") from None
         a, b, c = found.tolist()
         return a, b, c
 
-    def faces(self) -> np.ndarray:
+    def faces(self) -> Numbers:
         """All triangles, three columns, in the order of the strips. O(triangles)."""
         return self.indices("list", 32).reshape(-1, 3)
 
@@ -363,7 +412,7 @@ class LiveMesh:
         """The halfedge from vertex v to vertex w; NONE if the mesh has no such edge."""
         return lib.plain("mesh_find", self._mesh, _number("vertex", v), _number("vertex", w))
 
-    def find_each(self, v, w) -> np.ndarray:
+    def find_each(self, v: ArrayLike, w: ArrayLike) -> Numbers:
         """find() for arrays of vertices, or an array and a vertex: an array of halfedges, in one call."""
         v, w = np.broadcast_arrays(_numbers_of("vertex", v), _numbers_of("vertex", w))
         v, w, found = np.ascontiguousarray(v), np.ascontiguousarray(w), np.empty(v.shape, np.uint32)
@@ -428,6 +477,38 @@ class LiveMesh:
         """Removes the vertex that it leads to, which has four triangles, or two on the boundary."""
         return self._done("mesh_merge", halfedge)
 
+    def apply(self, table: Table, halfedge: int) -> Tuple[Change, List[int]]:
+        """Does a custom operation; the halfedge is the side from the first vertex to the second of the first triangle under `before`
+        of its file. Returns the change, whose halfedge is the same side of the first triangle under `after`, and the new vertices
+        in the order of the file. Of a family the first position that fits is done."""
+        halfedge, refusal = _number("halfedge", halfedge), None
+        for address in table._positions:
+            added, count, change = np.empty(_MOST_NEW, np.uint32), ctypes.c_size_t(), lib.Change()
+            try:
+                _fitted(self._index, "mesh_apply", self._mesh, address, halfedge, change, _address(added), count)
+            except RestripError as error:
+                refusal = refusal or error
+            else:
+                return Change(change.halfedge, change.valence, change.strips, change.isolated), added[:count.value].tolist()
+        raise refusal or ValueError("apply: the table has no positions")
+
+    def play(self, records: ArrayLike, forward: bool = True) -> None:
+        """Splits the vertices of the records of simplify(), four columns, in their order; with forward=False collapses them again,
+        the last one first. RestripError if the mesh refuses one: the earlier ones are played."""
+        records = _numbers_of("records", records)
+        if records.ndim != 2 or records.shape[1] != 4:
+            raise ValueError(f"records: expected four columns, found the shape {records.shape}")
+        done, total = 0, len(records)
+        while done < total:
+            size, played = min(_SLICE, total - done), ctypes.c_size_t()
+            part = np.ascontiguousarray(records[done:done + size] if forward else records[total - done - size:total - done])
+            try:
+                lib.call("mesh_play", self._mesh, _address(part), size, int(forward), played)
+            except RestripError as error:
+                at = done + played.value
+                raise RestripError(error.code, f"record {at if forward else total - 1 - at}: {self._refusal(error.code)}") from None
+            done += size
+
     def why_not(self, operation: str, *arguments: int) -> Optional[str]:
         """Why an operation of this name would be refused; None: it would be done."""
         _one_of("operation", operation, ("split", *lib.AT_HALFEDGE))
@@ -440,12 +521,12 @@ class LiveMesh:
         code = lib.plain("mesh_check_split", self._mesh, *values) if operation == "split" else int(self.check_each(operation, values)[0])
         return None if code == 0 else self._refusal(code)
 
-    def check_each(self, operation: Operation, halfedges) -> np.ndarray:
+    def check_each(self, operation: Operation, halfedges: ArrayLike) -> NDArray[np.int32]:
         """Whether each operation would be done, by itself: an array of codes, 0 if it would, else the `code` of the RestripError
         that refuses it; describe(code) says why. One call for all."""
         return self._each("mesh_check_each", operation, halfedges)
 
-    def apply_each(self, operation: Operation, halfedges) -> Tuple[np.ndarray, np.ndarray]:
+    def apply_each(self, operation: Operation, halfedges: ArrayLike) -> Tuple[NDArray[np.int32], NDArray[Any]]:
         """Does the operation at each halfedge, in their order and in one call; those that are refused are left out. Returns the
         codes, as check_each, and an array with the fields of Change: `changes["halfedge"][codes == 0]`. The halfedge of a
         refusal is NONE. An operation may remove the halfedge of a later one."""
@@ -473,14 +554,14 @@ class LiveMesh:
         budget = _number("budget", budget, _MOST)
         saved, done, part = 0, 0, ctypes.c_size_t()
         while done < budget:
-            size = budget if progress is None else min(budget - done, max(1, budget // _SLICES))
+            size = min(budget - done, _SLICE if progress is None else max(1, budget // _SLICES))
             lib.call("mesh_improve", self._mesh, size, part)
             done, saved = done + size, saved + part.value
             if progress is not None and progress(done, budget, saved):
                 break
         return saved
 
-    def indices(self, form: Form = "restart", index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> np.ndarray:
+    def indices(self, form: Form = "restart", index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> Indices:
         """The index buffer of the strips, in one of the forms
           "restart"   one triangle strip with primitive restart: all bits set between two strips,
           "stitched"  one triangle strip without: repeated indices lead from strip to strip,
@@ -490,31 +571,34 @@ class LiveMesh:
         to 1000, is the number of indices that a miss is worth; 0 is the default."""
         return self._made(_form(form), index, cache_size, cache_weight)[0]
 
-    def strip_indices(self, index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> List[np.ndarray]:
+    def strip_indices(self, index: Index = "auto", *, cache_size: int = 0, cache_weight: float = 0) -> List[Indices]:
         """The indices of each strip; an index is repeated if a strip turns twice the same way. For the cache see `indices`."""
         indices, draws = self._made(_LENGTHS, index, cache_size, cache_weight)
         return [indices[first:first + count] for first, count in draws]
 
-    def strips(self) -> List[np.ndarray]:
+    def strips(self) -> List[Numbers]:
         """The triangles of each strip, by their numbers, in their order."""
-        triangles = self._filled("mesh_strip_triangles", np.uint32)
-        return np.split(triangles, self._filled("mesh_strip_starts", np.uintp)[1:-1]) if len(triangles) else []
+        triangles, starts = np.empty(self.triangle_count, np.uint32), np.empty(self.strip_count + 1, np.uintp)
+        lib.call("mesh_strips", self._mesh, _address(triangles), triangles.size, _address(starts), starts.size)
+        return np.split(triangles, starts[1:-1]) if len(triangles) else []
 
     @property
-    def colors(self) -> np.ndarray:
+    def colors(self) -> NDArray[np.uint8]:
         """One byte for each triangle number: bit s is set when a strip crosses side s. May be set to such an array."""
         colors = np.empty(self.triangle_bound, np.uint8)
         lib.call("mesh_get_colors", self._mesh, _address(colors), colors.size)
         return colors
 
     @colors.setter
-    def colors(self, colors) -> None:
+    def colors(self, colors: ArrayLike) -> None:
         colors = np.asarray(colors)
         if colors.size == 0:
             colors = colors.astype(np.uint8)
         if colors.ndim != 1 or colors.dtype.kind not in "iu" or (colors.size and not 0 <= colors.min() <= colors.max() <= 7):
             raise ValueError(f"colors: expected integers from 0 to 7 in one dimension, one for each triangle number, found {colors.dtype} of shape "
                              f"{colors.shape}" + (f", {colors.min()} to {colors.max()}" if colors.size and colors.dtype.kind in "iuf" else ""))
+        if colors.size != self.triangle_bound:
+            raise ValueError(f"colors: expected {self.triangle_bound} numbers, one for each triangle number, found {colors.size}")
         colors = np.ascontiguousarray(colors, dtype=np.uint8)
         lib.call("mesh_set_colors", self._mesh, _address(colors), colors.size)
 
@@ -550,7 +634,7 @@ class LiveMesh:
         lib.call("live_history_size", self._mesh, undoable, redoable)
         return undoable.value, redoable.value
 
-    def update(self, merge_gap: int = 0, align: int = 4) -> List[Tuple[int, np.ndarray]]:
+    def update(self, merge_gap: int = 0, align: int = 4) -> List[Tuple[int, Indices]]:
         """Brings the buffer in step with the mesh. Returns the parts that may have changed, each with its first place, to be
         copied to the device. Parts at most `merge_gap` indices apart are joined, and begin and end at multiples of `align`
         bytes: 2, or a multiple of 4. Then `outgrown` says whether the buffer has outgrown the `room` that it had, or its
@@ -574,7 +658,7 @@ class LiveMesh:
         lib.call("live_buffer", self._mesh, view, None)
         return sum(view.draws[i].count for i in range(view.draw_count))
 
-    def buffer(self) -> np.ndarray:
+    def buffer(self) -> Indices:
         """A copy of the whole buffer after the last update, a multiple of four bytes: a 16-bit list may end with an index
         that does not belong to a triangle and is not counted by `index_count`."""
         view = lib.BufferView()
@@ -615,27 +699,32 @@ class LiveMesh:
     def _refusal(self, code: int) -> str:
         return _NEEDS_32 if code == _TOO_LARGE and self._index == 16 else lib.describe(code)
 
-    def _filled(self, name: str, dtype) -> np.ndarray:
-        count = ctypes.c_size_t()
-        lib.call(name, self._mesh, None, 0, count)
-        array = np.empty(count.value, dtype)
-        if count.value:
-            lib.call(name, self._mesh, _address(array), array.size, count)
-        return array
+
+_Strips = Literal["strips"]
+_Restart = Literal["restart", "stitched"]
 
 
 @overload
-def strips_of(faces: object, cost: Cost = ..., format: Literal["restart", "stitched", "vtk"] = ..., *, effort: Effort = ...,
-              vertex_count: Optional[int] = ..., index: Index = ..., cache_size: int = ..., cache_weight: float = ...,
-              progress: Optional[Progress] = ...) -> np.ndarray: ...
+def strips_of(faces: ArrayLike, cost: Cost = ..., format: _Restart = ..., *, effort: Effort = ..., vertex_count: Optional[int] = ..., index: Index = ...,
+              cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> Indices: ...
 @overload
-def strips_of(faces: object, cost: Cost, format: Literal["strips"], *, effort: Effort = ..., vertex_count: Optional[int] = ...,
-              index: Index = ..., cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> List[np.ndarray]: ...
+def strips_of(faces: ArrayLike, cost: Cost, format: _Strips, *, effort: Effort = ..., vertex_count: Optional[int] = ..., index: Index = ...,
+              cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> List[Indices]: ...
 @overload
-def strips_of(faces: object, cost: Cost = ..., *, format: Literal["strips"], effort: Effort = ..., vertex_count: Optional[int] = ...,
-              index: Index = ..., cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> List[np.ndarray]: ...
-def strips_of(faces: object, cost: Cost = "indices", format: Format = "restart", *, effort: Effort = "fast", vertex_count: Optional[int] = None,
-              index: Index = "auto", cache_size: int = 0, cache_weight: float = 0, progress: Optional[Progress] = None) -> Union[np.ndarray, List[np.ndarray]]:
+def strips_of(faces: ArrayLike, cost: Cost = ..., *, format: _Strips, effort: Effort = ..., vertex_count: Optional[int] = ..., index: Index = ...,
+              cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> List[Indices]: ...
+@overload
+def strips_of(faces: ArrayLike, cost: Cost, format: Literal["vtk"], *, effort: Effort = ..., vertex_count: Optional[int] = ..., index: Index = ...,
+              cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> NDArray[np.int64]: ...
+@overload
+def strips_of(faces: ArrayLike, cost: Cost = ..., *, format: Literal["vtk"], effort: Effort = ..., vertex_count: Optional[int] = ..., index: Index = ...,
+              cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> NDArray[np.int64]: ...
+@overload
+def strips_of(faces: ArrayLike, cost: Cost = ..., format: Format = ..., *, effort: Effort = ..., vertex_count: Optional[int] = ..., index: Index = ...,
+              cache_size: int = ..., cache_weight: float = ..., progress: Optional[Progress] = ...) -> Union[Indices, List[Indices], NDArray[np.int64]]: ...
+def strips_of(faces: ArrayLike, cost: Cost = "indices", format: Format = "restart", *, effort: Effort = "fast", vertex_count: Optional[int] = None,
+              index: Index = "auto", cache_size: int = 0, cache_weight: float = 0,
+              progress: Optional[Progress] = None) -> Union[Indices, List[Indices], NDArray[np.int64]]:
     """Triangle strips of a mesh.
 
     `format` is
@@ -688,7 +777,7 @@ def _renamed(indices: np.ndarray, used: Optional[np.ndarray], index: Index) -> n
     return np.where(restarts, np.iinfo(dtype).max, named).astype(dtype)
 
 
-def simplify(points, faces, share: Optional[float] = None, *, count: Optional[int] = None, boundary: str = "move") -> Simplified:
+def simplify(points: ArrayLike, faces: ArrayLike, share: Optional[float] = None, *, count: Optional[int] = None, boundary: Literal["move", "lock"] = "move") -> Simplified:
     """A coarser mesh, and the collapses that lead there, for levels of detail.
 
     `points` has three columns of finite numbers, `faces` three columns of vertices below their number. Edges collapse into one
@@ -714,8 +803,11 @@ def simplify(points, faces, share: Optional[float] = None, *, count: Optional[in
         raise ValueError(f"share {share!r}: expected a number from 0 to 1")
     places = np.ascontiguousarray(places, np.float64)
     report, levels, view = lib.BuildReport(), ctypes.c_void_p(), lib.LevelsView()
-    _explained("simplify_u32", _address(corners), corners.size, _address(places), len(places), wanted, policy, report, levels)
+    _explained("simplify_u32", _address(corners), corners.size, _address(places), len(places), _MOST, policy, report, levels)
     try:
+        left = ctypes.c_size_t(1)
+        while left.value:
+            lib.call("levels_run", levels, wanted, _SLICE, left)
         lib.call("levels_read", levels, view)
         base = _numbers(view.base, view.base_count, np.uint32).reshape(-1, 3).copy()
         records = _numbers(view.records, 4 * view.record_count, np.uint32).reshape(-1, 4).copy()
@@ -733,7 +825,7 @@ def simplify(points, faces, share: Optional[float] = None, *, count: Optional[in
     return result
 
 
-def faces_of(indices) -> np.ndarray:
+def faces_of(indices: ArrayLike) -> Indices:
     """The triangles that a triangle strip with primitive restart draws, three columns; degenerate ones are left out."""
     indices = np.asarray(indices)
     if indices.ndim != 1 or indices.dtype not in (np.uint16, np.uint32):

@@ -31,6 +31,11 @@ class Change(c.Structure):
     _fields_ = [("halfedge", _u32), ("valence", _u32), ("strips", _int), ("isolated", _int)]
 
 
+class Operation(c.Structure):
+    _fields_ = [("ports", _u32), ("edges_before", _u32), ("edges_after", _u32), ("vertices", _u32), ("matching", _int), ("before", c.c_void_p), ("before_count", _size),
+                ("after", c.c_void_p), ("after_count", _size), ("entries", c.c_void_p), ("entry_count", _size)]
+
+
 class Range(c.Structure):
     _fields_ = [("first", _size), ("count", _size)]
 
@@ -61,7 +66,6 @@ class LevelsView(c.Structure):
                 ("obstacle_count", _size)]
 
 
-_counts = [_mesh, c.c_void_p, _size, c.POINTER(_size)]
 _change = c.POINTER(Change)
 # Functions that return a status: the types of their arguments.
 _checked = {
@@ -75,11 +79,14 @@ _checked = {
     "mesh_keep": [_mesh, _int, c.POINTER(Cost)],
     "mesh_split": [_mesh, _u32, _u32, _u32, _change],
     **{f"mesh_{name}": [_mesh, _u32, _change] for name in AT_HALFEDGE},
+    "table_make": [c.POINTER(Operation), c.c_char_p, _size, c.POINTER(c.c_void_p)],
+    "mesh_apply": [_mesh, c.c_void_p, _u32, _change, c.c_void_p, c.POINTER(_size)],
     "mesh_find_each": [_mesh, _size, c.c_void_p, c.c_void_p, c.c_void_p],
     "mesh_check_each": [_mesh, _int, _size, c.c_void_p, c.c_void_p],
     "mesh_apply_each": [_mesh, _int, _size, c.c_void_p, c.c_void_p, c.c_void_p],
     "mesh_improve": [_mesh, _size, c.POINTER(_size)],
-    **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts")},
+    "mesh_strips": [_mesh, c.c_void_p, _size, c.c_void_p, _size],
+    "mesh_play": [_mesh, c.c_void_p, _size, _int, c.POINTER(_size)],
     "mesh_buffer": [_mesh, c.POINTER(Cache), c.POINTER(Format), c.POINTER(c.c_void_p)],
     "buffer_read": [c.c_void_p, c.POINTER(BufferView)],
     "live_begin": [_mesh, c.POINTER(Format), c.POINTER(Layout), _size],
@@ -89,13 +96,14 @@ _checked = {
     "mesh_load": [c.c_char_p, _size, _size, c.c_char_p, _size, c.POINTER(_mesh)],
     **{f"live_{name}": [_mesh, c.POINTER(_int)] for name in ("undo", "redo")},
     "simplify_u32": [c.c_void_p, _size, c.c_void_p, _size, _size, _int, c.POINTER(BuildReport), c.c_char_p, _size, c.POINTER(c.c_void_p)],
+    "levels_run": [c.c_void_p, _size, _size, c.POINTER(_size)],
     "levels_read": [c.c_void_p, c.POINTER(LevelsView)],
     "live_history_size": [_mesh, c.POINTER(_size), c.POINTER(_size)],
 }
 # Functions that return a value.
 _plain = {
     "abi_version": (_u32, []), "version": (c.c_char_p, []), "describe": (c.c_char_p, [_int]), "mesh_free": (None, [_mesh]), "buffer_free": (None, [c.c_void_p]),
-    "levels_free": (None, [c.c_void_p]),
+    "levels_free": (None, [c.c_void_p]), "table_free": (None, [c.c_void_p]),
     **{f"mesh_{name}": (_size, [_mesh]) for name in ("triangle_count", "triangle_bound", "vertex_bound")},
     "mesh_find": (_u32, [_mesh, _u32, _u32]),
     **{f"mesh_{name}": (_u32, [_mesh, _u32]) for name in ("spoke", "next", "opposite", "from", "to", "triangle")},
@@ -146,7 +154,7 @@ def describe(code: int) -> str:
 
 def shown(name: str) -> str:
     """A function by its name in this package."""
-    return {"live_begin": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "simplify_u32": "simplify"}.get(name, name.split("_", 1)[1])
+    return {"live_begin": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "simplify_u32": "simplify", "table_make": "Table"}.get(name, name.split("_", 1)[1])
 
 
 def call(name: str, *arguments) -> None:
