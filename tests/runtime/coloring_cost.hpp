@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "restrip/mesh/cost.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip {

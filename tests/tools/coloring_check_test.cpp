@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "restrip/output/strips.hpp"
+#include "search/strip_locator.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {

@@ -14,6 +14,7 @@
 #include "meshes/made_mesh.hpp"
 #include "replay/methods.hpp"
 #include "restrip/output/strips.hpp"
+#include "search/strip_locator.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {
