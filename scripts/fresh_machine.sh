@@ -28,12 +28,12 @@ cannot() { echo "fresh_machine.sh: no machine of Debian $release here: $1" >&2; 
 [ "$(id -u)" -eq 0 ] || cannot "this needs root"
 command -v debootstrap >/dev/null || cannot "debootstrap is not installed"
 # Mounts are visible to the command alone and end with it, so that removing FOLDER never removes what is mounted there.
-alone() { unshare --mount --pid --fork --kill-child "$@"; }
-alone true 2>/dev/null || cannot "root may not mount file systems"
+alone=(unshare --mount --pid --fork --kill-child)
+"${alone[@]}" true 2>/dev/null || cannot "root may not mount file systems"
 
 if [ ! -e "$folder/.complete" ]; then
   mirror=$(grep -hE '^URIs:|^deb ' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | grep -oE 'https?://[^ ]*/debian/?( |$)' | head -n 1 || true)
-  alone debootstrap --variant=minbase "$release" "$folder" ${mirror:-http://deb.debian.org/debian} >"$folder.log" 2>&1 ||
+  "${alone[@]}" debootstrap --variant=minbase "$release" "$folder" ${mirror:-http://deb.debian.org/debian} >"$folder.log" 2>&1 ||
     cannot "debootstrap failed ($folder.log): $(tail -n 1 "$folder.log")"
   touch "$folder/.complete"
 fi
@@ -52,7 +52,7 @@ else
     git clone -q --no-hardlinks "$repository" "$folder$place"
   fi
 fi
-alone bash -euc 'mount -t proc proc "$1/proc"
+exec "${alone[@]}" bash -euc 'mount -t proc proc "$1/proc"
 mount --rbind /dev "$1/dev"
 exec chroot "$1" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 bash -c '\''cd "$1" && shift && exec "$@"'\'' bash "${@:2}"' \
   bash "$folder" "$place" "$@"

@@ -32,7 +32,7 @@ python=python3
 "$python" -c 'import numpy, setuptools, wheel' 2>/dev/null || python=/usr/bin/python3
 scratch=$(mktemp -d)
 machines=()
-trap '[ ${#machines[@]} -eq 0 ] || kill "${machines[@]}" 2>/dev/null; rm -rf "$scratch"' EXIT
+trap 'for pid in "${machines[@]}"; do kill -- "-$pid" 2>/dev/null || true; done; rm -rf "$scratch"' EXIT
 dist=$PWD/dist
 rm -rf "$dist"
 mkdir "$dist"
@@ -106,10 +106,12 @@ if [ -n "$trials" ]; then
     [ "$1" != stable ] || scripts/fresh_machine.sh --files "$scratch/files" stable build/debian-stable \
       bash -c "tar -xzf restrip-$version.tar.gz && cd restrip-$version && scripts/demo.sh"
   }
+  set -m  # each in a process group, so that all of it can be stopped
   for release in oldstable stable; do
     (trap - ERR EXIT; on_machine $release) >"$logs/$release" 2>&1 &
     machines+=($!)
   done
+  set +m
 
   say "checking names, licences and metadata"
   # CPack calls ldconfig in a script besides the trigger.
