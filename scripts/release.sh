@@ -32,7 +32,7 @@ python=python3
 "$python" -c 'import numpy, setuptools, wheel' 2>/dev/null || python=/usr/bin/python3
 scratch=$(mktemp -d)
 machines=()
-trap 'for pid in "${machines[@]}"; do kill -- "-$pid" 2>/dev/null || true; done; rm -rf "$scratch"' EXIT
+trap 'for pid in "${machines[@]}"; do kill -KILL -- "-$pid" 2>/dev/null || true; done; rm -rf "$scratch"' EXIT
 dist=$PWD/dist
 rm -rf "$dist"
 mkdir "$dist"

@@ -59,7 +59,7 @@ joined() {
     *) tail -n 40 "$logs/$1" >&2; false ;;
   esac
 }
-trap 'for pid in "${background[@]}"; do kill -- "-$pid" 2>/dev/null || true; done' EXIT
+trap 'for pid in "${background[@]}"; do kill -KILL -- "-$pid" 2>/dev/null || true; done' EXIT
 
 # RESTRIP_MESHES may name a folder of packed meshes (*.xz); they are unpacked into the build folder.
 if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
