@@ -123,7 +123,6 @@ ColoringChange join_and_absorb(StripMesh& mesh, Each&& each) {
   return sum;
 }
 
-/// The same for the triangles to the left of some halfedges, each once; boundary halfedges are skipped.
 ColoringChange join_in(StripMesh& mesh, std::span<Halfedge> nearby) {
   std::size_t count = 0;
   for (const Halfedge h : nearby) {

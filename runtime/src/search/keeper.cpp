@@ -87,6 +87,12 @@ Rewrite Keeper::apply(const OperationView& table, Halfedge where, NewVertices* a
   return perform(detail::ApplyStep(table, where, added != nullptr ? *added : unused));
 }
 
+Rewrite Keeper::replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in) {
+  RESTRIP_ASSERT_GRANTED(check_replace(*mesh_, out, in), "Keeper::replace");
+  std::vector<Triangle> made;
+  return perform(detail::ReplaceStep(*mesh_, out, in, made));
+}
+
 Rewrite Keeper::split_record(std::size_t record, const VertexSplit& where, Vertex new_vertex) {
   RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper does not play baked strips");
   if (!baked_->can_split(record)) return split(where, new_vertex);
@@ -231,6 +237,13 @@ Checked checked_apply(Keeper& keeper, const OperationView& table, Halfedge where
   Checked done;
   done.refusal = check_apply(keeper.mesh(), table, where);
   if (done) done.rewrite = keeper.apply(table, where, &done.new_vertices);
+  return done;
+}
+
+Checked checked_replace(Keeper& keeper, std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in) {
+  Checked done;
+  done.refusal = check_replace(keeper.mesh(), out, in);
+  if (done) done.rewrite = keeper.replace(out, in);
   return done;
 }
 

@@ -32,6 +32,8 @@ class RuleChoice final : public RuleSource {
   Rule collapse(const StripMesh& mesh, Halfedge chord, const InteriorFan& fan, Word ring) override;
   Answer answer_split(const StripMesh& mesh, const VertexSplit& where, SeenPatch& patch) override;
   Answer answer_collapse(const StripMesh& mesh, Halfedge chord, SeenPatch& patch) override;
+  /// Notes an operation without a rule, which has been done.
+  void did(const ColoringChange& change) noexcept { change_ = change; }
   /// Counts another operation, which always takes its rule and has been done.
   Rewrite taken(const Rewrite& done) noexcept {
     ++counts_.asked;

@@ -173,4 +173,67 @@ void ApplyStep::find_new(const StripMesh& mesh, Halfedge first, std::vector<Tria
   add_triangles(mesh, table.triangles_after, first, patch);
 }
 
+// ---- any triangles replaced by any others
+
+ReplaceStep::ReplaceStep(const StripMesh& mesh, std::span<const Triangle> removed,
+                         std::span<const std::array<Vertex, 3>> added, std::vector<Triangle>& list)
+    : out(removed), in(added), made(list) {
+  rings = 1;
+  may_isolate = MayIsolate::everywhere;
+  std::vector<Triangle> gone(out.begin(), out.end());
+  std::sort(gone.begin(), gone.end());
+  for (const Triangle t : out)
+    for_each_neighbor(mesh, t, [&](Triangle u) {
+      if (!std::binary_search(gone.begin(), gone.end(), u)) beyond.push_back(u);
+    });
+  sort_unique(beyond);
+}
+void ReplaceStep::find_patch(const StripMesh& /*mesh*/, std::vector<Triangle>& patch) const {
+  patch.assign(out.begin(), out.end());
+  patch.insert(patch.end(), beyond.begin(), beyond.end());
+}
+Rewrite ReplaceStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+  Rewrite done{{static_cast<int>(in.size()) - static_cast<int>(out.size()), 0, static_cast<int>(in.size())}, {}, 0};
+  const auto isolated = [&](const auto& triangles) {
+    return static_cast<int>(
+        std::count_if(triangles.begin(), triangles.end(), [&](Triangle t) { return mesh.solid_degree(t) == 0; }));
+  };
+  done.isolated -= isolated(out) + isolated(beyond);
+  for (const Triangle t : out)
+    for (unsigned s = 0; s < 3; ++s)
+      if (const Halfedge h = StripMesh::halfedge(t, s); mesh.solid(h)) {
+        mesh.set_solid(h, false);
+        ++done.strips;
+      }
+  mesh.replace(out, in, made);
+  done.isolated += isolated(beyond);
+  if (!made.empty()) done.halfedge = StripMesh::halfedge(made[0]);
+  choice.did(done);
+  return done;
+}
+Rewrite ReplaceStep::joined(StripMesh& mesh, RuleChoice& choice) const {
+  const Rewrite done = by_rules(mesh, choice);
+  std::vector<Halfedge> nearby;
+  for (const std::vector<Triangle>* const triangles : {&made, &beyond})
+    for (const Triangle t : *triangles) nearby.push_back(StripMesh::halfedge(t));
+  const std::size_t count = nearby.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for_each_neighbor(mesh, StripMesh::triangle(nearby[i]),
+                      [&](Triangle u) { nearby.push_back(StripMesh::halfedge(u)); });
+  return with(done, join_in(mesh, nearby));
+}
+StripMesh::Halfedge ReplaceStep::bare(StripMesh& mesh) const {
+  mesh.replace(out, in, made);
+  return made.empty() ? Halfedge{} : StripMesh::halfedge(made[0]);
+}
+void ReplaceStep::surround(const StripMesh& mesh, Surroundings& around) const {
+  for (const std::span<const Triangle> triangles : {out, std::span<const Triangle>(beyond)})
+    for (const Triangle t : triangles) around.add(t);
+  around.add_neighbors(mesh);
+}
+void ReplaceStep::find_new(const StripMesh& /*mesh*/, Halfedge /*first*/, std::vector<Triangle>& patch) const {
+  patch = made;
+  patch.insert(patch.end(), beyond.begin(), beyond.end());
+}
+
 }  // namespace restrip::detail

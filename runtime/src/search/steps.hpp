@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -114,6 +115,24 @@ struct ApplyStep final : Step {
   NewVertices& added;
 
   ApplyStep(const OperationView& of, Halfedge at, NewVertices& vertices);
+  void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const override;
+  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const override;
+  Rewrite joined(StripMesh& mesh, RuleChoice& choice) const override;
+  Halfedge bare(StripMesh& mesh) const override;
+  void surround(const StripMesh& mesh, Surroundings& around) const override;
+  void find_new(const StripMesh& mesh, Halfedge first, std::vector<Triangle>& patch) const override;
+};
+
+/// Triangles replaced by others, which begin isolated. The patch includes the triangles next to `out`, which lose
+/// edges.
+struct ReplaceStep final : Step {
+  std::span<const Triangle> out;
+  std::span<const std::array<Vertex, 3>> in;
+  std::vector<Triangle> beyond;  ///< the triangles next to `out`
+  std::vector<Triangle>& made;
+
+  ReplaceStep(const StripMesh& mesh, std::span<const Triangle> removed, std::span<const std::array<Vertex, 3>> added,
+              std::vector<Triangle>& list);
   void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const override;
   Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const override;
   Rewrite joined(StripMesh& mesh, RuleChoice& choice) const override;

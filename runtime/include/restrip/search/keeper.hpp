@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
@@ -80,6 +81,9 @@ class Keeper {
   Rewrite collapse(Halfedge chord);
   Rewrite flip(Halfedge h);
   Rewrite apply(const OperationView& table, Halfedge where, NewVertices* added = nullptr);
+  /// Any triangles replaced by any others (StripMesh::replace), without a rule: edges of the removed triangles are
+  /// cleared, then the policy searches among the new triangles and next to the removed ones. Quadratic in both.
+  Rewrite replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in);
 
   /// Split and collapse of a record of baked strips; by the rules if the keeper is not in step with it.
   Rewrite split_record(std::size_t record, const VertexSplit& where, Vertex new_vertex = none);
@@ -160,5 +164,6 @@ Checked checked_split(Keeper& keeper, const VertexSplit& where, Vertex new_verte
 Checked checked_collapse(Keeper& keeper, Halfedge chord);
 Checked checked_flip(Keeper& keeper, Halfedge h);
 Checked checked_apply(Keeper& keeper, const OperationView& table, Halfedge where);
+Checked checked_replace(Keeper& keeper, std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in);
 
 }  // namespace restrip

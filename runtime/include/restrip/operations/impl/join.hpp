@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <span>
 
 #include "restrip/operations/impl/halves.hpp"
 #include "restrip/operations/impl/patch_sides.hpp"
@@ -44,6 +45,8 @@ void visit_fan(const StripMesh& mesh, const InteriorFan& fan, Halfedge left, Wor
 /// finish_split() and finish_collapse(), then steps 1 to 3 of join.hpp.
 Rewrite finish_split_and_join(StripMesh& mesh, const FanChange& change, Halfedge chord);
 Rewrite finish_collapse_and_join(StripMesh& mesh, const FanChange& change, Halfedge left);
+/// Steps 1 to 3 for the triangles to the left of some halfedges, each once; boundary halfedges are skipped.
+ColoringChange join_in(StripMesh& mesh, std::span<Halfedge> nearby);
 /// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in their
 /// neighbours, which may have lost a port.
 ColoringChange join_patch(StripMesh& mesh, const OperationView& table, Halfedge first);
