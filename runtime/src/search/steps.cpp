@@ -214,8 +214,8 @@ Rewrite ReplaceStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
 Rewrite ReplaceStep::joined(StripMesh& mesh, RuleChoice& choice) const {
   const Rewrite done = by_rules(mesh, choice);
   std::vector<Halfedge> nearby;
-  for (const std::vector<Triangle>* const triangles : {&made, &beyond})
-    for (const Triangle t : *triangles) nearby.push_back(StripMesh::halfedge(t));
+  for (const Triangle t : made) nearby.push_back(StripMesh::halfedge(t));
+  for (const Triangle t : beyond) nearby.push_back(StripMesh::halfedge(t));
   const std::size_t count = nearby.size();
   for (std::size_t i = 0; i < count; ++i)
     for_each_neighbor(mesh, StripMesh::triangle(nearby[i]),
