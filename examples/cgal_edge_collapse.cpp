@@ -1,0 +1,116 @@
+// CGAL's edge_collapse with strips: a visitor that does each collapse on a LiveMesh as well, by vertex numbers.
+//
+// CGAL calls a visitor before it collapses v0 into v1. The live mesh does the same collapse; if it refuses one, a mesh
+// of its own is made from scratch. The buffer is compared with the triangles of CGAL after every hundred collapses.
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+#include "restrip/live_mesh.hpp"
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+namespace simplification = CGAL::Surface_mesh_simplification;
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+Triangles sorted(Triangles list) {
+  for (auto& t : list) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+Triangles triangles_of(const Mesh& mesh) {
+  Triangles list;
+  for (const auto face : mesh.faces()) {
+    auto& t = list.emplace_back();
+    std::size_t i = 0;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face))) t[i++] = std::uint32_t(v);
+  }
+  return sorted(std::move(list));
+}
+Triangles drawn(std::span<const std::uint32_t> indices) {
+  Triangles list;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] == 0xFFFFFFFF) {
+      begin = i + 1;
+    } else if (i >= begin + 2) {
+      const bool odd = (i - begin) % 2 != 0;
+      const std::array<std::uint32_t, 3> t{indices[i - 2], indices[odd ? i : i - 1], indices[odd ? i - 1 : i]};
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) list.push_back(t);
+    }
+  }
+  return sorted(std::move(list));
+}
+
+/// CGAL copies visitors; the copies share what `shared` points to.
+class StripVisitor : public simplification::Edge_collapse_visitor_base<Mesh> {
+ public:
+  struct Shared {
+    restrip::LiveMesh& live;
+    std::size_t collapses = 0;
+    std::size_t refused = 0;
+    std::size_t frames = 0;
+    std::size_t same = 0;
+  };
+  explicit StripVisitor(Shared& shared) : shared_(&shared) {}
+
+  template <class Profile, class Placement>
+  void OnCollapsing(const Profile& profile, const Placement& /*placement*/) {
+    if (!shared_->live.collapse(shared_->live.edge(std::uint32_t(profile.v1()), std::uint32_t(profile.v0())))) ++shared_->refused;
+  }
+  template <class Profile>
+  void OnCollapsed(const Profile& profile, Mesh::Vertex_index /*kept*/) {
+    if (++shared_->collapses % 100 != 0) return;
+    (void)shared_->live.update();
+    ++shared_->frames;
+    shared_->same += drawn(shared_->live.indices()) == triangles_of(profile.surface_mesh()) ? 1U : 0U;
+  }
+
+ private:
+  Shared* shared_;
+};
+
+}  // namespace
+
+int main() {
+  Mesh mesh;  // a torus with bumps
+  constexpr int columns = 60;
+  constexpr int rows = 30;
+  std::vector<std::uint32_t> triangles;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const double u = 6.283185307 * x / columns;
+      const double v = 6.283185307 * y / rows;
+      const double around = 3 + std::cos(v) * (1 + 0.1 * std::sin(5 * u));
+      mesh.add_vertex(Point(around * std::cos(u), around * std::sin(u), std::sin(v)));
+    }
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const auto at = [&](int dx, int dy) { return std::uint32_t((y + dy) % rows * columns + (x + dx) % columns); };
+      for (const auto& [a, b, c] : {std::array{at(0, 0), at(1, 0), at(1, 1)}, {at(0, 0), at(1, 1), at(0, 1)}}) {
+        triangles.insert(triangles.end(), {a, b, c});
+        mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
+      }
+    }
+
+  restrip::LiveMesh live(triangles, mesh.num_vertices());
+  StripVisitor::Shared shared{live};
+  simplification::edge_collapse(mesh, simplification::Count_ratio_stop_predicate<Mesh>(0.2),
+                                CGAL::parameters::visitor(StripVisitor(shared)));
+  std::printf("%zu triangles left, the live mesh has %zu; %zu collapses refused\n", mesh.number_of_faces(),
+              live.mesh().triangle_count(), shared.refused);
+  std::printf("%zu frames, %zu drawn as CGAL has them\n", shared.frames, shared.same);
+  return shared.frames > 0 && shared.same == shared.frames && shared.refused == 0 ? 0 : 1;
+}
