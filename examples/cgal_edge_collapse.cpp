@@ -68,7 +68,7 @@ class StripVisitor : public simplification::Edge_collapse_visitor_base<Mesh> {
 
   template <class Profile, class Placement>
   void OnCollapsing(const Profile& profile, const Placement& /*placement*/) {
-    if (!shared_->live.collapse(shared_->live.edge(std::uint32_t(profile.v1()), std::uint32_t(profile.v0())))) ++shared_->refused;
+    if (!shared_->live.collapse(std::uint32_t(profile.v1()), std::uint32_t(profile.v0()))) ++shared_->refused;
   }
   template <class Profile>
   void OnCollapsed(const Profile& profile, Mesh::Vertex_index /*kept*/) {

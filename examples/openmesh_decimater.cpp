@@ -32,7 +32,7 @@ class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     return restrip::check_collapse(live_->mesh(), chord) == restrip::Refusal::granted ? Base::LEGAL_COLLAPSE
                                                                                       : Base::ILLEGAL_COLLAPSE;
   }
-  void preprocess_collapse(const CollapseInfo& info) override { live_->collapse(live_->edge(number(info.v1), number(info.v0))); }
+  void preprocess_collapse(const CollapseInfo& info) override { live_->collapse(number(info.v1), number(info.v0)); }
 
  private:
   static std::uint32_t number(OpenMesh::VertexHandle v) { return static_cast<std::uint32_t>(v.idx()); }

@@ -82,6 +82,11 @@ class LiveMesh {
   Checked split(const VertexSplit& where, Vertex new_vertex = none);
   Checked collapse(Halfedge chord);
   Checked flip(Halfedge h);
+  /// The same by vertices, for programs with another mesh next to this one: collapse() removes w; split() inserts
+  /// triangles along the edges from v to `left` and `right`, of which one may be `none` on the boundary (VertexSplit).
+  Checked collapse(Vertex v, Vertex w) { return collapse(edge(v, w)); }
+  Checked flip(Vertex v, Vertex w) { return flip(edge(v, w)); }
+  Checked split(Vertex v, Vertex left, Vertex right, Vertex new_vertex = none);
   /// The operations of refine.hpp, in the same way.
   Checked split_face(Halfedge h);
   Checked join_faces(Halfedge chord);

@@ -191,6 +191,9 @@ LiveMesh::Halfedge LiveMesh::edge(Vertex v, Vertex w) const noexcept {
 Checked LiveMesh::split(const VertexSplit& where, Vertex new_vertex) {
   return checked_split(parts_->keeper, where, new_vertex);
 }
+Checked LiveMesh::split(Vertex v, Vertex left, Vertex right, Vertex new_vertex) {
+  return split(spokes_of(mesh(), {v, new_vertex, left, right}), new_vertex);
+}
 Checked LiveMesh::collapse(Halfedge chord) { return checked_collapse(parts_->keeper, chord); }
 Checked LiveMesh::flip(Halfedge h) { return checked_flip(parts_->keeper, h); }
 Checked LiveMesh::apply(const OperationView& table, Halfedge where) {
