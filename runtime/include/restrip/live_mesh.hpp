@@ -14,6 +14,7 @@
 // Different objects may be used by different threads at the same time, one object only by one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -96,6 +97,12 @@ class LiveMesh {
   Checked apply(const OperationView& table, Halfedge where);
   /// The same in the first orientation that fits, with this triangle as the first of the operation (first_place()).
   Checked apply_anywhere(const OperationView& table, Triangle triangle);
+
+  /// Any change of a few triangles: removes `out` and adds `in`, each by its corners, counter-clockwise; either may be
+  /// empty. Numbers that are not in use become new vertices, vertices left without triangles go. Edges of removed
+  /// triangles are cleared, then the policy searches among what has changed. Refused with a reason if the mesh would not
+  /// be a manifold with boundary (check_replace() in strip_mesh.hpp). Quadratic in the triangles.
+  Checked replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in);
 
   /// Another policy and cost for all later operations. Undo does not restore them. Linear time.
   void keep(Policy policy, const Cost& cost);

@@ -219,6 +219,10 @@ Checked LiveMesh::merge(Halfedge chord) {
   return apply(at.table, at.where);
 }
 
+Checked LiveMesh::replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in) {
+  return checked_replace(parts_->keeper, out, in);
+}
+
 void LiveMesh::keep(Policy policy, const Cost& cost) { parts_->keeper.keep(policy, cost); }
 std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
 std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit) {
