@@ -25,7 +25,7 @@ using Halfedge = StripMesh::Halfedge;
 constexpr auto& family = tables::remove_vertex_rules;
 using At = tables::PositionTable<std::uint16_t>;
 
-static_assert(SurfaceTable<At> && !SurfaceTable<std::remove_const_t<std::remove_reference_t<decltype(family)>>>);
+static_assert(std::is_constructible_v<OperationView, At>);
 static_assert(position_of(family, {5}).triangles_before.size() == 5 && position_of(family, {5}).vertices == 6);
 static_assert(position_of(family, {8}).triangles_after.size() == 6);
 static_assert(position_of(family, {9}).triangles_before.empty() && !rule_of(position_of(family, {9}), 0, 0).valid);

@@ -142,7 +142,7 @@ std::optional<verify::Sides> by_verifier(const verify::NamedSurface& patch) {
   }
 }
 
-std::optional<generator::SurfacePatch> by_generator(const verify::NamedSurface& patch) {
+std::optional<generator::Patch> by_generator(const verify::NamedSurface& patch) {
   try {
     return generator::surface_patch({patch.before, patch.after, patch.boundary});
   } catch (const generator::PatchFault&) {
@@ -218,8 +218,8 @@ TEST(Triangles, AreReadAlike) {
     }
     ++taken;
     on_boundary += patch.boundary.empty() ? 0U : 1U;
-    expect_same(surface->patch.before, graphs->before);
-    expect_same(surface->patch.after, graphs->after);
+    expect_same(surface->before, graphs->before);
+    expect_same(surface->after, graphs->after);
     EXPECT_EQ(expect_met(surface->surface.before, graphs->before), expect_met(surface->surface.after, graphs->after));
   }
   EXPECT_GT(taken, 5000U);

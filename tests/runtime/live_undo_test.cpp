@@ -62,7 +62,7 @@ struct FrameEnd {
   explicit FrameEnd(const LiveMesh& live) : look(look_at(live.mesh())), strips(live.strips()), level(live.level()) {}
 };
 
-void expect_drawn(const LiveMesh& live) {
+void expect_buffer_drawn(const LiveMesh& live) {
   std::vector<IndexRange> draws;
   live.buffer().draws(draws);
   form_reader::Reader reader(live.bytes(), live.index_bytes());
@@ -87,7 +87,7 @@ void go_back_and_forth(LiveMesh live, unsigned seed, int steps) {
       const FrameEnd end(live);
       if (random() % 2 == 0) {
         live.update();
-        expect_drawn(live);
+        expect_buffer_drawn(live);
       } else if (end.look != frames[at].look) {
         ASSERT_TRUE(live.undo());  // ends the frame first
         ASSERT_EQ(look_at(live.mesh()), frames[at].look);
@@ -111,7 +111,7 @@ void go_back_and_forth(LiveMesh live, unsigned seed, int steps) {
     ASSERT_EQ(live.redoable(), frames.size() - 1 - at);
     if (random() % 2 == 0) {
       live.update();
-      expect_drawn(live);
+      expect_buffer_drawn(live);
     }
   }
 }
@@ -199,12 +199,12 @@ TEST(LiveUndo, WorksAfterAVertexThatSixteenBitsCannotName) {
   ASSERT_TRUE(live.undo());
   EXPECT_EQ(look_at(live.mesh()), before);
   live.update();
-  expect_drawn(live);
+  expect_buffer_drawn(live);
   ASSERT_TRUE(live.redo());
   EXPECT_THROW(live.update(), std::length_error);
   live.pack();
   live.update();
-  expect_drawn(live);
+  expect_buffer_drawn(live);
 }
 
 TEST(LiveUndo, PackingKeepsTrianglesColorsAndOrder) {
@@ -237,10 +237,10 @@ TEST(LiveUndo, PackingKeepsTrianglesColorsAndOrder) {
     EXPECT_EQ(live.undoable(), 0U);
     EXPECT_EQ(live.strips(), count_strips(after));
     live.update();
-    expect_drawn(live);
+    expect_buffer_drawn(live);
     ASSERT_TRUE(live.flip(random_halfedge_that_flips(after)));
     live.update();
-    expect_drawn(live);
+    expect_buffer_drawn(live);
     EXPECT_TRUE(live.undo());
   }
 }

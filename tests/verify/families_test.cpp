@@ -18,7 +18,9 @@ namespace {
 
 void expect_same(const Side& found, const Side& by_hand, const std::string& where) {
   EXPECT_EQ(found.triangles, by_hand.triangles) << where;
-  if (!by_hand.names.empty()) EXPECT_EQ(found.names, by_hand.names) << where;
+  if (!by_hand.names.empty()) {
+    EXPECT_EQ(found.names, by_hand.names) << where;
+  }
   EXPECT_EQ(found.edges, by_hand.edges) << where;
   EXPECT_EQ(found.owner_of_port, by_hand.owner_of_port) << where;
 }

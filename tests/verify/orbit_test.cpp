@@ -53,8 +53,8 @@ TEST(Orbits, DistinguishWhatSymmetriesKeep) {
   // Three ports of which two are on one triangle after the operation: only these can trade places.
   Operation three;
   three.cost = default_cost(Constraint::strips);
-  three.before = {1, {}, {0, 0, 0}, {}, {}};
-  three.after = {2, {{0, 1}}, {0, 0, 1}, {}, {}};
+  three.before = {1, {}, {0, 0, 0}, {}, {}, {}};
+  three.after = {2, {{0, 1}}, {0, 0, 1}, {}, {}, {}};
   EXPECT_EQ(merged(three, everything(three)).all, 6U);
   // A port that may not be given up differs from one that may.
   Operation one_stays = flip;

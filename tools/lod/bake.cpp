@@ -282,7 +282,7 @@ class IndexBaker final : public Baker {
 BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options, BakeReport* report) {
   BakedMesh baked;
   baked.base = StripMesh::build(mesh.base, mesh.points.size());
-  mesh.base = triangles_of(baked.base);
+  mesh.base = corners_of(baked.base);
   baked.mesh = std::move(mesh);
   const BakeReport made =
       options.cost == Cost::strips() ? StripBaker(baked, options.effort).run() : IndexBaker(baked, options).run();

@@ -44,7 +44,7 @@ bool on_short_cycle(const StripMesh& mesh, Triangle t) {
 
 }  // namespace
 
-std::vector<Corners> triangles_of(const StripMesh& mesh) {
+std::vector<Corners> corners_of(const StripMesh& mesh) {
   std::vector<Corners> triangles;
   triangles.reserve(mesh.triangle_count());
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)

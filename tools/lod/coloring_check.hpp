@@ -17,7 +17,7 @@ class StripLocator;
 namespace restrip::tools {
 
 /// The triangles of a mesh, in the order of their handles.
-[[nodiscard]] std::vector<Corners> triangles_of(const StripMesh& mesh);
+[[nodiscard]] std::vector<Corners> corners_of(const StripMesh& mesh);
 
 /// Triangles as a set: each starts at its smallest corner, all are sorted, degenerate ones are left out.
 [[nodiscard]] std::vector<Corners> sorted_triangles(std::vector<Corners> triangles);

@@ -228,7 +228,7 @@ Soup finest_level(const ProgressiveMesh& source) {
   Soup soup;
   soup.points = source.points;
   soup.left_out = source.left_out;
-  soup.triangles = triangles_of(mesh);
+  soup.triangles = corners_of(mesh);
   return soup;
 }
 

@@ -24,7 +24,7 @@ std::size_t back_to_back(std::vector<Corners> triangles) {
     t = rotated(t);
   }
   std::sort(triangles.begin(), triangles.end());
-  for (const Corners& t : turned) pairs += std::binary_search(triangles.begin(), triangles.end(), t) ? 1 : 0;
+  for (const Corners& t : turned) pairs += std::binary_search(triangles.begin(), triangles.end(), t) ? 1U : 0U;
   return pairs / 2;
 }
 
@@ -75,10 +75,10 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
                      fixed.size()};
   if (simplifier.mesh().triangle_count() > result.wanted_triangles) {
     result.left_out.obstacles = simplifier.obstacles();
-    result.left_out.back_to_back = back_to_back(triangles_of(simplifier.mesh()));
+    result.left_out.back_to_back = back_to_back(corners_of(simplifier.mesh()));
   }
   result.mesh.points = soup.points;
-  result.mesh.base = triangles_of(simplifier.mesh());
+  result.mesh.base = corners_of(simplifier.mesh());
   result.mesh.splits.assign(simplifier.collapses().rbegin(), simplifier.collapses().rend());
   return result;
 }

@@ -106,7 +106,7 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
   };
   StripMesh finest = base;
   for (const Record& record : source.splits) insert(finest, record);
-  const std::vector<Corners> fine_triangles = sorted_triangles(triangles_of(finest));
+  const std::vector<Corners> fine_triangles = sorted_triangles(corners_of(finest));
 
   // By each method of keeping strips.
   for (const Method::Kind kind : {Method::Kind::paper, Method::Kind::ours})
@@ -134,7 +134,7 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
         maintainer->between();
       };
       climb(method.name, mesh, step, [&] { run.levels.push_back(count(mesh, method.name)); });
-      if (sorted_triangles(triangles_of(mesh)) != fine_triangles)
+      if (sorted_triangles(corners_of(mesh)) != fine_triangles)
         result.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", method.name));
       result.splits_by_valence = std::move(by_valence);
       result.runs.push_back(std::move(run));

@@ -263,7 +263,7 @@ class Replay {
   std::vector<Corners> bare_triangles() {
     mesh_ = prepared_.base();
     bare_->play_up(splits_, 0);
-    return triangles_of(mesh_);
+    return corners_of(mesh_);
   }
 
   void check_top(const std::vector<Corners>& original) {
@@ -271,7 +271,7 @@ class Replay {
     maintainer_->play_up(splits_, 0);
     for (std::string& fault : find_faults(mesh_)) report_.faults.push_back(std::move(fault));
     const std::vector<Corners> expected = sorted_triangles(original);
-    if (sorted_triangles(triangles_of(mesh_)) != expected)
+    if (sorted_triangles(corners_of(mesh_)) != expected)
       report_.faults.emplace_back("after the last split the triangles differ from the original mesh");
     if (sorted_triangles(decode_strips(strip_indices(mesh_, extract_strips(mesh_)))) != expected)
       report_.faults.emplace_back("the index buffer does not draw the triangles of the original mesh");

@@ -173,16 +173,6 @@ int isolated_outside(const StripMesh& mesh, std::span<const Halfedge> given_up) 
   return isolated;
 }
 
-/// The change in the number of isolated triangles among the two triangles of a flip.
-static constexpr int isolated_by_flip(bool inner, unsigned ports, const FlipRule& rule) noexcept {
-  const auto isolated_one = [](bool edge, unsigned p, unsigned one, unsigned other) {
-    return edge || (p >> one & 1U) != 0 || (p >> other & 1U) != 0 ? 0 : 1;
-  };
-  // The new triangles own ports 1, 2 and 3, 0.
-  return isolated_one(rule.inner, rule.ports, 1, 2) + isolated_one(rule.inner, rule.ports, 3, 0) -
-         isolated_one(inner, ports, 0, 1) - isolated_one(inner, ports, 2, 3);
-}
-
 Rewrite flip_by_rule(StripMesh& mesh, Halfedge h) {
   const Halfedge g = mesh.opposite(h);
   const Halfedge first = StripMesh::next(h);

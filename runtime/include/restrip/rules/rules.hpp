@@ -175,4 +175,18 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
   return {(entry >> 4) != 0, entry & 15U, before - count_bits(entry), true};
 }
 
+namespace detail {
+
+/// The change in the number of isolated triangles among the two triangles of a flip.
+constexpr int isolated_by_flip(bool inner, unsigned ports, const FlipRule& rule) noexcept {
+  const auto isolated_one = [](bool edge, unsigned p, unsigned one, unsigned other) {
+    return edge || (p >> one & 1U) != 0 || (p >> other & 1U) != 0 ? 0 : 1;
+  };
+  // The new triangles own ports 1, 2 and 3, 0.
+  return isolated_one(rule.inner, rule.ports, 1, 2) + isolated_one(rule.inner, rule.ports, 3, 0) -
+         isolated_one(inner, ports, 0, 1) - isolated_one(inner, ports, 2, 3);
+}
+
+}  // namespace detail
+
 }  // namespace restrip
