@@ -17,10 +17,10 @@ int main() {
                 live.strips(), written, live.indices().size());
   };
   end_of_frame();
-  for (std::uint32_t v = 100; v < 110; ++v) live.collapse(live.edge(v + 41, v));  // or refused, with a reason
+  for (std::uint32_t v = 100; v < 110; ++v) live.collapse(v + 41, v);  // or refused, with a reason
   end_of_frame();
-  // {left, right} at vertex 600: the new vertex gets the triangles counter-clockwise from right to left.
-  live.split({live.edge(600, 641), live.edge(600, 559)});
+  // Of vertex 600, left 641, right 559: the new vertex gets the triangles counter-clockwise from right to left.
+  live.split(600, 641, 559);
   end_of_frame();
   live.undo();  // the split: triangles, numbers and strips are exactly as before
   end_of_frame();
