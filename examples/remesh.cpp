@@ -94,10 +94,12 @@ class Remesher {
   std::size_t operations = 0;
 
  private:
-  /// Visits edges in their present state; edges between two triangles come twice.
+  /// Visits the edges of the triangles that exist now, in the state that they are in then; edges between two triangles
+  /// come twice.
   template <class Visit>
   void for_each_edge(Visit&& visit) {
-    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t)
+    const std::size_t bound = mesh_.triangle_bound();
+    for (Triangle t = 0; t < bound; ++t)
       for (unsigned side = 0; side < 3 && mesh_.alive(t); ++side) visit(StripMesh::halfedge(t, side));
   }
   [[nodiscard]] double distance(Halfedge h) const {

@@ -756,7 +756,10 @@ restrip_status restrip_mesh_play(restrip_mesh* mesh, const restrip_record* recor
     bool missing = false;
     const restrip_halfedge left = spoke(r.v_s, forward != 0 ? r.v_l : r.v_t, missing);
     const restrip_halfedge right = spoke(r.v_s, forward != 0 ? r.v_r : RESTRIP_NONE, missing);
-    const restrip_status status = missing        ? RESTRIP_NO_SUCH_EDGE
+    // First, as records that are played already usually have no such edges either.
+    const bool in_use = forward != 0 && restrip_mesh_spoke(mesh, r.v_t) != RESTRIP_NONE;
+    const restrip_status status = in_use         ? RESTRIP_VERTEX_IN_USE
+                                  : missing      ? RESTRIP_NO_SUCH_EDGE
                                   : forward == 0 ? restrip_mesh_collapse(mesh, left, nullptr)
                                                  : restrip_mesh_split(mesh, left, right, r.v_t, nullptr);
     if (status != RESTRIP_OK) return status;

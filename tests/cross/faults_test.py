@@ -70,7 +70,7 @@ HEADERS = {
     ],
     "stated": [
         ("the strips that a rule states", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, inner)", "nodes + count_difference(colors, inner)"), "open-split", "the table states "),
-        ("the isolated triangles that a flip states", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, but there are"),
+        ("the isolated triangles that a flip states", f"{RULES}/rules.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, but there are"),
         ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), detail", "count_bits(ports), detail"), "automaton", "the certificate's answers give"),
     ],
 }

@@ -36,8 +36,10 @@ REFUSED = {
     "positions of one name": ({"position": "k {k}"}, 'also "{i}"', 'also "{i}"'),
     "an unknown number": ({"where": "k >= 2, j < k"}, "where", "expected a sum of k, i"),
     "four numbers": ({"numbers": ["k", "i", "j", "l"]}, "numbers: expected a list of at most 3 numbers, found a list of 4", "numbers"),
+    # Between a and b, a row of vertices inside a quadrilateral: an operation, were there not 18 triangles and more.
     "too many triangles": (
-        {"before": [["v", "u[j]", "u[j+1]", "j[0,4 k)"]]}, "expected 1 to 16 triangles", "before: expected 1 to 16 triangles"),
+        {"before": [["a", "u[j]", "u[j+1]", "j[0,3 k)"], ["b", "u[j+1]", "u[j]", "j[0,3 k)"]], "after": [["a", "u[0]", "b"], ["b", "u[3 k]", "a"]]},
+        "before: expected 1 to 16 triangles", "before: expected 1 to 16 triangles"),
     "a term too many": ({"where": "k >= 2, i < k" + " + k - k" * 8}, "at most 16 terms of a sum", "a sum of at most 16 terms"),
     "a range of millions": ({"before": [["v", "u[j]", "u[j+1]", "j[0,9999 k)"]]}, "expected 1 to 16 triangles", "expected numbers from 0 to 16"),
     "a number twice": ({"numbers": ["k", "i", "k"]}, "numbers[2]: this number is listed already", "numbers[2]: expected each number once"),
@@ -90,7 +92,7 @@ REFUSED_ON_A_MESH = {
     "stretch-to-nowhere": ("boundary[0]", "m is not one before", '"m" is not on it before'),
     "three-at-an-edge": ("before[2]", "has two triangles already", "found three"),
     "too-many-ports": ("before", "expected 1 to 12 ports", "expected 1 to 12 ports, found 13"),
-    "turned-triangle": ("before[1]", "turn one of them", "opposite directions"),
+    "turned-triangle": ("before[1]", "is one of them clockwise?", "opposite directions"),
     "vanishing-rim": ("after[0]|before[1]", "edge of the outline", "the same outline"),
     "vertex-twice": ("before[0]", "three different vertices", "three different vertices"),
 }

@@ -36,6 +36,7 @@ def follow(page, programs, compiler, folder):
         elif language == "sh":
             command = text.replace("build/programs/bin/", programs + "/").replace("g++ ", f"{compiler} -Wall -Wextra -Werror ")
             command = re.sub(r"-I(runtime|tables)/include", rf"-I{ROOT}/\1/include", command)
+            command = command.replace("-Lbuild/programs/runtime ", f"-L{Path(programs).parent}/runtime ")
             command = "set -e\n" + re.sub(r"^python3 ", f"{sys.executable} {ROOT}/", command, flags=re.M)
             printed = run(command, folder)
             commands.append(command)

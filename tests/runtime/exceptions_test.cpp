@@ -174,8 +174,8 @@ TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
           if (!threw) break;
           ++failed;
         }
-  EXPECT_GT(failed, 200U);
-  EXPECT_GT(outgrown, 200U);
+  EXPECT_GT(failed, 120U);
+  EXPECT_GT(outgrown, 120U);
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ class DamagedSection {
       };
       const Side& after = example.operation->operation().after;
       const auto edges = static_cast<int>(after.edges.size());
-      const bool has_chord = edges != 0 && after.names.at(after.edges.back()[1]) == "D";
+      // Of the patches by hand only the flip's triangles have no names, and it has no chord.
+      const bool has_chord = edges != 0 && !after.names.empty() && after.names.at(after.edges.back()[1]) == "D";
       offer_best_of("one edge short", 0, [&](const NaiveCandidate& c) { return worse_in(0, c, best, 1); });
       offer_best_of("chord avoided", 0, [&](const NaiveCandidate& c) {
         return has_chord && (c.after.inner >> (edges - 1)) % 2 == 0 && worse_in(0, c, best);

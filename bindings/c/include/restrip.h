@@ -366,8 +366,8 @@ typedef struct restrip_record {
   uint32_t v_r;
 } restrip_record;
 /* Plays the records in their order, or, with `forward` 0, collapses them again from the last one on: the records of
- * restrip_simplify_u32 on a mesh of its base. Ends with the status of the first that the mesh refuses; `done` may be
- * null, or receives the number played. */
+ * restrip_simplify_u32 on a mesh of its base. Ends with the status of the first that the mesh refuses, which is
+ * RESTRIP_VERTEX_IN_USE for records that are played already; `done` may be null, or receives the number played. */
 RESTRIP_API restrip_status restrip_mesh_play(restrip_mesh* mesh, const restrip_record* records, size_t n,
                                              int32_t forward, size_t* done);
 

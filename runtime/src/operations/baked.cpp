@@ -99,6 +99,7 @@ Rewrite collapse_baked(StripMesh& mesh, Halfedge chord, std::span<const Halfedge
 }
 
 Rewrite BakedPlayer::split(std::size_t record, const VertexSplit& where, Vertex new_vertex) {
+  RESTRIP_ASSERT_GRANTED(check_split(*mesh_, where, new_vertex), "BakedPlayer::split");
   const bool fits = can_split(record);
   leave_step();  // also if an exception ends it
   if (!fits) return split_and_join(*mesh_, where, new_vertex);
@@ -108,6 +109,7 @@ Rewrite BakedPlayer::split(std::size_t record, const VertexSplit& where, Vertex 
 }
 
 Rewrite BakedPlayer::collapse(std::size_t record, Halfedge chord) {
+  RESTRIP_ASSERT_GRANTED(check_collapse(*mesh_, chord), "BakedPlayer::collapse");
   const bool fits = can_collapse(record);
   leave_step();
   if (!fits) return collapse_and_join(*mesh_, chord);
