@@ -197,7 +197,7 @@ double milliseconds(Work&& work) {
 struct Row {
   const char* way;
   std::size_t strips = 0;
-  double remeshing = 0;    // milliseconds
+  double remeshing = 0;  // milliseconds
   double stripifying = 0;
 };
 
@@ -242,8 +242,7 @@ int main(int argc, char** argv) {
 
   std::printf("%zu triangles in %zu strips; after %zu operations %zu triangles:\n\n", start.mesh.triangle_count(),
               before, operations, bare.mesh.triangle_count());
-  std::printf("| strips | how many |%s\n",
-              timed ? " remeshing, ms | stripifying, ms |" : "");
+  std::printf("| strips | how many |%s\n", timed ? " remeshing, ms | stripifying, ms |" : "");
   std::printf("| --- | --- |%s\n", timed ? " --- | --- |" : "");
   for (const auto& [way, strips, remeshing, stripifying] : rows) {
     std::printf("| %s | %zu |", way, strips);

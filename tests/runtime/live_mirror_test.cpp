@@ -1,6 +1,6 @@
-// A LiveMesh next to another mesh, by vertex numbers, under every policy: each operation is granted exactly if the other
-// mesh, a bare list of triangles, can do it; then both have the same triangles, and so has a device that is given only the
-// ranges of each update. Undo takes back what the list had before.
+// A LiveMesh next to another mesh, by vertex numbers, under every policy: each operation is granted exactly if the
+// other mesh, a bare list of triangles, can do it; then both have the same triangles, and so has a device that is given
+// only the ranges of each update. Undo takes back what the list had before.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ namespace restrip {
 namespace {
 
 /// What a replaced list is, if all its vertices are manifold and no closed fan has two triangles.
-std::optional<bare::List> replaced(const bare::List& list, const std::vector<bare::Corners>& out, const bare::List& in) {
+std::optional<bare::List> replaced(const bare::List& list, const std::vector<bare::Corners>& out,
+                                   const bare::List& in) {
   bare::List after;
   std::vector<bare::Corners> gone;
   for (const bare::Corners& c : out) gone.push_back(bare::sorted({c})[0]);

@@ -60,8 +60,7 @@ TEST(Replay, EveryPolicyBothWays) {
     ASSERT_EQ(report.live_buffers.size(), 2U);
     const LiveBufferReport& single = report.live_buffers.front();
     EXPECT_GT(single.bytes_per_operation, 0);
-    EXPECT_LT(single.bytes_per_operation,
-              4 * static_cast<double>(single.states[1].indices) / 10);
+    EXPECT_LT(single.bytes_per_operation, 4 * static_cast<double>(single.states[1].indices) / 10);
     EXPECT_LT(report.live_buffers.back().bytes_per_operation, single.bytes_per_operation);
   }
 }

@@ -24,8 +24,8 @@ struct Failures {
   }
 };
 
-/// Processor seconds of the calling thread. WebAssembly has one thread, and newer versions of its C library know no clock
-/// but real time.
+/// Processor seconds of the calling thread. WebAssembly has one thread, and newer versions of its C library know no
+/// clock but real time.
 inline double thread_seconds() {
   timespec now{};
 #ifdef CLOCK_THREAD_CPUTIME_ID

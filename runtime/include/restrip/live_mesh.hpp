@@ -100,8 +100,8 @@ class LiveMesh {
 
   /// Any change of a few triangles: removes `out` and adds `in`, each by its corners, counter-clockwise; either may be
   /// empty. Numbers that are not in use become new vertices, vertices left without triangles go. Edges of removed
-  /// triangles are cleared, then the policy searches among what has changed. Refused with a reason if the mesh would not
-  /// be a manifold with boundary (check_replace() in strip_mesh.hpp). Quadratic in the triangles.
+  /// triangles are cleared, then the policy searches among what has changed. Refused with a reason if the mesh would
+  /// not be a manifold with boundary (check_replace() in strip_mesh.hpp). Quadratic in the triangles.
   Checked replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in);
 
   /// Another policy and cost for all later operations. Undo does not restore them. Linear time.

@@ -30,8 +30,8 @@ enum class Refusal {
   vertex_too_far,     ///< the vertex named for a split is far beyond all others (StripMesh::max_vertex_gap)
   no_manifold,  ///< the triangles around a vertex would be more than one fan, or an edge would have two triangles of
                 ///< the same direction
-  other_patch,      ///< the triangles there are not the ones that the operation removes, or not the ones that it makes
-  same_vertex,      ///< two vertices of the operation are one vertex of the mesh
+  other_patch,  ///< the triangles there are not the ones that the operation removes, or not the ones that it makes
+  same_vertex,  ///< two vertices of the operation are one vertex of the mesh
   colors_not_valid  ///< an operation with a table: a triangle of the patch has three solid edges
 };
 
