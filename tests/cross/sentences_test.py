@@ -44,7 +44,7 @@ class Sentences(unittest.TestCase):
 
     def test_indices_of_strips_and_of_the_live_buffer(self):
         found = numbers(self.kept, "live buffer", "most: up, down")
-        live = f"{math.floor(10 * min(found) + 1e-9) / 10:.1f} to {math.ceil(20 * max(found) - 1e-9) / 20:.2f}"
+        live = f"{min(found):.1f} to {math.ceil(20 * max(found) - 1e-9) / 20:.2f}"
         self.says("README.md", f"({live} in a buffer updated in place)")
         self.says("docs/explanation/when-not.md", f"in a live buffer {live}")
 
