@@ -143,8 +143,8 @@ async function leftOut() {
 
 /// Each is the same number to both, or refused in the same words.
 async function numbersInWords() {
-  const spelled = ['+1', '1.', '.5', '-0', '1e5', '1E-3', '1e-40', '0.1000000000000000055511151231257827', '16777217'];
-  const refused = ['1e999', '1e-999', '0x10', '++1', '1e', '-', '1d5', 'nan', 'inf', '-infinity', '1_0', ''];
+  const spelled = ['+1', '1.', '.5', '-0', '1e5', '1E-3', '1e-40', '0.1000000000000000055511151231257827', '16777217', '1e-999'];
+  const refused = ['1e999', '0x10', '++1', '1e', '-', '1d5', 'nan', 'inf', '-infinity', '1_0', ''];
   for (const [n, word] of spelled.entries()) {
     writeFileSync(within('number.obj'), `v ${word} 2 3\nv 1 0 0\nv 0 1 ${n}\nf 1 2 3\n`);
     await sameTriangles(within('number.obj'));
