@@ -43,6 +43,17 @@ export class Walks {
     return [...triangles];
   }
 
+  /// The triangles of the vertex that h leaves, counter-clockwise from h, then clockwise if the fan is open.
+  #turn(h) {
+    const all = [];
+    let g = h;
+    while (!onBoundary(g)) {
+      all.push(triangleOf(g));
+      if ((g = this.ccw(g)) === h) return all;
+    }
+    for (g = h; !onBoundary(this.opposite(g));) all.push(triangleOf(g = this.cw(g)));
+    return all;
+  }
   #corners(triangles) { return Uint32Array.from(triangles.flatMap((t) => [0, 1, 2].map((side) => this.#library.restrip_mesh_from(this.#mesh, 4 * t + side)))); }
   /// Adds the triangles counter-clockwise from one spoke to another; false if they are too many or reach the boundary.
   #add(patch, from, to) {
@@ -56,8 +67,10 @@ export class Walks {
   }
   /// The fan of v, t_0 to the left of the edge to vL.
   fan(v, vL, vR) {
-    const patch = { closed: false, k: 0, a: 0, edge: 0, edges: 0n, ports: 0n, triangles: this.#corners(this.around(v)) };
     const [left, right] = [this.find(v, vL), this.find(v, vR)];
+    const first = left === absent ? right : left;
+    const triangles = this.#corners(first === absent ? this.around(v) : this.#turn(first));
+    const patch = { closed: false, k: 0, a: 0, edge: 0, edges: 0n, ports: 0n, triangles };
     if (left === absent || right === absent) return patch;
     patch.closed = this.#add(patch, left, right);
     patch.a = patch.k;
