@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Sets this machine up, builds restrip and tests it. Safe to repeat; the logs are in build/logs.
 #
-#   scripts/test.sh         shows that the project works on this machine: unit tests, tables generated again and proved, adapters,
+#   scripts/test.sh         shows that the project works on this machine: unit tests, tables generated again and proved,
 #                           C, WebAssembly, the commands of README. With one compiler; about 20 minutes on two processors
 #   scripts/test.sh --all   also the other compiler with its sanitizers, clang-tidy, the format of the sources, deliberate
 #                           faults, the tutorials, users' builds, the pages in a browser, all languages of the generator,
@@ -104,7 +104,7 @@ part "building" cmake --build --preset test
 # No test file is forgotten: each is compiled, except those that a test compiles itself.
 if [ -n "$all" ]; then
   mapfile -t units < <(find build/test -name 'unity_*.cxx')
-  for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/cross/toolkit/main.cpp' ':!tests/generator/wide_tables.cpp' ':!tests/runtime/mesh/lacks_a_member.cpp'); do
+  for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/cross/toolkit/main.cpp' ':!tests/generator/wide_tables.cpp'); do
     grep -qF "/$source\"" build/test/compile_commands.json "${units[@]}" || { echo "test.sh: no test has $source" >&2; false; }
   done
   in_background sanitize "building with Clang and its sanitizers" cmake --build --preset sanitize
