@@ -46,7 +46,7 @@ def on_a_terminal(*arguments):
 mesh = scratch / "torus.obj"
 run("make-mesh", "--triangles", 2000, "-o", mesh)
 bake = ("bake", mesh, "--base", 0.3, "--effort", 2000, "-o", scratch / "torus.baked")
-for arguments, steps in ((bake, ("simplifying", "making the strips of the base", "baking")),
+for arguments, steps in ((bake, ("simplifying", "baking")),
                          (("simplify", mesh, "--base", 0.3, "-o", scratch / "torus.pm"), ("simplifying",)),
                          (("replay", scratch / "torus.pm", "--repeats", 0), ("replaying", "keeping an index buffer"))):
     said = on_a_terminal(*arguments)

@@ -80,10 +80,7 @@ class Baker {
 
  private:
   void walk_up() {
-    {
-      const Progress progress("making the strips of the base", 1);
-      begin(baked_.base);
-    }
+    begin(baked_.base);
     mesh_ = baked_.base;
     mesh_.reserve(baked_.mesh.fine_triangles(), baked_.mesh.points.size());
     changed_.resize(mesh_.triangle_bound());
