@@ -1,20 +1,20 @@
 // CGAL's edge_collapse with strips: a visitor that does each collapse on a LiveMesh as well, by vertex numbers.
 //
-// CGAL calls a visitor before it collapses v0 into v1. The live mesh does the same collapse; if it refuses one, a mesh
-// of its own is made from scratch. The buffer is compared with the triangles of CGAL after every hundred collapses.
+// CGAL calls a visitor before it collapses v0 into v1. The live mesh does the same collapse. The buffer is compared
+// with the triangles of CGAL after every hundred collapses.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <vector>
 
+#include "mirror.hpp"
 #include "restrip/live_mesh.hpp"
 
 namespace {
@@ -23,13 +23,6 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace simplification = CGAL::Surface_mesh_simplification;
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-Triangles sorted(Triangles list) {
-  for (auto& t : list) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(list.begin(), list.end());
-  return list;
-}
 Triangles triangles_of(const Mesh& mesh) {
   Triangles list;
   for (const auto face : mesh.faces()) {
@@ -39,21 +32,6 @@ Triangles triangles_of(const Mesh& mesh) {
   }
   return sorted(std::move(list));
 }
-Triangles drawn(std::span<const std::uint32_t> indices) {
-  Triangles list;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] == 0xFFFFFFFF) {
-      begin = i + 1;
-    } else if (i >= begin + 2) {
-      const bool odd = (i - begin) % 2 != 0;
-      const std::array<std::uint32_t, 3> t{indices[i - 2], indices[odd ? i : i - 1], indices[odd ? i - 1 : i]};
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) list.push_back(t);
-    }
-  }
-  return sorted(std::move(list));
-}
-
 /// CGAL copies visitors; the copies share what `shared` points to.
 class StripVisitor : public simplification::Edge_collapse_visitor_base<Mesh> {
  public:

@@ -5,13 +5,13 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <vector>
 
+#include "mirror.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
 
@@ -39,35 +39,12 @@ class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   restrip::LiveMesh* live_ = nullptr;
 };
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-/// Each triangle from its smallest corner on, in ascending order.
-Triangles sorted(Triangles list) {
-  for (auto& t : list) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(list.begin(), list.end());
-  return list;
-}
 Triangles triangles_of(const Mesh& mesh) {
   Triangles list;
   for (const auto face : mesh.faces()) {
     auto& t = list.emplace_back();
     std::size_t i = 0;
     for (const auto v : face.vertices()) t[i++] = static_cast<std::uint32_t>(v.idx());
-  }
-  return sorted(std::move(list));
-}
-/// What a device draws of strips with primitive restart.
-Triangles drawn(std::span<const std::uint32_t> indices) {
-  Triangles list;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] == 0xFFFFFFFF) {
-      begin = i + 1;
-    } else if (i >= begin + 2) {
-      const bool odd = (i - begin) % 2 != 0;
-      const std::array<std::uint32_t, 3> t{indices[i - 2], indices[odd ? i : i - 1], indices[odd ? i - 1 : i]};
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) list.push_back(t);
-    }
   }
   return sorted(std::move(list));
 }

@@ -165,7 +165,7 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "verify/certificate/any.hpp|\"judge/report.hpp\"" "common/any.cpp|\"restrip/rules/rules.hpp\""
                        "common/any.cpp|\"meshes/soup.hpp\"" "tools/app/any.cpp|\"restrip/tables/split.hpp\""
                        "tools/app/any.cpp|\"section.hpp\"" "bench/any.cpp|\"judgment.hpp\"" "examples/any.cpp|\"meshes/soup.hpp\""
-                       "runtime/include/restrip/rules/any.hpp|\"restrip/mesh/mesh.hpp\""
+                       "runtime/include/restrip/rules/any.hpp|\"restrip/mesh/strip_mesh.hpp\""
                        "runtime/include/restrip/mesh/any.hpp|\"restrip/rules/rules.hpp\""
                        "runtime/include/restrip/mesh/any.hpp|\"restrip/operations/operations.hpp\""
                        "runtime/include/restrip/mesh/impl/any.hpp|\"restrip/operations/operations.hpp\""

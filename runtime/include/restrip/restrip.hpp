@@ -1,11 +1,11 @@
 // restrip: maintains triangle strips while a mesh changes, by proven rules. C++20, standard library only.
 //
 // Start with live_mesh.hpp (mesh, strips and index buffer in one object), with search/strips_of.hpp for a mesh that
-// does not change, or with mesh/mesh.hpp (the interface of a custom mesh) and search/keeper.hpp. Each folder includes
-// only folders named before it in this list; the two folders of a line do not include each other.
+// does not change, or with mesh/strip_mesh.hpp and search/keeper.hpp for the parts. Each folder includes only folders
+// named before it in this list; the two folders of a line do not include each other.
 //
 //   rules/                   look a rule up: constexpr, knows no mesh
-//   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
+//   mesh/                    StripMesh, checks of preconditions, walks
 //   operations/, output/     operations with strips kept; strips and index buffers out
 //   search/, formats/        searches beyond a patch: strips from scratch, keepers with a policy; reading files
 //   live_mesh.hpp            all of it in one object
@@ -21,7 +21,6 @@
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/history.hpp"
-#include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/refusal.hpp"
 #include "restrip/mesh/split_record.hpp"
 #include "restrip/mesh/strip_mesh.hpp"

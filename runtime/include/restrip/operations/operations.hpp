@@ -4,7 +4,7 @@
 // colours. Nothing outside the patch is read or written, so operations on disjoint patches commute. The only state is
 // the colours. Fans of at most max_word_valence triangles need no allocation. Time is linear in the valence.
 //
-// The preconditions are those of the mesh operation (checks.hpp); debug builds check them first and abort with the
+// Preconditions: as for the mesh operation (checks.hpp); debug builds check them first and abort with the
 // reason (precondition.hpp). After an exception (std::bad_alloc, std::length_error) the colouring is valid, though
 // perhaps not optimal: first everything is read, then edges are cleared, then the mesh changes, then edges are set.
 #pragma once

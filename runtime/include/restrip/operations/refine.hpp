@@ -37,7 +37,7 @@ struct OperationPlace {
   return check_apply(mesh, at.table, at.where);
 }
 
-/// The operations by the rules. Results are those of checked_apply().
+/// The operations by the rules. Results as from checked_apply().
 Checked split_face(StripMesh& mesh, Halfedge h);
 Checked join_faces(StripMesh& mesh, Halfedge chord);
 Checked bisect(StripMesh& mesh, Halfedge h);
