@@ -31,7 +31,7 @@ struct InteriorFan {
                                           ///< edges next to A and D, which an operation makes or removes
 
   /// Colours kept loop edges. Edges are cleared before the mesh changes and set after it, so that the colouring is
-  /// valid all the time (mesh.hpp, "Exceptions").
+  /// valid all the time (operations.hpp, "Exceptions").
   void write(StripMesh& mesh, Word edges, bool solid) const {
     const Word made = bit(a - 1) | bit(k - 1);
     for (Word rest = edges & ~made; rest != 0; rest &= rest - 1)
