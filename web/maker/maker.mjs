@@ -1,4 +1,5 @@
 // The page "Make a rule".
+import { load } from '../../bindings/js/restrip.mjs';
 import { embedded } from '../viewer/embedded.mjs';
 import { Drawing, addedBy, edgesOf, operationAt, picture, ruleOf, sides, size } from './surface.mjs';
 import { Trial } from './trial.mjs';
@@ -76,7 +77,7 @@ class Page {
   mine = null;  // the recolouring that the visitor tries, or null
   run = 0;
 
-  constructor(programs) {
+  constructor(programs, restrip) {
     this.programs = programs;
     this.#fillGallery();
     field('undo').onclick = () => this.travel(-1);
@@ -102,7 +103,7 @@ class Page {
     field('costing').onchange = () => this.step(0);
     field('position').onchange = () => this.place(+field('position').value);
     for (const side of ['before', 'after', 'mine']) for (const kind of ['click', 'keydown']) field(`case-${side}`).addEventListener(kind, (event) => this.#paint(side, event));
-    this.trial = new Trial(field('sheet'), (text) => { field('tried').textContent = text; });
+    this.trial = new Trial(restrip, field('sheet'), (text) => { field('tried').textContent = text; });
     field('back').onclick = () => this.trial.undo();
     field('repair').onclick = () => { this.mine = null; this.look(); };
     field('copy').onclick = async () => {
@@ -164,7 +165,7 @@ class Page {
     if (text !== this.asked) this.make(text);
     else if (this.shown && this.drawing) {  // vertices were moved
       this.shown = this.drawing;
-      this.trial.begin(this.shown, (one) => this.rule(one));
+      this.try();
       this.look();
     }
   }
@@ -353,11 +354,12 @@ class Page {
   }
   /// Shows the cases of a position.
   place(n) {
-    const position = this.tables.positions[n];
+    const position = this.position = this.tables.positions[n];
     const values = Object.fromEntries(this.tables.numbers.map((number, i) => [number, position.numbers[i]]));
     const at = operationAt(JSON.parse(this.text), values);
     this.shown = at && Drawing.of(JSON.stringify(at), this.tables.numbers.length === 0 ? this.drawing?.places : {});
-    for (const id of ['look', 'try']) field(id).hidden = !this.shown;
+    field('look').hidden = !this.shown;
+    field('try').hidden = !this.shown || this.tables.matching;  // a mesh of the library has strips
     const id = this.name.replace('.json', '').replaceAll('-', '_');
     const table = this.tables.numbers.length === 0 ? `restrip::tables::${id}_rules` : `position_of(restrip::tables::${id}_rules, {${position.numbers.join(', ')}})`;
     const [a, b] = this.shown?.operation.before[0] ?? ['from', 'to'];
@@ -374,10 +376,13 @@ class Page {
     for (let one = 0; one < 1 << edges; ++one)
       if (!this.table.matching || isMatching(one))
         for (let ports = 0; ports < 1 << position.ports; ++ports) if (this.rule({ inner: one, ports })) this.cases.push({ inner: one, ports });
-    this.trial.begin(this.shown, (one) => this.rule(one));
+    this.try();
     this.case = { ...this.cases[Math.min(1, this.cases.length - 1)] };
     this.mine = null;
     return this.look();
+  }
+  try() {
+    if (!this.tables.matching) this.trial.begin(this.shown, { ...this.tables, positions: [this.position] });
   }
   showPlace(line, column) {
     field('file').open = true;
@@ -459,7 +464,7 @@ class Page {
   }
 }
 
-const page = new Page(new Programs(await WebAssembly.compile(await embedded('wasm'))));
+const page = new Page(new Programs(await WebAssembly.compile(await embedded('programs'))), await load(await embedded('library')));
 window.restripMaker = page;
 if (!await page.follow()) {
   const damaged = field('drawn').textContent;

@@ -21,18 +21,19 @@ export function edgesOf(triangles, boundary = []) {
   }));
   const both = new Set(inner.map(([, , a, b]) => key(a, b)));
   const rim = new Map(triangles.flatMap((triangle, t) => around(triangle).filter(([a, b]) => !both.has(key(a, b))).map(([a, b]) => [a, [t, a, b]])));
+  const mesh = new Set();  // from these vertices a side leads along the boundary of the mesh
+  for (const [from, to] of boundary) for (let at = from; at !== to && rim.has(at) && !mesh.has(at); at = rim.get(at)[2]) mesh.add(at);
   const outline = [];
-  const mesh = new Set(boundary.map(([a, b]) => key(a, b)));
-  const first = triangles.flatMap(around).find(([a, b]) => !both.has(key(a, b)) && !mesh.has(key(a, b)))?.[0];
+  const first = triangles.flatMap(around).find(([a, b]) => rim.get(a)?.[2] === b && !mesh.has(a))?.[0];
   for (let at = first; rim.has(at) && outline.length < rim.size;) {
     outline.push(rim.get(at));
     at = rim.get(at)[2];
   }
-  return { inner, outline, ports: outline.filter(([, a, b]) => !mesh.has(key(a, b))) };
+  return { inner, outline, ports: outline.filter(([, a]) => !mesh.has(a)) };
 }
 
 /// The ports of the side after, in the order of the ports before.
-export function portsAfter(operation) {
+function portsAfter(operation) {
   const after = new Map(edgesOf(operation.after, operation.boundary).ports.map((port) => [key(port[1], port[2]), port]));
   return edgesOf(operation.before, operation.boundary).ports.map(([, a, b]) => after.get(key(a, b)));
 }

@@ -1,107 +1,51 @@
-// Try it: a sheet of triangles in strips. Each click looks up the rule of the patch in the table that was generated, changes
-// the triangles and recolours the patch by the rule. The rest of the sheet is not read.
-import { edgesOf, portsAfter } from './surface.mjs';
+// Try it: a sheet of triangles whose strips the library maintains, as it does for programs that use the npm package. A click
+// applies the table that was generated to the triangles there.
+import { Ribbon } from '../viewer/ribbon.mjs';
+import { edgesOf } from './surface.mjs';
 
 const [columns, rows, unit] = [13, 8, 60];
-const most = { strips: 2, matching: 1 };  // solid edges of a triangle
-const edgeKey = (u, v) => (u < v ? `${u} ${v}` : `${v} ${u}`);
 const turning = ([ax, ay], [bx, by], [cx, cy]) => (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 const sidesOf = ([a, b, c]) => [[a, b, c], [b, c, a], [c, a, b]];
+const mean = (points) => [0, 1].map((n) => points.reduce((sum, p) => sum + p[n], 0) / points.length);
 
 /// Triangles of names in an order in which each shares a side with one before it.
 function connected(triangles) {
   const order = [triangles[0]];
   for (const rest = triangles.slice(1); rest.length > 0;) {
-    const sides = new Set(order.flatMap(sidesOf).map(([u, v]) => edgeKey(u, v)));
-    order.push(...rest.splice(Math.max(0, rest.findIndex((t) => sidesOf(t).some(([u, v]) => sides.has(edgeKey(u, v))))), 1));
+    const known = new Set(order.flatMap(sidesOf).map(([u, v]) => `${v} ${u}`));
+    order.push(...rest.splice(Math.max(0, rest.findIndex((t) => sidesOf(t).some(([u, v]) => known.has(`${u} ${v}`)))), 1));
   }
   return order;
 }
 
-/// Triangles { corners, hue } at points, with a set of solid edges: triangles with one in common are in one strip.
-class Sheet {
-  points = [];
-  triangles = [];
-  solid = new Set();
-
-  /// Squares of which each is cut along one of its diagonals; in some triangles lies a vertex.
-  static made(constraint, random) {
-    const sheet = new Sheet();
-    const { points, triangles } = sheet;
-    const at = (i, j) => j * (columns + 1) + i;
-    for (let j = 0; j <= rows; ++j)
-      for (let i = 0; i <= columns; ++i) {
-        const free = i > 0 && i < columns && j > 0 && j < rows ? 0.36 : 0;
-        points.push([unit * (i + 0.3 + free * (random() - 0.5)), unit * (j + 0.3 + free * (random() - 0.5))]);
+/// Squares of which each is cut along one of its diagonals; in some triangles lies a vertex. y points down.
+function sheetOf(random) {
+  const places = [];
+  const triangles = [];
+  for (let j = 0; j <= rows; ++j)
+    for (let i = 0; i <= columns; ++i) {
+      const free = i > 0 && i < columns && j > 0 && j < rows ? 0.36 : 0;
+      places.push([unit * (i + 0.3 + free * (random() - 0.5)), unit * (j + 0.3 + free * (random() - 0.5))]);
+    }
+  for (let j = 0; j < rows; ++j)
+    for (let i = 0; i < columns; ++i) {
+      const a = j * (columns + 1) + i;
+      const [b, c, d] = [a + columns + 1, a + columns + 2, a + 1];
+      for (const t of random() < 0.5 ? [[a, b, c], [a, c, d]] : [[a, b, d], [b, c, d]]) {
+        if (random() > 0.08) triangles.push(t);
+        else triangles.push(...sidesOf(t).map(([u, v]) => [u, v, places.length])), places.push(mean(t.map((v) => places[v])));
       }
-    for (let j = 0; j < rows; ++j)
-      for (let i = 0; i < columns; ++i) {
-        const [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
-        for (const [u, v, w] of random() < 0.5 ? [[a, b, c], [a, c, d]] : [[a, b, d], [b, c, d]]) {
-          const m = points.length;
-          if (random() > 0.08) triangles.push({ corners: [u, v, w] });
-          else triangles.push(...[[u, v, m], [v, w, m], [w, u, m]].map((corners) => ({ corners }))), points.push([0, 1].map((n) => (points[u][n] + points[v][n] + points[w][n]) / 3));
-        }
-      }
-    const { both } = sheet;
-    const free = triangles.map(() => most[constraint]);
-    const root = triangles.map((_, t) => t);
-    for (const [edge, [s, t]] of both) {
-      if (free[s] === 0 || free[t] === 0 || root[s] === root[t]) continue;
-      sheet.solid.add(edge);
-      --free[s];
-      --free[t];
-      const from = root[s];
-      root.forEach((one, n) => { if (one === from) root[n] = root[t]; });
     }
-    return sheet;
-  }
-  copy() {
-    const { points, triangles, solid } = this;
-    return Object.assign(new Sheet(), { points: [...points], triangles: triangles.map((one) => ({ ...one })), solid: new Set(solid) });
-  }
-  /// The triangles at each edge that has two.
-  get both() {
-    const at = new Map();
-    this.triangles.forEach(({ corners }, t) => sidesOf(corners).forEach(([u, v]) => at.set(edgeKey(u, v), [...at.get(edgeKey(u, v)) ?? [], t])));
-    return new Map([...at].filter(([, ends]) => ends.length === 2));
-  }
-  /// Lists of the triangles of each strip; null if a triangle has too many solid edges, or a cycle is solid.
-  strips(constraint) {
-    const { both } = this;
-    const root = this.triangles.map((_, t) => t);
-    const degree = root.map(() => 0);
-    const find = (t) => { while (root[t] !== t) t = root[t]; return t; };
-    for (const edge of this.solid) {
-      const ends = both.get(edge);
-      if (!ends || ends.some((t) => ++degree[t] > most[constraint]) || find(ends[0]) === find(ends[1])) return null;
-      root[find(ends[0])] = find(ends[1]);
-    }
-    const lists = new Map();
-    root.forEach((_, t) => lists.set(find(t), [...lists.get(find(t)) ?? [], t]));
-    return [...lists.values()].sort((one, other) => other.length - one.length);
-  }
-  /// Strips keep the colour of most of their triangles.
-  paint(strips) {
-    const taken = new Set();
-    for (const strip of strips) {
-      const counts = new Map();
-      for (const t of strip) counts.set(this.triangles[t].hue, (counts.get(this.triangles[t].hue) ?? 0) + 1);
-      let [hue] = [...counts].filter(([one]) => one !== undefined && !taken.has(one)).sort(([, m], [, n]) => n - m)[0] ?? [0];
-      while (taken.has(hue)) hue = (hue + 222.5) % 360;
-      taken.add(hue);
-      for (const t of strip) this.triangles[t].hue = hue;
-    }
-  }
+  return { points: places.flatMap(([x, y]) => [x, y, 0]), triangles: triangles.flat() };
 }
 
 export class Trial {
-  #past = [];
+  mesh = null;
   near = -1;  // the place that is marked
 
   /// `element` receives the sheet, `said` a sentence.
-  constructor(element, said) {
-    Object.assign(this, { element, said });
+  constructor(restrip, element, said) {
+    Object.assign(this, { restrip, element, said });
     const point = (event) => {
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(element.querySelector('svg').getScreenCTM().inverse());
       return [x, y];
@@ -119,80 +63,66 @@ export class Trial {
       event.preventDefault();
     });
   }
-  /// A new sheet. `rule`: from a configuration { inner, ports } to its recolouring.
-  begin(drawing, rule) {
-    const { before, after, boundary, constraint = 'strips' } = drawing.operation;
-    Object.assign(this, { drawing, rule, constraint, order: connected(before), old: edgesOf(before, boundary), next: { inner: edgesOf(after, boundary).inner, ports: portsAfter(drawing.operation) } });
+  /// A new sheet. `table`: of the operation that is drawn, as restrip-generate writes it.
+  begin(drawing, table) {
+    Object.assign(this, { drawing, table, order: connected(drawing.operation.before), near: -1, ribbon: null });
     let seed = 7;
-    this.sheet = Sheet.made(constraint, () => (seed = seed * 48271 % 2147483647) / 2147483647);
-    this.#past = [];
-    this.near = -1;
+    this.mesh?.close();
+    this.mesh = this.restrip.mesh(sheetOf(() => (seed = seed * 48271 % 2147483647) / 2147483647)).begin({ policy: 'rules', history: 1e6 });
     this.#show();
     this.said(this.places.length === 0 ? 'The triangles before the operation are nowhere in this sheet.' : 'Click on the sheet. With the keyboard: arrow keys choose a place, Enter applies the operation there.');
   }
-  get strips() { return this.sheet.strips(this.constraint)?.length ?? null; }
+  get strips() { return this.mesh.figures.strips; }
   undo() {
-    if (this.#past.length === 0) return;
-    this.sheet = this.#past.pop();
+    if (!this.mesh.undo()) return;
     this.#show();
     this.said(`Undone: ${this.strips} strips.`);
   }
   apply() {
     const place = this.places[this.near];
     if (!place) return this.said('The triangles before the operation do not lie here. Try another place.');
-    const { sheet, old, next, strips } = this;
-    const key = ([, , a, b]) => edgeKey(place.of.get(a), place.of.get(b));
-    const door = ([, a, b]) => edgeKey(place.of.get(a), place.of.get(b));
-    const known = new Set(old.inner.map(key));
-    const mask = (edges) => edges.reduce((bits, edge, n) => bits | (sheet.solid.has(edge) ? 1 << n : 0), 0);
-    const rule = this.rule({ inner: mask(old.inner.map(key)), ports: mask(old.ports.map(door)) });
-    this.#past.push(sheet.copy());
-    place.fresh.forEach(([name, at]) => place.of.set(name, sheet.points.push(at) - 1));
-    for (const edge of known) sheet.solid.delete(edge);
-    const gone = new Set(place.triangles);
-    sheet.triangles = [...sheet.triangles.filter((_, t) => !gone.has(t)), ...this.drawing.operation.after.map((names) => ({ corners: names.map((name) => place.of.get(name)) }))];
-    next.inner.forEach((edge, n) => { if (rule.inner >> n & 1) sheet.solid.add(key(edge)); });
-    old.ports.forEach((port, n) => { if (!(rule.ports >> n & 1)) sheet.solid.delete(door(port)); });
+    const { mesh, strips } = this;
+    const { ok, reason, vertices } = mesh.apply(this.table, ...this.drawing.operation.before[0].slice(0, 2).map((name) => place.of.get(name)));
+    if (!ok) return this.said(`The mesh refuses: ${reason}.`);
+    vertices.forEach((v, n) => mesh.setPoint(v, ...place.fresh[n], 0));
     this.#show();
-    return this.said(`Applied: ${strips} → ${this.strips} strips over ${sheet.triangles.length} triangles.`);
+    return this.said(`Applied: ${strips} → ${this.strips} strips over ${mesh.figures.triangles} triangles.`);
   }
 
   /// Where the triangles before the operation lie in the sheet, and where new vertices go, as the drawing has them.
   #find() {
-    const { before, after, boundary = [] } = this.drawing.operation;
-    const { points, triangles } = this.sheet;
+    const { places, operation: { before, after, boundary } } = this.drawing;
+    const { outline, ports } = edgesOf(before, boundary);
+    const open = outline.filter((side) => !ports.includes(side));
+    const { points } = this.mesh;
     const key = (u, v) => u * 65536 + v;
-    const at = new Map(triangles.flatMap(({ corners }, t) => sidesOf(corners).map(([u, v, w]) => [key(u, v), { apex: w, t }])));
+    const at = new Map();
+    for (let i = 0; i < this.ribbon.count; ++i) for (const [u, v, w] of sidesOf([...this.ribbon.corners(i)])) at.set(key(u, v), w);
     const known = [...new Set(before.flat())];
     const fresh = [...new Set(after.flat())].filter((name) => !known.includes(name));
     const found = [];
-    for (const [side, { apex }] of at) {
+    for (const [side, apex] of at) {
       const of = new Map([[before[0][0], Math.floor(side / 65536)], [before[0][1], side % 65536], [before[0][2], apex]]);
       const fits = this.order.every((triangle) => {
         for (const [u, v, w] of sidesOf(triangle)) {
           if (!of.has(u) || !of.has(v)) continue;
           const there = at.get(key(of.get(u), of.get(v)));
-          if (!there) return false;
-          if (!of.has(w)) of.set(w, there.apex);
-          if (of.get(w) !== there.apex) return false;
+          if (there === undefined || (of.get(w) ?? there) !== there) return false;
+          of.set(w, there);
         }
         return triangle.every((name) => of.has(name));
       });
-      if (!fits || new Set(of.values()).size < of.size || boundary.some(([a, b]) => at.has(key(of.get(b), of.get(a))))) continue;
-      const inside = new Set(this.old.inner.map(([, , a, b]) => edgeKey(of.get(a), of.get(b))));
-      // The mesh must not have an edge twice.
-      if (this.next.inner.some(([, , a, b]) => of.has(a) && of.has(b) && (at.has(key(of.get(a), of.get(b))) || at.has(key(of.get(b), of.get(a)))) && !inside.has(edgeKey(of.get(a), of.get(b))))) continue;
-      const where = new Map([...of].map(([name, v]) => [name, points[v]]));
+      if (!fits || new Set(of.values()).size < of.size || open.some(([, a, b]) => at.has(key(of.get(b), of.get(a))))) continue;
+      const where = new Map([...of].map(([name, v]) => [name, [...points.subarray(3 * v, 3 * v + 2)]]));
       for (const name of fresh) {
-        const weights = known.map((other) => 1 / (1 + Math.hypot(...[0, 1].map((n) => this.drawing.places[name][n] - this.drawing.places[other][n]))) ** 2);
+        const weights = known.map((other) => 1 / (1 + Math.hypot(...[0, 1].map((n) => places[name][n] - places[other][n]))) ** 2);
         const sum = weights.reduce((all, w) => all + w, 0);
         where.set(name, [0, 1].map((n) => weights.reduce((all, w, i) => all + w * where.get(known[i])[n], 0) / sum));
       }
-      // The sheet stays flat; y points down.
+      // The sheet stays flat.
       if (after.some((triangle) => turning(...triangle.map((name) => where.get(name))) > -20)) continue;
       const patch = before.map((triangle) => triangle.map((name) => where.get(name)));
-      found.push({ of, patch, fresh: fresh.map((name) => [name, where.get(name)]), triangles: before.map(([a, b]) => at.get(key(of.get(a), of.get(b))).t),
-        center: [0, 1].map((n) => patch.flat().reduce((all, p) => all + p[n], 0) / (3 * patch.length)) });
+      found.push({ of, patch, fresh: fresh.map((name) => where.get(name)), center: mean(patch.flat()) });
     }
     return found.sort((one, other) => one.center[1] - other.center[1] || one.center[0] - other.center[0]);
   }
@@ -209,12 +139,16 @@ export class Trial {
     this.element.querySelector('.chosen').setAttribute('d', (this.places[n]?.patch ?? []).map((corners) => `M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z`).join(''));
   }
   #show() {
-    const { sheet } = this;
-    const strips = sheet.strips(this.constraint);
-    sheet.paint(strips);
-    const place = (v) => sheet.points[v].map((c) => c.toFixed(1)).join(',');
-    const faces = sheet.triangles.map(({ corners, hue }) => `<path style="fill:hsl(${hue.toFixed(0)} 55% 62%)" d="M${corners.map(place).join('L')}z"/>`).join('');
-    const walls = [...sheet.both.keys()].filter((edge) => !sheet.solid.has(edge)).map((edge) => `M${edge.split(' ').map(place).join('L')}`).join('');
+    const { mesh } = this;
+    mesh.update();  // a step of undo
+    this.ribbon = new Ribbon(mesh.ribbon, this.ribbon);
+    const { ribbon } = this;
+    const path = (...corners) => `M${corners.map((v) => [...mesh.points.subarray(3 * v, 3 * v + 2)].map((c) => c.toFixed(1)).join(',')).join('L')}`;
+    let [faces, walls] = ['', ''];
+    for (let i = 0; i < ribbon.count; ++i) {
+      faces += `<path style="fill:${ribbon.fill(i)}" d="${path(...ribbon.corners(i))}z"/>`;
+      sidesOf([...ribbon.corners(i)]).forEach(([u, v], side) => { if (!ribbon.joined(i, side) && ribbon.beyond(i, side) > ribbon.triangle(i)) walls += path(u, v); });
+    }
     const focused = this.element.contains(document.activeElement);
     this.element.innerHTML = `<svg viewBox="0 0 ${[columns, rows].map((n) => (n + 0.6) * unit).join(' ')}" tabindex="0" role="application" aria-label="A sheet of triangles in strips. Arrow keys choose a place, Enter applies the operation.">` +
       `${faces}<path class="walls" d="${walls}"/><path class="chosen" d=""/></svg>`;
