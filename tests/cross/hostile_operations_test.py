@@ -209,7 +209,9 @@ def main():
         mark, bad = scratch / "was-run", scratch / "bad.hpp"
         for altered in (text.replace("#pragma once\n", "#pragma once\ninline const int owned = [] { return 1; }();\n"),
                         text.replace("    {\n", "    {\n    owned(),\n"), text + "int owned;\n", text.replace(" 24,", " 024,", 1),
-                        text.replace("    }};", "    1, }};"), ""):
+                        text.replace("    }},\n", "    1, }},\n", 1), ""):
+            if altered == text:
+                raise SystemExit("an alteration has no effect on the header")
             bad.write_text(altered, encoding="utf-8")
             done = subprocess.run([folder / "restrip-verify", "--operation", file, "--header", bad, "--dump-command", f"touch {mark}"],
                                   capture_output=True, text=True, check=False)
