@@ -135,6 +135,12 @@ set(CMAKE_CXX_FLAGS \"-O0 -fno-exceptions -fno-rtti\")
 set(CMAKE_FIND_ROOT_PATH ${SCRATCH}/runtime)
 ")
   file(WRITE ${SCRATCH}/wasm.cmake "${toolchain}")
+  # The library for that processor; the one of this machine is no answer to find_package() there.
+  run(${CMAKE_COMMAND} -G Ninja -S ${ROOT} -B ${SCRATCH}/library -DRESTRIP_BUILD_PROGRAMS=OFF -DCMAKE_TOOLCHAIN_FILE=${SCRATCH}/wasm.cmake
+      -DCMAKE_BUILD_TYPE=Debug -DCMAKE_UNITY_BUILD=ON -DCMAKE_INSTALL_PREFIX=${SCRATCH}/runtime)
+  run(${CMAKE_COMMAND} --build ${SCRATCH}/library)
+  file(REMOVE_RECURSE ${SCRATCH}/runtime)
+  run(${CMAKE_COMMAND} --install ${SCRATCH}/library)
   run(${configure} -B ${SCRATCH}/compiled -DRESTRIP_HOST_PROGRAMS=${SCRATCH}/generator/bin)
   if(NOT printed MATCHES "terrain_tables: the compiled tables are not judged")
     message(FATAL_ERROR "${printed}")
