@@ -49,8 +49,8 @@ class _Patch:
     def __init__(self):
         self.faces, self.strokes, self.nodes, self.names = {"old": "", "new": ""}, {"dashed": "", "solid": ""}, [], ""
 
-    def name(self, text, at, below=0):
-        self.names += f'<text class="name" x="{at[0]:.1f}" y="{at[1] + below:.1f}">{escaped(text)}</text>'
+    def name(self, text, at):
+        self.names += f'<text class="name" x="{at[0]:.1f}" y="{at[1]:.1f}">{escaped(text)}</text>'
 
     def add(self, a, b, c, style="old"):
         self.faces[style] += "M" + "L".join(f"{p[0]:.1f},{p[1]:.1f}" for p in (a, b, c)) + "z"
@@ -86,16 +86,22 @@ def side_picture(side, colors, ports, description, letter=""):
         patch.port(u, at[a], at[b], ports >> i & 1)
     if letter:
         vertices, triangles = side["names"]
+        names = []
         for text, (x, y) in zip(vertices, at):
             away = math.hypot(x - 200, y - 200) or 1
-            patch.name(text, (x + 16 * (x - 200) / away, y + 16 * (y - 200) / away))
-        for text, place in zip(triangles, patch.nodes):
-            patch.name(text, place, 17)
+            names.append((text, (x + 16 * (x - 200) / away, y + 16 * (y - 200) / away)))
         for i, (*_, a, b) in enumerate(side["edges"]):
-            patch.name(f"{letter}{i}", _middle(at[a], at[b]))
+            names.append((f"{letter}{i}", _middle(at[a], at[b])))
         for i, (u, a, b) in enumerate(side["ports"]):
             door = _middle(at[a], at[b])
-            patch.name(f"p{i}", tuple(d + (d - n) * 0.7 for d, n in zip(door, patch.nodes[u])))
+            names.append((f"p{i}", tuple(d + (d - n) * 0.7 for d, n in zip(door, patch.nodes[u]))))
+        # A triangle's name is around its node, in the direction that has most room.
+        around = [(19 * math.sin(math.pi * i / 4), 19 * math.cos(math.pi * i / 4)) for i in range(8)]
+        for text, (x, y) in zip(triangles, patch.nodes):
+            places = [(round(x + dx, 1), round(y + dy, 1)) for dx, dy in around]
+            names.append((text, max(places, key=lambda place: min(math.hypot(0.7 * (place[0] - p[0]), place[1] - p[1]) for _, p in names))))
+        for text, place in names:
+            patch.name(text, place)
     return patch.svg(description)
 
 

@@ -11,19 +11,16 @@ ICON = ("data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0
 
 
 def navigation(page):
-    """The links from the page at this place to all of PAGES; its own is marked, or Documents on one of them."""
+    """The links from the page at this place to all of PAGES; its own is marked, or the one of its part."""
     folder = PurePosixPath(page).parent
+    part = "atlas/index.html" if page.startswith("atlas/") else "docs/README.html"
 
     def mark(to):
         if to == page:
             return ' aria-current="page"'
-        return ' aria-current="true"' if to == "docs/README.html" and is_document(page) else ""
+        return ' aria-current="true"' if page not in PAGES and to == part else ""
     links = (f'<a href="{os.path.relpath(to, folder)}"{mark(to)}>{name}</a>' for to, name in PAGES.items())
     return f'<nav aria-label="Pages">{" ".join(links)}</nav>'
-
-
-def is_document(page):
-    return page not in PAGES and (page.startswith("docs/") or page in ("README.html", "CONTRIBUTING.html", "CHANGELOG.html"))
 
 
 def picture(page, address):

@@ -1,10 +1,10 @@
-// The page "Make a rule" in headless Chromium, by mouse and keyboard alone. A flip (keyboard only), a 4-to-2 and a removal
-// of a vertex are drawn from an empty outline; each is impossible at first, which is drawn, and proved after the button that
-// allows strips to be cut, and applied to the page's sheet. Each step can be undone and redone, from the keyboard too, and the focus stays in the drawing. The
-// files are those of the program; the downloaded header and the code that the page shows are compiled and run. A changed rule
-// is judged beside the best one. The address shows the operation again, in an open tab and after a reload; a damaged one says
-// so. A mistake in the typed file is shown at its place; work is stopped. Vertices are dragged by mouse and touch. The page is
-// accessible, from telephones to desktops, in light and dark, and has at most 580 kB in gzip.
+// The page "Make a rule" in headless Chromium. A flip, a 4-to-2 and the removal of a vertex are drawn from an empty outline, by
+// keyboard alone and by mouse; each is impossible at first, which is drawn, proved after the button that allows strips to be cut,
+// and applied to the page's sheet. Each step can be undone and redone, and the focus stays in the drawing. The files are those of
+// the program; the downloaded header and the code that the page shows are compiled and run. A changed rule is judged beside the
+// best one. The address shows the operation again, in an open tab and after a reload; a damaged one says so. A mistake in the
+// typed file is shown at its place; work is stopped. Vertices are dragged by mouse and touch. The page is accessible, from
+// telephones to desktops, in light and dark, and has at most 580 kB in gzip.
 //   node maker_page_test.mjs WEB_FOLDER CHROMIUM RESTRIP_GENERATE COMPILER LIBRARY SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -56,7 +56,7 @@ try {
     await page.send('Input.dispatchKeyEvent', { type: 'keyUp', key: name, windowsVirtualKeyCode: code, modifiers });
   };
   const tabTo = async (selector) => {
-    for (let n = 0; n < 60; ++n) {
+    for (let n = 0; n < 150; ++n) {
       if (await page.run((where) => document.activeElement.matches(where), selector)) return;
       await key('Tab');
     }
@@ -64,7 +64,6 @@ try {
   };
   /// Clicks on a place of the sheet where the operation fits.
   const tryIt = async () => {
-    await page.until('/^The best rule leaves/.test(document.getElementById("case").textContent)');  // nothing above it moves any more
     const place = await page.run(() => {
       const svg = document.querySelector('#sheet svg');
       svg.scrollIntoView({ block: 'center' });
@@ -73,7 +72,6 @@ try {
     });
     await mouse('mousePressed', place);
     await mouse('mouseReleased', place);
-    await page.until('/^Applied/.test(document.getElementById("tried").textContent)');
   };
   const outline = async (corners) => {
     await page.run(() => document.getElementById('corners').focus());
@@ -90,31 +88,51 @@ try {
   await page.open(address);
   await done(page, '^✓ proved, 25 cases');
 
-  // ---- a flip, by keyboard alone
-  await page.run(() => document.body.focus());
-  await tabTo('#corners');
-  await key('4');
-  await tabTo('#draw-after [data-flip]');
-  await key('Enter');
-  await done(page, '^No rule: there is a case');
+  // ---- three operations are drawn from an empty outline, made possible, proved and tried, by keyboard alone and by mouse
+  const pressed = { mouse: click, keyboard: async (selector) => {
+    await tabTo(selector);
+    await key('Enter');
+  } };
+  const tried = { mouse: tryIt, keyboard: async () => {
+    await tabTo('#sheet svg');
+    await key('ArrowRight');
+    await key('Enter');
+  } };
+  const flips = (side, ...edges) => edges.map((edge) => `#draw-${side} [aria-label="flip the edge ${edge}"]`);
+  const wanted = [
+    { corners: 4, steps: flips('after', 'a c'), become: [2, 2], cases: '25' },
+    { corners: 4, steps: ['#draw-before [data-triangle="0"]', ...flips('before', 'a c')], become: [4, 2], cases: '160' },
+    { corners: 6, steps: ['#draw-before [data-triangle="1"]', ...flips('before', 'a c', 'a d', 'a e')], become: [6, 4], cases: '2,040' }];
+  for (const hand of ['keyboard', 'mouse'])
+    for (const { corners, steps, become, cases } of wanted) {
+      await outline(corners);
+      for (const selector of steps) await pressed[hand](selector);
+      assert.deepEqual(await sizes(), become);
+      await done(page, '^No rule: there is a case');
+      await page.until('document.querySelectorAll("#hindrance svg").length > 1');
+      assert.ok(await page.run('document.querySelectorAll("#hindrance .solid").length > 1 && !document.getElementById("impossible").hidden && document.getElementById("take").hidden'));
+      if (hand === 'keyboard') assert.ok(await page.run('document.activeElement.closest("#drawing") !== null'));
+      await shown(`impossible-${become.join('-')}`);
+      await pressed[hand]('#allow');
+      await done(page, `^✓ proved, ${cases} cases.*at worst \\d+ strips? more`);
+      assert.equal(await page.run('JSON.parse(document.getElementById("text").value).give_up'), 'all');
+      await page.until('/^The best rule leaves/.test(document.getElementById("case").textContent)');
+      await tried[hand]();
+      await page.until('/^Applied: \\d+ → \\d+ strips/.test(document.getElementById("tried").textContent)');
+      assert.ok(await page.run('restripMaker.trial.mesh.valid'));
+      await shown(`tried-${become.join('-')}`);
+      await pressed[hand]('#back');
+      assert.match(await text('tried'), /^Undone: \d+ strips/);
+    }
+
+  // ---- undone and redone; what has the focus keeps it; a vertex moved by arrows is one step
+  await outline(4);
+  await pressed.keyboard('#draw-after [data-flip]');
   assert.match(await page.run('document.activeElement.getAttribute("aria-label")'), /^flip the edge (b d|d b)$/);
-  await page.until('document.querySelectorAll("#hindrance svg").length > 1');
-  assert.ok(await page.run('document.querySelectorAll("#hindrance .solid").length > 1 && !document.getElementById("impossible").hidden && document.getElementById("take").hidden'));
-  await shown('impossible');
-  await tabTo('#allow');
-  await key('Enter');
-  await done(page, '^✓ proved, 25 cases.*at worst 1 strip more');
-  assert.equal(await page.run('JSON.parse(document.getElementById("text").value).give_up'), 'all');
-  await page.until('/^The best rule leaves/.test(document.getElementById("case").textContent)');
-  await tabTo('#sheet svg');
-  await key('ArrowRight');
-  await key('Enter');
-  await page.until('/^Applied: \\d+ → \\d+ strips/.test(document.getElementById("tried").textContent)');
-  // Undone to the outline, and redone; a vertex moved by arrows is one step.
-  for (let n = 0; n < 2; ++n) await key('z', 2);
+  await key('z', 2);
   assert.equal(await page.run('restripMaker.drawing.operation.after.flat().join("")'), 'abcacd');
-  for (let n = 0; n < 2; ++n) await key('z', 2 + 8);
-  assert.deepEqual(await page.run('[restripMaker.drawing.operation.give_up, document.getElementById("redo").disabled, restripMaker.at + 1 === restripMaker.states.length]'), ['all', true, true]);
+  await key('z', 2 + 8);
+  assert.deepEqual(await page.run('[document.getElementById("redo").disabled, restripMaker.at + 1 === restripMaker.states.length]'), [true, true]);
   await page.run(() => document.querySelector('#draw-before [data-vertex=a]').focus());
   const places = () => page.run('restripMaker.drawing.places.a[0]');
   const was = await places();
@@ -122,17 +140,8 @@ try {
   assert.deepEqual([await places() - was, await page.run('document.activeElement.dataset.vertex')], [24, 'a']);
   await key('z', 2);
   assert.equal(await places(), was);
-
-  // ---- 4 to 2, by mouse; Delete takes the vertex away again
-  await outline(4);
+  // Delete takes a vertex away.
   await click('#draw-before [data-triangle="0"]');
-  await click('#draw-before [aria-label="flip the edge a c"]');
-  assert.deepEqual(await sizes(), [4, 2]);
-  await done(page, '^No rule');
-  await click('#allow');
-  await done(page, '^✓ proved');
-  await tryIt();
-  await shown('tried');
   await page.run(() => document.querySelector('#draw-before [data-vertex=m]').focus());
   await key('Delete');
   assert.deepEqual([await sizes(), await page.run('document.activeElement.closest("#draw-before") !== null')], [[2, 2], true]);
@@ -140,10 +149,9 @@ try {
   await key('z', 2);
   assert.deepEqual(await sizes(), [4, 2]);
 
-  // ---- a vertex of six triangles is removed, by mouse: the hexagon fan
+  // ---- the hexagon fan again, with a name
   await outline(6);
-  await click('#draw-before [data-triangle="1"]');
-  for (const edge of ['a c', 'a d', 'a e']) await click(`#draw-before [aria-label="flip the edge ${edge}"]`);
+  for (const selector of wanted[2].steps) await click(selector);
   await click('#name');
   await key('a', 2);
   for (const letter of 'hex') await key(letter);
@@ -152,7 +160,6 @@ try {
   await click('#allow');
   await done(page, '^✓ proved, 2,040 cases');
   assert.match(await text('counted'), /^306 rules; \d+ claims of the verifier, of which all hold\./);
-  await tryIt();
   const operation = await text('text') || await page.run('document.getElementById("text").value');
   assert.deepEqual(new Set(JSON.parse(operation).before.map((t) => [...t].sort().join(''))), new Set(['abm', 'bcm', 'cdm', 'dem', 'efm', 'afm']));
   assert.equal(JSON.parse(operation).name, 'hex');

@@ -225,7 +225,7 @@ def body_of(page, sides, met, here):
                       [("met", "met on real meshes")] * with_met)
     sorting = '<label><input type="checkbox" id="often"> most often met first</label>' if with_met else ""
     names = "".join(side_picture(side, 0, 0, f"the names of edges and ports {when}", letter)
-                    for side, when, letter in ((sides[0][0], "before", "e"), (sides[1], "after", "f")))
+                    for side, when, letter in ((sides[0][-1], "before", "e"), (sides[1], "after", "f")))
     abouts = dict.fromkeys(position.description.about for position in page.positions)
     patches = "".join(picture_parts(side, f"b{n}") for n, side in enumerate(sides[0])) + picture_parts(sides[1], "a")
     positions = escaped(json.dumps([f"{position.description.name} {position.text}" for position in page.positions])).replace('"', "&quot;")
@@ -255,7 +255,7 @@ collapses and flips are sound and that no sound recolouring is preferred to them
 def index_body(groups, picture, met):
     body = "<h1>Atlas of rules</h1>"
     if met:
-        body += INTRODUCTION + picture + '<p><a class="button" href="paint.html">Paint a configuration and see its rule</a></p>'
+        body += picture + INTRODUCTION + '<p><a class="button" href="paint.html">Paint a configuration and see its rule</a></p>'
     for name, pages in groups.items():
         rows = ""
         with_met = any(page.met for page in pages)
@@ -316,15 +316,15 @@ def write(given, met):
             except Refused as fault:
                 raise Refused(f"{page.title}: {fault}") from None
             sides = sides[0], sides[1][0]
-            page.thumbnail = "".join(side_picture(side, 0, 0, "") for side in (sides[0][0], sides[1])).replace('role="img" aria-label=""', 'aria-hidden="true"')
+            page.thumbnail = "".join(side_picture(side, 0, 0, "") for side in (sides[0][-1], sides[1])).replace('role="img" aria-label=""', 'aria-hidden="true"')
             for part in page.parts():
                 texts[part] = page.title, body_of(page, sides, met, part)
             if page.name == "split-5-2":  # one of its rules is the picture of the index
                 ports, joined, colors, kept, _ = next(rule for rule in page.section.rules if rule[0].bit_count() == 3 and rule[1] > 0)
                 _, position, inner = page.known[ports, joined]
-                picture = ('<div class="pictures"><figure>' + side_picture(sides[0][position], inner, ports, "before") +
+                picture = ('<div class="rule"><div class="pictures"><figure>' + side_picture(sides[0][position], inner, ports, "before") +
                            "<figcaption>before the split</figcaption></figure><figure>" + side_picture(sides[1], colors, kept, "after") +
-                           "<figcaption>after it, by its rule</figcaption></figure></div>" + legend(page))
+                           "<figcaption>after it, by its rule</figcaption></figure></div>" + legend(page) + "</div>")
     if given.drawn:
         drawn = defaultdict(list)
         for position in positions_of(given.files[0]):

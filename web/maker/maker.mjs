@@ -115,8 +115,8 @@ class Page {
     const small = (operation) => sides.map((side) => picture(new Drawing(structuredClone(operation)), side, '')).join('<b aria-hidden="true">→</b>');
     const button = (name, pictures, note = '') => `<button type="button" value="${name}"><span class="two">${pictures}</span>${name}${note && `<small>${note}</small>`}</button>`;
     field('gallery').innerHTML = Object.entries(examples).map(([name, one]) => button(name, small(one), one.give_up && 'strips may be cut')).join('') +
-      button('Family', '<b>k → k − 2</b>', 'vertex removal for every k') +
-      `<label>Empty outline <select id="corners"><option value="">–</option>${[3, 4, 5, 6, 7, 8].map((n) => `<option value="${n}">${n} corners</option>`).join('')}</select></label>`;
+      button('Family', '<b>k → k − 2</b>', 'for every k') +
+      `<select id="corners" aria-label="Begin with an empty outline"><option value="">Empty outline</option>${[3, 4, 5, 6, 7, 8].map((n) => `<option value="${n}">${n} corners</option>`).join('')}</select>`;
     for (const svg of field('gallery').querySelectorAll('svg')) svg.setAttribute('aria-hidden', 'true');
     field('gallery').onclick = ({ target }) => {
       const name = target.closest('button')?.value;

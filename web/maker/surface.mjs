@@ -197,11 +197,14 @@ export function picture(drawing, side, label, { colors = null, marked = { inner:
   if (colors) {
     const style = (solid, mark) => (mark ? 'solid marked' : solid ? 'solid' : 'dashed');
     const bit = (mask, n) => (mask >> n & 1) === 1;
+    const from = (p) => p.map((c, n) => c - middle[n]);
+    const [long, turn] = [(p) => Math.hypot(...from(p)), (p, q) => from(p)[0] * from(q)[1] - from(p)[1] * from(q)[0]];
     for (const block of world)
       block.slice(1).forEach((port, n) => {
-        const [from, to] = [ends[block[n]][1], ends[port][1]];
-        const out = (p) => middle.map((m, i) => m + (p[i] - m) * 225 / Math.max(60, Math.hypot(...p.map((c, n) => c - middle[n]))));
-        svg += `<path class="outside" d="${path(from)}C${[out(from), out(to), to].flat().map((c) => c.toFixed(1)).join(' ')}"/>`;
+        const [start, end] = [ends[block[n]][1], ends[port][1]];
+        const radius = Math.max(long(start), long(end)) + 30;
+        const out = (p) => from(p).map((c, i) => (middle[i] + c * radius / long(p)).toFixed(1));
+        svg += `<path class="outside" d="${path(start)}L${out(start)}A${radius.toFixed(1)} ${radius.toFixed(1)} 0 0 ${turn(start, end) > 0 ? 1 : 0} ${out(end)}L${end}"/>`;
       });
     inner.forEach(([s, t, a, b], n) => {
       svg += `<path class="${style(bit(colors.inner, n), bit(marked.inner, n))}" d="${path(hub[s], center(at(a), at(b)), hub[t])}"/>`;
