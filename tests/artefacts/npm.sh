@@ -27,7 +27,8 @@ npx esbuild worker.mts --bundle --platform=node --format=esm --loader:.wasm=file
 cat >main.mjs <<'END'
 import { Worker } from 'node:worker_threads';
 const indices = await new Promise((done, fail) => new Worker(new URL('bundle/worker.mjs', import.meta.url)).once('message', done).once('error', fail));
-if (indices.length !== 4 || new Set(indices).size !== 4) throw new Error(`the worker made ${indices}`);
+const strip = indices.filter((index) => index !== 0xffffffff);
+if (strip.length !== 4 || new Set(strip).size !== 4) throw new Error(`the worker made ${indices}`);
 END
 node main.mjs
 echo "npm.sh: all is well"
