@@ -1,7 +1,7 @@
-#pragma once
 // The files that a thread is about to write, whatever their names: none may be written twice, and none may be read,
 // because it would be lost. Outputs claim their files before anything is read, so files found later (the buffers of a
 // glTF) are protected as well.
+#pragma once
 
 #include <sys/stat.h>
 

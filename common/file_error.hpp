@@ -1,5 +1,5 @@
-#pragma once
 // The exception for files that cannot be used.
+#pragma once
 
 #include <stdexcept>
 

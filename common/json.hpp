@@ -1,10 +1,10 @@
-#pragma once
 // Reads JSON within limits given by the caller. A value knows its place in the file and the members that lead to it. A
 // reader states what it expects; anything else is refused with a files::FileError
 // "FILE:LINE:COLUMN: after.ring[3]: expected ..., found ...".
 //
 // nlohmann-json parses; its tree is not used, because it takes more memory and ends the program if memory runs out
 // during destruction. Here a value takes 32 bytes in one array, and texts stay in the text of the file.
+#pragma once
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
-#pragma once
 // All programs of the project write files through this. An output is tested before the work that makes it, and appears
 // whole or not at all: drafted in the folder of its target (through links), synced, renamed. While an output lives, no
 // other output may name its file, and read_whole() refuses to read it (claim.hpp).
+#pragma once
 
 #include <filesystem>
 #include <memory>

@@ -1,5 +1,5 @@
-#pragma once
 // Makes text with names and bytes of files safe to print: a terminal obeys some of them.
+#pragma once
 
 #include <cstddef>
 #include <string>

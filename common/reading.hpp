@@ -1,5 +1,5 @@
-#pragma once
 // Reads whole files, up to a limit.
+#pragma once
 
 #include <cstdint>
 #include <filesystem>

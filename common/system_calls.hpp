@@ -1,7 +1,7 @@
-#pragma once
 // Every system call by which this folder reads or changes files, in one replaceable table, so that a test can make each
 // of them fail in turn. Calls that only inspect (stat, readlink, access) are not in it. And what is built on them: a
 // file descriptor that is closed when its owner is destroyed.
+#pragma once
 
 #include <fcntl.h>
 #include <signal.h>  // NOLINT: the names below are POSIX

@@ -74,7 +74,7 @@ def readme(listed):
     def bounds(row):
         if row.name == "bare":
             return ["–", "–"]
-        return [most("strips"), "grows with the valence" if row.name == "rules" else most("indices")]
+        return [most("strips"), "grows with the valence" if row.name == "rules" else most("indices") + " + new triangles"]
     return "".join("| " + " | ".join([f"`{row.name}`", row.description, row.for_indices, row.state, row.price, *bounds(row)]) + " |\n"
                    for row in listed)
 

@@ -65,17 +65,23 @@ def header(*heads):
 
 
 def indices_table(program, meshes, ways):
-    header("kept by", "indices a triangle: strips", "live buffer", "most: up, down", "bytes an operation", "ns a split, a collapse", "times bare")
+    header("kept by", "indices a triangle: strips", "live buffer", "most: up, down", "bytes an operation", "ns a split, a collapse", "times bare", "ns an update: without, with a history")
     for mesh in meshes:
         for way in ways or INDEX_WAYS:
             report = program.replay(mesh, way, "--cost", "indices")
             line([f"`{way}`", f"{per_triangle(report['levels'][-1]):.3f}", *of_buffer(report),
-                  f"{report['ns_per_operation']:,.0f}, {report['ns_per_collapse']:,.0f}", "{:.1f}, {:.1f}".format(*times_bare(report))])
+                  f"{report['ns_per_operation']:,.0f}, {report['ns_per_collapse']:,.0f}", "{:.1f}, {:.1f}".format(*times_bare(report)), of_update(report)])
         report = program.replay(mesh, "rules", "--buffer", "list")
-        line(["a triangle list", "–", *of_buffer(report), f"{report['ns_per_operation_bare']:,.0f}, {report['ns_per_collapse_bare']:,.0f}", "1, 1"])
+        line(["a triangle list", "–", *of_buffer(report), f"{report['ns_per_operation_bare']:,.0f}, {report['ns_per_collapse_bare']:,.0f}", "1, 1", of_update(report)])
         report = program.run("stripify", mesh)
         made = 1e9 * sum(report[part] for part in ("seconds_to_build", "seconds", "seconds_to_order", "seconds_to_write"))
-        line(["strips from scratch", f"{per_triangle(report):.3f}", "–", "–", f"{4 * report['indices']:,}", f"{made / 1e6:,.0f} ms", "–"])
+        line(["strips from scratch", f"{per_triangle(report):.3f}", "–", "–", f"{4 * report['indices']:,}", f"{made / 1e6:,.0f} ms", "–", "–"])
+
+
+def of_update(report):
+    """An update of the live buffer after each operation."""
+    buffer = report["live_buffers"][0]
+    return f"{buffer['ns_per_update']:,.0f}, {buffer['ns_per_update_with_history']:,.0f}"
 
 
 def of_buffer(report):

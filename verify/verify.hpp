@@ -1,5 +1,5 @@
-#pragma once
 // The whole verification: files, certificates, operations, compiled tables.
+#pragma once
 
 #include <string>
 #include <vector>

@@ -10,6 +10,10 @@
 #include "restrip/operations/operations.hpp"
 #include "restrip/rules/rules.hpp"
 
+#ifndef RESTRIP_VERSION
+#define RESTRIP_VERSION "of a user's tables"
+#endif
+
 namespace restrip::dump {
 namespace {
 
@@ -92,15 +96,20 @@ int run(int argc, char** argv) {
       digests = true;
     } else if (word == "--max-k" && i + 1 < argc && valence_named(argv[i + 1]) != 0) {
       max_k = valence_named(argv[++i]);
+    } else if (word == "--version") {
+      std::puts(RESTRIP_VERSION);
+      return 0;
     } else {
-      const bool asked = word == "--help";
-      std::fprintf(
-          asked ? stdout : stderr,
-          "usage: restrip-dump-tables [--automaton | --digests | --automaton --digests] [--max-k K]\n"
-          "  what the compiled rules answer; with --automaton, the numbers of the automaton and digests of what it\n"
-          "  answers; with --digests, digests of what the rules answer;\n"
-          "  3 <= K <= %u; with both, digests of what the automaton answers; 3 <= K <= %u, by default 28\n",
-          static_cast<unsigned>(table_max_k), static_cast<unsigned>(max_word_valence));
+      const bool asked = word == "--help" || word == "-h";
+      std::fprintf(asked ? stdout : stderr,
+                   "Prints what the compiled rules answer, in the text that restrip-verify reads.\n\n"
+                   "Usage: restrip-dump-tables [--automaton | --digests | --automaton --digests] [--max-k K]\n\n"
+                   "  --automaton  the numbers of the automaton and digests of what it answers\n"
+                   "  --digests    digests of what the rules answer; with --automaton, of what the automaton answers\n"
+                   "  --max-k K    fans of at most K triangles, 3 to %u; with both options 3 to %u, by default 28\n"
+                   "  --version    the version\n\n"
+                   "Example: restrip-verify --tables-dir tables --dump-command restrip-dump-tables\n",
+                   static_cast<unsigned>(table_max_k), static_cast<unsigned>(max_word_valence));
       return asked ? 0 : 2;
     }
   }

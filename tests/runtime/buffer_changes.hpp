@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "measure/check_buffer.hpp"
+#include "check_buffer.hpp"
 #include "output/strip_buffer.hpp"
 #include "output/triangle_list_buffer.hpp"
 

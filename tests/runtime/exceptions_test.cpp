@@ -11,8 +11,8 @@
 
 #include "../support/failing_new.hpp"
 #include "buffer_changes.hpp"
+#include "check_buffer.hpp"
 #include "locator_agrees.hpp"
-#include "measure/check_buffer.hpp"
 #include "random_operation.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/checks.hpp"

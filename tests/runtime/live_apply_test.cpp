@@ -1,7 +1,7 @@
 // Custom operations on a LiveMesh: done under its policy and drawn, or refused; undone like any other.
 #include <gtest/gtest.h>
 
-#include "measure/check_buffer.hpp"
+#include "check_buffer.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/output/strips.hpp"

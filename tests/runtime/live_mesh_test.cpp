@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "measure/check_buffer.hpp"
+#include "check_buffer.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 #include "sheets.hpp"

@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "measure/check_buffer.hpp"
+#include "check_buffer.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "check_buffer.hpp"
 #include "form_reader.hpp"
-#include "measure/check_buffer.hpp"
 #include "random_operation.hpp"
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/live_mesh.hpp"

@@ -1,5 +1,5 @@
 // A buffer that missed a change is detected, with the number of triangles.
-#include "measure/check_buffer.hpp"
+#include "runtime/check_buffer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-// Claims: random operations anywhere leave valid strips; a faulty operation is found, and its trace is shrunk to a few
-// operations.
+// Claims: random operations anywhere leave valid strips and report what they change; a faulty operation is found.
 #include "replay/walk.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/shrink.hpp"
 #include "lod/coloring_check.hpp"
 #include "meshes/made_mesh.hpp"
 #include "replay/methods.hpp"
@@ -131,13 +129,11 @@ struct WithAFaultySplit : Operations {
   }
 };
 
-TEST(Walk, FindsAFaultAndShrinksIt) {
+TEST(Walk, FindsAFault) {
   StripMesh mesh = stripified(make_mesh(1000));
   const WalkReport report = walk(mesh, {50'000, 3, 10'000}, begin<WithAFaultySplit>);
-  ASSERT_NE(report.fault, "");
-  ASSERT_FALSE(report.trace.empty());
-  EXPECT_LE(report.trace.size(), 6U);
-  EXPECT_TRUE(report.trace.back().starts_with("then: "));
+  EXPECT_NE(report.fault, "");
+  EXPECT_LT(report.fault_step, 50'000U);
 }
 
 /// Reports one strip or one isolated triangle too few, now and then.
@@ -159,41 +155,6 @@ TEST(Walk, FindsOperationsThatMiscount) {
   }
 }
 
-// A witness counts the effects of operations that do not report them; it agrees with operations that do.
-TEST(Walk, AWitnessAgreesWithTheRules) {
-  for (const Soup& soup : {make_mesh(500), sheet(12), bow_tie()}) {
-    struct Watched : Operations {
-      using Operations::Operations;
-      std::string disagreement;
-      Witness witness;
-      Rewrite reported;
-      Halfedge noted(const Rewrite& done) {
-        reported = done;
-        return done.halfedge;
-      }
-      Rewrite settle(const Rewrite& seen) {
-        if (reported.strips != seen.strips || reported.isolated != seen.isolated || reported.valence != seen.valence)
-          disagreement = "the witness disagrees";
-        return reported;
-      }
-      Rewrite split(const Where& where, Vertex v_t, std::size_t) override {
-        return settle(witness.split(mesh_, where, {}, [&] { return noted(restrip::split(mesh_, where, v_t)); }));
-      }
-      Rewrite collapse(Halfedge chord, std::size_t) override {
-        return settle(witness.collapse(mesh_, chord, {}, [&] { return noted(restrip::collapse(mesh_, chord)); }));
-      }
-      Rewrite flip(Halfedge h) override {
-        return settle(witness.flip(mesh_, h, [&] { return noted(restrip::flip(mesh_, h)); }));
-      }
-      [[nodiscard]] std::string fault() const override { return disagreement; }
-    };
-    StripMesh mesh = stripified(soup);
-    const WalkReport report = walk(mesh, {5'000, 3, 500}, begin<Watched>);
-    EXPECT_EQ(report.fault, "");
-    EXPECT_GT(report.splits + report.collapses + report.flips, 500U);
-  }
-}
-
 // Flips by the rules alone isolate triangles across ports that they give up; the account includes them.
 TEST(Walk, RulesAloneReportEveryTriangleThatTheyIsolate) {
   for (const Soup& soup : {make_mesh(1000), sheet(15)}) {
@@ -209,22 +170,6 @@ TEST(Walk, RefusesAMeshThatIsFaultyFromTheStart) {
   StripMesh mesh = stripified(tetrahedron());
   for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), true);
   EXPECT_NE(walk(mesh, {10, 1, 10}, by("local")).fault, "");
-}
-
-TEST(Shrink, FindsThePairThatFails) {
-  std::vector<int> items;
-  for (int i = 0; i < 1000; ++i) items.push_back(i);
-  const auto fails = [](const std::vector<int>& some) {
-    return std::count(some.begin(), some.end(), 17) != 0 && std::count(some.begin(), some.end(), 803) != 0;
-  };
-  EXPECT_EQ(shrink(items, fails, 2000), (std::vector<int>{17, 803}));
-}
-
-TEST(Shrink, StopsWhenItsTriesAreUsedUp) {
-  std::vector<int> items(100, 1);
-  const auto shrunk = shrink(
-      items, [](const std::vector<int>& some) { return !some.empty(); }, 3);
-  EXPECT_FALSE(shrunk.empty());
 }
 
 }  // namespace

@@ -4,14 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
-#include "common/report_output.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/mesh_files.hpp"
@@ -35,50 +34,48 @@ struct BakeCommand {
 
 int run(const BakeCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_baked));
-  const files::ReportOutput report_output(command.json);
+  Report report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_baked, ".baked");
   Source source =
       source_of(read_mesh_file(command.mesh), command.mesh, command.mending, command.simplify, command.simplify_given);
   source.subject.mended.rounding = rounding_of(source.mesh.points);
-  BakeReport report;
-  BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
+  BakeReport made;
+  BakedMesh baked = bake(std::move(source.mesh), command.bake, &made);
   if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
   const WrittenStrips written = format.write_baked(baked_bytes(baked), command.strips);
   const std::size_t bytes = written.bytes.size();
   out.write(written.bytes);
   const std::size_t records = baked.records.size();
   const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
-  const BakedCosts costs = costs_of(baked, report.seconds);
-  nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
-                              {"triangles", baked.mesh.fine_triangles()},
-                              {"records", records},
-                              {"components", report.components},
-                              {"base_strips", report.base_strips},
-                              {"top_strips", report.top_strips},
-                              {"top_indices", report.top_indices},
-                              {"top_at_least", report.top_at_least},
-                              {"most_strips", report.most_strips},
-                              {"levels_with_fewest", report.fewest_levels},
-                              {"flips_per_record", costs.flips_per_record},
-                              {"bytes_per_record", costs.bytes_per_record},
-                              {"bytes", bytes},
-                              {"states", report.states},
-                              {"seconds", report.seconds}};
-  add_to(json, source.subject.mended);
-  add_to(json, written);
-  const std::string text =
-      as_text(source.subject.mended) + as_text(written, command.out.string()) +
-      fmt::format(
-          "{}: {} and {} to {}\n"
-          "{} at the base, {} at the finest level (at least {} needed), {} at most; {}, {:.2f} % of the levels with "
-          "one strip for each\n"
-          "{:.2f} flips and {:.1f} bytes a record, {} in all; {:.1f} seconds\n",
-          command.out.string(), counted(baked.base.triangle_count(), "triangle"), counted(records, "record"),
-          baked.mesh.fine_triangles(), counted(report.base_strips, "strip"), report.top_strips, report.top_at_least,
-          report.most_strips, counted(report.components, "connected component"),
-          100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record,
-          costs.bytes_per_record, counted(bytes, "byte"), report.seconds);
-  report_output.print(text, json.dump(2) + "\n");
+  const BakedCosts costs = costs_of(baked, made.seconds);
+  report.json = {{"base_triangles", baked.base.triangle_count()},
+                 {"triangles", baked.mesh.fine_triangles()},
+                 {"records", records},
+                 {"components", made.components},
+                 {"base_strips", made.base_strips},
+                 {"top_strips", made.top_strips},
+                 {"top_indices", made.top_indices},
+                 {"top_at_least", made.top_at_least},
+                 {"most_strips", made.most_strips},
+                 {"levels_with_fewest", made.fewest_levels},
+                 {"flips_per_record", costs.flips_per_record},
+                 {"bytes_per_record", costs.bytes_per_record},
+                 {"bytes", bytes},
+                 {"states", made.states},
+                 {"seconds", made.seconds}};
+  report.add(source.subject.mended);
+  report.add(written, command.out.string());
+  report.text += fmt::format(
+      "{}: {} and {} to {}\n"
+      "{} at the base, {} at the finest level (at least {} needed), {} at most; {}, {:.2f} % of the levels with "
+      "one strip for each\n"
+      "{:.2f} flips and {:.1f} bytes a record, {} in all; {:.1f} seconds\n",
+      command.out.string(), counted(baked.base.triangle_count(), "triangle"), counted(records, "record"),
+      baked.mesh.fine_triangles(), counted(made.base_strips, "strip"), made.top_strips, made.top_at_least,
+      made.most_strips, counted(made.components, "connected component"),
+      100.0 * static_cast<double>(made.fewest_levels) / (each + 1), costs.flips_per_record, costs.bytes_per_record,
+      counted(bytes, "byte"), made.seconds);
+  report.print();
   return 0;
 }
 

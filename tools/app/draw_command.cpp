@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
-#include "common/report_output.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
@@ -93,7 +93,7 @@ const std::vector<std::string> drawn_extensions{".svg", ".png", ".json"};
 
 int run(const DrawCommand& command) {
   const files::Output out = open_output(command.out, drawn_extensions);
-  const files::ReportOutput report(command.json);
+  Report report(command.json);
   const std::string format = command.out.extension();
   if (format.empty())  // a device
     throw BadInput(fmt::format("{}: its format is not known; name it by --to, or a file that ends in {}",
@@ -141,10 +141,10 @@ int run(const DrawCommand& command) {
   for (std::size_t s = 0; s < order.size(); ++s)
     for (const Triangle t : order[s]) strips[s].push_back(mesh.corners(t));
 
-  nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
-  std::string text =
-      as_text(mended) + fmt::format("{}: {} in {}", command.out.string(), counted(mesh.triangle_count(), "triangle"),
-                                    counted(strips.size(), "strip"));
+  report.json = {{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
+  report.add(mended);
+  report.text += fmt::format("{}: {} in {}", command.out.string(), counted(mesh.triangle_count(), "triangle"),
+                             counted(strips.size(), "strip"));
   if (format == ".json") {
     out.write(facts_of(points, strips));
   } else {
@@ -153,17 +153,17 @@ int run(const DrawCommand& command) {
     const Scene scene = scene_of(points, strips, command.camera, command.size, command.style);
     const Picture picture = format == ".svg" ? svg_of(scene) : png_of(scene);
     out.write(picture.bytes);
-    json["policy"] = policy;
-    json["width"] = command.size.width;
-    json["height"] = command.size.height;
-    json["triangles_drawn"] = scene.faces.size();
-    json["strips_shown"] = picture.strips;
-    text += fmt::format("; {} the camera, {} in the picture",
-                        counted(scene.faces.size(), "triangle faces", "triangles face"),
-                        counted(picture.strips, "strip is", "strips are"));
+    report.json["policy"] = policy;
+    report.json["width"] = command.size.width;
+    report.json["height"] = command.size.height;
+    report.json["triangles_drawn"] = scene.faces.size();
+    report.json["strips_shown"] = picture.strips;
+    report.text += fmt::format("; {} the camera, {} in the picture",
+                               counted(scene.faces.size(), "triangle faces", "triangles face"),
+                               counted(picture.strips, "strip is", "strips are"));
   }
-  add_to(json, mended);
-  report.print(text + "\n", json.dump(2) + "\n");
+  report.text += "\n";
+  report.print();
   return 0;
 }
 

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "common/output.hpp"
-#include "common/report_output.hpp"
 #include "lod/simplify.hpp"
 #include "paper/paper.hpp"
 
@@ -36,7 +36,7 @@ int run(const PaperCommand& command) {
   for (const files::NamedBytes& file : with_report(csv_files(RuleFigures{}), csv_files(std::vector<PaperMesh>{}), ""))
     names.push_back(file.name);
   files::OutputSet out(command.out, names);
-  const files::ReportOutput report(command.json);
+  Report report(command.json);
   std::vector<PaperSubject> subjects;
   for (const std::filesystem::path& mesh : command.meshes) subjects.push_back(read_subject(mesh, command.mending));
   const RuleFigures figures = rule_figures();
@@ -45,9 +45,10 @@ int run(const PaperCommand& command) {
     meshes.push_back(measure(subject, command.options));
     subject = {};
   }
-  const std::string json = as_json(figures, meshes, command.options);
-  out.write(with_report(csv_files(figures), csv_files(meshes), json));
-  report.print(as_text(meshes), json);
+  report.text = as_text(meshes);
+  report.json = as_json(figures, meshes, command.options);
+  out.write(with_report(csv_files(figures), csv_files(meshes), report.json_text()));
+  report.print();
   return std::all_of(meshes.begin(), meshes.end(), [](const PaperMesh& mesh) { return mesh.faults.empty(); }) ? 0 : 1;
 }
 

@@ -57,7 +57,7 @@ WalkReport take_walk(const Source& source, const ReplayCommand& command, const P
     mesh = StripMesh::build(source.original, source.mesh.points.size());
   }
   stripify(mesh, default_effort, prepared.cost());
-  // A walk that fails is repeated on copies without its trace.
+  // Buffers are measured on copies, which are not traced.
   WalkOptions options{command.walk_steps, command.seed};
   options.buffer = command.replay.buffer;
   return walk(mesh, options, [&](StripMesh& on) {

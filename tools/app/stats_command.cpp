@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "app/options.hpp"
-#include "common/report_output.hpp"
+#include "app/report.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/mesh_report.hpp"
 
@@ -20,13 +20,15 @@ struct StatsCommand {
 };
 
 int run(const StatsCommand& command) {
-  const files::ReportOutput out(command.json);
+  Report out(command.json);
   ReadMesh read = read_mesh_file(command.mesh);
   const std::string level = std::holds_alternative<Soup>(read) ? "" : " (its finest level)";
   Soup soup = finest_level(std::move(read));
   const Mended mended = mend(soup, command.mesh.string(), command.mending);
   const MeshReport report = report_on(soup);
-  out.print(as_text(report, command.mesh.string() + level, mended), as_json(report, mended));
+  out.text = as_text(report, command.mesh.string() + level, mended);
+  out.json = as_json(report, mended);
+  out.print();
   return 0;
 }
 

@@ -4,14 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/options.hpp"
+#include "app/report.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
-#include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
@@ -46,7 +45,7 @@ struct StripifyCommand {
 int run(const StripifyCommand& command) {
   std::optional<files::Output> strip_file;
   if (!command.out.empty()) strip_file = open_output(command.out, extensions_of(writes_strips));
-  const files::ReportOutput out(command.json);
+  Report out(command.json);
   const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Soup soup = read_mesh(command.mesh, command.attributes);
   Mended mended = mend(soup, command.mesh.string(), command.mending);
@@ -86,37 +85,35 @@ int run(const StripifyCommand& command) {
   // Repeated indices, within a strip or at its beginning.
   const std::size_t swaps = triangles == 0 ? 0 : indices.size() + 1 - triangles - 3 * strips.size();
   const CacheReport misses = cache_report(indices, triangles);
-  nlohmann::ordered_json json{{"triangles", triangles},
-                              {"left_out", left_out},
-                              {"strips", strips.size()},
-                              {"components", connected_components(mesh)},
-                              {"swaps", swaps},
-                              {"indices", indices.size()},
-                              {"acmr", misses.fifo_16},
-                              {"acmr_32", misses.fifo_32},
-                              {"acmr_amd", misses.amd},
-                              {"acmr_nvidia", misses.nvidia},
-                              {"acmr_intel", misses.intel},
-                              {"seconds", seconds},
-                              {"seconds_to_build", seconds_to_build},
-                              {"seconds_to_order", seconds_to_order},
-                              {"seconds_to_write", seconds_to_write},
-                              {"valid", faults.empty()}};
-  if (command.as_in_file) json["cut_strips"] = in_file.cut;
-  if (indices.size() > 3 * triangles) json["list_indices"] = 3 * triangles;
-  add_to(json, written);
-  add_to(json, mended);
+  out.json = {{"triangles", triangles},
+              {"left_out", left_out},
+              {"strips", strips.size()},
+              {"components", connected_components(mesh)},
+              {"swaps", swaps},
+              {"indices", indices.size()},
+              {"acmr", misses.fifo_16},
+              {"acmr_32", misses.fifo_32},
+              {"acmr_amd", misses.amd},
+              {"acmr_nvidia", misses.nvidia},
+              {"acmr_intel", misses.intel},
+              {"seconds", seconds},
+              {"seconds_to_build", seconds_to_build},
+              {"seconds_to_order", seconds_to_order},
+              {"seconds_to_write", seconds_to_write},
+              {"valid", faults.empty()}};
+  if (command.as_in_file) out.json["cut_strips"] = in_file.cut;
+  if (indices.size() > 3 * triangles) out.json["list_indices"] = 3 * triangles;
+  out.add(mended);
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
   };
   std::string at_least;
   if (command.bound) {
     const std::size_t bound = strip_index_lower_bound(mesh).indices;
-    json["lower_bound_indices"] = bound;
+    out.json["lower_bound_indices"] = bound;
     at_least = fmt::format(" (lower bound {:.3f})", per_triangle(bound));
   }
-  std::string text = as_text(mended);
-  text += fmt::format(
+  out.text += fmt::format(
       "{}: {} ({} left out) in {}, {}\n"
       "{:.3f} indices per triangle with restart{}, {}\n"
       "vertex cache misses per triangle: FIFO of 16 {:.3f}, of 32 {:.3f}; models of AMD {:.3f}, NVidia {:.3f}, Intel "
@@ -128,22 +125,22 @@ int run(const StripifyCommand& command) {
       misses.nvidia, misses.intel, seconds_to_build + seconds + seconds_to_order + seconds_to_write, seconds_to_build,
       seconds, seconds_to_order, seconds_to_write);
   if (in_file.cut != 0)
-    text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
-                        counted(in_file.cut, "place"));
-  if (indices.size() > 3 * triangles) text += fmt::format("a triangle list has fewer indices: {}\n", 3 * triangles);
-  text += as_text(written, command.out.string());
+    out.text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
+                            counted(in_file.cut, "place"));
+  if (indices.size() > 3 * triangles) out.text += fmt::format("a triangle list has fewer indices: {}\n", 3 * triangles);
+  out.add(written, command.out.string());
   // Recommends mending, if it would help. A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;
   if (const std::size_t n = has_seams ? coincident_vertices(soup) : 0; n != 0)
-    text += counted(n, "vertex lies", "vertices lie") +
-            " where others do; strips end at such seams: --weld makes them one\n";
+    out.text += counted(n, "vertex lies", "vertices lie") +
+                " where others do; strips end at such seams: --weld makes them one\n";
   if (const std::size_t n = has_seams ? vertices_at_seams(soup) : 0; n != 0)
-    text += counted(n, "vertex lies where others do and has", "vertices lie where others do and have") +
-            " other attributes; strips end at such seams: --no-attributes --weld makes them one\n";
+    out.text += counted(n, "vertex lies where others do and has", "vertices lie where others do and have") +
+                " other attributes; strips end at such seams: --no-attributes --weld makes them one\n";
   if (report.inconsistent_edges != 0)
-    text += counted(report.inconsistent_edges, "edge lies", "edges lie") +
-            " between triangles of opposite orientation, where strips end: --orient turns some\n";
-  out.print(text, json.dump(2) + "\n");
+    out.text += counted(report.inconsistent_edges, "edge lies", "edges lie") +
+                " between triangles of opposite orientation, where strips end: --orient turns some\n";
+  out.print();
   for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
   return faults.empty() ? 0 : 1;
 }

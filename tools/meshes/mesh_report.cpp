@@ -143,7 +143,7 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
   return text;
 }
 
-std::string as_json(const MeshReport& report, const Mended& mended) {
+nlohmann::ordered_json as_json(const MeshReport& report, const Mended& mended) {
   nlohmann::ordered_json json{
       {"vertices", report.vertices},
       {"used_vertices", report.used_vertices},
@@ -174,7 +174,7 @@ std::string as_json(const MeshReport& report, const Mended& mended) {
     if (report.triangles_per_vertex[n] != 0) histogram[std::to_string(n)] = report.triangles_per_vertex[n];
   json["triangles_per_vertex"] = std::move(histogram);
   add_to(json, mended);
-  return json.dump(2) + "\n";
+  return json;
 }
 
 }  // namespace restrip::tools

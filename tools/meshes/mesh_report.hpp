@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +53,6 @@ struct MeshReport {
 
 /// As a table, and as a JSON object. `mended`: what was changed before.
 [[nodiscard]] std::string as_text(const MeshReport& report, const std::string& name, const Mended& mended = {});
-[[nodiscard]] std::string as_json(const MeshReport& report, const Mended& mended = {});
+[[nodiscard]] nlohmann::ordered_json as_json(const MeshReport& report, const Mended& mended = {});
 
 }  // namespace restrip::tools

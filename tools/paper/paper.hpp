@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -179,8 +180,8 @@ struct RuleFigures {
 /// orbits}], meshes: [{mesh, triangles, base_triangles, used_vertices, paper, equals_paper, valence, splits_by_valence,
 /// policies, scratch, faults, mended}]}; rules are {loop, ports, inner, strips, isolated, orbit}, levels {triangles,
 /// strips, isolated}.
-[[nodiscard]] std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes,
-                                  const PaperOptions& options);
+[[nodiscard]] nlohmann::ordered_json as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes,
+                                             const PaperOptions& options);
 [[nodiscard]] std::string as_text(const std::vector<PaperMesh>& meshes);
 
 }  // namespace restrip::tools

@@ -89,7 +89,8 @@ std::string as_text(const std::vector<PaperMesh>& meshes) {
   return text;
 }
 
-std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes, const PaperOptions& options) {
+nlohmann::ordered_json as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes,
+                               const PaperOptions& options) {
   using Json = nlohmann::ordered_json;
   const auto list_of = [](const auto& items, auto&& json_of) {
     Json json = Json::array();
@@ -158,16 +159,15 @@ std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& me
     return json;
   };
   const auto position = [](const SplitPosition& at) -> Json { return {{"k", at.k}, {"a", at.a}}; };
-  const Json json{{"base", options.simplify.base},
-                  {"boundary", options.simplify.boundary == BoundaryPolicy::lock ? "lock" : "move"},
-                  {"levels", options.levels},
-                  {"table_max_k", table_max_k},
-                  {"split_positions", figures.positions.size()},
-                  {"positions", list_of(figures.positions, position)},
-                  {"four_vertex", list_of(figures.four, four)},
-                  {"lonely", list_of(figures.lonely, lonely)},
-                  {"meshes", list_of(meshes, mesh_of)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return {{"base", options.simplify.base},
+          {"boundary", options.simplify.boundary == BoundaryPolicy::lock ? "lock" : "move"},
+          {"levels", options.levels},
+          {"table_max_k", table_max_k},
+          {"split_positions", figures.positions.size()},
+          {"positions", list_of(figures.positions, position)},
+          {"four_vertex", list_of(figures.four, four)},
+          {"lonely", list_of(figures.lonely, lonely)},
+          {"meshes", list_of(meshes, mesh_of)}};
 }
 
 }  // namespace restrip::tools

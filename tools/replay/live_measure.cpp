@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "measure/check_buffer.hpp"
+#include <utility>
+
+#include "lod/coloring_check.hpp"
 #include "measure/vertex_cache.hpp"
 #include "restrip/output/strips.hpp"
 
@@ -32,9 +34,13 @@ void LiveMeasure::count_operation() {
 
 BufferState LiveMeasure::look(const std::string& at, std::vector<std::string>& faults) {
   written_ += update();
-  const bool list = options_.form == StripForm::list;
   const auto indices = buffer_.indices();
-  if ((list ? triangles_of_list(indices) : triangles_of_strips(indices)) != restrip::triangles_of(mesh_))
+  std::vector<Corners> drawn;
+  if (options_.form == StripForm::list)
+    for (std::size_t i = 2; i < indices.size(); i += 3) drawn.push_back({indices[i - 2], indices[i - 1], indices[i]});
+  else
+    drawn = decode_strips(indices);
+  if (sorted_triangles(std::move(drawn)) != sorted_triangles(corners_of(mesh_)))
     faults.push_back(fmt::format("at {} triangles the index buffer that was kept in step does not draw the mesh",
                                  mesh_.triangle_count()));
   const std::size_t triangles = mesh_.triangle_count();

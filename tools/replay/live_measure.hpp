@@ -32,6 +32,7 @@ struct LiveBufferReport {
   double bytes_per_operation = 0;  ///< written by updates
   /// An update after that many operations: a timed run with the buffer minus one without. 0: not timed.
   double ns_per_update = 0;
+  double ns_per_update_with_history = 0;  ///< the same when it also ends a frame of a History
   std::vector<BufferState> states;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lod/coloring_check.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 
@@ -16,15 +17,15 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit;
 
-/// The mesh alone: new and joined dual edges are dashed.
-class Bare final : public WitnessedMaintainer {
+/// The mesh alone: new and joined dual edges are dashed. Reports no changes of strips.
+class Bare final : public Maintainer {
  public:
-  using WitnessedMaintainer::WitnessedMaintainer;
-
- private:
-  Halfedge do_split(const Where& where, Vertex v_t) override { return mesh_.insert_vertex(where, v_t); }
-  Halfedge do_collapse(Halfedge chord) override { return mesh_.remove_vertex(chord); }
-  Halfedge do_flip(Halfedge h) override { return mesh_.turn_edge(h); }
+  using Maintainer::Maintainer;
+  Rewrite split(const Where& where, Vertex v_t, std::size_t) override {
+    return {{}, mesh_.insert_vertex(where, v_t), 0};
+  }
+  Rewrite collapse(Halfedge chord, std::size_t) override { return {{}, mesh_.remove_vertex(chord), 0}; }
+  Rewrite flip(Halfedge h) override { return {{}, mesh_.turn_edge(h), 0}; }
 };
 
 /// The library's Keeper under a policy.
@@ -51,20 +52,32 @@ class UnderPolicy final : public Maintainer {
   Keeper keeper_;
 };
 
-/// The library's Keeper with baked strips. Played records report changes in strips only, and may recolour dual edges
-/// anywhere, so a witness counts for them.
+/// The library's Keeper with baked strips. Played records report changes in strips only, so isolated triangles and the
+/// valence are counted here. Outside the patch only the flips of the record change colours.
 class Baked final : public Maintainer {
  public:
   Baked(StripMesh& mesh, const BakedRecords& records) : Maintainer(mesh), keeper_(mesh, records), records_(records) {}
   Rewrite split(const Where& where, Vertex v_t, std::size_t record) override {
     if (!keeper_.baked()->can_split(record)) return keeper_.split_record(record, where, v_t);
-    return witness_.split(mesh_, where, records_[record],
-                          [&] { return keeper_.split_record(record, where, v_t).halfedge; });
+    fan_triangles(mesh_, where.spoke(), patch_);
+    const auto valence = static_cast<std::uint32_t>(patch_.size());
+    const int before = isolated(record);
+    Rewrite done = keeper_.split_record(record, where, v_t);
+    edge_triangles(mesh_, done.halfedge, more_);
+    patch_.insert(patch_.end(), more_.begin(), more_.end());
+    done.isolated = isolated(record) - before;
+    done.valence = valence;
+    return done;
   }
   Rewrite collapse(Halfedge chord, std::size_t record) override {
     if (!keeper_.baked()->can_collapse(record)) return keeper_.collapse_record(record, chord);
-    return witness_.collapse(mesh_, chord, records_[record],
-                             [&] { return keeper_.collapse_record(record, chord).halfedge; });
+    edge_triangles(mesh_, chord, patch_);
+    const int before = isolated(record);
+    Rewrite done = keeper_.collapse_record(record, chord);
+    done.isolated = isolated(record) - before;
+    fan_triangles(mesh_, done.halfedge, more_);
+    done.valence = static_cast<std::uint32_t>(more_.size());
+    return done;
   }
   Rewrite flip(Halfedge h) override { return keeper_.flip(h); }
   void restart(std::size_t level) override {
@@ -79,9 +92,20 @@ class Baked final : public Maintainer {
   }
   void collapse_silently(Halfedge chord, std::size_t record) override { keeper_.collapse_record(record, chord); }
 
+  /// Isolated triangles of the patch and at the flips of a record, each once; they stay in the patch.
+  int isolated(std::size_t record) {
+    for (const Halfedge h : records_[record])
+      if (mesh_.alive(h)) patch_.insert(patch_.end(), {StripMesh::triangle(h), StripMesh::triangle(mesh_.opposite(h))});
+    std::sort(patch_.begin(), patch_.end());
+    patch_.erase(std::unique(patch_.begin(), patch_.end()), patch_.end());
+    return static_cast<int>(std::count_if(patch_.begin(), patch_.end(),
+                                          [this](Triangle t) { return mesh_.alive(t) && mesh_.solid_degree(t) == 0; }));
+  }
+
   Keeper keeper_;
   const BakedRecords& records_;
-  Witness witness_;
+  std::vector<Triangle> patch_;
+  std::vector<Triangle> more_;
 };
 
 /// Records the operations of another maintainer.

@@ -40,10 +40,9 @@ void inherit(StripMesh& mesh, Halfedge inner, bool solid) {
 }
 
 /// Splits a vertex as the paper would. `join`: the two new triangles form a strip if both cut edges were dashed.
-/// Preconditions and result as for restrip::split.
-Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, bool join) {
-  if (where.spokes == Spokes::both && around_four_triangles(mesh, where.left))
-    return restrip::split(mesh, where, v_t).halfedge;
+/// Preconditions and result as for restrip::split, but for the valence.
+Rewrite split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, bool join) {
+  if (where.spokes == Spokes::both && around_four_triangles(mesh, where.left)) return restrip::split(mesh, where, v_t);
   const bool has_left = where.spokes != Spokes::right_only;
   const bool has_right = where.spokes != Spokes::left_only;
   const bool left = has_left && mesh.solid(where.left);
@@ -51,19 +50,52 @@ Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, boo
   const Halfedge chord = mesh.insert_vertex(where, v_t);
   inherit(mesh, chord, left);
   inherit(mesh, mesh.opposite(chord), right);
-  if (join && has_left && has_right && !left && !right) mesh.set_solid(chord, true);
-  return chord;
+  const bool joined = join && has_left && has_right && !left && !right;
+  if (joined) mesh.set_solid(chord, true);
+  const int alone = int{has_left && !left} + int{has_right && !right};  // new triangles on dashed edges
+  return {{joined ? 1 : alone, 0, joined ? 0 : alone}, chord, 0};
 }
 
 /// With `tunnel`, tunnels from isolated triangles while they exceed a tenth of the strips, the threshold in Porcu,
 /// Sanna, Scateni, "Efficiently keeping an optimal stripification over a CLOD mesh", 2005.
-class Paper final : public WitnessedMaintainer {
+class Paper final : public Maintainer {
  public:
-  Paper(StripMesh& mesh, bool join, bool tunnel) : WitnessedMaintainer(mesh), join_(join) {
+  Paper(StripMesh& mesh, bool join, bool tunnel) : Maintainer(mesh), join_(join) {
     if (tunnel) {
       locator_.emplace();
       Paper::restart(0);
     }
+  }
+
+  Rewrite split(const Where& where, Vertex v_t, std::size_t) override {
+    fan_triangles(mesh_, where.spoke(), patch_);
+    before();
+    Rewrite done = split_as_the_paper(mesh_, where, v_t, join_);
+    done.valence = static_cast<std::uint32_t>(patch_.size());
+    edge_triangles(mesh_, done.halfedge, patch_);
+    after();
+    return done;
+  }
+  Rewrite collapse(Halfedge chord, std::size_t) override {
+    edge_triangles(mesh_, chord, patch_);
+    before();
+    const Rewrite done = restrip::collapse(mesh_, chord);
+    fan_triangles(mesh_, done.halfedge, patch_);
+    after();
+    return done;
+  }
+  Rewrite flip(Halfedge h) override {
+    patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_.opposite(h))});
+    before();
+    const Rewrite done = restrip::flip(mesh_, h);
+    after();
+    // It may give ports up and so isolate a triangle next to the patch.
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge across = mesh_.opposite(StripMesh::halfedge(t, side));
+            locator_ && !StripMesh::on_boundary(across))
+          note(StripMesh::triangle(across));
+    return done;
   }
 
   ColoringChange between() override {
@@ -95,36 +127,6 @@ class Paper final : public WitnessedMaintainer {
 
  private:
   static constexpr std::uint32_t short_tunnel = 50;  // states: chains of about four moves
-
-  Halfedge do_split(const Where& where, Vertex v_t) override {
-    fan_triangles(mesh_, where.spoke(), patch_);
-    before();
-    const Halfedge chord = split_as_the_paper(mesh_, where, v_t, join_);
-    edge_triangles(mesh_, chord, patch_);
-    after();
-    return chord;
-  }
-  Halfedge do_collapse(Halfedge chord) override {
-    edge_triangles(mesh_, chord, patch_);
-    before();
-    const Halfedge spoke = restrip::collapse(mesh_, chord).halfedge;
-    fan_triangles(mesh_, spoke, patch_);
-    after();
-    return spoke;
-  }
-  Halfedge do_flip(Halfedge h) override {
-    patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_.opposite(h))});
-    before();
-    const Halfedge turned = restrip::flip(mesh_, h).halfedge;
-    after();
-    // It may give ports up and so isolate a triangle next to the patch.
-    for (const Triangle t : patch_)
-      for (unsigned side = 0; side < 3; ++side)
-        if (const Halfedge across = mesh_.opposite(StripMesh::halfedge(t, side));
-            locator_ && !StripMesh::on_boundary(across))
-          note(StripMesh::triangle(across));
-    return turned;
-  }
 
   [[nodiscard]] bool alone(Triangle t) const { return mesh_.alive(t) && mesh_.solid_degree(t) == 0; }
   void note(Triangle t) {

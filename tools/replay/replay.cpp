@@ -15,6 +15,7 @@
 #include "lod/coloring_check.hpp"
 #include "replay/methods.hpp"
 #include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/history.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"
 
@@ -174,9 +175,12 @@ class Replay {
     report_.live_buffers.push_back(measure.report());
   }
 
-  /// Runs up and down without a buffer and with each in turn, and takes the differences per update.
+  /// Runs up and down without a buffer, with each, and with each and a history in turn, and takes the differences per
+  /// update.
   void time_buffers() {
-    std::vector<Medians> with(report_.live_buffers.size());
+    const std::size_t buffers = report_.live_buffers.size();
+    std::vector<Medians> with(buffers);
+    std::vector<Medians> with_history(buffers);
     Medians without;
     std::vector<Triangle> changed;
     const auto through = [&](std::size_t operations, auto&& update) {
@@ -197,14 +201,18 @@ class Replay {
     for (std::size_t repeat = 0; repeat < options_.repeats; progress.at(repeat++)) {
       start_from_base();
       without.time([&] { through(1, [] {}); });
-      for (std::size_t i = 0; i < with.size(); ++i) {
+      for (std::size_t i = 0; i < 2 * buffers; ++i) {
         start_from_base();
         LiveBuffer buffer({.form = options_.buffer.form, .width = IndexWidth::bits32});
         buffer.reserve(2 * prepared_.mesh().fine_triangles());
         buffer.rebuild(mesh_);
+        std::optional<History> history;
+        constexpr std::size_t budget = 10'000;  // of undo
+        if (i >= buffers) history.emplace(mesh_, budget);
         mesh_.watch(&changed);
-        with[i].time([&] {
-          through(report_.live_buffers[i].operations_per_update, [&] {
+        (history ? with_history : with)[i % buffers].time([&] {
+          through(report_.live_buffers[i % buffers].operations_per_update, [&] {
+            if (history) history->frame(mesh_, changed);
             buffer.update(mesh_, changed);
             changed.clear();
           });
@@ -213,10 +221,14 @@ class Replay {
         changed.clear();
       }
     }
-    for (std::size_t i = 0; i < with.size(); ++i) {
+    for (std::size_t i = 0; i < buffers; ++i) {
       LiveBufferReport& buffer = report_.live_buffers[i];
-      if (const std::size_t updates = 2 * splits_.size() / buffer.operations_per_update; updates != 0)
-        buffer.ns_per_update = (with[i].nanoseconds() - without.nanoseconds()) / static_cast<double>(updates);
+      const std::size_t updates = 2 * splits_.size() / buffer.operations_per_update;
+      const auto each = [&](const Medians& timed) {
+        return updates == 0 ? 0 : (timed.nanoseconds() - without.nanoseconds()) / static_cast<double>(updates);
+      };
+      buffer.ns_per_update = each(with[i]);
+      buffer.ns_per_update_with_history = each(with_history[i]);
     }
   }
 

@@ -39,6 +39,7 @@ Json json_of(const std::vector<LiveBufferReport>& buffers) {
     json.push_back({{"operations_per_update", buffer.operations_per_update},
                     {"bytes_per_operation", buffer.bytes_per_operation},
                     {"ns_per_update", buffer.ns_per_update},
+                    {"ns_per_update_with_history", buffer.ns_per_update_with_history},
                     {"states", std::move(states)}});
   }
   return json;
@@ -54,7 +55,9 @@ std::string as_text(const std::vector<LiveBufferReport>& buffers) {
   for (const LiveBufferReport& buffer : buffers) {
     text += fmt::format("\n  live buffer, {} an update: {:.0f} bytes an operation",
                         counted(buffer.operations_per_update, "operation"), buffer.bytes_per_operation);
-    if (buffer.ns_per_update > 0) text += fmt::format("; {:.0f} ns an update", buffer.ns_per_update);
+    if (buffer.ns_per_update > 0)
+      text += fmt::format("; {:.0f} ns an update, {:.0f} with a history", buffer.ns_per_update,
+                          buffer.ns_per_update_with_history);
     text += fmt::format("\n  {:<14} {:>10} {:>12} {:>14} {:>22} {:>6}\n", "", "triangles", "indices", "of strips'",
                         "ACMR in a cache of 16", "of 32");
     for (const BufferState& state : buffer.states)
@@ -150,10 +153,7 @@ std::string as_text(const WalkReport& report) {
     return text + as_text(report.live_buffers) +
            fmt::format("  checked: no fault; {} in {} at the end, {} isolated\n", counted(report.triangles, "triangle"),
                        counted(report.strips, "strip"), report.isolated);
-  text += fmt::format("  FAULT at step {}: {}\n  the shortest way there that was found:\n", report.fault_step,
-                      report.fault);
-  for (const std::string& line : report.trace) text += "    " + line + "\n";
-  return text;
+  return text + fmt::format("  FAULT at step {}: {}\n", report.fault_step, report.fault);
 }
 
 Json as_json(const ReplayReport& report, const Subject& subject, const std::optional<WalkReport>& walk) {
@@ -219,8 +219,7 @@ Json as_json(const ReplayReport& report, const Subject& subject, const std::opti
                     {"isolating", walk->isolating}, {"flips_isolating", walk->flips_isolating},
                     {"triangles", walk->triangles}, {"strips", walk->strips},
                     {"isolated", walk->isolated},   {"live_buffers", json_of(walk->live_buffers)},
-                    {"fault", walk->fault},         {"fault_step", walk->fault_step},
-                    {"trace", walk->trace}};
+                    {"fault", walk->fault},         {"fault_step", walk->fault_step}};
   return json;
 }
 

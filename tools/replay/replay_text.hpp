@@ -22,12 +22,12 @@
 //    and up; of more than 1024 the last one and every second, fourth … before it
 //  - ns_per_operation, ns_per_operation_bare: a split with strips kept, and the same mesh update without (medians)
 //  - ns_per_collapse, ns_per_collapse_bare: the same for the way down
-//  - live_buffers: [{operations_per_update, bytes_per_operation, ns_per_update, states}], index buffers kept in step on
-//    the way up and down; ns_per_update: of an update after that many operations; states: [{at, triangles, indices,
-//    strip_indices, acmr, acmr_32}] at the base, at the finest level and at the base again. The levels show the first
-//    buffer
+//  - live_buffers: [{operations_per_update, bytes_per_operation, ns_per_update, ns_per_update_with_history, states}],
+//    index buffers kept in step on the way up and down; ns_per_update: of an update after that many operations; states:
+//    [{at, triangles, indices, strip_indices, acmr, acmr_32}] at the base, at the finest level and at the base again.
+//    The levels show the first buffer
 //  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,
-//    live_buffers, fault, fault_step, trace}; when there was one
+//    live_buffers, fault, fault_step}; when there was one
 //  - left_out: {degenerate_triangles, non_manifold_vertices, large_vertices}, what no operation touches
 //  - mended: {welded_vertices, vanished_triangles, turned_triangles}, when it was asked for
 //  - left_out_content: what the file holds besides the mesh, if anything

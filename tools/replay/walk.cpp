@@ -7,7 +7,6 @@
 
 #include "common/progress.hpp"
 #include "common/random.hpp"
-#include "common/shrink.hpp"
 #include "lod/coloring_check.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
@@ -32,8 +31,7 @@ Account count(const StripMesh& mesh) {
   return {static_cast<std::int64_t>(report.strips), static_cast<std::int64_t>(report.isolated)};
 }
 
-/// Takes steps on one mesh. A step is given by its number: its effect depends on the seed, the number and the mesh, so
-/// steps can be left out and the others stay meaningful.
+/// Takes steps on one mesh. The effect of a step depends on the seed, its number and the mesh.
 class Walker {
  public:
   Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginMaintainer& begin)
@@ -42,7 +40,6 @@ class Walker {
   /// Takes one step. Returns the fault that it caused, if any.
   std::string step(std::uint64_t number) {
     Random random(seed_ + number * 0xD1B54A32D192ED03U);
-    last_.clear();
     const Halfedge h = somewhere(random);
     if (h.id == none) return {};
     const std::uint32_t dice = random.below(12);
@@ -71,8 +68,6 @@ class Walker {
   WalkReport report;
   Account reported;  ///< the sum of the changes that the operations reported
 
-  [[nodiscard]] const std::string& last() const noexcept { return last_; }
-
  private:
   Halfedge somewhere(Random& random) const {
     for (unsigned attempt = 0; attempt < 8; ++attempt) {
@@ -95,11 +90,6 @@ class Walker {
     if (mesh_.leaves_boundary(h) && kind < 2)
       where.spokes = kind == 0 ? Split::Spokes::left_only : Split::Spokes::right_only;
     if (check_split(mesh_, where) != Refusal::granted) return refuse();
-    const auto end = [&](bool there, Halfedge spoke) {
-      return there ? fmt::format("{}", mesh_.to(spoke)) : std::string("none");
-    };
-    last_ = fmt::format("split {}, left {}, right {}", v, end(where.spokes != Split::Spokes::right_only, where.left),
-                        end(where.spokes != Split::Spokes::left_only, where.right));
     const auto done = maintainer_->split(where, none, no_record);
     ++report.splits;
     report.isolating += done.isolated > 0 ? 1 : 0;
@@ -108,7 +98,6 @@ class Walker {
 
   std::string try_collapse(Halfedge chord) {
     if (check_collapse(mesh_, chord) != Refusal::granted) return refuse();
-    last_ = fmt::format("collapse {} -> {}", mesh_.from(chord), mesh_.to(chord));
     const auto done = maintainer_->collapse(chord, no_record);
     ++report.collapses;
     report.isolating += done.isolated > 0 ? 1 : 0;
@@ -117,7 +106,6 @@ class Walker {
 
   std::string try_flip(Halfedge h) {
     if (check_flip(mesh_, h) != Refusal::granted) return refuse();
-    last_ = fmt::format("flip {} -> {}", mesh_.from(h), mesh_.to(h));
     const std::array<Vertex, 2> ends{mesh_.from(h), mesh_.to(h)};
     const auto done = maintainer_->flip(h);
     ++report.flips;
@@ -144,43 +132,8 @@ class Walker {
   std::uint64_t seed_;
   std::size_t home_size_;
   std::unique_ptr<Maintainer> maintainer_;
-  std::string last_;
   std::vector<Halfedge> spokes_;
 };
-
-/// The mesh at the last whole check, from which a failure can be repeated.
-struct Camp {
-  StripMesh mesh;
-  Account account;
-  std::uint64_t step = 0;
-};
-
-std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_step, std::size_t home_size,
-                                        const WalkOptions& options, const BeginMaintainer& begin) {
-  std::vector<std::uint64_t> steps;
-  for (std::uint64_t step = camp.step; step <= last_step; ++step) steps.push_back(step);
-  std::vector<std::string> trace;
-  const auto fails = [&](const std::vector<std::uint64_t>& some) {
-    StripMesh mesh = camp.mesh;
-    Walker walker(mesh, options.seed, home_size, begin);
-    std::vector<std::string> done;
-    std::string fault;
-    for (const std::uint64_t step : some) {
-      fault = walker.step(step);
-      if (!walker.last().empty()) done.push_back(walker.last());
-      if (!fault.empty()) break;
-    }
-    if (fault.empty()) fault = walker.whole_fault(camp.account);
-    if (fault.empty()) return false;
-    done.push_back("then: " + fault);
-    trace = std::move(done);
-    return true;
-  };
-  if (!fails(steps)) return {"the failure could not be repeated from the mesh of the last whole check"};
-  constexpr std::size_t enough_tries = 2000;
-  shrink(std::move(steps), fails, enough_tries);
-  return trace;
-}
 
 LiveBufferReport measured_walk(StripMesh mesh, std::size_t operations_per_update, const WalkOptions& options,
                                const BeginMaintainer& begin, std::vector<std::string>& faults) {
@@ -188,8 +141,11 @@ LiveBufferReport measured_walk(StripMesh mesh, std::size_t operations_per_update
   LiveMeasure measure(mesh, options.buffer, operations_per_update, 2 * mesh.triangle_count());
   measure.look("start", faults);
   Progress progress("keeping an index buffer", options.steps);
-  for (std::uint64_t step = 0; step < options.steps; progress.at(step++))
-    if (walker.step(step); !walker.last().empty()) measure.count_operation();
+  for (std::uint64_t step = 0, done = 0; step < options.steps; progress.at(step++)) {
+    walker.step(step);
+    if (walker.report.operations() != done) measure.count_operation();
+    done = walker.report.operations();
+  }
   measure.look("end", faults);
   return measure.report();
 }
@@ -206,7 +162,6 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintain
   const std::size_t home_size = mesh.triangle_count();
   Walker walker(mesh, options.seed, home_size, begin);
   const Account start = count(mesh);
-  Camp camp{mesh, start, 0};
   const StripMesh home = mesh;
   std::string fault;
   std::uint64_t step = 0;
@@ -217,14 +172,12 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginMaintain
     const bool whole = (step + 1) % options.whole_check_every == 0 || step + 1 == options.steps;
     if (fault.empty() && whole) fault = walker.whole_fault(start);
     if (!fault.empty()) break;
-    if (whole) camp = {mesh, start + walker.reported, step + 1};
   }
   WalkReport report = walker.report;
   report.options = options;
   report.fault = fault;
   if (!fault.empty()) {
     report.fault_step = step;
-    report.trace = shortest_trace(camp, step, home_size, options, begin);
     return report;
   }
   report.triangles = mesh.triangle_count();

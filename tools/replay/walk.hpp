@@ -1,5 +1,5 @@
 // A random walk of splits, collapses and flips anywhere on a mesh. Each operation is checked around its vertices, and
-// the whole mesh from time to time. A failure is shrunk to a short list of operations.
+// the whole mesh from time to time.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,7 @@
 
 namespace restrip::tools {
 
-/// Starts the maintainer under test on a mesh; the search for a short trace starts it on copies. Tests supply faulty
-/// ones.
+/// Starts the maintainer under test on a mesh, or on a copy whose buffer is measured. Tests supply faulty ones.
 using BeginMaintainer = std::function<std::unique_ptr<Maintainer>(StripMesh&)>;
 
 struct WalkOptions {
@@ -39,8 +38,8 @@ struct WalkReport {
   std::vector<LiveBufferReport> live_buffers;  ///< at the start and at the end
   std::string fault;                           ///< empty if every check passed
   std::uint64_t fault_step = 0;                ///< where the fault was found
-  std::vector<std::string>
-      trace;  ///< the shortest list of operations found that leads to a fault, from the mesh of the last whole check
+
+  [[nodiscard]] std::uint64_t operations() const noexcept { return splits + collapses + flips; }
 };
 
 /// Walks on `mesh`, whose colouring must be valid, and leaves it in its final state. The mesh keeps about its size.

@@ -1,5 +1,5 @@
-#pragma once
 // The answer of a certificate to a key of a fan: forwards over the letters of its arcs, back over the cases.
+#pragma once
 
 #include <cstdint>
 #include <string>

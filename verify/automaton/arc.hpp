@@ -1,6 +1,6 @@
-#pragma once
 // Arcs by their definition (docs/explanation/automaton.md): triangles in a row; every colouring of the dual edges
 // between them is tried, and every strand walked.
+#pragma once
 
 #include <array>
 #include <compare>

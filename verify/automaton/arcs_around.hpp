@@ -1,6 +1,6 @@
-#pragma once
 // Two arcs around A and D as a small graph. Each arc is represented by its case: a strand over each solid link that
 // ends, leaves by a port or goes through. Also one arc whose links meet each other.
+#pragma once
 
 #include <string_view>
 #include <vector>

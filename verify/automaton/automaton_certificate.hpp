@@ -1,6 +1,6 @@
-#pragma once
 // The automaton's certificate in memory, and its parser (docs/explanation/automaton.md, "Certificate"). The parser
 // checks form: exactly the required rows, in order. The truth of rows is checked elsewhere.
+#pragma once
 
 #include <array>
 #include <cstddef>

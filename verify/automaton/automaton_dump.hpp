@@ -1,7 +1,7 @@
-#pragma once
 // Checks a compiled automaton, given a program's output of its numbers and of digests of its answers
 // (docs/reference/verifiers.md, "Dump of the automaton"): each number that a look-up can use must agree with the
 // certificate's rows, and the digests must equal the digests of the certificate's answers.
+#pragma once
 
 #include <cstdint>
 #include <cstdio>

@@ -1,6 +1,6 @@
-#pragma once
 // Checks the classes of a certificate against arcs by their definition, for arcs of any length
 // (docs/explanation/automaton.md, "What is verified").
+#pragma once
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
-#pragma once
 // Compares the answers of a certificate in whole fans with an independent search, and with the rules of the tables.
+#pragma once
 
 #include <cstdint>
 

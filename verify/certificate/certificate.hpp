@@ -1,6 +1,6 @@
-#pragma once
 // A certificate in memory, and its parser (docs/reference/certificate.md). The parser checks form: grammar, sections,
 // claims and rows in order, sums. The truth of rows is checked elsewhere.
+#pragma once
 
 #include <array>
 #include <optional>

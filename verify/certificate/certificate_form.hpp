@@ -1,6 +1,6 @@
-#pragma once
 // The common parts of all certificates: head, sections, claims, the last line with its sums
 // (docs/reference/certificate.md). Any deviation is an InputError that names file and line.
+#pragma once
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#pragma once
 // tables/MANIFEST: the list of table files with SHA-256, size and number of rules.
+#pragma once
 
 #include <cstddef>
 #include <string>

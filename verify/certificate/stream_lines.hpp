@@ -1,5 +1,5 @@
-#pragma once
 // The lines of a dump, which is too long to be kept in memory.
+#pragma once
 
 #include <fmt/format.h>
 #include <sys/wait.h>

@@ -1,4 +1,3 @@
-#pragma once
 // Defines sound and best rules. This is the definition itself (docs/reference/operation-file.md, "What a rule must
 // be"), written with disjoint sets of the Boost Graph Library. The keys, reasons and symmetries of certificates are
 // theorems about it.
@@ -14,6 +13,7 @@
 //
 // Everything is found by exhaustive search. Configurations with the same solid ports and the same possible worlds share
 // their answer, which is computed once.
+#pragma once
 
 #include <array>
 #include <cstdint>

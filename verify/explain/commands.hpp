@@ -1,5 +1,5 @@
-#pragma once
 // The subcommands `explain` and `rules` of restrip-verify.
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>

@@ -1,6 +1,6 @@
-#pragma once
 // Why a rule is best, and what is wrong with a recolouring that is not. Every verdict is the verdict of the definition
 // (definition/definition.hpp); this names the edges and the world that show it.
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

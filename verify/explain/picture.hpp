@@ -1,5 +1,5 @@
-#pragma once
 // Coloured patches as an SVG picture: triangles as nodes in the ring of their ports, and what is connected outside.
+#pragma once
 
 #include <string>
 #include <vector>

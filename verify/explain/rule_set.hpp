@@ -1,6 +1,6 @@
-#pragma once
 // A rule set of any source, as CSV with the columns of `restrip-generate dump`: read, and each row judged by the
 // definition.
+#pragma once
 
 #include <array>
 #include <cstdint>

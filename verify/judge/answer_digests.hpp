@@ -1,6 +1,6 @@
-#pragma once
 // Digests of the answers of tables (docs/reference/verifiers.md, "Digests of answers"): one line per position. They
 // compare look-ups in other languages, which cannot print dumps of millions of lines, with judged answers.
+#pragma once
 
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
-#pragma once
 // Combines the checks of a family's positions and sections and reports them claim by claim.
+#pragma once
 
 #include <span>
 

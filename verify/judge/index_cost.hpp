@@ -1,6 +1,6 @@
-#pragma once
 // The most that an operation adds to the length of an index buffer, 3 strips + swaps, over all turns of strips beyond
 // the ports: the claim "indices" of a description (docs/reference/operation-file.md, "Families").
+#pragma once
 
 #include <optional>
 #include <vector>

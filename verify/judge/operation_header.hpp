@@ -1,6 +1,6 @@
-#pragma once
 // Checks the header of an operation's table against docs/reference/operation-file.md, "Table". A program compiled from
 // it executes whatever it says, so the text is checked before such a program is run.
+#pragma once
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
-#pragma once
 // Judges the rules of one operation at one position: by the definition or, beyond the searched number of ports, by the
 // theorem about keys. In the latter case reasons must show that nothing is better.
+#pragma once
 
 #include <string>
 #include <vector>

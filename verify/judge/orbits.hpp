@@ -1,6 +1,6 @@
-#pragma once
 // Counts orbits of configurations by merging each with its images under the symmetries found here. The generator counts
 // them by nauty's symmetries.
+#pragma once
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
-#pragma once
 // All checks of one operation at one position, and the threads that run them.
+#pragma once
 
 #include <functional>
 #include <set>

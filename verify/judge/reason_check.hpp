@@ -1,7 +1,7 @@
-#pragma once
 // Checks reasons: why nothing is better than a rule (docs/reference/certificate.md, "Reasons"). All sets and cases are
 // in the file. A set "cannot be all solid" if the colouring in which exactly it is solid is not sound, by the worlds.
 // docs/reference/verifiers.md proves that a reason that passes is valid.
+#pragma once
 
 #include <string>
 

@@ -1,5 +1,5 @@
-#pragma once
 // The results: claims, how they were checked, and whether they hold.
+#pragma once
 
 #include <cstdint>
 #include <ctime>

@@ -1,6 +1,6 @@
-#pragma once
 // The symmetries of an operation (docs/reference/certificate.md): isomorphisms, found by Boost's VF2, of a graph with a
 // node for each port, each triangle, each inner edge after and each term of the cost that counts only some members.
+#pragma once
 
 #include <map>
 #include <optional>

@@ -1,7 +1,7 @@
-#pragma once
 // Checks compiled rules, as a program prints their answers (docs/reference/verifiers.md, "Table dump"), configuration
 // by configuration. Each answer is compared with all recolourings of its patch, and in the positions of a certificate
 // it must be the certificate's row.
+#pragma once
 
 #include <cstdint>
 #include <cstdio>

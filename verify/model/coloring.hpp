@@ -1,5 +1,5 @@
-#pragma once
 // The colours of one side of an operation: degrees, cycles, joined ports, and text.
+#pragma once
 
 #include <array>
 #include <cstdint>

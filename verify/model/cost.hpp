@@ -1,5 +1,5 @@
-#pragma once
 // The cost: the criteria of an operation file, evaluated on the colours after the operation.
+#pragma once
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#pragma once
 // The content of an operation file (docs/reference/operation-file.md): one operation, or a family with one operation
 // per position; and its reader.
+#pragma once
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
-#pragma once
 // tables/families.json and a list of the files of tables/operations, embedded at build time (cmake/Embed.cmake).
+#pragma once
 
 #include <string_view>
 

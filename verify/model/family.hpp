@@ -1,5 +1,5 @@
-#pragma once
 // The operations of a list of descriptions, each at one position, and the sections of certificates that serve them.
+#pragma once
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#pragma once
 // Sums of the numbers of a position, and conditions on them, in the notation of operation files
 // (docs/reference/operation-file.md, "Families").
+#pragma once
 
 #include <cstdint>
 #include <string>

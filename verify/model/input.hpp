@@ -1,6 +1,6 @@
-#pragma once
 // Strict reader for text: words separated by one space, lines that end with a newline, nothing else. Any deviation is
 // an InputError that names file, line and expectation.
+#pragma once
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
-#pragma once
 // The key of a configuration (docs/reference/operation-file.md, "What a rule must be"): what a rule needs to know; and
 // permutations of ports, which move keys.
+#pragma once
 
 #include <vector>
 

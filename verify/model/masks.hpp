@@ -1,5 +1,5 @@
-#pragma once
 // All bit shifts of the verifier. Elsewhere, functions with names access colours.
+#pragma once
 
 #include <array>
 #include <bit>

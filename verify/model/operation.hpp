@@ -1,6 +1,6 @@
-#pragma once
 // One operation at one position: the patch before and after it, the kept ports, the cost
 // (docs/reference/operation-file.md).
+#pragma once
 
 #include <array>
 #include <compare>

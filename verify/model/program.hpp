@@ -1,5 +1,5 @@
-#pragma once
 // Startup and shutdown of the verifying programs.
+#pragma once
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#pragma once
 // The triangles of a patch on one side of an operation, and the colours of their edges.
+#pragma once
 
 #include <array>
 #include <compare>

@@ -1,5 +1,5 @@
-#pragma once
 // Reads the sides of an operation: triangles (docs/reference/operation-file.md), or the fans of tables/families.json.
+#pragma once
 
 #include "common/json.hpp"
 #include "model/operation.hpp"

@@ -1,6 +1,6 @@
-#pragma once
 // A patch given by triangles with named vertices (docs/reference/operation-file.md, "Triangles"): checks that it is an
 // operation on a mesh, and computes the dual graphs of its two sides.
+#pragma once
 
 #include <array>
 #include <optional>

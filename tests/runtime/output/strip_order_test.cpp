@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "measure/check_buffer.hpp"
+#include "check_buffer.hpp"
 #include "measure/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"

@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "check_buffer.hpp"
 #include "form_reader.hpp"
-#include "measure/check_buffer.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/stripify.hpp"

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "check_buffer.hpp"
 #include "form_reader.hpp"
-#include "measure/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
