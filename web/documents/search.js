@@ -1,4 +1,6 @@
-// The search of the documents. The index is loaded with the first letter, as a script: pages open from the file system.
+// The contents of a page are closed where they stand before its text. The search of the documents loads its index with the
+// first letter, as a script: pages open from the file system.
+if (innerWidth < 1150) document.querySelector('.contents details')?.removeAttribute('open');
 {
   const form = document.getElementById('search');
   const up = document.querySelector('footer a').getAttribute('href').replace('README.html', '');
