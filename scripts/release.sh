@@ -20,7 +20,6 @@ need "${build_packages[@]}" "${test_packages[@]}" binutils debootstrap dpkg-dev 
 command -v npm >/dev/null || need npm
 command -v chromium >/dev/null || need chromium
 need_clang
-[ -e build/nauty ] || [ -e /usr/src/nauty ] || scripts/nauty_source.sh || leave_out "orbits counted twice on the page Make a rule: the source of nauty"
 
 version=$(sed -nE 's/^set\(RESTRIP_VERSION (.*)\)/\1/p' cmake/project.cmake)
 contact=$(sed -nE 's/^set\(RESTRIP_CONTACT "(.*)"\).*/\1/p' cmake/project.cmake)

@@ -20,7 +20,6 @@ source scripts/setup.sh
 
 need "${build_packages[@]}" "${test_packages[@]}" ${all:+"${all_packages[@]}" "${bench_packages[@]}"}
 need_clang
-[ -e build/nauty ] || [ -e /usr/src/nauty ] || scripts/nauty_source.sh || leave_out "orbits counted twice on the page Make a rule: the source of nauty"
 
 logs=build/logs
 mkdir -p "$logs"

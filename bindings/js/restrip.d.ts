@@ -171,7 +171,7 @@ export class StripMesh implements Disposable {
   /** Strips from scratch for the present mesh, which stay; returns their number. The next update() writes the whole buffer. Can be
    *  undone. Defaults: 'fast', 'indices'. */
   recolor(options?: { effort?: Effort; cost?: Cost }): number;
-  /** For idle time: searches on, by about `budget` steps of some 60 ns, and returns the cost saved. */
+  /** For idle time: searches on, by about `budget` steps of a few hundred nanoseconds, and returns the cost saved. */
   improve(budget: number): number;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
    * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin() or

@@ -7,7 +7,8 @@ npm init -y >/dev/null
 npm install --silent "$1" typescript@5 @types/node esbuild >/dev/null
 cp node_modules/restrip-wasm/example.mjs .
 for version in 18 20 22; do
-  npm exec --silent --yes --package="node@$version" -- sh -c "node --version | grep -q '^v$version[.]' && node example.mjs '$2'" >"printed-$version"
+  npm exec --silent --yes --package="node@$version" -- sh -c "node --version | grep -q '^v$version[.]' && node example.mjs '$2'" |
+    sed 's/, [0-9]* ms,/,/' >"printed-$version"
   cmp "printed-$version" printed-18
 done
 grep -q 'strips kept' printed-18
@@ -26,7 +27,8 @@ npx esbuild worker.mts --bundle --platform=node --format=esm --loader:.wasm=file
 cat >main.mjs <<'END'
 import { Worker } from 'node:worker_threads';
 const indices = await new Promise((done, fail) => new Worker(new URL('bundle/worker.mjs', import.meta.url)).once('message', done).once('error', fail));
-if (indices.length !== 4 || new Set(indices).size !== 4) throw new Error(`the worker made ${indices}`);
+const strip = indices.filter((index) => index !== 0xffffffff);
+if (strip.length !== 4 || new Set(strip).size !== 4) throw new Error(`the worker made ${indices}`);
 END
 node main.mjs
 echo "npm.sh: all is well"

@@ -33,7 +33,8 @@ inline std::uint32_t edge_number(const StripMesh& mesh, Halfedge h) { return std
 using Changes = std::set<std::uint32_t>;
 
 inline Changes changes_of(const StripMesh& mesh, const ChainMove& move) {
-  Changes changes{edge_number(mesh, move.edge)};
+  Changes changes;
+  if (!move.only_cuts()) changes.insert(edge_number(mesh, move.edge));
   if (!move.joins()) changes.insert(edge_number(mesh, move.cut));
   return changes;
 }

@@ -196,7 +196,7 @@ ${code.join('\n')}
     .filter((edge) => (edge.getAttribute('aria-pressed') === 'true') !== (+edge.dataset.inner < 2)).map(({ dataset }) => dataset.inner));
   assert.ok(turned.length > 0);
   for (const [n, edge] of turned.entries()) await press(`#case-${n === 0 ? 'after' : 'mine'} [data-inner="${edge}"]`);
-  await page.until(() => document.querySelector('#why .marked') && /^Your rule is/.test(document.getElementById('verdict').textContent));
+  await page.until(() => document.querySelector('#why .marked') && /^Your rule is unsound/.test(document.getElementById('verdict').textContent));
   assert.match(await text('verdict'), /^Your rule is unsound: .*a cycle with ports 0-3 connected outside/);
   assert.deepEqual(await page.run('[document.querySelectorAll("#why .outside").length > 0, document.querySelectorAll("#case-after svg, #case-mine svg").length, document.getElementById("case").textContent === "" ]'), [true, 2, false]);
   assert.ok(best.startsWith(await text('case')));

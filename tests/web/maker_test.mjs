@@ -3,8 +3,7 @@
 // and its last line are the same, byte by byte. Files with mistakes are refused in the same words. Of 60 certificates
 // with one rule changed, and sealed again, the module and the program say the same: first line, claims, counterexamples.
 // On the page's sheet of triangles each table can be applied, and adds no more strips than its report says.
-// The module without nauty makes the same files and the same claims.
-//   node maker_test.mjs WEB_FOLDER RESTRIP_GENERATE RESTRIP_VERIFY MODULE MODULE_WITHOUT_NAUTY SCRATCH
+//   node maker_test.mjs WEB_FOLDER RESTRIP_GENERATE RESTRIP_VERIFY MODULE SCRATCH
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -28,7 +27,7 @@ function sealed(text) {
   return `${body}end ${body.split('\n').filter((line) => /^(rule|copy|alternative) /.test(line)).length} ${plain} ${numbered}\n`;
 }
 
-const [folder, generateProgram, verifyProgram, module, plainModule, scratch] = process.argv.slice(2);
+const [folder, generateProgram, verifyProgram, module, scratch] = process.argv.slice(2);
 const root = fileURLToPath(new URL('../../', import.meta.url));
 rmSync(scratch, { recursive: true, force: true });
 mkdirSync(scratch, { recursive: true });
@@ -38,7 +37,6 @@ const started = async (file, listen) => {
   return { generate: await program(compiled, 'generate'), judge: await program(compiled, 'judge', listen) };
 };
 const modules = await started(module, (one) => heard.push(one));
-const plain = await started(plainModule);
 const languages = ['c++', 'c', 'glsl', 'json', 'rust', 'wgsl'];
 
 const run = (program, ...words) => spawnSync(program, words, { cwd: scratch, encoding: 'utf8', maxBuffer: 1 << 28 });
@@ -133,13 +131,6 @@ for (const [name, [text, mine]] of operations) {
   }
 }
 assert.ok(applied > 40, `${applied} operations on the sheet`);
-
-// ---- without nauty
-for (const [name, [text, mine]] of operations) {
-  const other = await made(plain, name, text, { languages });
-  for (const one of ['error', 'files', 'bytes', 'report']) assert.deepEqual(other[one], mine[one], `${name}: ${one} without nauty`);
-  assert.deepEqual(untimed(other.verdict.claims), untimed(mine.verdict.claims), name);
-}
 
 // ---- files with mistakes: the same sentence, with line, column and member
 const good = [...operations.values()][0][0];

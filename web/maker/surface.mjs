@@ -54,7 +54,6 @@ export class Drawing {
   copy() { return new Drawing(structuredClone(this.operation), structuredClone(this.places)); }
   vertices(side) { return [...new Set(this.operation[side].flat())]; }
   isInner(side, vertex) { return !edgesOf(this.operation[side]).outline.some(([, a]) => a === vertex); }
-  isOnOutline(vertex) { return sides.some((side) => this.vertices(side).includes(vertex) && !this.isInner(side, vertex)); }
 
   /// Places for vertices that have none: the outline on a circle, the others between their neighbours.
   #placeAll() {

@@ -3,14 +3,16 @@
 // A move begins at a triangle in which a strip ends (one with at most one solid edge). A dashed edge of it becomes
 // solid:
 //  - if a strip ends across that edge as well, the two strips are joined;
-//  - otherwise the triangle across it gives up one of its two solid edges. The triangle across that one is a new end.
-//  So
-//    an exchange moves an end, and changes the cost only by swaps.
+//  - otherwise the triangle across it gives up one of its two solid edges. The triangle across that one is a new end,
+//    so an exchange moves an end, and changes the cost only by swaps.
+// A chain may also begin with a cut: a swap becomes dashed, and with it disappear the swaps next to it. Without cuts a
+// single strip of many swaps could not be left: it has two ends, far from almost everything.
 // The price of a move follows from at most ten triangles around it.
 //
 // Outline. A chain continues at the end that its last move made. The search is breadth first over chains, from all
-// given ends at once; a triangle is the end of one chain at most. The first chain that lowers the cost is made, and the
-// search begins again, at the ends that the chain has touched first, until a limit on the work is reached.
+// given ends at once, and then, if they are exhausted, from both sides of each cut; a triangle is the end of one chain
+// at most. The first chain that lowers the cost is made, and the search begins again, at the ends that the chain has
+// touched first, until a limit on the work is reached.
 //
 // Invariant. The chain of the state in hand is on the mesh itself, unreported, so prices and walks read nothing but
 // colours. Every chain on the mesh leaves a valid colouring: a walk along the strip, from both sides at once to the end
@@ -24,6 +26,7 @@
 #include "search/chain_search.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "search/coloring_copy.hpp"
@@ -38,11 +41,11 @@ class TrialColors {
   template <class Mesh>
   static void make(Mesh& mesh, const ChainMove& move) noexcept {
     if (!move.joins()) color(mesh, move.cut, false);
-    color(mesh, move.edge, true);
+    if (!move.only_cuts()) color(mesh, move.edge, true);
   }
   template <class Mesh>
   static void take_back(Mesh& mesh, const ChainMove& move) noexcept {
-    color(mesh, move.edge, false);
+    if (!move.only_cuts()) color(mesh, move.edge, false);
     if (!move.joins()) color(mesh, move.cut, true);
   }
 
@@ -137,7 +140,21 @@ std::span<const ChainMove> ChainSearch::moves_at(const Mesh& mesh, Triangle end,
 }
 
 template <class Mesh>
+std::optional<ChainMove> ChainSearch::cut_at(const Mesh& mesh, Halfedge h) const noexcept {
+  const Halfedge back = mesh.opposite(h);
+  const unsigned turn = mesh.other_solid_sides(h);
+  const unsigned turn_back = mesh.other_solid_sides(back);
+  if (detail::is_swap(turn, turn_back) == 0) return std::nullopt;
+  ChainMove move{{}, h, {1, -1, 0}};
+  move.change.swaps -= int{mesh.other_solid_sides(neighbor_at(mesh, h, turn)) == turn} +
+                       int{mesh.other_solid_sides(neighbor_at(mesh, back, turn_back)) == turn_back};
+  move.price = move.change.price(cost_);
+  return move;
+}
+
+template <class Mesh>
 bool ChainSearch::keeps_strips(const Mesh& mesh, const ChainMove& move) {
+  if (move.only_cuts()) return true;
   const Halfedge back = mesh.opposite(move.edge);
   const Triangle t = StripMesh::triangle(move.edge);
   const Triangle u = StripMesh::triangle(back);
@@ -207,11 +224,35 @@ bool ChainSearch::try_chain(Mesh& mesh, std::uint32_t s) {
   return true;
 }
 
+// Adds both ends of each cut at a swap of the triangles. True if a cut alone lowers the cost; it has then been made.
+template <class Mesh>
+bool ChainSearch::add_cuts(Mesh& mesh, std::span<const Triangle> from, std::int32_t highest) {
+  if (cost_.swap == 0) return false;  // no cut gains
+  for (const Triangle t : from)
+    for (unsigned solid = mesh.solid_sides(t); solid != 0; solid &= solid - 1) {
+      const Halfedge h = lowest_side(t, solid);
+      std::optional<ChainMove> move = cut_at(mesh, h);
+      if (!move || move->price > highest) continue;
+      if (move->price < 0) {
+        make_chain(mesh, none, *move);
+        return true;
+      }
+      for (const Halfedge side : {h, mesh.opposite(h)}) {
+        move->cut = side;
+        if (marks_[move->end()] == mark_) continue;
+        marks_[move->end()] = mark_;
+        states_.push_back({none, 1, move->end(), move->price, *move});
+      }
+    }
+  return false;
+}
+
 // True if a chain that lowers the cost has been made.
 template <class Mesh>
-bool ChainSearch::search(Mesh& mesh, const ChainLimits& limits) {
+bool ChainSearch::search(Mesh& mesh, std::span<const Triangle> from, const ChainLimits& limits) {
   // A chain on trial must not be left on the mesh by an exception.
-  const std::uint64_t most_states = ends_.size() + 6 * std::min<std::uint64_t>(last_look_ - counts_.looked, none);
+  const std::uint64_t most_states =
+      ends_.size() + 6 * (from.size() + std::min<std::uint64_t>(last_look_ - counts_.looked, none));
   states_.clear();
   states_.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most_states, mesh.triangle_bound())));
   path_.reserve(std::min<std::size_t>(states_.capacity(), limits.length + std::size_t{1}));
@@ -221,7 +262,13 @@ bool ChainSearch::search(Mesh& mesh, const ChainLimits& limits) {
     states_.push_back({.end = end});
     marks_[end] = mark_;
   }
-  for (std::uint32_t s = 0; s < states_.size() && counts_.looked < last_look_; ++s) {
+  bool cuts_follow = true;
+  for (std::uint32_t s = 0; counts_.looked < last_look_; ++s) {
+    if (s == states_.size() && std::exchange(cuts_follow, false)) {
+      (void)try_chain(mesh, none);
+      if (add_cuts(mesh, from, limits.worse)) return true;
+    }
+    if (s == states_.size()) break;
     if (!try_chain(mesh, s)) continue;
     ++counts_.looked;
     const State state = states_[s];
@@ -246,11 +293,11 @@ template <class Mesh>
 void ChainSearch::make_chain(Mesh& mesh, std::uint32_t s, const ChainMove& last) {
   const std::size_t examined = std::min<std::size_t>(ends_.size(), s + std::size_t{1});
   chain_.assign(1, last);
-  for (; states_[s].length > 0; s = states_[s].parent) chain_.push_back(states_[s].move);
+  for (; s != none && states_[s].length > 0; s = states_[s].parent) chain_.push_back(states_[s].move);
   (void)try_chain(mesh, none);
   for (auto move = chain_.rbegin(); move != chain_.rend(); ++move) {
     if (!move->joins()) mesh.set_solid(move->cut, false);
-    mesh.set_solid(move->edge, true);
+    if (!move->only_cuts()) mesh.set_solid(move->edge, true);
     done_ += move->change;
     ++counts_.made;
   }
@@ -259,8 +306,9 @@ void ChainSearch::make_chain(Mesh& mesh, std::uint32_t s, const ChainMove& last)
   touched_.clear();
   for (const ChainMove& move : chain_) {
     if (!move.joins()) consider(mesh, move.end(), touched_);
-    consider(mesh, StripMesh::triangle(move.edge), touched_);
-    consider(mesh, StripMesh::triangle(mesh.opposite(move.edge)), touched_);
+    const Halfedge other = move.only_cuts() ? move.cut : move.edge;
+    consider(mesh, StripMesh::triangle(other), touched_);
+    consider(mesh, StripMesh::triangle(mesh.opposite(other)), touched_);
   }
   std::rotate(ends_.begin(), ends_.begin() + static_cast<std::ptrdiff_t>(examined), ends_.end());
   const auto others = ends_.end() - static_cast<std::ptrdiff_t>(examined);
@@ -282,7 +330,7 @@ ColoringChange ChainSearch::run(Mesh& mesh, std::span<const Triangle> from, cons
     consider(mesh, t, ends_);
   }
   last_look_ = counts_.looked + limits.looks;
-  while (counts_.looked < last_look_ && search(mesh, limits)) {
+  while (counts_.looked < last_look_ && search(mesh, from, limits)) {
   }
   return done_;
 }
@@ -299,6 +347,7 @@ template ColoringChange ChainSearch::run(StripMesh&, std::span<const Triangle>, 
 template ColoringChange ChainSearch::run(detail::ColoringCopy&, std::span<const Triangle>, const ChainLimits&);
 template ColoringChange ChainSearch::run_everywhere(detail::ColoringCopy&, const ChainLimits&);
 template std::span<const ChainMove> ChainSearch::moves_at(const StripMesh&, Triangle, std::int32_t);
+template std::optional<ChainMove> ChainSearch::cut_at(const StripMesh&, Halfedge) const noexcept;
 template bool ChainSearch::keeps_strips(const StripMesh&, const ChainMove&);
 
 }  // namespace restrip

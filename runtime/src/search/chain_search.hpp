@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,10 +22,11 @@ namespace restrip {
 
 /// `edge`, dashed, at a strip end becomes solid. If the triangle across it has two solid edges, `cut` becomes dashed.
 struct ChainMove {
-  StripMesh::Halfedge edge{};  ///< a side of the end
+  StripMesh::Halfedge edge{};  ///< a side of the end; {none}: a strip is cut, and a chain begins
   StripMesh::Halfedge cut{};   ///< a side of the new end; {none}: two strips are joined
   ColoringChange change{};
   std::int32_t price = 0;  ///< of that change
+  [[nodiscard]] bool only_cuts() const noexcept { return edge.id == none; }
   [[nodiscard]] bool joins() const noexcept { return cut.id == none; }
   /// Where the strip ends after a move that does not join.
   [[nodiscard]] Triangle end() const noexcept { return StripMesh::triangle(cut); }
@@ -46,10 +48,11 @@ class ChainSearch {
 
   explicit ChainSearch(Cost cost = Cost::indices()) noexcept : cost_(cost) {}
 
-  /// Begins at the ends among the given triangles, and at ends across a dashed edge of the others. The triangles must
-  /// be alive; some may be named twice. The mesh must have a valid colouring. Returns the changes in counts; the cost
-  /// never rises. Throws std::bad_alloc before anything changes or while the mesh is watched; the colouring is then
-  /// valid, but changes are not reported.
+  /// Begins at the ends among the given triangles, at ends across a dashed edge of the others, and last, if looks are
+  /// left, with cuts at their swaps that raise the cost by `worse` at most. The triangles must be alive; some may be
+  /// named twice. The mesh must have a valid colouring. Returns the changes in counts; the cost never rises. Throws
+  /// std::bad_alloc before anything changes or while the mesh is watched; the colouring is then valid, but changes are
+  /// not reported.
   template <class Mesh>
   ColoringChange run(Mesh& mesh, std::span<const Triangle> from, const ChainLimits& limits);
   /// Calls run() for each end of the mesh, once, in the order of triangles.
@@ -60,6 +63,9 @@ class ChainSearch {
   /// Valid until the next call of any function.
   template <class Mesh>
   [[nodiscard]] std::span<const ChainMove> moves_at(const Mesh& mesh, Triangle end, std::int32_t highest);
+  /// The strip cut at h, which is solid, if that is a swap; the cut's end is on the side of h.
+  template <class Mesh>
+  [[nodiscard]] std::optional<ChainMove> cut_at(const Mesh& mesh, Halfedge h) const noexcept;
   /// True when the move closes no solid cycle; also false when neither walk ends.
   template <class Mesh>
   [[nodiscard]] bool keeps_strips(const Mesh& mesh, const ChainMove& move);
@@ -68,7 +74,8 @@ class ChainSearch {
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
 
  private:
-  /// A chain: the parent's, then one move. The first states have no move.
+  /// A chain: the parent's, then one move. A chain that begins at an end has a first state without a move; one that
+  /// begins with a cut has no parent.
   struct State {
     std::uint32_t parent = none;
     std::uint32_t length = 0;
@@ -81,7 +88,9 @@ class ChainSearch {
   template <class Mesh>
   void consider(const Mesh& mesh, Triangle t, std::vector<Triangle>& ends);
   template <class Mesh>
-  bool search(Mesh& mesh, const ChainLimits& limits);
+  bool add_cuts(Mesh& mesh, std::span<const Triangle> from, std::int32_t highest);
+  template <class Mesh>
+  bool search(Mesh& mesh, std::span<const Triangle> from, const ChainLimits& limits);
   template <class Mesh>
   bool try_chain(Mesh& mesh, std::uint32_t s);
   template <class Mesh>

@@ -1,9 +1,9 @@
 // The engine of a Keeper under a cost that weighs swaps or isolated triangles.
 //
 // Outline of an operation. (1) A split or collapse takes the previous colours if they cost no more than the rule's
-// (rule_choice.cpp); other operations take their rule. (2) A search for chains of moves from the strip ends of the
-// patch lowers the cost (chain_search.cpp). Background work searches for longer chains from every strip end of the
-// mesh, and ends when it has passed them all without a gain.
+// (rule_choice.cpp); other operations take their rule. (2) A search for chains of moves from the strip ends and the
+// swaps of the patch lowers the cost (chain_search.cpp). Background work searches for longer chains from every strip
+// end and every swap of the mesh, and ends when it has passed them all without a gain.
 //
 // Invariant. No step raises the cost: each takes the present colours or cheaper ones.
 //
@@ -18,6 +18,19 @@
 #include "search/sides.hpp"
 
 namespace restrip::detail {
+
+namespace {
+
+// A strip ends in the triangle, or one has a swap there.
+bool may_begin_chain(const StripMesh& mesh, Triangle t) {
+  const unsigned solid = mesh.solid_sides(t);
+  if (is_strip_end(solid)) return true;
+  for (unsigned sides = solid; sides != 0; sides &= sides - 1)
+    if (is_swap(mesh, lowest_side(t, sides))) return true;
+  return false;
+}
+
+}  // namespace
 
 Rewrite LowestCost::perform(StripMesh& mesh, RuleChoice& choice, Surroundings& around, const Step& step) {
   unsettle();
@@ -48,14 +61,14 @@ Rewrite LowestCost::perform(StripMesh& mesh, RuleChoice& choice, Surroundings& a
 
 ColoringChange LowestCost::improve(StripMesh& mesh, std::size_t budget) {
   constexpr ChainLimits limits{.looks = 70, .length = 16, .worse = 2};
-  constexpr std::uint64_t moves_a_look = 4;
+  constexpr std::uint64_t moves_a_look = 4;  // an end has two dashed edges, and each of them at most two moves
   const std::size_t bound = mesh.triangle_bound();
   const std::uint64_t before = chains_.counts().looked;
   ColoringChange sum;
   unsettled_ = (std::min)(unsettled_, bound);
   for (; unsettled_ > 0 && moves_a_look * (chains_.counts().looked - before) < budget; --unsettled_, ++next_) {
     if (next_ >= bound) next_ = 0;
-    if (!mesh.alive(next_) || !is_strip_end(mesh.solid_sides(next_))) continue;
+    if (!mesh.alive(next_) || !may_begin_chain(mesh, next_)) continue;
     const ColoringChange change = chains_.run(mesh, {&next_, 1}, limits);
     if (change.price(chains_.cost()) < 0) unsettled_ = bound;
     sum += change;

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <random>
 #include <set>
 #include <vector>
@@ -65,6 +67,33 @@ TEST(ChainMoves, ArePricedAsCountedInRandomColorings) {
   EXPECT_GT(compared, 1000U);
 }
 
+// Every swap, and no other edge, can be cut.
+TEST(ChainMoves, CutsArePricedAsCounted) {
+  std::mt19937 random(32);
+  std::array<std::size_t, 4> with_swaps{};
+  for (StripMesh& mesh : sample::meshes()) {
+    sample::color_at_random(mesh, 1.0, random);
+    const ColoringChange before = cost_of(mesh);
+    for (const Triangle t : all_triangles(mesh))
+      for (unsigned side = 0; side < 3; ++side) {
+        const Halfedge h = StripMesh::halfedge(t, side);
+        if (!mesh.solid(h)) continue;
+        const ChainSearch search({7, 3, 1});
+        const std::optional<ChainMove> cut = search.cut_at(mesh, h);
+        ASSERT_EQ(cut.has_value(), is_swap(mesh, h));
+        if (!cut) continue;
+        EXPECT_TRUE(cut->only_cuts());
+        EXPECT_EQ(cut->end(), t);
+        StripMesh after = mesh;
+        after.set_solid(h, false);
+        EXPECT_EQ(cut->change, cost_of(after) - before);
+        EXPECT_EQ(cut->price, cut->change.price(search.cost()));
+        ++with_swaps[static_cast<std::size_t>(-cut->change.swaps)];
+      }
+  }
+  for (const std::size_t swaps : {1U, 2U, 3U}) EXPECT_GT(with_swaps[swaps], 10U) << swaps;
+}
+
 ColoringChange run_everywhere(StripMesh& mesh, ChainSearch& search, const ChainLimits& limits) {
   return search.run(mesh, all_triangles(mesh), limits);
 }
@@ -92,6 +121,28 @@ TEST(ChainSearch, LongerChainsEndLower) {
     EXPECT_LT(price, last - 10) << length;
     last = price;
   }
+}
+
+// A strip whose ends are far away is left by cuts at its swaps alone.
+TEST(ChainSearch, CutsAStripAtItsSwaps) {
+  StripMesh mesh = sample::torus(30, 30);
+  stripify_fast(mesh);
+  const std::size_t strips = count_strips(mesh);
+  std::vector<Triangle> inside = all_triangles(mesh);
+  for (const Triangle end : all_ends(mesh))
+    std::erase_if(inside, [&](Triangle t) {
+      const auto is_next = [&](unsigned side) {
+        return StripMesh::triangle(mesh.opposite(StripMesh::halfedge(t, side))) == end;
+      };
+      return t == end || is_next(0) || is_next(1) || is_next(2);
+    });
+  const ColoringChange before = cost_of(mesh);
+  ChainSearch search;
+  const ColoringChange change = search.run(mesh, inside, {.looks = 2000, .length = 4, .worse = 2});
+  EXPECT_TRUE(check_coloring(mesh).valid);
+  EXPECT_EQ(change, cost_of(mesh) - before);
+  EXPECT_LT(change.price(search.cost()), -10);
+  EXPECT_GT(count_strips(mesh), strips);
 }
 
 TEST(ChainSearch, KeepsToItsLimits) {

@@ -18,7 +18,8 @@ struct Search {
 };
 
 /// A search by chains of moves at strip ends, under costs that weigh swaps or isolated triangles. Each move of a chain
-/// joins two strips or moves a strip end; a chain is made if it lowers the cost.
+/// joins two strips or moves a strip end; the first may also cut a strip at a swap. A chain is made if it lowers the
+/// cost.
 struct ChainLimits {
   std::uint32_t looks = (std::numeric_limits<std::uint32_t>::max)();  ///< ends examined, with up to three dashed edges
   std::uint32_t length = 1;                                           ///< moves of a chain

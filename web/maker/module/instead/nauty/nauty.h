@@ -1,5 +1,5 @@
-// In place of nauty, for machines without its source: the part of its interface that finds symmetries. Canonical forms
-// are left to the real one.
+// In place of nauty, whose library is for this machine: the part of its interface that finds symmetries. The programs,
+// which use nauty, write the same files.
 //
 // The generators are a chain of stabilisers: for each vertex v, with the vertices before it fixed, an automorphism for
 // each image of v that those found so far do not reach. The order of the group is the product of the sizes of these
@@ -28,7 +28,7 @@ inline void nauty_freedyn() {}
 inline void nautil_freedyn() {}
 inline void naugraph_freedyn() {}
 
-namespace no_nauty {
+namespace automorphisms {
 
 struct Search {
   const graph* rows;
@@ -67,12 +67,12 @@ struct Search {
   }
 };
 
-}  // namespace no_nauty
+}  // namespace automorphisms
 
 inline void densenauty(graph* rows, int* lab, int* ptn, int* /*orbits*/, optionblk* options, statsblk* stats, int words,
                        int size, graph* /*canonical*/) {
   const auto n = static_cast<std::size_t>(size);
-  no_nauty::Search search{rows, words, size, std::vector<int>(n), {}, {}};
+  automorphisms::Search search{rows, words, size, std::vector<int>(n), {}, {}};
   for (int i = 0, color = 0; i < size; ++i) {
     search.color[static_cast<std::size_t>(lab[i])] = color;
     if (ptn[i] == 0) ++color;
