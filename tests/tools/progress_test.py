@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Claims: on a terminal long commands show how far each of their steps has come, `bake` the strips of the base as well, and
-wipe the line in the end; if standard error is not a terminal they show nothing.
+"""Claims: on a terminal long commands show each of their steps, and how far it has come if that is known, and wipe the line in the
+end; if standard error is not a terminal they show nothing.
 
     progress_test.py restrip SCRATCH
 """
@@ -53,5 +53,11 @@ for arguments, steps in ((bake, ("simplifying", "baking")),
     at = [said.index(f"{step} \u2026 0 %") for step in steps]
     assert at == sorted(at), said
     assert said.count("%") > 50, said
+    assert run(*arguments).stderr == ""
+# One step that does not know how much is left.
+for arguments, steps in ((("stripify", mesh, "--effort", "best", "--limit", 10, "--bound"), ("making strips", "computing the lower bound")),
+                         (("make-mesh", "--triangles", 2000, "-o", scratch / "other.obj"), ("making a mesh",))):
+    said = on_a_terminal(*arguments)
+    assert all(f"{step} \u2026" in said for step in steps), said
     assert run(*arguments).stderr == ""
 print("progress: all hold")

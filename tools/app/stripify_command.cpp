@@ -11,6 +11,7 @@
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
+#include "common/progress.hpp"
 #include "common/stopwatch.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
@@ -61,13 +62,15 @@ int run(const StripifyCommand& command) {
   const double seconds_to_build =
       1e-9 * nanoseconds_of([&] { mesh = StripMesh::build(soup.triangles, soup.points.size(), &report, &origin); });
   FileStrips in_file;
-  const double seconds = 1e-9 * nanoseconds_of([&] {
-                           if (command.as_in_file)
-                             in_file = color_as_in_file(mesh, soup, origin);
-                           else
-                             stripify(mesh, command.effort, command.cost.value_or(default_cost),
-                                      command.limit * mesh.triangle_count(), command.seed);
-                         });
+  const auto make_strips = [&] {
+    const Progress progress("making strips", 1);
+    if (command.as_in_file)
+      in_file = color_as_in_file(mesh, soup, origin);
+    else
+      stripify(mesh, command.effort, command.cost.value_or(default_cost), command.limit * mesh.triangle_count(),
+               command.seed);
+  };
+  const double seconds = 1e-9 * nanoseconds_of(make_strips);
   Strips strips;
   const double seconds_to_order = 1e-9 * nanoseconds_of([&] { strips = strips_for_vertex_cache(mesh, command.cache); });
   std::vector<std::uint32_t> indices;
@@ -109,6 +112,7 @@ int run(const StripifyCommand& command) {
   };
   std::string at_least;
   if (command.bound) {
+    const Progress progress("computing the lower bound", 1);
     const std::size_t bound = strip_index_lower_bound(mesh).indices;
     out.json["lower_bound_indices"] = bound;
     at_least = fmt::format(" (lower bound {:.3f})", per_triangle(bound));
