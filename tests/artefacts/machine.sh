@@ -18,8 +18,8 @@ apt-get -qq install -y ./*.deb >/dev/null
 
 # The programs and their manuals.
 mkdir -p /tmp/run
-restrip replay --built-in --triangles 400 --policy local --repeats 0 --trace /tmp/run/trace >/dev/null
-restrip-check /tmp/run/trace | grep '^accepted' >/dev/null
+restrip replay --built-in --triangles 400 --policy local --repeats 0 --trace /tmp/run/run.trace >/dev/null
+restrip-check /tmp/run/run.trace | grep '^accepted' >/dev/null
 operations=/usr/share/doc/restrip/tables/operations
 restrip-generate rules --operation $operations/bisect.json --out /tmp/run/rules >/dev/null
 restrip-verify --operation $operations/bisect.json --certificate /tmp/run/rules/certificates/operations/bisect.cert | grep '^verified' >/dev/null
