@@ -336,10 +336,21 @@ ColoringChange ChainSearch::run(Mesh& mesh, std::span<const Triangle> from, cons
 }
 
 template <class Mesh>
+bool ChainSearch::may_begin(const Mesh& mesh, Triangle t, const ChainLimits& limits) {
+  const unsigned solid = mesh.solid_sides(t);
+  if (is_strip_end(solid)) return true;
+  for (unsigned sides = limits.length > 1 ? solid : 0; sides != 0; sides &= sides - 1) {
+    const Halfedge h = lowest_side(t, sides);
+    if (detail::is_swap(mesh.other_solid_sides(h), mesh.other_solid_sides(mesh.opposite(h))) != 0) return true;
+  }
+  return false;
+}
+
+template <class Mesh>
 ColoringChange ChainSearch::run_everywhere(Mesh& mesh, const ChainLimits& limits) {
   ColoringChange sum;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t) && is_strip_end(mesh.solid_sides(t))) sum += run(mesh, {&t, 1}, limits);
+    if (mesh.alive(t) && may_begin(mesh, t, limits)) sum += run(mesh, {&t, 1}, limits);
   return sum;
 }
 
@@ -347,6 +358,7 @@ template ColoringChange ChainSearch::run(StripMesh&, std::span<const Triangle>, 
 template ColoringChange ChainSearch::run(detail::ColoringCopy&, std::span<const Triangle>, const ChainLimits&);
 template ColoringChange ChainSearch::run_everywhere(detail::ColoringCopy&, const ChainLimits&);
 template std::span<const ChainMove> ChainSearch::moves_at(const StripMesh&, Triangle, std::int32_t);
+template bool ChainSearch::may_begin(const StripMesh&, Triangle, const ChainLimits&);
 template std::optional<ChainMove> ChainSearch::cut_at(const StripMesh&, Halfedge) const noexcept;
 template bool ChainSearch::keeps_strips(const StripMesh&, const ChainMove&);
 

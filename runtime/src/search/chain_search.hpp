@@ -55,7 +55,11 @@ class ChainSearch {
   /// not reported.
   template <class Mesh>
   ColoringChange run(Mesh& mesh, std::span<const Triangle> from, const ChainLimits& limits);
-  /// Calls run() for each end of the mesh, once, in the order of triangles.
+  /// Whether a chain may begin in the triangle: a strip ends there, or has a swap, which can be cut if a chain has more
+  /// than one move.
+  template <class Mesh>
+  [[nodiscard]] static bool may_begin(const Mesh& mesh, Triangle t, const ChainLimits& limits);
+  /// Calls run() for each triangle of the mesh in which a chain may begin, once, in order.
   template <class Mesh>
   ColoringChange run_everywhere(Mesh& mesh, const ChainLimits& limits);
 

@@ -19,19 +19,6 @@
 
 namespace restrip::detail {
 
-namespace {
-
-// A strip ends in the triangle, or one has a swap there.
-bool may_begin_chain(const StripMesh& mesh, Triangle t) {
-  const unsigned solid = mesh.solid_sides(t);
-  if (is_strip_end(solid)) return true;
-  for (unsigned sides = solid; sides != 0; sides &= sides - 1)
-    if (is_swap(mesh, lowest_side(t, sides))) return true;
-  return false;
-}
-
-}  // namespace
-
 Rewrite LowestCost::perform(StripMesh& mesh, RuleChoice& choice, Surroundings& around, const Step& step) {
   unsettle();
   choice.begin(plan_.limits.looks != 0, plan_.from == IndexPlan::From::ends);
@@ -68,7 +55,7 @@ ColoringChange LowestCost::improve(StripMesh& mesh, std::size_t budget) {
   unsettled_ = (std::min)(unsettled_, bound);
   for (; unsettled_ > 0 && moves_a_look * (chains_.counts().looked - before) < budget; --unsettled_, ++next_) {
     if (next_ >= bound) next_ = 0;
-    if (!mesh.alive(next_) || !may_begin_chain(mesh, next_)) continue;
+    if (!mesh.alive(next_) || !ChainSearch::may_begin(mesh, next_, limits)) continue;
     const ColoringChange change = chains_.run(mesh, {&next_, 1}, limits);
     if (change.price(chains_.cost()) < 0) unsettled_ = bound;
     sum += change;

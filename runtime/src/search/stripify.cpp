@@ -31,22 +31,25 @@ void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uin
   }
   if (effort == Effort::fast) return;
   annealing.keep();
-  const auto anneal = [&](std::uint64_t moves) {
-    annealing.cool(moves, 100);
-    annealing.keep();
-    annealing.go_back();
+  const auto make_chains = [&] {
     constexpr ChainLimits far{.looks = 70, .length = 16, .worse = 2};
     while (chains.run_everywhere(annealing.colors(), far).price(cost) < 0 && effort == Effort::best) {
     }
     annealing.keep();
     annealing.go_back();
   };
-  anneal(limit != 0 && effort == Effort::full ? limit : 100 * triangles);
+  annealing.cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
+  annealing.keep();
+  annealing.go_back();
+  make_chains();
   if (effort == Effort::full) return;
-  if (limit != 0) return anneal(limit);
-  // Small meshes take hardly any time, so they are searched until luck does not matter.
-  const std::uint64_t moves = 900 * triangles;
-  for (std::uint64_t done = 0; done == 0 || done < 1'000'000; done += moves + 1) anneal(moves);
+  // Annealed strips are worse than the ones kept at times, but better after their chains. Small meshes take hardly any
+  // time, so they are searched until luck does not matter.
+  const std::uint64_t moves = limit != 0 ? limit : 900 * triangles;
+  for (std::uint64_t done = 0; done == 0 || (limit == 0 && done < 1'000'000); done += moves + 1) {
+    annealing.cool(moves, 100);
+    make_chains();
+  }
 }
 
 }  // namespace detail

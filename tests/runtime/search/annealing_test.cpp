@@ -50,7 +50,9 @@ TEST(Anneal, BestIsTheLeastOfAllColoringsOfTinyMeshesButForAWinding) {
     }
     for (std::size_t i = 0; i < annealed_costs.size(); ++i) {
       stripify(mesh, Effort::best, annealed_costs[i]);
-      EXPECT_LE(recounted(mesh, annealed_costs[i]), least[i] + annealed_costs[i].swap)
+      // A wrong winding weighs more than a move gains only where a swap weighs most of a strip.
+      const std::uint64_t winding = annealed_costs[i].swap > 1 ? annealed_costs[i].swap : 0;
+      EXPECT_LE(recounted(mesh, annealed_costs[i]), least[i] + winding)
           << "cost " << i << ", " << edges.size() << " dual edges";
     }
     EXPECT_LE(strip_index_lower_bound(mesh).indices, fewest_indices);
@@ -107,7 +109,7 @@ TEST(Anneal, IndicesAreFewOnLargerMeshes) {
     const std::size_t fast = indices(Effort::fast, Cost::indices());
     const std::size_t full = indices(Effort::full, Cost::indices());
     EXPECT_LT(fast, with_fewest_strips - with_fewest_strips / 20);
-    EXPECT_LT(full, fast - fast / 75);
+    EXPECT_LT(full, fast - fast / 50);
     EXPECT_GT(full, strip_index_lower_bound(mesh).indices);
   }
 }
