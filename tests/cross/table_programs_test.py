@@ -62,6 +62,10 @@ def main():
         scratch = Path(scratch_name)
         places = {"out": scratch / "out", "bisect": root / "tables/operations/bisect.json",
                   "certificate": root / "tables/certificates/operations/bisect.cert"}
+        programs = ("restrip-generate", "restrip-verify", "restrip-verify-automaton", "restrip-dump-tables")
+        versions = {subprocess.run([folder / name, "--version"], capture_output=True, check=True).stdout for name in programs if (folder / name).exists()}
+        if len(versions) != 1 or not re.fullmatch(rb"\d+\.\d+\.\d+\n", *versions):
+            sys.exit(f"--version: {versions}")
         for line, sentence in REFUSED:
             words = line.format(**places).split()
             if not (folder / words[0]).exists():

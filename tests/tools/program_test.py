@@ -270,6 +270,7 @@ class Commands(Folder):
             for buffer in report["live_buffers"]:
                 self.assertEqual([state["at"] for state in buffer["states"]], states)
                 self.assertIn("ns_per_update", buffer)
+                self.assertIn("ns_per_update_with_history", buffer)
                 self.assertIn(f"{buffer['bytes_per_operation']:.0f} bytes an operation", text)
                 for state in buffer["states"]:
                     self.assertGreaterEqual(state["indices"], state["strip_indices"])
