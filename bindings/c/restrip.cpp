@@ -607,18 +607,30 @@ restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* co
 restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, std::size_t* strips) {
   if (any_null(mesh, strips)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&] {
-    *strips = mesh->live.keeper().up_to_date() ? mesh->live.strips() : count_strips(mesh->mesh());
+    const LiveMesh& live = mesh->live;
+    *strips = live.level() || live.keeper().up_to_date() ? live.strips() : count_strips(live.mesh());
     return RESTRIP_OK;
   });
 }
 restrip_status restrip_mesh_stripify(restrip_mesh* mesh, std::int32_t effort, const restrip_cost* cost,
                                      std::uint64_t limit, std::size_t* strips) {
+  return restrip_mesh_stripify_until(mesh, effort, cost, limit, nullptr, nullptr, strips);
+}
+restrip_status restrip_mesh_stripify_until(restrip_mesh* mesh, std::int32_t effort, const restrip_cost* cost,
+                                           std::uint64_t limit, std::int32_t (*stop)(void* context), void* context,
+                                           std::size_t* strips) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   Effort how{};
   Cost what;
   if (!named(effort, Effort::best, how) || !cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
+  std::pair asked(stop, context);
+  const auto ask = [](void* given) {
+    const auto& [answer, of_user] = *static_cast<decltype(asked)*>(given);
+    return answer(of_user) != 0;
+  };
+  const Interrupt interrupt{stop == nullptr ? nullptr : +ask, &asked};
   return guarded([&] {
-    const std::size_t made = mesh->live.recolor(how, what, limit);
+    const std::size_t made = mesh->live.recolor(how, what, limit, &interrupt);
     if (strips != nullptr) *strips = made;
     return RESTRIP_OK;
   });
@@ -639,8 +651,8 @@ restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const 
 }
 std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
   if (mesh == nullptr) return RESTRIP_POLICY_BARE;
-  const auto& keeper = mesh->live.keeper();
-  return keeper.baked() != nullptr ? RESTRIP_POLICY_BAKED : static_cast<std::int32_t>(keeper.policy());
+  const LiveMesh& live = mesh->live;
+  return live.level() ? RESTRIP_POLICY_BAKED : static_cast<std::int32_t>(live.keeper().policy());
 }
 
 restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right, std::uint32_t v_t,
@@ -654,6 +666,35 @@ restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, res
 }
 restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   return apply(mesh, RESTRIP_FLIP, h, change);
+}
+restrip_status restrip_mesh_split_at(restrip_mesh* mesh, std::uint32_t v, std::uint32_t left, std::uint32_t right,
+                                     std::uint32_t v_t, restrip_change* change) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (const restrip_status status = indexable(*mesh, Refusal::granted, v_t); status != RESTRIP_OK) return status;
+  return guarded([&] { return reported(mesh->live.split(v, left, right, v_t), change); });
+}
+restrip_status restrip_mesh_collapse_at(restrip_mesh* mesh, std::uint32_t v, std::uint32_t w, restrip_change* change) {
+  return restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, v, w), change);
+}
+restrip_status restrip_mesh_flip_at(restrip_mesh* mesh, std::uint32_t v, std::uint32_t w, restrip_change* change) {
+  return restrip_mesh_flip(mesh, restrip_mesh_find(mesh, v, w), change);
+}
+restrip_status restrip_mesh_replace(restrip_mesh* mesh, const std::uint32_t* out, std::size_t out_count,
+                                    const std::uint32_t* in, std::size_t in_count, restrip_change* change) {
+  if (mesh == nullptr || (out == nullptr && out_count != 0) || (in == nullptr && in_count != 0))
+    return RESTRIP_NULL_ARGUMENT;
+  if (in_count > StripMesh::max_triangles) return RESTRIP_TOO_LARGE;
+  return guarded([&]() -> restrip_status {
+    std::vector<std::array<Vertex, 3>> corners(in_count);
+    Vertex highest = 0;
+    for (std::size_t i = 0; i < 3 * in_count; ++i) highest = (std::max)(highest, corners[i / 3][i % 3] = in[i]);
+    const std::span removed(out, out_count);
+    if (mesh->live.buffer().format().width == IndexWidth::bits16 && highest > highest_index16) {
+      const Refusal refusal = check_replace(mesh->mesh(), removed, corners);
+      return refusal == Refusal::granted ? RESTRIP_TOO_LARGE : status_of(refusal);
+    }
+    return reported(mesh->live.replace(removed, corners), change);
+  });
 }
 restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   return apply(mesh, RESTRIP_SPLIT_FACE, h, change);

@@ -203,6 +203,10 @@ export class StripMesh implements Disposable {
   /** A new vertex at the middle of an edge, or of the triangle with these corners, counter-clockwise from any of them. */
   bisect(u: number, v: number): Outcome<{ vertex: number }>;
   splitFace(a: number, b: number, c: number): Outcome<{ vertex: number }>;
+  /** Any change of a few triangles: removes some and adds others, each by three vertices, counter-clockwise, in one list;
+   *  either list may be empty. Vertices that the mesh does not have need a point; those left without triangles go. The
+   *  mesh must stay a manifold with boundary. */
+  replace(removed: ArrayLike<number>, inserted: ArrayLike<number>): Outcome;
 
   /** Brings the index buffer in step; returns the ranges to upload. Ranges at most `join` indices apart (2) become one;
    * they begin and end at multiples of `align` bytes, 2 or a multiple of 4 (4, as WebGPU's writeBuffer needs). `outgrown`:

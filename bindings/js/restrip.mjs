@@ -5,7 +5,7 @@
 import { absent, coordinates, known, limit, lists, mask, oneOf, point, quoted, vertices, weights, whole } from './arguments.mjs';
 import { Library } from './library.mjs';
 import { bytesOf, compiled } from './module.mjs';
-import { Walks } from './patches.mjs';
+import { triangleOf, Walks } from './patches.mjs';
 import { Points } from './points.mjs';
 import { Records } from './records.mjs';
 
@@ -458,6 +458,20 @@ export class StripMesh {
     const refusal = this.#library.restrip_mesh_split_face(mesh, h, this.#library.out);
     return this.#added(refusal, [a, b, c], (each) => this.#outcome(each, `the triangle ${a}, ${b}, ${c} cannot be split`,
       { [codes.noSuchEdge]: `no triangle has the corners ${a}, ${b}, ${c} in this order` }));
+  }
+  replace(removed, inserted) {
+    const [mesh, library] = [this.#kept, this.#library];
+    const [out, made] = [vertices('removed', removed, 3, this.#points.count), vertices('inserted', inserted, 3, this.#points.count)];
+    const triangles = new Uint32Array(out.length / 3);
+    for (let i = 0; i < triangles.length; ++i) {
+      const [a, b, c] = out.subarray(3 * i, 3 * i + 3);
+      if (this.#walks.apex(a, b) !== c) return this.#outcome(codes.noSuchEdge, '', { [codes.noSuchEdge]: `no triangle has the corners ${a}, ${b}, ${c} in this order` });
+      triangles[i] = triangleOf(this.#walks.find(a, b));
+    }
+    const refusal = library.with([triangles, made], (gone, added) =>
+      library.restrip_mesh_replace(mesh, gone, triangles.length, added, made.length / 3, library.out));
+    if (refusal === 0) this.#last = null;
+    return this.#outcome(refusal, 'these triangles cannot be replaced', {});
   }
   /// An operation with a new vertex, between others.
   #added(refusal, corners, outcome) {

@@ -401,6 +401,138 @@ TEST(CInterface, OperationsKeepToSixteenBits) {
   }
 }
 
+/// An operation named by vertices is the one at the halfedges between them; vertices that the mesh does not have, or
+/// that are not neighbours, are refused.
+TEST(CInterface, VerticesNameOperations) {
+  std::mt19937 random(3);
+  const Handle one = handle_of(sample::rectangle(5, 4));
+  const Handle other = handle_of(sample::rectangle(5, 4));
+  std::size_t done = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const auto any = [&] { return static_cast<std::uint32_t>(random() % (restrip_mesh_vertex_bound(one.get()) + 2)); };
+    const std::uint32_t v = any();
+    const auto neighbor = [&] {
+      restrip_halfedge h = restrip_mesh_spoke(other.get(), v);
+      for (auto turns = random() % 5; turns > 0 && h != RESTRIP_NONE; --turns)
+        h = restrip_mesh_opposite(other.get(), restrip_mesh_next(other.get(), restrip_mesh_next(other.get(), h)));
+      return random() % 8 == 0 ? any() : restrip_mesh_to(other.get(), h);
+    };
+    const std::uint32_t w = neighbor();
+    const std::uint32_t x = random() % 4 == 0 ? RESTRIP_NONE : neighbor();
+    const restrip_halfedge to_w = restrip_mesh_find(other.get(), v, w);
+    const restrip_halfedge to_x = restrip_mesh_find(other.get(), v, x);
+    const bool missing = (to_w == RESTRIP_NONE && w != RESTRIP_NONE) || (to_x == RESTRIP_NONE && x != RESTRIP_NONE);
+    restrip_status by_vertices = RESTRIP_UNEXPECTED;
+    restrip_status by_halfedges = RESTRIP_UNEXPECTED;
+    switch (random() % 3) {
+      case 0:
+        by_vertices = restrip_mesh_collapse_at(one.get(), v, w, nullptr);
+        by_halfedges = restrip_mesh_collapse(other.get(), to_w, nullptr);
+        break;
+      case 1:
+        by_vertices = restrip_mesh_flip_at(one.get(), v, w, nullptr);
+        by_halfedges = restrip_mesh_flip(other.get(), to_w, nullptr);
+        break;
+      default:
+        by_vertices = restrip_mesh_split_at(one.get(), v, w, x, RESTRIP_NONE, nullptr);
+        by_halfedges =
+            missing ? RESTRIP_NO_SUCH_EDGE : restrip_mesh_split(other.get(), to_w, to_x, RESTRIP_NONE, nullptr);
+    }
+    ASSERT_EQ(by_vertices, by_halfedges) << n;
+    ASSERT_EQ(corners_of(one.get()), corners_of(other.get()));
+    ASSERT_EQ(colors_of(one.get()), colors_of(other.get()));
+    done += by_vertices == RESTRIP_OK ? 1U : 0U;
+  }
+  EXPECT_GT(done, 100U);
+}
+
+/// Any triangles are replaced by any others. A live buffer, decoded, draws the triangles that are expected.
+TEST(CInterface, TrianglesAreReplaced) {
+  std::mt19937 random(4);
+  std::size_t flipped = 0;
+  for (const StripMesh& start : {sample::torus(6, 5), sample::rectangle(5, 4)}) {
+    const Handle mesh = handle_of(start);
+    restrip_mesh* const m = mesh.get();
+    ASSERT_EQ(begin_live(m, RESTRIP_FORM_RESTART, 0), RESTRIP_OK);
+    updated(m);
+    for (int n = 0; n < 200; ++n) {
+      const auto h = static_cast<restrip_halfedge>(random() % (4 * restrip_mesh_triangle_bound(m)));
+      const restrip_halfedge g = restrip_mesh_opposite(m, h);
+      if (h % 4 == 3 || g == RESTRIP_NONE || restrip_mesh_triangle(m, g) == RESTRIP_NONE) continue;
+      restrip_mesh* copy = nullptr;
+      ASSERT_EQ(restrip_mesh_copy(m, &copy), RESTRIP_OK);
+      const Handle turned(copy);
+      const std::array<std::uint32_t, 2> out{restrip_mesh_triangle(m, h), restrip_mesh_triangle(m, g)};
+      const std::uint32_t u = restrip_mesh_from(m, h);
+      const std::uint32_t v = restrip_mesh_to(m, h);
+      const std::uint32_t l = restrip_mesh_to(m, restrip_mesh_next(m, h));
+      const std::uint32_t r = restrip_mesh_to(m, restrip_mesh_next(m, g));
+      const std::array<std::uint32_t, 6> in{r, l, u, l, r, v};
+      const restrip_status expected = restrip_mesh_flip(turned.get(), h, nullptr);
+      ASSERT_EQ(restrip_mesh_replace(m, out.data(), 2, in.data(), 2, nullptr) == RESTRIP_OK, expected == RESTRIP_OK);
+      ASSERT_EQ(sorted_triangles(m), sorted_triangles(turned.get()));
+      flipped += expected == RESTRIP_OK ? 1U : 0U;
+      updated(m);
+      const restrip_buffer_view view = live_view(m);
+      ASSERT_EQ(read_view(view.indices, view.index_count * static_cast<std::size_t>(view.index_bits) / 8, view),
+                sorted_triangles(m));
+    }
+    // A hole is cut and filled.
+    const std::uint32_t t = restrip_mesh_triangle(m, restrip_mesh_spoke(m, 7));
+    Corners corners;
+    ASSERT_EQ(restrip_mesh_corners(m, t, corners.data()), RESTRIP_OK);
+    const auto before = sorted_triangles(m);
+    restrip_change change;
+    ASSERT_EQ(restrip_mesh_replace(m, &t, 1, nullptr, 0, &change), RESTRIP_OK);
+    EXPECT_EQ(restrip_mesh_replace(m, &t, 1, nullptr, 0, &change), RESTRIP_OTHER_PATCH);
+    ASSERT_EQ(restrip_mesh_replace(m, nullptr, 0, corners.data(), 1, &change), RESTRIP_OK);
+    EXPECT_EQ(sorted_triangles(m), before);
+    EXPECT_EQ(restrip_mesh_replace(m, nullptr, 0, corners.data(), 1, &change), RESTRIP_NO_MANIFOLD);
+    EXPECT_EQ(restrip_mesh_replace(m, nullptr, 1, corners.data(), 1, nullptr), RESTRIP_NULL_ARGUMENT);
+    EXPECT_EQ(restrip_mesh_replace(m, &t, 1, nullptr, 1, nullptr), RESTRIP_NULL_ARGUMENT);
+    // A sheet apart, of vertices that 16 bits cannot name.
+    ASSERT_EQ(begin_live(m, RESTRIP_FORM_RESTART, 16), RESTRIP_OK);
+    const Corners far{65'533, 65'534, 65'535};
+    EXPECT_EQ(restrip_mesh_replace(m, nullptr, 0, far.data(), 1, nullptr), RESTRIP_TOO_LARGE);
+    ASSERT_EQ(begin_live(m, RESTRIP_FORM_RESTART, 0), RESTRIP_OK);
+    EXPECT_EQ(restrip_mesh_replace(m, nullptr, 0, far.data(), 1, nullptr), RESTRIP_OK);
+  }
+  EXPECT_GT(flipped, 50U);
+}
+
+/// Long searches ask whether to stop; stopped at once, they leave valid strips, and otherwise the same ones as always.
+TEST(CInterface, LongSearchesMayBeStopped) {
+  struct Asked {
+    std::size_t times = 0;
+    std::size_t most = 0;
+  };
+  const auto stop = [](void* context) -> std::int32_t {
+    auto& asked = *static_cast<Asked*>(context);
+    return ++asked.times > asked.most ? 7 : 0;
+  };
+  for (const restrip_cost& cost : {fewest_strips, fewest_indices}) {
+    const Handle mesh = handle_of(sample::torus(90, 80));
+    std::size_t strips = 0;
+    std::size_t fast = 0;
+    ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &cost, 0, &fast), RESTRIP_OK);
+    for (const std::size_t most : {0, 3}) {
+      Asked asked{0, most};
+      ASSERT_EQ(restrip_mesh_stripify_until(mesh.get(), RESTRIP_EFFORT_BEST, &cost, 0, stop, &asked, &strips),
+                RESTRIP_OK);
+      EXPECT_LE(asked.times, most + 1);
+      const restrip_coloring coloring = counted(mesh.get());
+      EXPECT_TRUE(coloring.valid != 0 && coloring.strips == strips);
+    }
+    Asked never{0, SIZE_MAX};
+    ASSERT_EQ(restrip_mesh_stripify_until(mesh.get(), RESTRIP_EFFORT_FULL, &cost, 0, stop, &never, &strips),
+              RESTRIP_OK);
+    const auto colors = colors_of(mesh.get());
+    ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &cost, 0, &strips), RESTRIP_OK);
+    EXPECT_EQ(colors_of(mesh.get()), colors);
+    EXPECT_GT(never.times, 0U);
+  }
+}
+
 TEST(CInterface, StripsAndTrianglesComeOut) {
   const Handle mesh = handle_of(sample::sphere(2));
   restrip_mesh* const m = mesh.get();

@@ -62,7 +62,7 @@ HEADERS = {
     ],
     "readers": [
         ("the look-up in tables", f"{RULES}/rules.hpp", token("const std::size_t by = exchange ? a : 0;", "const std::size_t by = exchange ? k : 0;"), "split", "table split k "),
-        ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers give"),
+        ("the reader of the automaton", f"{RULES}/exact.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers give"),
     ],
     "questions": [
         ("what open splits ask the automaton", f"{RULES}/rules.hpp", token("rule(open_fan(at.k), path_with_chord(at.k, at.i, at.j)", "rule(open_fan(at.k), path_with_chord(at.k, at.i, at.k)"), "open-split", "table open-split k "),

@@ -30,7 +30,6 @@ function(test_of header out)
 endfunction()
 
 file(GLOB_RECURSE headers RELATIVE ${ROOT}/runtime/include ${ROOT}/runtime/include/*.hpp)
-list(FILTER headers EXCLUDE REGEX "/impl/")
 foreach(header IN LISTS headers)
   test_of(${header} test)
   judge(${header} ${test} fault)

@@ -71,12 +71,7 @@ void by_rules(const char* what, StripMesh& mesh) {
   down_and_up(
       mesh, [&](Halfedge h) { restrip::collapse(mesh, h); }, [&](const Where& where) { restrip::split(mesh, where); });
   print(what, mesh);
-  down_and_up(
-      mesh, [&](Halfedge h) { restrip::collapse_and_join(mesh, h); },
-      [&](const Where& where) { restrip::split_and_join(mesh, where); });
-  for (Triangle t = 0; t < mesh.triangle_bound(); t += 7)
-    if (const Halfedge h = StripMesh::halfedge(t, 0); restrip::check_flip(mesh, h) == restrip::Refusal::granted)
-      restrip::flip_and_join(mesh, h);
+  for (Triangle t = 0; t < mesh.triangle_bound(); t += 7) restrip::checked_flip(mesh, StripMesh::halfedge(t, 0));
   print(what, mesh);
 }
 

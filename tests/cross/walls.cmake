@@ -6,7 +6,7 @@ set(allowed_in_generator "${std}|\"common/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)
 set(allowed_in_verify "${std}|\"common/(counted|digest|file_error|json|printable|reading|share).hpp\"|<(boost|fmt|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"(restrip|mesh|operations|output|search|formats|live)/.*\"|RESTRIP_USER_CONFIG")
 set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-z0-9_]+).hpp\"")
-set(allowed_in_tools "${std}|\"(restrip|search|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
+set(allowed_in_tools "${std}|\"(restrip|mesh|search|formats|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<(CGAL|OpenMesh)/.*>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_bindings/js "${std}|\"restrip.h\"")
@@ -31,15 +31,13 @@ set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables|rule_of_@n
 set(never_in_tools "restrip/tables/")
 # Bodies are private to the floor of their manual; see below. Searches that have no public header (runtime/src/search) are
 # open to baking, to the method of the paper and to tests.
-set(never_in_examples "/impl/")
-set(never_in_bindings/c "/impl/|restrip/tables/")
-set(never_in_bench "/impl/")
+set(never_in_bindings/c "restrip/tables/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of the same floor.
 set(floors_runtime tables precondition.hpp fwd.hpp rules|mesh operations|output search|formats live_mesh.hpp live restrip.hpp)
 set(floors_generator common describe solve certify tables automaton emit commands)
 set(floors_verify common model definition certificate judge explain automaton)
-set(floors_tools restrip|search common measure meshes pictures lod replay paper app)
+set(floors_tools restrip|mesh|search|formats common measure meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
 function(floor_of room folder out)
@@ -53,25 +51,18 @@ function(floor_of room folder out)
   endforeach()
 endfunction()
 
-# judge_floor(ROOM FOLDER WHAT OUT): OUT is true if a file of FOLDER ("search", "search/impl") must not include WHAT
+# judge_floor(ROOM FOLDER WHAT OUT): OUT is true if a file of FOLDER ("search") must not include WHAT
 # because of its floor.
 function(judge_floor room folder what out)
   set(${out} FALSE PARENT_SCOPE)
-  if(NOT what MATCHES "^\"(restrip/)?([a-z_.]+)(/impl)?(/.*)?\"$")
+  if(NOT what MATCHES "^\"(restrip/)?([a-z_.]+)(/.*)?\"$")
     return()
   endif()
   set(there ${CMAKE_MATCH_2})
-  set(body "${CMAKE_MATCH_3}")
   if(room STREQUAL "tools" AND what MATCHES "^\"restrip/")
-    if(body)
-      set(${out} TRUE PARENT_SCOPE)
-    endif()
     return()
   endif()
   string(REGEX REPLACE "/.*" "" here "${folder}")
-  foreach(place IN ITEMS here there)  # the bodies of live_mesh.hpp
-    string(REGEX REPLACE "^impl$" live_mesh.hpp ${place} "${${place}}")
-  endforeach()
   if(here STREQUAL there)
     return()
   endif()
@@ -142,15 +133,6 @@ if(seen LESS 500)
   message(FATAL_ERROR "only ${seen} include lines were read; has a room moved?")
 endif()
 
-# Tests include no bodies.
-file(GLOB_RECURSE sources ${ROOT}/tests/*.hpp ${ROOT}/tests/*.cpp)
-foreach(source IN LISTS sources)
-  file(STRINGS ${source} includes REGEX "^ *# *include.*restrip/.*/impl/")
-  foreach(line IN LISTS includes)
-    message(SEND_ERROR "${source}: ${line}: a body is private to its floor")
-  endforeach()
-endforeach()
-
 # The check itself must be able to fail, for every room and floor: path from the top | a forbidden include.
 foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generator/any.cpp|<restrip/tables/split.hpp>" "generator/any.cpp|<stdint.h>"
                        "generator/emit/templates/any.h|<stdlib.h>"
@@ -168,7 +150,6 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "runtime/include/restrip/rules/any.hpp|\"restrip/mesh/strip_mesh.hpp\""
                        "runtime/include/restrip/mesh/any.hpp|\"restrip/rules/rules.hpp\""
                        "runtime/include/restrip/mesh/any.hpp|\"restrip/operations/operations.hpp\""
-                       "runtime/include/restrip/mesh/impl/any.hpp|\"restrip/operations/operations.hpp\""
                        "runtime/include/restrip/operations/any.hpp|\"restrip/search/keeper.hpp\""
                        "runtime/include/restrip/operations/any.hpp|\"restrip/output/strips.hpp\""
                        "runtime/include/restrip/output/any.hpp|\"restrip/operations/operations.hpp\""
@@ -177,11 +158,11 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "runtime/include/restrip/precondition.hpp|\"restrip/mesh/refusal.hpp\""
                        "tools/common/any.cpp|\"meshes/soup.hpp\"" "tools/meshes/any.cpp|\"lod/simplify.hpp\""
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
-                       "tools/paper/any.cpp|\"app/options.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/keeper_steps.hpp\""
-                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "bindings/js/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
+                       "tools/paper/any.cpp|\"app/options.hpp\""
+                       "bench/any.cpp|\"operations/patch_walk.hpp\"" "bindings/js/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
                        "web/maker/module/generate.cpp|\"verify.hpp\"" "web/maker/module/judge.cpp|\"commands/pipeline.hpp\""
-                       "bindings/js/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
-                       "bindings/c/any.cpp|\"lod/simplify.hpp\"" "bindings/c/any.cpp|<fmt/format.h>" "bindings/c/any.cpp|\"restrip/search/impl/keeper_steps.hpp\""
+                       "bindings/js/glue/any.cpp|\"restrip/rules/rules.hpp\""
+                       "bindings/c/any.cpp|\"lod/simplify.hpp\"" "bindings/c/any.cpp|<fmt/format.h>"
                        "examples/any.c|<unistd.h>")
   string(REPLACE "|" ";" wrong "${wrong}")
   list(GET wrong 0 source)

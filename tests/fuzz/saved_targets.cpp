@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "restrip/formats/baked_format.hpp"
+#include "formats/baked_format.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/live_buffer.hpp"

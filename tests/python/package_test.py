@@ -4,11 +4,14 @@ import contextlib
 import copy
 import importlib.util
 import io
+import os
 import pathlib
 import pickle
 import pydoc
 import random
 import re
+import signal
+import threading
 import unittest
 import warnings
 
@@ -394,6 +397,35 @@ class Live(unittest.TestCase):
             restrip.Table({**data, "entries": [56, *data["entries"][1:]]})
         with self.assertRaisesRegex(ValueError, "this is not the table of an operation"):
             restrip.Table({})
+
+    def test_vertices_name_operations_and_triangles_are_replaced(self):
+        mesh, other = restrip.LiveMesh(grid(6)), restrip.LiveMesh(grid(6))
+        for at_vertices, at_halfedges in ((lambda: mesh.flip_at(7, 14), lambda: other.flip(other.find(7, 14))),
+                                          (lambda: mesh.collapse_at(21, 22), lambda: other.collapse(other.find(21, 22))),
+                                          (lambda: mesh.split_at(14, 8, 20), lambda: other.split(other.find(14, 8), other.find(14, 20)))):
+            self.assertEqual(at_vertices(), at_halfedges())
+            np.testing.assert_array_equal(mesh.faces(), other.faces())
+        for wrong in (lambda: mesh.flip_at(0, 40), lambda: mesh.collapse_at(1000, 0), lambda: mesh.split_at(1000, 0, 1)):
+            with self.assertRaisesRegex(restrip.RestripError, "halfedge is not one"):
+                wrong()
+        before, t = rotated(mesh.faces()), mesh.triangle(mesh.spoke(16))
+        corners = mesh.corners(t)
+        mesh.replace([t], [])
+        self.assertEqual(len(mesh), len(before) - 1)
+        mesh.replace([], [corners])
+        self.assertEqual(rotated(mesh.faces()), before)
+        with self.assertRaisesRegex(restrip.RestripError, "manifold"):
+            mesh.replace([], [corners])
+
+    def test_ctrl_c_ends_a_long_search(self):
+        mesh = restrip.LiveMesh(grid(150), cost="indices")
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            for _ in range(1000):
+                mesh.stripify("best")
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+        self.assertTrue(mesh.check().valid)
+        mesh.stripify("full")
 
     def test_layouts_are_checked(self):
         mesh = restrip.LiveMesh(grid(6))

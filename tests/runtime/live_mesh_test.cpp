@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "check_buffer.hpp"
+#include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 #include "sheets.hpp"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "form_reader.hpp"
+#include "formats/baked_format.hpp"
 #include "random_operation.hpp"
-#include "restrip/formats/baked_format.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/search/policy.hpp"

@@ -67,10 +67,6 @@ TEST(PreconditionDeathTest, ADeadHandle) {
   EXPECT_REFUSED((void)mesh.solid(dead), "StripMesh::solid", no_such_edge);
   EXPECT_REFUSED((void)mesh.fan_step(dead), "StripMesh::fan_step", no_such_edge);
   EXPECT_REFUSED(mesh.set_solid(dead, true), "StripMesh::set_solid", no_such_edge);
-  EXPECT_REFUSED(absorb(mesh, dead), "absorb", no_such_edge);
-  EXPECT_REFUSED(join_end(mesh, dead), "join_end", no_such_edge);
-  EXPECT_REFUSED(join_around(mesh, dead), "join_around", no_such_edge);
-  EXPECT_REFUSED(join_at_edge(mesh, dead), "join_at_edge", no_such_edge);
 }
 
 TEST(PreconditionDeathTest, EveryRefusalOfASplit) {
@@ -115,13 +111,10 @@ TEST(PreconditionDeathTest, EveryRefusalOfAFlip) {
 TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   StripMesh mesh = sample::octahedron();
   const Where same{mesh.spoke(4), mesh.spoke(4)};
-  EXPECT_REFUSED(split_and_join(mesh, same), "split_and_join", same_spoke);
   EXPECT_REFUSED(split_baked(mesh, same, {}), "split_baked", same_spoke);
   EXPECT_REFUSED(mesh.insert_vertex(same), "StripMesh::insert_vertex", same_spoke);
-  EXPECT_REFUSED(collapse_and_join(mesh, {}), "collapse_and_join", no_such_edge);
   EXPECT_REFUSED(collapse_baked(mesh, {}, {}), "collapse_baked", no_such_edge);
   EXPECT_REFUSED(mesh.remove_vertex({}), "StripMesh::remove_vertex", no_such_edge);
-  EXPECT_REFUSED(flip_and_join(mesh, {}), "flip_and_join", no_such_edge);
   EXPECT_REFUSED(mesh.turn_edge({}), "StripMesh::turn_edge", no_such_edge);
   for (const Policy policy : {Policy::local, Policy::quick}) {
     Keeper keeper(mesh, policy, Cost::strips());

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "operations/join.hpp"
 #include "output/strip_buffer.hpp"
 #include "random_operation.hpp"
 #include "restrip/live_mesh.hpp"
-#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
@@ -154,7 +154,7 @@ TEST(Complexity, JoiningTwoEndsWalksTheShorterStrip) {
     StripMesh mesh = band(n);
     const Halfedge end = mesh.spoke(100, 101).id != none ? mesh.spoke(100, 101) : mesh.spoke(101, 100);
     mesh.set_solid(end, false);
-    joining[size] = work_of([&] { join_end(mesh, end); });
+    joining[size] = work_of([&] { detail::join_end(mesh, end); });
     ASSERT_TRUE(mesh.solid(end));
     EXPECT_EQ(joining[size].allocations, 0U);
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "operations/join.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "sample_meshes.hpp"
@@ -35,6 +36,14 @@ inline Look look_at(const StripMesh& mesh) {
     look.insert(look.end(), {chord.id, next.to(chord)});
   }
   return look;
+}
+
+/// Joins all strip ends that meet.
+inline ColoringChange join_all(StripMesh& mesh) {
+  ColoringChange sum;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) sum += detail::join_end(mesh, StripMesh::halfedge(t));
+  return sum;
 }
 
 /// Adjacency from its definition: opposite halfedges run between the same vertices, first spokes are first, fans are

@@ -12,6 +12,7 @@
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
 #include "restrip/output/live_buffer.hpp"
+#include "restrip/output/strips.hpp"
 #include "shapes.hpp"
 #include "support/sanitizers.hpp"
 

@@ -29,9 +29,9 @@ BeginMaintainer by(const std::string& method) {
 /// The rules, for tests to spoil.
 struct Operations : Maintainer {
   using Maintainer::Maintainer;
-  Rewrite split(const Where& where, Vertex v_t, std::size_t) override { return split_and_join(mesh_, where, v_t); }
-  Rewrite collapse(Halfedge chord, std::size_t) override { return collapse_and_join(mesh_, chord); }
-  Rewrite flip(Halfedge h) override { return flip_and_join(mesh_, h); }
+  Rewrite split(const Where& where, Vertex v_t, std::size_t) override { return restrip::split(mesh_, where, v_t); }
+  Rewrite collapse(Halfedge chord, std::size_t) override { return restrip::collapse(mesh_, chord); }
+  Rewrite flip(Halfedge h) override { return restrip::flip(mesh_, h); }
 };
 template <class Faulty>
 std::unique_ptr<Maintainer> begin(StripMesh& mesh) {

@@ -323,6 +323,24 @@ async function continues() {
   for (const each of [mesh, resumed]) each.close();
 }
 
+/// Any triangles are replaced by any others, each by its vertices.
+function trianglesAreReplaced() {
+  const mesh = restrip.mesh(grid(6, 5)).begin();
+  const before = sorted(mesh.triangles);
+  const count = mesh.triangles.length;
+  const [a, b, c] = mesh.triangles;
+  assert.deepEqual(mesh.replace([b, c, a], []), { ok: true });
+  assert.equal(mesh.triangles.length, count - 3);
+  assert.match(mesh.replace([a, b, c], []).reason, /no triangle has the corners/);
+  assert.deepEqual(mesh.replace([], [a, b, c]), { ok: true });
+  assert.deepEqual(sorted(mesh.triangles), before);
+  assert.match(mesh.replace([], [a, b, c]).reason, /these triangles cannot be replaced: the mesh would not be a manifold/);
+  assert.throws(() => mesh.replace([], [a, b, 1e6]), /inserted: number 0 names vertex 1000000/);
+  const v = mesh.addPoint(0.5, 0.5, 0);
+  assert.ok(mesh.replace([a, b, c], [a, b, v, b, c, v, c, a, v]).ok && mesh.valid);
+  assert.equal(mesh.around(v).length, 3);
+}
+
 /// 16 bits name vertices up to 65,534. An operation that would add the next one is refused, and the mesh stays in use.
 function sixteenBitsAreKept() {
   const mesh = restrip.mesh(grid(257, 255)).begin({ policy: 'bare', bits: 16 });
@@ -590,7 +608,7 @@ function misuseThrows() {
   const mesh = restrip.progressive(source);
   const needStrips = {
     moveTo: () => mesh.moveTo(1), approach: () => mesh.approach([1]), split: () => mesh.split(4, 6, 0, 1), collapse: () => mesh.collapse(4, 5),
-    around: () => mesh.around(0), apply: () => mesh.apply({}, 0, 2), bisect: () => mesh.bisect(0, 2), splitFace: () => mesh.splitFace(0, 2, 4), flip: () => mesh.flip(0, 1), update: () => mesh.update(), keep: () => mesh.keep(), recolor: () => mesh.recolor(), improve: () => mesh.improve(1),
+    around: () => mesh.around(0), apply: () => mesh.apply({}, 0, 2), bisect: () => mesh.bisect(0, 2), splitFace: () => mesh.splitFace(0, 2, 4), replace: () => mesh.replace([], []), flip: () => mesh.flip(0, 1), update: () => mesh.update(), keep: () => mesh.keep(), recolor: () => mesh.recolor(), improve: () => mesh.improve(1),
     undo: () => mesh.undo(), redo: () => mesh.redo(), save: () => mesh.save(), fromScratch: () => mesh.fromScratch(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
     ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'valid', 'ribbon', 'scratchRibbon', 'last', 'ready', 'history', 'draws', 'room'].map((name) => [name, () => mesh[name]])) };
   const others = { begin: () => mesh.begin(), addPoint: () => mesh.addPoint(0, 0, 0), setPoint: () => mesh.setPoint(0, 1, 0, 0), splits: () => mesh.splits, leftOut: () => mesh.leftOut, hasBakedStrips: () => mesh.hasBakedStrips };
@@ -822,7 +840,7 @@ function refusalsNameVertices() {
     assert.ok([...reasons].some((reason) => each.test(reason)), `${each} in ${[...reasons].join('\n')}`);
 }
 
-for (const test of [asDependency, takesContent, misuseThrows, worksAboveTwoGigabytes, unclosedIsFreed, compilesFromServers, pointsFollowFrames, continues, refusalsNameVertices, singleOperations, appliesTables, copiesByRanges, sixteenBitsAreKept, pointsGrowInConstantTime, threeFollows, viewDependent, simplifies, playsBaked, sameAsReplay]) {
+for (const test of [asDependency, takesContent, misuseThrows, worksAboveTwoGigabytes, unclosedIsFreed, compilesFromServers, pointsFollowFrames, continues, refusalsNameVertices, singleOperations, appliesTables, copiesByRanges, trianglesAreReplaced, sixteenBitsAreKept, pointsGrowInConstantTime, threeFollows, viewDependent, simplifies, playsBaked, sameAsReplay]) {
   await test();
   console.log(`${test.name}: as claimed`);
 }

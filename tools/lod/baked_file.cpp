@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "common/bad_input.hpp"
+#include "formats/baked_format.hpp"
 #include "lod/pm_file.hpp"
 #include "meshes/gltf_file.hpp"
 #include "meshes/little_endian.hpp"
 #include "restrip/formats/baked_file.hpp"
-#include "restrip/formats/baked_format.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {

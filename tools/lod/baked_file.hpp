@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/baked_format.hpp"
 #include "lod/bake.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/strip_file.hpp"
-#include "restrip/formats/baked_format.hpp"
 
 namespace restrip::tools {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/counted.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {

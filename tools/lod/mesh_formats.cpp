@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "common/bad_input.hpp"
+#include "formats/baked_format.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "meshes/text_cursor.hpp"
-#include "restrip/formats/baked_format.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {

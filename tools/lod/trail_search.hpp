@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "search/strip_locator.hpp"
 
 namespace restrip::tools {

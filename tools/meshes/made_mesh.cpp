@@ -9,6 +9,7 @@
 #include "common/random.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
 
 namespace restrip::tools {
 namespace {

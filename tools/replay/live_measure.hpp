@@ -9,6 +9,7 @@
 
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/live_buffer.hpp"
+#include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 

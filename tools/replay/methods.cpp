@@ -52,17 +52,19 @@ class UnderPolicy final : public Maintainer {
   Keeper keeper_;
 };
 
-/// The library's Keeper with baked strips. Played records report changes in strips only, so isolated triangles and the
-/// valence are counted here. Outside the patch only the flips of the record change colours.
+/// Baked strips; operations that are not the next record are done by a Keeper. Played records report changes in strips
+/// only, so isolated triangles and the valence are counted here. Outside the patch only the flips of the record change
+/// colours.
 class Baked final : public Maintainer {
  public:
-  Baked(StripMesh& mesh, const BakedRecords& records) : Maintainer(mesh), keeper_(mesh, records), records_(records) {}
+  Baked(StripMesh& mesh, const BakedRecords& records)
+      : Maintainer(mesh), keeper_(mesh, Policy::local, Cost::strips()), player_(mesh, records), records_(records) {}
   Rewrite split(const Where& where, Vertex v_t, std::size_t record) override {
-    if (!keeper_.baked()->can_split(record)) return keeper_.split_record(record, where, v_t);
+    if (!player_.can_split(record)) return on_its_own().split(where, v_t);
     fan_triangles(mesh_, where.spoke(), patch_);
     const auto valence = static_cast<std::uint32_t>(patch_.size());
     const int before = isolated(record);
-    Rewrite done = keeper_.split_record(record, where, v_t);
+    Rewrite done = player_.split(record, where, v_t);
     edge_triangles(mesh_, done.halfedge, more_);
     patch_.insert(patch_.end(), more_.begin(), more_.end());
     done.isolated = isolated(record) - before;
@@ -70,27 +72,32 @@ class Baked final : public Maintainer {
     return done;
   }
   Rewrite collapse(Halfedge chord, std::size_t record) override {
-    if (!keeper_.baked()->can_collapse(record)) return keeper_.collapse_record(record, chord);
+    if (!player_.can_collapse(record)) return on_its_own().collapse(chord);
     edge_triangles(mesh_, chord, patch_);
     const int before = isolated(record);
-    Rewrite done = keeper_.collapse_record(record, chord);
+    Rewrite done = player_.collapse(record, chord);
     done.isolated = isolated(record) - before;
     fan_triangles(mesh_, done.halfedge, more_);
     done.valence = static_cast<std::uint32_t>(more_.size());
     return done;
   }
-  Rewrite flip(Halfedge h) override { return keeper_.flip(h); }
-  void restart(std::size_t level) override {
-    keeper_.baked()->restart(level);
-    keeper_.rebuild();
-  }
+  Rewrite flip(Halfedge h) override { return on_its_own().flip(h); }
+  void restart(std::size_t level) override { player_.restart(level); }
   [[nodiscard]] RuleCounts rule_counts() const override { return keeper_.rule_counts(); }
 
  private:
   void split_silently(const Where& where, Vertex v_t, std::size_t record) override {
-    keeper_.split_record(record, where, v_t);
+    player_.can_split(record) ? player_.split(record, where, v_t) : on_its_own().split(where, v_t);
   }
-  void collapse_silently(Halfedge chord, std::size_t record) override { keeper_.collapse_record(record, chord); }
+  void collapse_silently(Halfedge chord, std::size_t record) override {
+    player_.can_collapse(record) ? player_.collapse(record, chord) : on_its_own().collapse(chord);
+  }
+  /// For an operation that is not a record.
+  Keeper& on_its_own() {
+    if (player_.in_step()) keeper_.forget();
+    player_.leave_step();
+    return keeper_;
+  }
 
   /// Isolated triangles of the patch and at the flips of a record, each once; they stay in the patch.
   int isolated(std::size_t record) {
@@ -103,6 +110,7 @@ class Baked final : public Maintainer {
   }
 
   Keeper keeper_;
+  BakedPlayer player_;
   const BakedRecords& records_;
   std::vector<Triangle> patch_;
   std::vector<Triangle> more_;

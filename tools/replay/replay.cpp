@@ -13,9 +13,9 @@
 #include "common/stopwatch.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
+#include "mesh/history.hpp"
 #include "replay/methods.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/mesh/history.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"
 

@@ -9,6 +9,7 @@
 #include "common/random.hpp"
 #include "lod/coloring_check.hpp"
 #include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {

@@ -275,7 +275,7 @@ Definition Flip_right (T : table) : Prop := flip_correct T /\ flip_safe T /\ fli
 
 (** ** The automaton
 
-    What runtime/include/restrip/rules/impl/arc_walk.hpp does with the numbers of automaton.hpp, said in Coq; it is all of that
+    What runtime/include/restrip/rules/exact.hpp does with the numbers of automaton.hpp, said in Coq; it is all of that
     code that the theorems know. docs/explanation/automaton.md explains letters, classes and cases. *)
 Inductive letter := Plain | Alone | Joined | Edge.
 

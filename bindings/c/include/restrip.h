@@ -227,6 +227,12 @@ enum {
  * undo restores the colours. After RESTRIP_OUT_OF_MEMORY the colours are valid, but may have changed. */
 RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t effort, const restrip_cost* cost,
                                                  uint64_t limit, size_t* strips);
+/* The same. `stop` is called several times a second by the efforts above RESTRIP_EFFORT_FAST, with `context`, from the
+ * thread of the call; once it returns another number than 0, the search ends with the best strips that it has found. It
+ * must not use the mesh. Null: never. */
+RESTRIP_API restrip_status restrip_mesh_stripify_until(restrip_mesh* mesh, int32_t effort, const restrip_cost* cost,
+                                                       uint64_t limit, int32_t (*stop)(void* context), void* context,
+                                                       size_t* strips);
 
 /* ---- Operations -------------------------------------------------------------------------------- */
 
@@ -272,6 +278,20 @@ RESTRIP_API restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfed
 RESTRIP_API restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 /* Flip: the two triangles at the mesh edge become the two with the other diagonal. */
 RESTRIP_API restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+/* The same by vertices, for programs with another mesh next to this one: the edge from v to w, of which a collapse
+ * removes w; the edges from v to `left` and `right`, of which one may be RESTRIP_NONE on the boundary. */
+RESTRIP_API restrip_status restrip_mesh_split_at(restrip_mesh* mesh, uint32_t v, uint32_t left, uint32_t right,
+                                                 uint32_t v_t, restrip_change* change);
+RESTRIP_API restrip_status restrip_mesh_collapse_at(restrip_mesh* mesh, uint32_t v, uint32_t w, restrip_change* change);
+RESTRIP_API restrip_status restrip_mesh_flip_at(restrip_mesh* mesh, uint32_t v, uint32_t w, restrip_change* change);
+
+/* Any change of a few triangles: removes the triangles `out` and adds in_count triangles `in`, three vertices each,
+ * counter-clockwise; either list may be empty. Vertices that are not in use become new ones, vertices left without
+ * triangles go. Edges of removed triangles are cleared, then the policy searches among what has changed. Refused unless
+ * the mesh stays a manifold with boundary, with three triangles or more around an interior vertex. `halfedge` of the
+ * change is a side of the first new triangle. O(n log n) for n triangles at the vertices, and the time of the policy. */
+RESTRIP_API restrip_status restrip_mesh_replace(restrip_mesh* mesh, const uint32_t* out, size_t out_count,
+                                                const uint32_t* in, size_t in_count, restrip_change* change);
 
 /* Four operations on few triangles, independent of valences; longest-edge bisection uses them. They are checked and
  * reported like the three above, and maintain strips like them.

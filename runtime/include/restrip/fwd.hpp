@@ -12,6 +12,7 @@ namespace restrip {
 class StripMesh;
 class LiveMesh;
 struct LiveOptions;
+struct Interrupt;
 struct BakedFile;
 struct OperationView;
 class LiveBuffer;

@@ -109,7 +109,7 @@ class LiveMesh {
   /// Strips from scratch for the present mesh (stripify.hpp), for this cost; returns their number. The next update()
   /// writes the whole buffer. A recolouring that changes a colour can be undone like an operation. Handles stay.
   /// Like operations of your own, it leaves the levels of baked strips. Needs memory for a second mesh.
-  std::size_t recolor(Effort effort, const Cost& cost, std::uint64_t limit = 0);
+  std::size_t recolor(Effort effort, const Cost& cost, std::uint64_t limit = 0, const Interrupt* interrupt = nullptr);
   /// The same with given colours: bit s of solid_sides[t] for side s of triangle t below triangle_bound(). Returns
   /// false, and changes nothing, if they are not a valid colouring with 0 for numbers that are not triangles.
   bool recolor(std::span<const std::uint8_t> solid_sides);
@@ -186,7 +186,8 @@ class LiveMesh {
   [[nodiscard]] std::span<const Triangle> changed() const noexcept;
   /// Counts of rules used and not used in all operations so far, undone ones included.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept;
-  /// The parts, for members that are not repeated here: include search/keeper.hpp, output/live_buffer.hpp.
+  /// The parts, for members that are not repeated here: include search/keeper.hpp, output/live_buffer.hpp. The keeper
+  /// is not up to date while baked strips are at a level; asked for as one that may change, it leaves the level.
   [[nodiscard]] Keeper& keeper() noexcept;
   [[nodiscard]] const Keeper& keeper() const noexcept;
   [[nodiscard]] const LiveBuffer& buffer() const noexcept;

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "restrip/formats/baked_format.hpp"
+#include "formats/baked_format.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "live/live_state.hpp"
+#include "mesh/history.hpp"
 #include "restrip/formats/baked_file.hpp"
-#include "restrip/mesh/history.hpp"
 #include "restrip/mesh/split_record.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/refine.hpp"
@@ -27,9 +27,14 @@ namespace restrip {
 
 namespace {
 
-using State = Keeper::State;
+/// What undo restores besides the mesh.
+struct State {
+  std::optional<Keeper::Counts> counts;  ///< none: the keeper reads the mesh
+  std::optional<std::size_t> level;      ///< of baked strips, in step
+  std::size_t strips = 0;                ///< of that level
+};
 
-/// Frames of the mesh, with the counts of its keeper between them.
+/// Frames of the mesh, with the states between them.
 struct Frames {
   Frames(const StripMesh& now, const State& state, std::size_t most) : mesh(now, most), states{state} {}
 
@@ -68,9 +73,11 @@ struct LiveMesh::Parts {
   RESTRIP_COLD Parts(StripMesh own, const LiveOptions& options, std::shared_ptr<const BakedFile> from = nullptr)
       : file(std::move(from)),
         mesh(std::move(own)),
-        keeper(file ? Keeper(mesh, file->records) : Keeper(mesh, options.policy, options.cost)),
+        keeper(file ? Keeper(mesh, Policy::local, Cost::strips()) : Keeper(mesh, options.policy, options.cost)),
         buffer(options.format, options.layout),
         most_history(options.history) {
+    if (file) player.emplace(mesh, file->records);
+    level_strips = keeper.strips();
     if (options.deferred) return;
     buffer.rebuild(mesh);
     begin();
@@ -83,7 +90,7 @@ struct LiveMesh::Parts {
     framed = 0;
     begun = true;
     lost = most_history != 0;
-    if (lost) history.emplace(mesh, keeper.state(), most_history);
+    if (lost) history.emplace(mesh, state(), most_history);
     lost = false;
   }
   [[nodiscard]] bool can_step() const noexcept { return history && !lost; }
@@ -98,7 +105,7 @@ struct LiveMesh::Parts {
   void end_frame() {
     if (!can_step()) return;
     lost = true;
-    history->frame(mesh, std::span(changed).subspan(framed), keeper.state());
+    history->frame(mesh, std::span(changed).subspan(framed), state());
     lost = false;
     framed = changed.size();
   }
@@ -123,8 +130,19 @@ struct LiveMesh::Parts {
     if ((forward ? history->mesh.redoable() : history->mesh.undoable()) == 0) return false;
     forward ? history->mesh.redo(mesh) : history->mesh.undo(mesh);
     framed = changed.size();
-    keeper.return_to(history->states[history->mesh.undoable()]);
+    const State& then = history->states[history->mesh.undoable()];
+    if (then.level) {
+      player->restart(*then.level);
+      level_strips = then.strips;
+      keeper.forget();
+    } else {
+      leave_levels();
+      keeper.return_to(then.counts);
+    }
     return true;
+  }
+  [[nodiscard]] State state() const noexcept {
+    return in_step() ? State{std::nullopt, player->level(), level_strips} : State{keeper.counts(), std::nullopt, 0};
   }
   /// If memory runs out for the keeper, it reads the mesh before its next operation.
   void recolor(std::span<const std::uint8_t> solid_sides) {
@@ -133,13 +151,28 @@ struct LiveMesh::Parts {
     leave_levels();
     keeper.rebuild();
   }
+  /// A keeper does not see the records that are played: it reads the mesh before its first operation after them.
+  [[nodiscard]] bool in_step() const noexcept { return player && player->in_step(); }
   void leave_levels() noexcept {
-    if (keeper.baked() != nullptr) keeper.baked()->leave_step();
+    if (!in_step()) return;
+    player->leave_step();
+    keeper.forget();
+  }
+  /// An operation that is not a record: the mesh leaves its levels, unless the operation is refused.
+  template <class Operation>
+  Checked operate(Operation&& operation) {
+    if (!in_step()) return operation(keeper);
+    leave_levels();  // also if an exception ends the operation
+    const Checked done = operation(keeper);
+    if (!done) player->restart(player->level());
+    return done;
   }
 
   std::shared_ptr<const BakedFile> file;  // of a baked mesh
   StripMesh mesh;
   Keeper keeper;
+  std::optional<BakedPlayer> player;
+  std::size_t level_strips = 0;  // while in step
   std::vector<Triangle> changed;
   std::size_t framed = 0;
   LiveBuffer buffer;
@@ -189,15 +222,20 @@ LiveMesh::Halfedge LiveMesh::edge(Vertex v, Vertex w) const noexcept {
   return v < mesh().vertex_bound() ? mesh().spoke(v, w) : Halfedge{};
 }
 Checked LiveMesh::split(const VertexSplit& where, Vertex new_vertex) {
-  return checked_split(parts_->keeper, where, new_vertex);
+  return parts_->operate([&](Keeper& keeper) { return checked_split(keeper, where, new_vertex); });
 }
 Checked LiveMesh::split(Vertex v, Vertex left, Vertex right, Vertex new_vertex) {
+  if (v >= mesh().vertex_bound()) return split(VertexSplit{}, new_vertex);  // refused: no such edge
   return split(spokes_of(mesh(), {v, new_vertex, left, right}), new_vertex);
 }
-Checked LiveMesh::collapse(Halfedge chord) { return checked_collapse(parts_->keeper, chord); }
-Checked LiveMesh::flip(Halfedge h) { return checked_flip(parts_->keeper, h); }
+Checked LiveMesh::collapse(Halfedge chord) {
+  return parts_->operate([&](Keeper& keeper) { return checked_collapse(keeper, chord); });
+}
+Checked LiveMesh::flip(Halfedge h) {
+  return parts_->operate([&](Keeper& keeper) { return checked_flip(keeper, h); });
+}
 Checked LiveMesh::apply(const OperationView& table, Halfedge where) {
-  return checked_apply(parts_->keeper, table, where);
+  return parts_->operate([&](Keeper& keeper) { return checked_apply(keeper, table, where); });
 }
 Checked LiveMesh::apply_anywhere(const OperationView& table, Triangle triangle) {
   return apply(table, first_place(mesh(), table, triangle));
@@ -220,14 +258,19 @@ Checked LiveMesh::merge(Halfedge chord) {
 }
 
 Checked LiveMesh::replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in) {
-  return checked_replace(parts_->keeper, out, in);
+  return parts_->operate([&](Keeper& keeper) { return checked_replace(keeper, out, in); });
 }
 
-void LiveMesh::keep(Policy policy, const Cost& cost) { parts_->keeper.keep(policy, cost); }
-std::size_t LiveMesh::improve(std::size_t budget) { return parts_->keeper.improve(budget); }
-std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit) {
+void LiveMesh::keep(Policy policy, const Cost& cost) {
+  parts_->keeper.keep(policy, cost);
+  parts_->player.reset();
+  if (parts_->history)
+    for (State& state : parts_->history->states) state = {};  // counts of another cost
+}
+std::size_t LiveMesh::improve(std::size_t budget) { return keeper().improve(budget); }
+std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit, const Interrupt* interrupt) {
   StripMesh other = mesh();
-  const std::size_t strips = stripify(other, effort, cost, limit);
+  const std::size_t strips = stripify(other, effort, cost, limit, 1, interrupt != nullptr ? *interrupt : Interrupt{});
   parts_->recolor(solid_sides_of(other));
   return strips;
 }
@@ -253,21 +296,20 @@ bool LiveMesh::recolor(std::span<const std::uint8_t> solid_sides) {
 
 const BakedFile* LiveMesh::baked() const noexcept { return parts_->file.get(); }
 std::optional<std::size_t> LiveMesh::level() const noexcept {
-  const auto* const player = keeper().baked();
-  return player != nullptr && player->in_step() ? std::optional(player->level()) : std::nullopt;
+  return parts_->in_step() ? std::optional(parts_->player->level()) : std::nullopt;
 }
 std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
-  Keeper& keeper = parts_->keeper;
-  if (!this->level()) return 0;
+  if (!parts_->in_step()) return 0;
+  BakedPlayer& player = *parts_->player;
   const std::vector<SplitRecord>& splits = parts_->file->splits;
   RESTRIP_ASSERT(level <= splits.size(), "LiveMesh::move_to_level", "the level does not exist");
   std::size_t played = 0;
-  for (std::size_t at = *this->level(); at != level && played < most; at = *this->level(), ++played) {
+  parts_->keeper.forget();
+  for (std::size_t at = player.level(); at != level && played < most; at = player.level(), ++played) {
     const SplitRecord& split = splits[at < level ? at : at - 1];
-    if (at < level)
-      keeper.split_record(at, spokes_of(mesh(), split), split.v_t);
-    else
-      keeper.collapse_record(at - 1, mesh().spoke(split.v_s, split.v_t));
+    const Rewrite done = at < level ? player.split(at, spokes_of(mesh(), split), split.v_t)
+                                    : player.collapse(at - 1, mesh().spoke(split.v_s, split.v_t));
+    parts_->level_strips += static_cast<std::size_t>(done.strips);
   }
   return played;
 }
@@ -276,8 +318,9 @@ void LiveMesh::restart() {
   StripMesh base = base_of(*parts_->file);
   parts_->interrupt();
   parts_->mesh = std::move(base);
-  parts_->keeper.rebuild();  // also if no memory is left for the next line
-  parts_->keeper = Keeper(parts_->mesh, parts_->file->records);
+  parts_->keeper.forget();
+  parts_->player.emplace(parts_->mesh, parts_->file->records);
+  parts_->level_strips = count_strips(parts_->mesh);
   if (parts_->begun) parts_->begin();
 }
 
@@ -315,10 +358,13 @@ std::size_t LiveMesh::room() const noexcept { return buffer().room(); }
 // ---- the parts
 
 const StripMesh& LiveMesh::mesh() const noexcept { return parts_->mesh; }
-std::size_t LiveMesh::strips() const noexcept { return keeper().strips(); }
+std::size_t LiveMesh::strips() const noexcept { return parts_->in_step() ? parts_->level_strips : keeper().strips(); }
 std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
 const RuleCounts& LiveMesh::rule_counts() const noexcept { return keeper().rule_counts(); }
-Keeper& LiveMesh::keeper() noexcept { return parts_->keeper; }
+Keeper& LiveMesh::keeper() noexcept {
+  parts_->leave_levels();
+  return parts_->keeper;
+}
 const Keeper& LiveMesh::keeper() const noexcept { return parts_->keeper; }
 const LiveBuffer& LiveMesh::buffer() const noexcept { return parts_->buffer; }
 

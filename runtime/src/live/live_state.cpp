@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "restrip/formats/baked_format.hpp"
+#include "formats/baked_format.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/precondition.hpp"
 #include "restrip/search/policy.hpp"

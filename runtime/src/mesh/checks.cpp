@@ -1,10 +1,11 @@
-// The checks of operations. Included by checks.hpp.
+// The checks of operations.
 #include "restrip/mesh/checks.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "mesh/fan_checks.hpp"
 #include "restrip/mesh/walks.hpp"
 
 namespace restrip {

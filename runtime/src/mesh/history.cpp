@@ -11,7 +11,7 @@
 // the end of an array count as removed triangles, vertices without spokes, and free entries of `none`.
 //
 // Cost: linear in the triangles named by the watch, and in those of a frame for a step.
-#include "restrip/mesh/history.hpp"
+#include "mesh/history.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -67,8 +67,10 @@ bool History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
   data_.clear();
   std::size_t at = 0;
   data_.resize(words_of_triangle * changed.size());
+  Triangle named = none;  // often several times in a row
   for (const Triangle t : changed) {
-    if (t >= now.triangles) continue;
+    if (t == named || t >= now.triangles) continue;
+    named = t;
     StripMesh::Record& before = last_.triangles_[t];
     const StripMesh::Record& after = mesh.triangles_[t];
     if (std::memcmp(&before, &after, sizeof(StripMesh::Record)) == 0) continue;
@@ -87,9 +89,12 @@ bool History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
   // A frame may also change the first spoke of a vertex whose triangles are as they were.
   for (std::size_t i = 0; i < at; i += words_of_triangle)
     for (std::size_t corner = 1; corner <= 3; ++corner) note_spoke(data_[i + corner]);
-  for (const Triangle t : changed)
-    if (t < now.triangles)
-      for (const Vertex v : mesh.triangles_[t].corner) note_spoke(v);
+  named = none;
+  for (const Triangle t : changed) {
+    if (t == named || t >= now.triangles) continue;
+    named = t;
+    for (const Vertex v : mesh.triangles_[t].corner) note_spoke(v);
+  }
   frame.spokes = (data_.size() - at) / words_of_value;
   note_end(last_.free_, mesh.free_, changed.size());
   frame.free = (data_.size() - at) / words_of_value - frame.spokes;

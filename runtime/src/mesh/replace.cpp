@@ -1,4 +1,4 @@
-// check_replace() and StripMesh::replace. Included by checks.hpp.
+// check_replace() and StripMesh::replace for a disc of few triangles.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "mesh/fan_checks.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/precondition.hpp"

@@ -8,6 +8,7 @@
 
 #include "mesh/join_sides.hpp"
 #include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {

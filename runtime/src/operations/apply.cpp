@@ -13,9 +13,9 @@
 #include <cstdint>
 #include <span>
 
+#include "operations/halves.hpp"
+#include "operations/patch_sides.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/impl/halves.hpp"
-#include "restrip/operations/impl/patch_sides.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {

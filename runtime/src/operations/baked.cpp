@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/join.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"
 
@@ -102,7 +102,7 @@ Rewrite BakedPlayer::split(std::size_t record, const VertexSplit& where, Vertex 
   RESTRIP_ASSERT_GRANTED(check_split(*mesh_, where, new_vertex), "BakedPlayer::split");
   const bool fits = can_split(record);
   leave_step();  // also if an exception ends it
-  if (!fits) return split_and_join(*mesh_, where, new_vertex);
+  if (!fits) return restrip::split(*mesh_, where, new_vertex);
   const Rewrite done = split_baked(*mesh_, where, (*records_)[record], new_vertex);
   restart(level_ + 1);
   return done;
@@ -112,7 +112,7 @@ Rewrite BakedPlayer::collapse(std::size_t record, Halfedge chord) {
   RESTRIP_ASSERT_GRANTED(check_collapse(*mesh_, chord), "BakedPlayer::collapse");
   const bool fits = can_collapse(record);
   leave_step();
-  if (!fits) return collapse_and_join(*mesh_, chord);
+  if (!fits) return restrip::collapse(*mesh_, chord);
   const Rewrite done = collapse_baked(*mesh_, chord, (*records_)[record]);
   restart(level_ - 1);
   return done;

@@ -8,7 +8,7 @@
 // Invariant. No join closes a cycle, and each lowers the number of strips by one.
 //
 // Cost. Linear in the patch, and for each pair of ends that meet in the shorter of their strips.
-#include "restrip/operations/join.hpp"
+#include "operations/join.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,13 +17,10 @@
 #include <span>
 #include <tuple>
 
-#include "restrip/mesh/checks.hpp"
-#include "restrip/operations/impl/absorb.hpp"
-#include "restrip/operations/impl/join.hpp"
+#include "operations/absorb.hpp"
 #include "restrip/precondition.hpp"
 
-namespace restrip {
-namespace detail {
+namespace restrip::detail {
 
 /// Whether h is one of the three halfedges of the triangle to the left of g.
 bool in_same_triangle(const StripMesh& mesh, Halfedge g, Halfedge h) {
@@ -209,21 +206,13 @@ Rewrite finish_collapse_and_join(StripMesh& mesh, const FanChange& change, Halfe
                      [&](Word triangles, auto&& each) { visit_fan(mesh, fan, left, triangles, each); });
 }
 
-}  // namespace detail
-
-ColoringChange absorb(StripMesh& mesh, Halfedge h, int depth) {
-  RESTRIP_ASSERT(mesh.alive(h), "absorb", describe(Refusal::no_such_edge));
-  return detail::absorb_with(
-      mesh, h, depth, [&mesh](Halfedge g, bool solid) { mesh.set_solid(g, solid); }, [](Halfedge) {});
-}
-
 bool same_strip(const StripMesh& mesh, Halfedge g, Halfedge h) {
-  auto from_g = detail::StripWalker::from_end(mesh, g);
-  auto from_h = detail::StripWalker::from_end(mesh, h);
-  if (from_g.ended || from_h.ended) return detail::in_same_triangle(mesh, g, h);
+  auto from_g = StripWalker::from_end(mesh, g);
+  auto from_h = StripWalker::from_end(mesh, h);
+  if (from_g.ended || from_h.ended) return in_same_triangle(mesh, g, h);
   while (true) {
     from_g.step(mesh);
-    if (from_g.ended) return detail::in_same_triangle(mesh, from_g.at, h);
+    if (from_g.ended) return in_same_triangle(mesh, from_g.at, h);
     from_h.step(mesh);
     if (from_h.ended) return false;  // in one strip, the walk from g would have ended by now
   }
@@ -231,24 +220,19 @@ bool same_strip(const StripMesh& mesh, Halfedge g, Halfedge h) {
 
 ColoringChange join_end(StripMesh& mesh, Halfedge h) {
   RESTRIP_ASSERT(mesh.alive(h), "join_end", describe(Refusal::no_such_edge));
-  unsigned degree = detail::solid_degree(mesh, h);
+  unsigned degree = solid_degree(mesh, h);
   ColoringChange done;
   for (int side = 0; side < 3 && degree < 2; ++side, h = mesh.next(h)) {
     if (mesh.solid(h)) continue;
     const auto across = mesh.opposite(h);
     if (mesh.on_boundary(across)) continue;
-    const unsigned there = detail::solid_degree(mesh, across);
+    const unsigned there = solid_degree(mesh, across);
     if (there > 1 || same_strip(mesh, h, across)) continue;
     mesh.set_solid(h, true);
     done += {-1, 0, -int{degree == 0} - int{there == 0}};
     ++degree;
   }
   return done;
-}
-
-ColoringChange join_around(StripMesh& mesh, Halfedge h) {
-  RESTRIP_ASSERT(mesh.alive(h), "join_around", describe(Refusal::no_such_edge));
-  return detail::join_and_absorb(mesh, [&](auto&& visit) { for_each_around(mesh, h, visit); });
 }
 
 ColoringChange join_at_edge(StripMesh& mesh, Halfedge h) {
@@ -260,35 +244,7 @@ ColoringChange join_at_edge(StripMesh& mesh, Halfedge h) {
     const auto second = mesh.next(inner);
     for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) nearby[count++] = g;
   }
-  return detail::join_in(mesh, std::span(nearby).first(count));
+  return join_in(mesh, std::span(nearby).first(count));
 }
 
-ColoringChange join_all(StripMesh& mesh) {
-  ColoringChange sum;
-  const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
-  for (std::uint32_t t = 0; t < bound; ++t)
-    if (mesh.has_triangle(t)) sum += join_end(mesh, mesh.halfedge(t));
-  return sum;
-}
-
-Rewrite split_and_join(StripMesh& mesh, const VertexSplit& where, Vertex new_vertex) {
-  RESTRIP_ASSERT_GRANTED(check_split(mesh, where, new_vertex), "split_and_join");
-  detail::TableRules rules;
-  const detail::FanChange change = detail::begin_split(rules, mesh, where);
-  return detail::finish_split_and_join(mesh, change, detail::change_by_split(mesh, where, change, new_vertex));
-}
-
-Rewrite collapse_and_join(StripMesh& mesh, Halfedge chord) {
-  RESTRIP_ASSERT_GRANTED(check_collapse(mesh, chord), "collapse_and_join");
-  detail::TableRules rules;
-  const detail::FanChange change = detail::begin_collapse(rules, mesh, chord);
-  return detail::finish_collapse_and_join(mesh, change, detail::change_by_collapse(mesh, chord, change));
-}
-
-Rewrite flip_and_join(StripMesh& mesh, Halfedge h) {
-  RESTRIP_ASSERT_GRANTED(check_flip(mesh, h), "flip_and_join");
-  const Rewrite done = detail::flip_by_rule(mesh, h);
-  return detail::with(done, join_at_edge(mesh, done.halfedge));
-}
-
-}  // namespace restrip
+}  // namespace restrip::detail

@@ -16,9 +16,9 @@
 #include <tuple>
 #include <utility>
 
+#include "operations/halves.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/checked.hpp"
-#include "restrip/operations/impl/halves.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {

@@ -46,7 +46,7 @@ void Annealing::keep() {
   kept_ = solid_;
 }
 
-void Annealing::cool(std::uint64_t moves, std::uint32_t heat) {
+void Annealing::cool(std::uint64_t moves, std::uint32_t heat, Poll* poll) {
   // A triangle without a neighbour cannot move.
   flaws_.assign((across_.size() + 63) / 64, 0);
   for (Triangle t = 0; t < across_.size(); ++t)
@@ -63,6 +63,7 @@ void Annealing::cool(std::uint64_t moves, std::uint32_t heat) {
     for (std::size_t word = 0; word < flaws_.size(); ++word) {
       if (flaws_[word] == 0) continue;
       if (std::exchange(block, word / 64) != word / 64) {
+        if (poll != nullptr && poll->stops()) return;
         const std::uint64_t at = tried_ / stage;
         const std::uint64_t into = tried_ - at * stage;
         const std::uint64_t last = moves - (std::min)(moves, 2 * stage) + 1;

@@ -8,6 +8,7 @@
 #include "restrip/fwd.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "search/coloring_copy.hpp"
+#include "search/poll.hpp"
 #include "search/pseudo_random.hpp"
 
 namespace restrip::detail {
@@ -37,8 +38,8 @@ class Annealing : private ColoringCopy {
   /// Tries about N moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
   /// 45 % of the moves each, and then to 0. A heat of about 100 forgets the first colours, 20 improves them. At a
   /// temperature of 1 a change that costs a third of a strip (or a swap, if that weighs more) is accepted with
-  /// probability 1 / e.
-  void cool(std::uint64_t moves, std::uint32_t heat);
+  /// probability 1 / e. `poll` may end it.
+  void cool(std::uint64_t moves, std::uint32_t heat, Poll* poll = nullptr);
 
   /// The change of the cost if the dashed h is set and, in the triangle across, which has two solid edges, the one
   /// before it (`before` 1) or after it (0) is cleared; the least number if triangles at these edges coincide. The
@@ -63,6 +64,6 @@ class Annealing : private ColoringCopy {
 };
 
 /// The searches of stripify(): from scratch, or from the present colours if swaps have no weight.
-void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit);
+void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit, Poll& poll);
 
 }  // namespace restrip::detail

@@ -347,16 +347,16 @@ bool ChainSearch::may_begin(const Mesh& mesh, Triangle t, const ChainLimits& lim
 }
 
 template <class Mesh>
-ColoringChange ChainSearch::run_everywhere(Mesh& mesh, const ChainLimits& limits) {
+ColoringChange ChainSearch::run_everywhere(Mesh& mesh, const ChainLimits& limits, detail::Poll& poll) {
   ColoringChange sum;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t) && may_begin(mesh, t, limits)) sum += run(mesh, {&t, 1}, limits);
+    if (mesh.alive(t) && may_begin(mesh, t, limits) && !poll.stops()) sum += run(mesh, {&t, 1}, limits);
   return sum;
 }
 
 template ColoringChange ChainSearch::run(StripMesh&, std::span<const Triangle>, const ChainLimits&);
 template ColoringChange ChainSearch::run(detail::ColoringCopy&, std::span<const Triangle>, const ChainLimits&);
-template ColoringChange ChainSearch::run_everywhere(detail::ColoringCopy&, const ChainLimits&);
+template ColoringChange ChainSearch::run_everywhere(detail::ColoringCopy&, const ChainLimits&, detail::Poll&);
 template std::span<const ChainMove> ChainSearch::moves_at(const StripMesh&, Triangle, std::int32_t);
 template bool ChainSearch::may_begin(const StripMesh&, Triangle, const ChainLimits&);
 template std::optional<ChainMove> ChainSearch::cut_at(const StripMesh&, Halfedge) const noexcept;

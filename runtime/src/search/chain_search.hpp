@@ -17,6 +17,7 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/policy.hpp"
+#include "search/poll.hpp"
 
 namespace restrip {
 
@@ -61,7 +62,7 @@ class ChainSearch {
   [[nodiscard]] static bool may_begin(const Mesh& mesh, Triangle t, const ChainLimits& limits);
   /// Calls run() for each triangle of the mesh in which a chain may begin, once, in order.
   template <class Mesh>
-  ColoringChange run_everywhere(Mesh& mesh, const ChainLimits& limits);
+  ColoringChange run_everywhere(Mesh& mesh, const ChainLimits& limits, detail::Poll& poll);
 
   /// The moves that begin at an end and whose price is at most `highest`, in a fixed order, without a test for cycles.
   /// Valid until the next call of any function.

@@ -13,8 +13,8 @@
 // strips made from scratch.
 #include "search/fewest_strips.hpp"
 
+#include "operations/absorb.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/operations/impl/absorb.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::detail {

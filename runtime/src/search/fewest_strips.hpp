@@ -34,8 +34,6 @@ class FewestStrips {
   Rewrite perform(StripMesh& mesh, RuleChoice& choice, const Step& step);
   /// Rounds over all strip ends, of about `budget` states.
   ColoringChange improve(StripMesh& mesh, std::size_t budget);
-  [[nodiscard]] SearchNumbers numbers() const noexcept { return rounds_.numbers(); }
-  void set_numbers(const SearchNumbers& numbers) noexcept { rounds_.set_numbers(numbers); }
 
  private:
   Rewrite tunnel_from_patch(StripMesh& mesh, RuleChoice& choice, const Step& step);

@@ -3,7 +3,7 @@
 //
 // Outline of an operation. begin() makes sure that the counts are right, and marks the keeper as out of date, which it
 // stays if the operation ends by an exception. The engine does the operation, as a Step (steps.hpp), and what its
-// policy adds. counted() takes the change of the counts. Baked strips are played by their own class.
+// policy adds. counted() takes the change of the counts.
 //
 // Invariant. If up_to_date(), the counts are those of the mesh and, under a policy that tunnels, the locator knows
 // every strip.
@@ -37,21 +37,11 @@ struct Keeper::Engine {
   Rewrite perform(StripMesh& mesh, const detail::Step& step) {
     return fewest ? fewest->perform(mesh, choice, step) : lowest->perform(mesh, choice, around, step);
   }
-  [[nodiscard]] detail::SearchNumbers numbers() const noexcept {
-    return fewest ? fewest->numbers() : lowest->numbers();
-  }
-  void set_numbers(const detail::SearchNumbers& numbers) noexcept {
-    fewest ? fewest->set_numbers(numbers) : lowest->set_numbers(numbers);
-  }
 };
 
 Keeper::Keeper(StripMesh& mesh, Policy policy, Cost cost)
     : mesh_(&mesh), policy_(policy), cost_(cost), engine_(std::make_unique<Engine>(row_of(policy), cost)) {
   rebuild();
-}
-Keeper::Keeper(StripMesh& mesh, const BakedRecords& records, std::size_t level)
-    : Keeper(mesh, Policy::local, Cost::strips()) {
-  baked_.emplace(mesh, records, level);
 }
 Keeper::Keeper(Keeper&&) noexcept = default;
 Keeper& Keeper::operator=(Keeper&&) noexcept = default;
@@ -93,33 +83,12 @@ Rewrite Keeper::replace(std::span<const Triangle> out, std::span<const std::arra
   return perform(detail::ReplaceStep(*mesh_, out, in, made));
 }
 
-Rewrite Keeper::split_record(std::size_t record, const VertexSplit& where, Vertex new_vertex) {
-  RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper does not play baked strips");
-  if (!baked_->can_split(record)) return split(where, new_vertex);
-  begin();
-  return counted(baked_->split(record, where, new_vertex));
-}
-Rewrite Keeper::collapse_record(std::size_t record, Halfedge chord) {
-  RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper does not play baked strips");
-  if (!baked_->can_collapse(record)) return collapse(chord);
-  begin();
-  return counted(baked_->collapse(record, chord));
-}
-
 void Keeper::begin() {
   if (!up_to_date_) rebuild();
   up_to_date_ = false;
 }
 
-// Isolated triangles are not counted while baked strips are played: begin() counts them.
-void Keeper::leave_levels() noexcept {
-  if (!baked_ || !baked_->in_step()) return;
-  baked_->leave_step();
-  up_to_date_ = false;
-}
-
 Rewrite Keeper::perform(const detail::Step& step) {
-  leave_levels();
   begin();
   return policy_ == Policy::bare ? bare(step) : counted(engine_->perform(*mesh_, step));
 }
@@ -139,9 +108,9 @@ Rewrite Keeper::bare(const detail::Step& step) {
 }
 
 Rewrite Keeper::counted(const Rewrite& done) {
-  strips_ += static_cast<std::size_t>(done.strips);
-  swaps_ += static_cast<std::size_t>(done.swaps);
-  isolated_ += static_cast<std::size_t>(done.isolated);
+  counts_.strips += static_cast<std::size_t>(done.strips);
+  counts_.swaps += static_cast<std::size_t>(done.swaps);
+  counts_.isolated += static_cast<std::size_t>(done.isolated);
   up_to_date_ = true;
   return done;
 }
@@ -149,7 +118,6 @@ Rewrite Keeper::counted(const Rewrite& done) {
 // ---- background work
 
 std::size_t Keeper::improve(std::size_t budget) {
-  leave_levels();
   begin();
   const std::size_t before = cost();
   counted({engine_->fewest ? engine_->fewest->improve(*mesh_, budget) : engine_->lowest->improve(*mesh_, budget),
@@ -163,49 +131,33 @@ void Keeper::rebuild() {
   up_to_date_ = false;
   if (engine_->lowest) {
     engine_->lowest->unsettle();
-    strips_ = count_strips(*mesh_);
-    swaps_ = count_swaps(*mesh_);
+    counts_.strips = count_strips(*mesh_);
+    counts_.swaps = count_swaps(*mesh_);
   } else {
-    strips_ = engine_->fewest->rebuild(*mesh_);
-    swaps_ = 0;
+    counts_.strips = engine_->fewest->rebuild(*mesh_);
+    counts_.swaps = 0;
   }
-  isolated_ = 0;
+  counts_.isolated = 0;
   for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
-    isolated_ += mesh_->alive(t) && mesh_->solid_sides(t) == 0 ? 1U : 0U;
+    counts_.isolated += mesh_->alive(t) && mesh_->solid_sides(t) == 0 ? 1U : 0U;
   up_to_date_ = true;
 }
 
-Keeper::State Keeper::state() noexcept {
-  State state{up_to_date_, strips_, swaps_, isolated_, cost_, engine_->numbers(), {}};
-  if (baked_ && baked_->in_step()) state.level = baked_->level();
-  return state;
-}
-void Keeper::return_to(const State& state) {
-  const bool same_cost = state.cost == cost_;
-  if (locator() != nullptr || (engine_->fewest && engine_->fewest->tunnels()) || !state.known || !same_cost) {
-    rebuild();
-  } else {
-    strips_ = state.strips;
-    swaps_ = state.swaps;
-    isolated_ = state.isolated;
-    up_to_date_ = true;
-  }
-  if (same_cost)
-    engine_->set_numbers(state.searches);
-  else if (engine_->lowest)
-    engine_->lowest.emplace(engine_->lowest->plan(), cost_);  // searches begin again
-  if (baked_) state.level ? baked_->restart(*state.level) : baked_->leave_step();
+void Keeper::return_to(const std::optional<Counts>& counts) {
+  if (!counts || (engine_->fewest && engine_->fewest->tunnels())) return rebuild();
+  if (engine_->lowest) engine_->lowest->unsettle();
+  counts_ = *counts;
+  up_to_date_ = true;
 }
 void Keeper::keep(Policy policy, const Cost& cost) {
   Keeper other(*mesh_, policy, cost);
-  other.return_to(state());
   other.engine_->choice.counts() = engine_->choice.counts();
   *this = std::move(other);
 }
 
 // ---- counts
 
-std::size_t Keeper::swaps() const { return engine_->choice.weighs() ? swaps_ : count_swaps(*mesh_); }
+std::size_t Keeper::swaps() const { return engine_->choice.weighs() ? counts_.swaps : count_swaps(*mesh_); }
 const RuleCounts& Keeper::rule_counts() const noexcept { return engine_->choice.counts(); }
 const StripLocator* Keeper::locator() const noexcept {
   return engine_->fewest && engine_->fewest->tunnels() && up_to_date_ ? &engine_->fewest->locator() : nullptr;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "restrip/mesh/cost.hpp"
@@ -19,17 +18,11 @@ class LowestCost {
   LowestCost(const IndexPlan& plan, const Cost& cost) : plan_(plan), chains_(cost) {}
 
   void set_plan(const IndexPlan& plan) noexcept { plan_ = plan; }
-  [[nodiscard]] const IndexPlan& plan() const noexcept { return plan_; }
   Rewrite perform(StripMesh& mesh, RuleChoice& choice, Surroundings& around, const Step& step);
   /// Chains from every strip end, of about `budget` moves.
   ColoringChange improve(StripMesh& mesh, std::size_t budget);
   /// The mesh has changed: chains from every end may gain again.
   void unsettle() noexcept { unsettled_ = (std::numeric_limits<std::size_t>::max)(); }
-  [[nodiscard]] SearchNumbers numbers() const noexcept { return {next_, unsettled_}; }
-  void set_numbers(const SearchNumbers& numbers) noexcept {
-    next_ = static_cast<Triangle>(numbers[0]);
-    unsettled_ = static_cast<std::size_t>(numbers[1]);
-  }
 
  private:
   IndexPlan plan_;

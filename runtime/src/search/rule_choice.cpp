@@ -13,9 +13,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "operations/join.hpp"
+#include "operations/patch_walk.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/operations/impl/join.hpp"
-#include "restrip/operations/impl/patch_walk.hpp"
 
 namespace restrip::detail {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "operations/halves.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/operations/impl/halves.hpp"
 #include "restrip/operations/result.hpp"
 
 namespace restrip::detail {

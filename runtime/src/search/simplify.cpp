@@ -23,6 +23,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/fan_checks.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
 

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <span>
 
+#include "operations/absorb.hpp"
+#include "operations/join.hpp"
+#include "operations/patch_sides.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
-#include "restrip/operations/impl/absorb.hpp"
-#include "restrip/operations/impl/join.hpp"
-#include "restrip/operations/impl/patch_sides.hpp"
 
 namespace restrip::detail {
 

@@ -14,9 +14,6 @@
 
 namespace restrip::detail {
 
-/// The numbers of an engine's background work on which later results depend.
-using SearchNumbers = std::array<std::uint64_t, 3>;
-
 /// The change by an operation that does not report it: strips, swaps and isolated triangles are counted before and
 /// after it. Both triangles of each dual edge whose colour changes must be among those added. Time quadratic in the
 /// triangles, about a dozen.

@@ -15,6 +15,7 @@
 #include "search/annealing.hpp"
 #include "search/chain_search.hpp"
 #include "search/greedy.hpp"
+#include "search/poll.hpp"
 #include "search/strip_locator.hpp"
 #include "search/tunnel.hpp"
 
@@ -22,23 +23,24 @@ namespace restrip {
 
 namespace detail {
 
-void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit) {
+void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit, Poll& poll) {
   const std::uint64_t triangles = annealing.triangle_count();
   ChainSearch chains(cost);
   if (cost.swap != 0) {
     annealing.grow();
-    chains.run_everywhere(annealing.colors(), {.looks = 1, .length = 1});
+    chains.run_everywhere(annealing.colors(), {.looks = 1, .length = 1}, poll);
   }
   if (effort == Effort::fast) return;
   annealing.keep();
   const auto make_chains = [&] {
     constexpr ChainLimits far{.looks = 70, .length = 16, .worse = 2};
-    while (chains.run_everywhere(annealing.colors(), far).price(cost) < 0 && effort == Effort::best) {
+    while (chains.run_everywhere(annealing.colors(), far, poll).price(cost) < 0 && effort == Effort::best &&
+           !poll.stops()) {
     }
     annealing.keep();
     annealing.go_back();
   };
-  annealing.cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
+  annealing.cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100, &poll);
   annealing.keep();
   annealing.go_back();
   make_chains();
@@ -46,15 +48,17 @@ void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uin
   // Annealed strips are worse than the ones kept at times, but better after their chains. Small meshes take hardly any
   // time, so they are searched until luck does not matter.
   const std::uint64_t moves = limit != 0 ? limit : 900 * triangles;
-  for (std::uint64_t done = 0; done == 0 || (limit == 0 && done < 1'000'000); done += moves + 1) {
-    annealing.cool(moves, 100);
+  for (std::uint64_t done = 0; (done == 0 || (limit == 0 && done < 1'000'000)) && !poll.stops(); done += moves + 1) {
+    annealing.cool(moves, 100, &poll);
     make_chains();
   }
 }
 
 }  // namespace detail
 
-std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit, std::uint64_t seed) {
+std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit, std::uint64_t seed,
+                     const Interrupt& interrupt) {
+  detail::Poll poll(interrupt);
   const std::uint64_t triangles = mesh.triangle_count();
   if (cost.swap == 0) {
     const std::size_t strips = stripify_fast(mesh);
@@ -64,11 +68,11 @@ std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t li
     Tunnel tunnel;
     TunnelRounds().run(mesh, locator, tunnel,
                        static_cast<std::size_t>(strips_alone && limit != 0 ? limit : 40 * triangles),
-                       connected_components(mesh));
+                       connected_components(mesh), {}, &poll);
     if (strips_alone) return locator.strips();
   }
   detail::Annealing annealing(detail::ColoringCopy(mesh), cost, seed);
-  detail::color_from_scratch(annealing, effort, cost, limit);
+  detail::color_from_scratch(annealing, effort, cost, limit, poll);
   annealing.give(mesh);
   return annealing.strips();
 }

@@ -14,6 +14,7 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "search/annealing.hpp"
+#include "search/poll.hpp"
 
 namespace restrip::detail {
 
@@ -48,7 +49,8 @@ IndexBuffer strips_of(const TriangleList<Element>& list, std::size_t vertex_coun
                       Effort effort, Cost cost, const VertexCache& cache, BuildReport* report) {
   if (report == nullptr && cost.swap != 0 && cache.size == 0) {
     Annealing annealing(ColoringCopy(list, vertex_count), cost, 1);
-    color_from_scratch(annealing, effort, cost, 0);
+    Poll poll({});
+    color_from_scratch(annealing, effort, cost, 0, poll);
     const ListedStrips<Element> strips{std::move(annealing.colors()), list};
     return format_strips(indices_of_strips(strips), format);
   }

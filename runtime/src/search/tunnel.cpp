@@ -223,7 +223,7 @@ void Tunnel::commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Hal
 // ---- rounds
 
 std::size_t TunnelRounds::run(StripMesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget,
-                              std::size_t enough, const std::function<bool(Triangle)>& worth) {
+                              std::size_t enough, const std::function<bool(Triangle)>& worth, detail::Poll* poll) {
   const std::size_t before = tunnel.counts().states;
   std::size_t passed = 0;
   const auto spent = [&] { return tunnel.counts().states - before + passed / 64; };
@@ -241,6 +241,7 @@ std::size_t TunnelRounds::run(StripMesh& mesh, StripLocator& locator, Tunnel& tu
     if (!mesh.alive(t) || mesh.solid_degree(t) > 1 || (worth && !worth(t))) continue;
     const auto on_failure = states_ >= last_ ? Tunnel::OnFailure::wander : Tunnel::OnFailure::stay;
     tunnel.join(mesh, locator, t, states_, on_failure);
+    if (poll != nullptr && poll->stops()) break;
   }
   return spent();
 }

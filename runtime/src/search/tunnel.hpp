@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
+#include "search/poll.hpp"
 #include "search/strip_locator.hpp"
 
 namespace restrip {
@@ -112,23 +113,15 @@ class TunnelRounds {
   /// or at most `enough` strips remain. Returns the number of states examined. One state of the largest searches costs
   /// a few hundred nanoseconds; walking past 64 triangles inside strips counts as one state. Deterministic: the same
   /// calls on the same mesh have the same result. `worth(t)` says whether to search from the end in t; none: from
-  /// all ends.
+  /// all ends. `poll` may end it.
   std::size_t run(StripMesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1,
-                  const std::function<bool(Triangle)>& worth = {});
+                  const std::function<bool(Triangle)>& worth = {}, detail::Poll* poll = nullptr);
 
   /// Starts with small searches again: for a mesh that has changed a lot.
   void restart() noexcept {
     states_ = first_;
     next_ = 0;
     strips_at_start_ = 0;
-  }
-
-  /// The numbers on which later results depend.
-  [[nodiscard]] std::array<std::uint64_t, 3> numbers() const noexcept { return {states_, next_, strips_at_start_}; }
-  void set_numbers(const std::array<std::uint64_t, 3>& numbers) noexcept {
-    states_ = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(numbers[0], first_, last_));
-    next_ = static_cast<Triangle>(numbers[1]);
-    strips_at_start_ = static_cast<std::size_t>(numbers[2]);
   }
 
  private:

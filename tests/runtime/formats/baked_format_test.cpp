@@ -1,6 +1,6 @@
 // The checksum is FNV-1a as its authors give it; the names of apexes and dual edges are as in
 // docs/reference/file-formats.md.
-#include "restrip/formats/baked_format.hpp"
+#include "formats/baked_format.hpp"
 
 #include <gtest/gtest.h>
 

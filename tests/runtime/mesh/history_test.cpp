@@ -1,6 +1,6 @@
 // Undo and redo restore the mesh exactly: triangles, handles, free handles and colours; for all operations and policies
 // see output/live_buffer_test.cpp.
-#include "restrip/mesh/history.hpp"
+#include "mesh/history.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,11 +9,11 @@
 #include "locator_agrees.hpp"
 #include "own_operations.hpp"
 #include "restrip/operations/apply.hpp"
-#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {

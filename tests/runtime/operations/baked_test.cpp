@@ -103,7 +103,7 @@ Sequence sequence_on(StripMesh mesh, unsigned seed, int tries) {
         {mesh.from(first), v_t, left ? mesh.to(where.left) : none, right ? mesh.to(where.right) : none});
     StripMesh plain = mesh;
     split_baked(plain, where, {}, v_t);
-    split_and_join(mesh, where, v_t);
+    Keeper(mesh, Policy::local, Cost::strips()).split(where, v_t);
     for (const Halfedge h : sample::recolored_edges(plain, mesh)) sequence.records.flips.push_back(h);
     sequence.records.first.push_back(static_cast<std::uint32_t>(sequence.records.flips.size()));
     sequence.levels.push_back(colors_of(mesh));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "restrip/mesh/checks.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 

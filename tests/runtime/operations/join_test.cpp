@@ -1,10 +1,10 @@
-// Under split_and_join(), collapse_and_join() and flip_and_join(), and so under Policy::local, no dashed edge ever
-// joins ends of two different strips; and wherever none does, the bounds of docs/explanation/theory.md, "What holds for
-// the whole mesh", hold. All of it is counted by extracting all strips.
-#include "restrip/operations/join.hpp"
+// Under Policy::local no dashed edge ever joins ends of two different strips; and wherever none does, the bounds of
+// docs/explanation/theory.md, "What holds for the whole mesh", hold. All of it is counted by extracting all strips.
+#include "operations/join.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -14,6 +14,7 @@
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -80,7 +81,7 @@ TEST(Join, FindsWhetherTwoEndsAreOfOneStrip) {
         for (std::size_t u = 0; u < strips.size(); ++u) {
           const Halfedge one = StripMesh::halfedge(strips[s].front(), side(random));
           const Halfedge other = StripMesh::halfedge(strips[u].back(), side(random));
-          ASSERT_EQ(same_strip(mesh, one, other), s == u);
+          ASSERT_EQ(detail::same_strip(mesh, one, other), s == u);
           ++(s == u ? same : different);
         }
     }
@@ -137,7 +138,7 @@ TEST(Join, FarEndsThatACutPartsAreJoined) {
       for (unsigned side = 0; side < 3; ++side) {
         StripMesh copy = mesh;
         if (check_flip(copy, StripMesh::halfedge(t, side)) != Refusal::granted) continue;
-        flip_and_join(copy, StripMesh::halfedge(t, side));
+        Keeper(copy, Policy::local, Cost::strips()).flip(StripMesh::halfedge(t, side));
         expect_bound(copy);
         ++flips;
       }
@@ -153,7 +154,8 @@ TEST(Join, ManyEndsAroundOneVertex) {
     for (Vertex i = 0; i < k; ++i) mesh.set_solid(mesh.spoke(2 + i, 2 + (i + 1) % k), true);
     ASSERT_EQ(count_strips(mesh), k);
     Census expected = census_of(mesh);
-    expected += join_around(mesh, mesh.spoke(0, 2));
+    std::vector<Halfedge> spokes = sample::spokes_around(mesh, 0);
+    expected += detail::join_in(mesh, spokes);
     EXPECT_EQ(census_of(mesh), expected);
     EXPECT_LE(count_strips(mesh), k / 2);
     expect_bound(mesh);
@@ -166,10 +168,12 @@ TEST(Join, GoesAroundTheWholeFan) {
   for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
       const std::vector<Halfedge> spokes = sample::spokes_around(mesh, v);
-      for (const Halfedge start : spokes) {
+      for (std::size_t first = 0; first < spokes.size(); ++first) {
         StripMesh copy = mesh;
         Census expected = census_of(mesh);
-        expected += join_around(copy, start);
+        std::vector<Halfedge> around = spokes;
+        std::rotate(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(first), around.end());
+        expected += detail::join_in(copy, around);
         EXPECT_EQ(census_of(copy), expected);
         for (const Halfedge h : spokes)
           EXPECT_TRUE(StripMesh::on_boundary(h) || copy.solid_degree(StripMesh::triangle(h)) > 0) << "vertex " << v;

@@ -19,8 +19,6 @@
 #include "patch_in_mesh.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/absorb.hpp"
-#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 #include "whole_mesh.hpp"

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "restrip/mesh/checks.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

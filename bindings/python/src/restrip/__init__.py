@@ -461,6 +461,25 @@ class LiveMesh:
         """Turns the mesh edge to the other diagonal of its two triangles."""
         return self._done("mesh_flip", halfedge)
 
+    def split_at(self, v: int, left: int, right: int, vertex: int = NONE) -> Change:
+        """split() along the edges from vertex v to the vertices `left` and `right`, of which one may be NONE on the boundary."""
+        return self._done("mesh_split_at", v, left, right, vertex)
+
+    def collapse_at(self, v: int, w: int) -> Change:
+        """collapse() of the edge from v to w, which goes."""
+        return self._done("mesh_collapse_at", v, w)
+
+    def flip_at(self, v: int, w: int) -> Change:
+        """flip() of the edge between v and w."""
+        return self._done("mesh_flip_at", v, w)
+
+    def replace(self, triangles: ArrayLike, faces: ArrayLike) -> Change:
+        """Any change of a few triangles: removes `triangles`, adds `faces`, three vertices each; either may be empty. Vertices that are
+        not in use become new ones, vertices left without triangles go. Refused unless the mesh stays a manifold with boundary."""
+        gone, made, change = _numbers_of("triangles", triangles).ravel(), _corners(faces, NONE), lib.Change()
+        _fitted(self._index, "mesh_replace", self._mesh, _address(gone), gone.size, _address(made), len(made), change)
+        return Change(change.halfedge, change.valence, change.strips, change.isolated)
+
     def split_face(self, halfedge: int) -> Change:
         """A new vertex inside the triangle; the halfedge of the change leads to it."""
         return self._done("mesh_split_face", halfedge)
@@ -538,9 +557,10 @@ class LiveMesh:
     # ---- strips
 
     def stripify(self, effort: Effort = "fast", cost: Cost = "indices") -> int:
-        """Strips from scratch; returns their number."""
+        """Strips from scratch; returns their number. Ctrl-C ends it, with the best strips found so far."""
         count = ctypes.c_size_t()
-        lib.call("mesh_stripify", self._mesh, _one_of("effort", effort, _EFFORTS), _cost(cost), 0, count)
+        with lib.interrupted() as stop:
+            lib.call("mesh_stripify_until", self._mesh, _one_of("effort", effort, _EFFORTS), _cost(cost), 0, stop, None, count)
         return count.value
 
     def keep(self, policy: Policy, cost: Cost = "indices") -> None:

@@ -1,9 +1,13 @@
 """The C interface (restrip.h) by ctypes: the shared library in this package, and the types of its functions."""
 from __future__ import annotations
 
+import contextlib
 import ctypes as c
 import os
 import pathlib
+import signal
+import threading
+from typing import Any, Iterator, List
 
 NONE = 0xFFFFFFFF
 OUT_OF_MEMORY = 108  # RESTRIP_OUT_OF_MEMORY
@@ -67,6 +71,7 @@ class LevelsView(c.Structure):
 
 
 _change = c.POINTER(Change)
+Stop = c.CFUNCTYPE(_int, c.c_void_p)
 # Functions that return a status: the types of their arguments.
 _checked = {
     "mesh_build_u32": [c.c_void_p, _size, _size, c.POINTER(BuildReport), c.c_void_p, c.POINTER(_mesh)],
@@ -75,10 +80,13 @@ _checked = {
     "mesh_set_colors": [_mesh, c.c_void_p, _size],
     "mesh_check": [_mesh, c.POINTER(Coloring)],
     "mesh_strip_count": [_mesh, c.POINTER(_size)],
-    "mesh_stripify": [_mesh, _int, c.POINTER(Cost), c.c_uint64, c.POINTER(_size)],
+    "mesh_stripify_until": [_mesh, _int, c.POINTER(Cost), c.c_uint64, Stop, c.c_void_p, c.POINTER(_size)],
     "mesh_keep": [_mesh, _int, c.POINTER(Cost)],
     "mesh_split": [_mesh, _u32, _u32, _u32, _change],
     **{f"mesh_{name}": [_mesh, _u32, _change] for name in AT_HALFEDGE},
+    "mesh_split_at": [_mesh, _u32, _u32, _u32, _u32, _change],
+    **{f"mesh_{name}_at": [_mesh, _u32, _u32, _change] for name in ("collapse", "flip")},
+    "mesh_replace": [_mesh, c.c_void_p, _size, c.c_void_p, _size, _change],
     "table_make": [c.POINTER(Operation), c.c_char_p, _size, c.POINTER(c.c_void_p)],
     "mesh_apply": [_mesh, c.c_void_p, _u32, _change, c.c_void_p, c.POINTER(_size)],
     "mesh_find_each": [_mesh, _size, c.c_void_p, c.c_void_p, c.c_void_p],
@@ -154,7 +162,30 @@ def describe(code: int) -> str:
 
 def shown(name: str) -> str:
     """A function by its name in this package."""
-    return {"live_begin": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "simplify_u32": "simplify", "table_make": "Table"}.get(name, name.split("_", 1)[1])
+    return {"live_begin": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "simplify_u32": "simplify", "table_make": "Table", "mesh_stripify_until": "stripify"}.get(name, name.split("_", 1)[1])
+
+
+@contextlib.contextmanager
+def interrupted() -> Iterator[Any]:
+    """A Stop that ends a call on Ctrl-C; the exception is raised when the call has ended. A callback cannot raise it, and
+    Python handles signals in its main thread alone."""
+    raised: List[BaseException] = []
+    before = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
+
+    def handle(number, frame) -> None:
+        try:
+            before(number, frame)
+        except BaseException as error:
+            raised.append(error)
+    if callable(before):
+        signal.signal(signal.SIGINT, handle)
+    try:
+        yield Stop(lambda _: len(raised))
+    finally:
+        if callable(before):
+            signal.signal(signal.SIGINT, before)
+    if raised:
+        raise raised[0]
 
 
 def call(name: str, *arguments) -> None:

@@ -401,25 +401,4 @@ class StripMesh {
   Watch watch_;
 };
 
-// Preconditions that the operations check in debug builds; defined in checks.hpp.
-// The default argument is here, because templates ask for check_split(mesh, where) before checks.hpp is read.
-[[nodiscard]] Refusal check_split(const StripMesh& mesh, const VertexSplit& where, Vertex new_vertex = none);
-[[nodiscard]] Refusal check_collapse(const StripMesh& mesh, Halfedge chord);
-[[nodiscard]] Refusal check_flip(const StripMesh& mesh, Halfedge h);
-/// Whether the triangles `in` may replace `out` (StripMesh::replace). The rules of checks.hpp hold, with these
-/// differences: all vertices must be different, and no mesh edge may be made that exists already. Quadratic in the
-/// triangles, and linear in the valence of the vertices between which there are new edges.
-[[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                                    std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
-
-/// Whether any triangles may be replaced by others (the other StripMesh::replace): `out` are triangles of the mesh,
-/// each once, `in` have three different corners each, and the result is a manifold with boundary at all their vertices,
-/// with at least three triangles around an interior one.
-[[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                                    std::span<const std::array<Vertex, 3>> in);
-
-// Defined in walks.hpp, which the checks use; declared here because walks.hpp may be read after them.
-template <class Visit>
-void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
-
 }  // namespace restrip

@@ -59,9 +59,9 @@ Rewrite collapse_baked(StripMesh& mesh, Halfedge chord, std::span<const Halfedge
 /// Plays the records of one baked mesh, and knows whether their flips still fit.
 ///
 /// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Any other operation is
-/// out of order. It is done by the rules (split_and_join, collapse_and_join), and so is every later one, because
-/// colours and names then differ from the baked ones. The colouring stays valid, its strips get shorter as they do
-/// under the rules, and the Rewrite is complete. To get back into step, restore the mesh and its colours to a baked
+/// out of order. It is done by the rules (split, collapse), and so is every later one, because colours and names then
+/// differ from the baked ones. The colouring stays valid, its strips get shorter as they do under the rules, and the
+/// Rewrite is complete. To get back into step, restore the mesh and its colours to a baked
 /// level (most easily the base) and call restart().
 class BakedPlayer {
  public:

@@ -19,14 +19,10 @@
 // under a wrong name, or not at all, makes a trace that is refused.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
 
@@ -61,6 +57,9 @@ class Trace {
 
   /// Linear time. Mesh edges must have at most one triangle on either side, or the trace will be refused.
   Trace(const StripMesh& mesh, Claim claim);
+  Trace(Trace&& other) noexcept;
+  Trace& operator=(Trace&& other) noexcept;
+  ~Trace();
 
   /// `changed`: as StripMesh::watch makes it, since the last call. Time linear in `changed`, up to a
   /// logarithm.
@@ -70,43 +69,11 @@ class Trace {
   void end();
 
   /// The text written so far. The caller clears it after taking it.
-  [[nodiscard]] std::string& text() noexcept { return text_; }
+  [[nodiscard]] std::string& text() noexcept;
 
  private:
-  using Edge = std::array<std::uint32_t, 2>;     // the smaller vertex first
-  using Corners = std::array<std::uint32_t, 3>;  // counter-clockwise, the smallest first
-
-  static constexpr std::uint32_t nothing = (std::numeric_limits<std::uint32_t>::max)();
-  struct SeenTriangle {
-    Corners corners{nothing, nothing, nothing};
-    std::uint32_t solid = 0;  // bit s: the edge from corner s to the next one
-    [[nodiscard]] bool there() const noexcept { return corners[0] != nothing; }
-  };
-
-  static SeenTriangle seen(const StripMesh& mesh, std::uint32_t t);
-
-  static void solid_edges(const SeenTriangle& triangle, std::vector<Edge>& edges);
-  /// Leaves each edge once: it was found from both of its triangles, or from one.
-  static void settle(std::vector<Edge>& edges);
-  const std::vector<Edge>& differences(const std::vector<Edge>& of, const std::vector<Edge>& from);
-
-  template <class Number, std::size_t n>
-  void append(const std::array<Number, n>& numbers);
-  template <class Numbers>
-  void line(std::string_view word, const Numbers& numbers);
-  template <class Numbers>
-  void list(std::string_view sign, const std::vector<Numbers>& all);
-
-  std::string text_;
-  std::size_t operations_ = 0;
-  std::vector<SeenTriangle> seen_;  // by triangle
-  // Scratch lists of one operation, kept for their memory.
-  std::vector<std::uint32_t> named_;
-  std::vector<Edge> before_;
-  std::vector<Edge> after_;
-  std::vector<Edge> difference_;
-  std::vector<Corners> gone_;
-  std::vector<Corners> come_;
+  struct Writer;
+  std::unique_ptr<Writer> writer_;
 };
 
 }  // namespace restrip

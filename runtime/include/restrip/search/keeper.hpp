@@ -24,19 +24,14 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
-#include "restrip/operations/baked.hpp"
-#include "restrip/operations/join.hpp"
 #include "restrip/operations/result.hpp"
-#include "restrip/output/strips.hpp"
 #include "restrip/search/policy.hpp"
 
 namespace restrip {
@@ -56,12 +51,8 @@ class Step;
 class Keeper {
  public:
   using Halfedge = StripMesh::Halfedge;
-  using Player = BakedPlayer;
 
   explicit Keeper(StripMesh& mesh, Policy policy = default_policy, Cost cost = default_cost);
-  /// Plays baked strips (baked.hpp): split_record and collapse_record are then copied, while in step. Every other
-  /// operation is done under Policy::local, and the keeper is out of step after it. `level`: records played so far.
-  Keeper(StripMesh& mesh, const BakedRecords& records, std::size_t level = 0);
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
   Keeper(Keeper&&) noexcept;
@@ -85,13 +76,6 @@ class Keeper {
   /// cleared, then the policy searches among the new triangles and next to the removed ones. Quadratic in both.
   Rewrite replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in);
 
-  /// Split and collapse of a record of baked strips; by the rules if the keeper is not in step with it.
-  Rewrite split_record(std::size_t record, const VertexSplit& where, Vertex new_vertex = none);
-  Rewrite collapse_record(std::size_t record, Halfedge chord);
-  /// Null unless baked strips are played (BakedPlayer).
-  [[nodiscard]] Player* baked() noexcept { return baked_ ? &*baked_ : nullptr; }
-  [[nodiscard]] const Player* baked() const noexcept { return baked_ ? &*baked_ : nullptr; }
-
   /// Background work. Under the cost of strips it continues with rounds of tunnelling over all strip ends, of about
   /// `budget` states. Under other costs it continues with chains from all strip ends and swaps, of about `budget`
   /// moves, and does nothing once no chain gains, until the next operation. A state or a move takes a few hundred
@@ -101,34 +85,32 @@ class Keeper {
   /// Reads the mesh again. Linear time. Throws std::invalid_argument if its colouring is not valid; the keeper must
   /// then not be used until rebuild() succeeds.
   void rebuild();
-  /// What later results depend on besides the mesh, its colours, policy and cost.
-  struct State {
-    bool known = false;  ///< the counts
+  /// The mesh has changed without the keeper: up_to_date() is false until the next operation.
+  void forget() noexcept { up_to_date_ = false; }
+  struct Counts {
     std::size_t strips = 0;
-    std::size_t swaps = 0;
+    std::size_t swaps = 0;  ///< 0 under a cost that weighs neither swaps nor isolated triangles
     std::size_t isolated = 0;
-    Cost cost;
-    std::array<std::uint64_t, 3> searches{};
-    std::optional<std::size_t> level;  ///< of baked strips, in step
   };
-  [[nodiscard]] State state() noexcept;
-  /// For a mesh that is again as it was when state() returned this: later results are the same as they were then.
-  /// Constant time for a keeper without a locator, if the cost is the same.
-  void return_to(const State& state);
-  /// Another policy and cost, from the next operation on; background work continues where it was if the cost is the
-  /// same, and baked strips are no longer played. Linear time. Throws as the constructor does; nothing has changed
-  /// then.
+  /// None if not up to date.
+  [[nodiscard]] std::optional<Counts> counts() const noexcept {
+    return up_to_date_ ? std::optional(counts_) : std::nullopt;
+  }
+  /// For a mesh that is again as it was when counts() returned these, under the present policy and cost. Constant time,
+  /// but rebuild() without counts and for a keeper with a locator.
+  void return_to(const std::optional<Counts>& counts);
+  /// Another policy and cost, from the next operation on. Linear time. Throws as the constructor does; nothing has
+  /// changed then.
   void keep(Policy policy, const Cost& cost);
   void reserve(std::size_t triangles);
 
-  [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
-  /// Not maintained while baked strips are played, because their records do not contain it.
-  [[nodiscard]] std::size_t isolated() const noexcept { return isolated_; }
+  [[nodiscard]] std::size_t strips() const noexcept { return counts_.strips; }
+  [[nodiscard]] std::size_t isolated() const noexcept { return counts_.isolated; }
   /// Maintained under a cost that weighs swaps or isolated triangles; otherwise counted, in linear time.
   [[nodiscard]] std::size_t swaps() const;
   /// The cost of the whole colouring.
   [[nodiscard]] std::size_t cost() const noexcept {
-    return weights().restart * strips_ + weights().swap * swaps_ + weights().isolated * isolated_;
+    return cost_.restart * counts_.strips + cost_.swap * counts_.swaps + cost_.isolated * counts_.isolated;
   }
   /// Counts of rules used and not used in all operations so far.
   [[nodiscard]] const RuleCounts& rule_counts() const noexcept;
@@ -144,7 +126,6 @@ class Keeper {
   struct Engine;
 
   void begin();
-  void leave_levels() noexcept;
   Rewrite perform(const detail::Step& step);
   Rewrite bare(const detail::Step& step);
   Rewrite counted(const Rewrite& done);
@@ -153,10 +134,7 @@ class Keeper {
   Policy policy_;
   Cost cost_;
   bool up_to_date_ = false;
-  std::size_t strips_ = 0;
-  std::size_t swaps_ = 0;
-  std::size_t isolated_ = 0;
-  std::optional<Player> baked_;
+  Counts counts_;
   std::unique_ptr<Engine> engine_;
 };
 

@@ -17,6 +17,13 @@
 
 namespace restrip {
 
+/// Asked by a long search, several times a second: once `stop` returns true, the search ends with the best strips that
+/// it has found. Null: never.
+struct Interrupt {
+  bool (*stop)(void* context) = nullptr;
+  void* context = nullptr;
+};
+
 /// Colours the whole mesh from scratch and returns the number of strips. The result depends only on the mesh and the
 /// arguments, and is the same on every machine. `cost` is as in cost.hpp, with one addition: if swaps have a weight, a
 /// strip that begins with the wrong turn from both ends counts as one more swap, as in a written index buffer. So with
@@ -28,6 +35,6 @@ namespace restrip {
 /// triangle with Effort::full, and 900 more with Effort::best; chains are not counted. `seed` selects one of many
 /// equally good colourings; the search for fewest strips ignores it.
 std::size_t stripify(StripMesh& mesh, Effort effort = default_effort, Cost cost = default_cost, std::uint64_t limit = 0,
-                     std::uint64_t seed = 1);
+                     std::uint64_t seed = 1, const Interrupt& interrupt = {});
 
 }  // namespace restrip

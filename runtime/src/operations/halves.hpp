@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "restrip/operations/impl/patch_walk.hpp"
+#include "operations/patch_walk.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/rules/exact.hpp"
 #include "restrip/rules/rules.hpp"
