@@ -108,7 +108,7 @@ try {
       await outline(corners);
       for (const selector of steps) await pressed[hand](selector);
       assert.deepEqual(await sizes(), become);
-      await done(page, '^No rule: there is a case');
+      await done(page, '^No rule: in some case');
       await page.until('document.querySelectorAll("#hindrance svg").length > 1');
       assert.ok(await page.run('document.querySelectorAll("#hindrance .solid").length > 1 && !document.getElementById("impossible").hidden && document.getElementById("take").hidden'));
       if (hand === 'keyboard') assert.ok(await page.run('document.activeElement.closest("#drawing") !== null'));

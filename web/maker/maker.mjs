@@ -341,7 +341,7 @@ class Page {
       if (line) field('fault').querySelector('button').onclick = () => this.showPlace(+line, +column);
       return;
     }
-    field('state').textContent = 'No rule: there is a case in which no repair keeps every strip that enters the patch. Such a strip has to be cut.';
+    field('state').textContent = 'No rule: in some case no repair keeps every strip that enters the patch.';
     field('impossible').hidden = false;
     field('hindrance').innerHTML = '';
     if (!this.drawing) return;
