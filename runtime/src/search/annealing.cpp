@@ -21,8 +21,6 @@
 #include <limits>
 #include <utility>
 
-#include "search/growing.hpp"
-
 namespace restrip::detail {
 
 namespace {
@@ -36,8 +34,6 @@ constexpr std::uint64_t minus_log2(std::uint32_t x) noexcept {
 }
 
 }  // namespace
-
-void Annealing::grow() { Growing(across_, solid_).run(); }
 
 void Annealing::keep() {
   const std::uint64_t now = cost(cost_);

@@ -26,7 +26,7 @@ class Annealing : private ColoringCopy {
   /// The colours, to be changed by another search.
   [[nodiscard]] ColoringCopy& colors() noexcept { return *this; }
 
-  /// Colours it from scratch: strips of few indices in one pass (growing.hpp).
+  /// Colours it from scratch: strips of few indices in one pass (growing.cpp).
   void grow();
   /// Keeps the present colours if they cost less than the colours kept before. Linear time.
   void keep();

@@ -2,7 +2,7 @@
 //
 // Outline. Under the cost of strips alone: greedy strips (greedy.cpp), then rounds of tunnelling (tunnel.cpp) until
 // they are as few as the connected components or the limit is reached. Otherwise strips that grow one after the other
-// (growing.hpp), or the ones just named if swaps cost nothing, and chains of moves at their ends (chain_search.cpp);
+// (growing.cpp), or the ones just named if swaps cost nothing, and chains of moves at their ends (chain_search.cpp);
 // then annealing (annealing.cpp) and longer chains, until no end has a chain that gains.
 //
 // Invariant. A step that ends with a higher cost than the step before it is undone, so no effort is worse than a lower

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <random>
 #include <stdexcept>
 
@@ -20,6 +22,7 @@
 #include "restrip/tables/operations/split_face.hpp"
 #include "sample_meshes.hpp"
 #include "search/greedy.hpp"
+#include "strip_moves.hpp"
 
 namespace restrip {
 namespace {
@@ -245,6 +248,48 @@ TEST(RuleFirst, EveryOperationAsksItsRuleAndKeepsBothGuarantees) {
       EXPECT_EQ(sum.improved != 0, row.policy != Policy::rules) << row.name;
       EXPECT_LT(sum.improved, operations) << row.name;
     }
+}
+
+/// Calls visit(operation) for every split, collapse and flip of the mesh; operation(keeper) does it, if it is possible.
+template <class Visit>
+void for_each_operation(const StripMesh& mesh, Visit&& visit) {
+  for (const Triangle t : moves::all_triangles(mesh))
+    for (unsigned side = 0; side < 3; ++side) {
+      const Halfedge h = StripMesh::halfedge(t, side);
+      visit([h](Keeper& keeper) { return checked_collapse(keeper, h); });
+      visit([h](Keeper& keeper) { return checked_flip(keeper, h); });
+      using Spokes = VertexSplit::Spokes;
+      for (const Spokes alone : {Spokes::left_only, Spokes::right_only})
+        visit([h, alone](Keeper& keeper) { return checked_split(keeper, {h, h, alone}); });
+      for_each_spoke(mesh, mesh.from(h), [&](Halfedge right) {
+        visit([h, right](Keeper& keeper) { return checked_split(keeper, {h, right}); });
+      });
+    }
+}
+
+// Every operation on every colouring of small meshes.
+TEST(RuleFirst, NoOperationOnASmallMeshAddsMoreThanTheBounds) {
+  std::size_t done = 0;
+  std::array<int, 2> most{};
+  moves::for_each_small_coloring([&](const StripMesh& mesh, const Cost& /*cost*/) {
+    for_each_operation(mesh, [&](auto&& operation) {
+      for (const Policy policy : {Policy::quick, Policy::full})
+        for (const bool indices : {false, true}) {
+          StripMesh copy = mesh;
+          Keeper keeper(copy, policy, indices ? Cost::indices() : Cost::strips());
+          const auto before = static_cast<int>(keeper.cost());
+          if (!operation(keeper)) return;  // refused, whatever the policy
+          const ColoringChange now = cost_of(copy);
+          const int added = now.price(keeper.weights()) - before;
+          most[indices ? 1 : 0] = std::max(most[indices ? 1 : 0], added);
+          ++done;
+        }
+    });
+  });
+  EXPECT_GT(done, 100'000U);
+  EXPECT_EQ(most[0], most_strips_added);
+  EXPECT_LE(most[1], most_indices_added);
+  EXPECT_GT(most[1], 0);
 }
 
 TEST(RuleFirst, ColoursStayAsTheyAreWhereNothingIsCheaper) {

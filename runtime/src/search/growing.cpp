@@ -1,6 +1,15 @@
 // Strips of few indices in one pass.
-#pragma once
-
+//
+// Outline. Strips grow one after the other, first from one end, then from the other, until no neighbour is left. A
+// strip continues to the neighbour with the fewest neighbours left, and between equals to the one that needs no swap.
+// The next strip begins at a triangle with the fewest neighbours left, the most recent one of these: strips grow next
+// to each other, and few triangles are left between them.
+//
+// Cost. Linear time; memory: 13 bytes a triangle. Properties of neighbours are effectively random, so branches on them
+// would mispredict: a step is free of branches.
+//
+// Source. Akeley, Haeberli, Burns, "tomesh.c", 1990; swaps as Evans, Skiena, Varshney, "Optimizing triangle strips for
+// fast rendering", 1996.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,18 +17,12 @@
 #include <span>
 #include <vector>
 
-#include "restrip/mesh/strip_mesh.hpp"
+#include "search/annealing.hpp"
 
 namespace restrip::detail {
 
-/// Strips grow one after the other, first from one end, then from the other, until no neighbour is left. A strip
-/// continues to the neighbour with the fewest neighbours left, and between equals to the one that needs no swap. The
-/// next strip begins at a triangle with the fewest neighbours left, the most recent one of these: strips grow next to
-/// each other, and few triangles are left between them (Akeley, Haeberli, Burns, "tomesh.c", 1990; swaps as Evans,
-/// Skiena, Varshney, "Optimizing triangle strips for fast rendering", 1996).
-///
-/// Linear time; memory: 13 bytes a triangle. Properties of neighbours are effectively random, so branches on them would
-/// mispredict: a step is free of branches.
+namespace {
+
 class Growing {
  public:
   /// `across`: for each triangle the opposite halfedges, 4 * triangle + side, or none; three times none for a missing
@@ -129,5 +132,9 @@ class Growing {
   std::array<Triangle, 4> count_{};
   Triangle next_ = 0;
 };
+
+}  // namespace
+
+void Annealing::grow() { Growing(across_, solid_).run(); }
 
 }  // namespace restrip::detail
