@@ -9,9 +9,26 @@
 #include "restrip/mesh/cost.hpp"
 #include "search/coloring_copy.hpp"
 #include "search/poll.hpp"
-#include "search/pseudo_random.hpp"
 
 namespace restrip::detail {
+
+/// Pseudo-random bits, the same everywhere: xorshift64* (Vigna, "An experimental exploration of Marsaglia's xorshift
+/// generators, scrambled", 2016).
+class PseudoRandom {
+ public:
+  explicit constexpr PseudoRandom(std::uint64_t seed) noexcept : state_(seed ^ 0x9E3779B97F4A7C15U) {
+    if (state_ == 0) state_ = 1;
+  }
+  constexpr std::uint32_t bits() noexcept {
+    state_ ^= state_ >> 12;
+    state_ ^= state_ << 25;
+    state_ ^= state_ >> 27;
+    return static_cast<std::uint32_t>(state_ * 0x2545F4914F6CDD1DU >> 32);
+  }
+
+ private:
+  std::uint64_t state_;
+};
 
 /// A copy of the colours of a mesh, changed move by move and written back. The cost is the one of stripify(): wrong
 /// windings count.
