@@ -515,7 +515,7 @@ TEST(CInterface, LongSearchesMayBeStopped) {
     std::size_t strips = 0;
     std::size_t fast = 0;
     ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &cost, 0, &fast), RESTRIP_OK);
-    for (const std::size_t most : {0, 3}) {
+    for (const std::size_t most : {0U, 3U}) {
       Asked asked{0, most};
       ASSERT_EQ(restrip_mesh_stripify_until(mesh.get(), RESTRIP_EFFORT_BEST, &cost, 0, stop, &asked, &strips),
                 RESTRIP_OK);
