@@ -48,6 +48,7 @@ Keeper& Keeper::operator=(Keeper&&) noexcept = default;
 Keeper::~Keeper() = default;
 
 void Keeper::set_search(Search search) {
+  if (policy_ == Policy::bare) return;  // its operations do not update a locator
   if (engine_->fewest && engine_->fewest->set_search(search)) rebuild();
 }
 void Keeper::set_plan(const IndexPlan& plan) noexcept {

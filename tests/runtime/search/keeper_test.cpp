@@ -67,6 +67,18 @@ TEST(Keeper, SearchesOfAnySize) {
   }
 }
 
+// Operations under `bare` do not update a locator, so a search would use an old one.
+TEST(Keeper, SearchesNothingUnderBare) {
+  StripMesh mesh = sample::torus(12, 12);
+  stripify(mesh, Effort::fast, Cost::strips());
+  Keeper keeper(mesh, Policy::bare, Cost::strips());
+  keeper.set_search({.states = 40});
+  EXPECT_EQ(keeper.locator(), nullptr);
+  for (Triangle t = 0; t < 100; ++t) checked_flip(keeper, StripMesh::halfedge(t, 1));
+  for (int i = 0; i < 50; ++i) keeper.improve(1000);
+  expect_right(keeper);
+}
+
 TEST(Keeper, IsRightAfterEveryOperation) {
   std::mt19937 random(6);
   for (const PolicyRow& row : policies)

@@ -60,7 +60,7 @@ class Keeper {
   ~Keeper();
 
   /// Searches of any size: larger ones keep longer strips and take proportionally longer. For the cost of strips; takes
-  /// effect with the next operation. Linear time if the locator has to be made.
+  /// effect with the next operation. Linear time if the locator has to be made. Does nothing under `bare`.
   void set_search(Search search);
   /// The same for costs that weigh swaps or isolated triangles.
   void set_plan(const IndexPlan& plan) noexcept;
