@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check_buffer.hpp"
@@ -271,6 +272,7 @@ TEST(LiveUndo, ABakedMeshPlaysItsLevelsAndBeginsAgain) {
   ASSERT_TRUE(live.flip(random_halfedge_that_flips(live.mesh())));
   live.restart();
   EXPECT_EQ(live.level(), 0U);
+  EXPECT_EQ(std::as_const(live).keeper().policy(), Policy::local);
   EXPECT_EQ(look_at(live.mesh()), base);
   EXPECT_EQ(live.undoable(), 0U);
   EXPECT_NE(live.update().size(), 0U);

@@ -121,8 +121,8 @@ class LiveMesh {
   /// Plays at most `most` records towards a level, which must exist, and returns their number: 0 if the mesh has left
   /// its levels. A frame of them can be undone, and is in step again.
   std::size_t move_to_level(std::size_t level, std::size_t most = (std::numeric_limits<std::size_t>::max)());
-  /// Goes back to level 0 from any state; the mesh must be baked. The next update() writes the whole buffer, and the
-  /// history begins again. Linear time.
+  /// Goes back to level 0 from any state, and to the policy and cost of baked meshes; the mesh must be baked. The next
+  /// update() writes the whole buffer, and the history begins again. Linear time.
   void restart();
 
   /// For idle time: see Keeper::improve. Returns the cost saved. Leaves the levels of baked strips.

@@ -318,7 +318,8 @@ void LiveMesh::restart() {
   StripMesh base = base_of(*parts_->file);
   parts_->interrupt();
   parts_->mesh = std::move(base);
-  parts_->keeper.forget();
+  parts_->keeper.forget();  // also if no memory is left for the next line
+  parts_->keeper = Keeper(parts_->mesh, Policy::local, Cost::strips());
   parts_->player.emplace(parts_->mesh, parts_->file->records);
   parts_->level_strips = count_strips(parts_->mesh);
   if (parts_->begun) parts_->begin();
