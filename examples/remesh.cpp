@@ -36,26 +36,10 @@ struct Surface {
   std::vector<Point3> points;
 };
 
-/// The mesh update alone, for comparison: nothing is ever solid.
-class Bare {
- public:
-  explicit Bare(StripMesh& mesh) : mesh_(mesh) {}
-  [[nodiscard]] const StripMesh& mesh() const { return mesh_; }
-  void apply(const restrip::OperationView& table, Halfedge h, restrip::NewVertices* added) {
-    restrip::apply(mesh_, table, h, added);
-  }
-  void collapse(Halfedge h) { mesh_.remove_vertex(h); }
-  void flip(Halfedge h) { mesh_.turn_edge(h); }
-
- private:
-  StripMesh& mesh_;
-};
-
 /// Brings edges to the target length. Boundary edges do not collapse, and boundary vertices do not move.
-template <class Keeper>
 class Remesher {
  public:
-  Remesher(Keeper& keeper, std::vector<Point3>& points, double length)
+  Remesher(restrip::Keeper& keeper, std::vector<Point3>& points, double length)
       : keeper_(keeper), mesh_(keeper.mesh()), points_(points), short_(0.8 * length), long_(length * 4 / 3) {}
 
   void round() {
@@ -143,7 +127,7 @@ class Remesher {
     points_ = moved;
   }
 
-  Keeper& keeper_;
+  restrip::Keeper& keeper_;
   const StripMesh& mesh_;
   std::vector<Point3>& points_;
   double short_, long_;
@@ -201,9 +185,8 @@ struct Row {
   double stripifying = 0;
 };
 
-template <class Keeper>
-std::size_t remesh(Keeper& keeper, std::vector<Point3>& points, double length, Row& row) {
-  Remesher<Keeper> remesher(keeper, points, length);
+std::size_t remesh(restrip::Keeper& keeper, std::vector<Point3>& points, double length, Row& row) {
+  Remesher remesher(keeper, points, length);
   row.remeshing = milliseconds([&] {
     for (int round = 0; round < 5; ++round) remesher.round();
   });
@@ -219,7 +202,7 @@ int main(int argc, char** argv) {
 
   // Remeshed without strips, stripified afterwards.
   Surface bare = start;
-  Bare alone(bare.mesh);
+  restrip::Keeper alone(bare.mesh, restrip::Policy::bare);
   Row scratch{"from scratch, fast"};
   const std::size_t operations = remesh(alone, bare.points, length, scratch);
   scratch.stripifying = milliseconds(
