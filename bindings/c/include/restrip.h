@@ -289,7 +289,8 @@ RESTRIP_API restrip_status restrip_mesh_flip_at(restrip_mesh* mesh, uint32_t v, 
  * counter-clockwise; either list may be empty. Vertices that are not in use become new ones, vertices left without
  * triangles go. Edges of removed triangles are cleared, then the policy searches among what has changed. Refused unless
  * the mesh stays a manifold with boundary, with three triangles or more around an interior vertex. `halfedge` of the
- * change is a side of the first new triangle. O(n log n) for n triangles at the vertices, and the time of the policy. */
+ * change is a side of the first new triangle. O(n log n) for n triangles at the vertices, and the time of the policy.
+ */
 RESTRIP_API restrip_status restrip_mesh_replace(restrip_mesh* mesh, const uint32_t* out, size_t out_count,
                                                 const uint32_t* in, size_t in_count, restrip_change* change);
 
