@@ -47,7 +47,8 @@ inline Joined joined(Side triangles, std::uint32_t colors, std::uint32_t ports) 
   };
   Joined out;
   std::array<std::uint8_t, tables::most_patch_ports> at{};  // by port: its triangle
-  for (std::uint8_t t = 0; t < triangles.size(); ++t) {
+  const auto triangle_count = static_cast<std::uint8_t>(triangles.size());
+  for (std::uint8_t t = 0; t < triangle_count; ++t) {
     root[t] = t;
     int solid = 0;
     for (const std::uint8_t side : triangles[t].side) {
@@ -70,8 +71,9 @@ inline Joined joined(Side triangles, std::uint32_t colors, std::uint32_t ports) 
     if (solid > 2) out.valid = false;
   }
   if (!out.valid) return out;
-  for (std::uint8_t p = 0; p < out.partner.size(); ++p) out.partner[p] = p;
-  for (std::uint8_t p = 0; p < out.partner.size(); ++p)
+  constexpr auto port_count = static_cast<std::uint8_t>(tables::most_patch_ports);
+  for (std::uint8_t p = 0; p < port_count; ++p) out.partner[p] = p;
+  for (std::uint8_t p = 0; p < port_count; ++p)
     for (std::uint8_t q = 0; q < p; ++q)
       if ((ports >> p & 1U) != 0 && (ports >> q & 1U) != 0 && find(at[p]) == find(at[q])) {
         out.partner[p] = q;
@@ -136,13 +138,13 @@ inline std::string fault_of(const restrip_operation& given) {
   if (fault.empty()) fault = fault_of("after", after, given.edges_after, given.ports, given.vertices, ports_after);
   if (fault.empty() && ports != ports_after) fault = "a port has other vertices after the operation";
   if (!fault.empty()) return fault;
-  const std::uint32_t all_ports = (1U << given.ports) - 1;
+  const std::uint32_t port_count = (1U << given.ports) - 1;
   for (std::uint32_t at = 0; at < given.entry_count; ++at) {
     const std::uint32_t entry = given.entries[at];
     if (entry == RESTRIP_NONE) continue;
-    const Joined then = joined(before, at >> given.ports, at & all_ports);
+    const Joined then = joined(before, at >> given.ports, at & port_count);
     if (!then.valid) continue;  // no mesh has it
-    const std::uint32_t kept = entry & all_ports;
+    const std::uint32_t kept = entry & port_count;
     const bool known = entry >> given.ports >> given.edges_after == 0 && (kept & ~at) == 0;
     const Joined now = known ? joined(after, entry >> given.ports, kept) : Joined{false, {}};
     bool sound = now.valid;

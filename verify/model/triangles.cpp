@@ -214,7 +214,7 @@ Sides graphs_of(const NamedSurface& surface) {
       placed.push_back(
           {{vertices.at(a), vertices.at(b), vertices.at(c)}, {boundary_side, boundary_side, boundary_side}});
       const bool is_short = a.size() + b.size() + c.size() == 3;
-      side.names.push_back(is_short ? a + b + c : fmt::format("{}.{}.{}", a, b, c));
+      side.names.push_back(is_short ? fmt::format("{}{}{}", a, b, c) : fmt::format("{}.{}.{}", a, b, c));
     }
     for (const auto& edge : complex.inner_edges()) {
       for (const Along& along : edge) placed[along.triangle].side[along.side] = side.inner_edges();
