@@ -1,6 +1,5 @@
-// The C interface does what LiveMesh does, with the same refusals, and reports it: a mesh driven through it stays in
-// step with a LiveMesh. A copy of the live buffer that receives only the reported ranges draws the triangles of the
-// mesh, in every form and width. Formats, widths and vertex numbers that cannot be had are codes.
+// The C interface does what LiveMesh does, with the same refusals, and reports it: the driver of tests/drive drives
+// both. Formats, widths and vertex numbers that cannot be had are codes.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -10,6 +9,9 @@
 #include <span>
 #include <utility>
 
+#include "c_subject.hpp"
+#include "drive/driver.hpp"
+#include "drive/live_subject.hpp"
 #include "handle.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/restrip.hpp"
@@ -23,62 +25,11 @@ using Corners = std::array<std::uint32_t, 3>;
 
 constexpr restrip_cost fewest_indices = RESTRIP_FEWEST_INDICES;
 
-/// The operations that take one halfedge, in the order of their numbers.
-struct AtHalfedge {
-  restrip_status (*apply)(restrip_mesh*, restrip_halfedge, restrip_change*);
-  Checked (LiveMesh::*live)(Halfedge);
-};
-constexpr std::array<AtHalfedge, 6> at_halfedge{{
-    {restrip_mesh_collapse, &LiveMesh::collapse},
-    {restrip_mesh_flip, &LiveMesh::flip},
-    {restrip_mesh_split_face, &LiveMesh::split_face},
-    {restrip_mesh_join_faces, &LiveMesh::join_faces},
-    {restrip_mesh_bisect, &LiveMesh::bisect},
-    {restrip_mesh_merge, &LiveMesh::merge},
-}};
-constexpr std::size_t split = at_halfedge.size();
-
 restrip_status ask_at(const restrip_mesh* mesh, std::int32_t operation, restrip_halfedge h) {
   restrip_status status = RESTRIP_UNEXPECTED;
   EXPECT_EQ(restrip_mesh_check_each(mesh, operation, 1, &h, &status), RESTRIP_OK);
   return status;
 }
-
-/// One operation at random halfedges, mostly of the mesh.
-struct Move {
-  std::size_t operation;
-  restrip_halfedge a;
-  restrip_halfedge b = RESTRIP_NONE;
-
-  Move(const restrip_mesh* mesh, std::mt19937& random)
-      : operation(random() % (split + 1)),
-        a(static_cast<restrip_halfedge>(random() % (4 * restrip_mesh_triangle_bound(mesh) + 3))) {
-    if (operation != split) return;
-    b = a;  // another spoke of the same vertex
-    for (auto turns = random() % 4; turns > 0; --turns) {
-      const auto next = restrip_mesh_opposite(mesh, restrip_mesh_next(mesh, restrip_mesh_next(mesh, b)));
-      if (next != RESTRIP_NONE) b = next;
-    }
-    if (random() % 6 == 0) (random() % 2 == 0 ? a : b) = RESTRIP_NONE;
-  }
-  restrip_status ask(const restrip_mesh* mesh) const {
-    return operation == split ? restrip_mesh_check_split(mesh, a, b, RESTRIP_NONE)
-                              : ask_at(mesh, static_cast<std::int32_t>(operation), a);
-  }
-  restrip_status apply(restrip_mesh* mesh, restrip_change* change) const {
-    return operation == split ? restrip_mesh_split(mesh, a, b, RESTRIP_NONE, change)
-                              : at_halfedge.at(operation).apply(mesh, a, change);
-  }
-  Checked apply(LiveMesh& live) const {
-    using Spokes = VertexSplit::Spokes;
-    if (operation != split) return (live.*at_halfedge.at(operation).live)({a});
-    return live.split({{a},
-                       {b},
-                       b == RESTRIP_NONE   ? Spokes::left_only
-                       : a == RESTRIP_NONE ? Spokes::right_only
-                                           : Spokes::both});
-  }
-};
 
 form_reader::Triangles sorted_triangles(const restrip_mesh* mesh) {
   std::vector<Corners> all = corners_of(mesh);
@@ -86,76 +37,38 @@ form_reader::Triangles sorted_triangles(const restrip_mesh* mesh) {
   return sample::sorted(std::move(all));
 }
 
+/// The driver of tests/drive on a mesh of this interface, with a simulated device and looks of all frames; and, unless
+/// 16 bits matter, next to a LiveMesh.
 TEST(CInterface, DoesWhatLiveMeshDoes) {
-  std::mt19937 random(16);
-  std::set<std::size_t> done;
-  std::set<restrip_status> refused;
-  for (const StripMesh& start : {sample::tube(9, 12), sample::sphere(1)})
-    for (const std::int32_t policy : {RESTRIP_POLICY_BARE, RESTRIP_POLICY_LOCAL, RESTRIP_POLICY_FULL}) {
-      const Handle mesh = handle_of(start);
-      restrip_mesh* const m = mesh.get();
-      LiveMesh live(start, {.history = 1000, .deferred = true});  // as restrip_live_begin begins
-      ASSERT_EQ(begin_live(m, RESTRIP_FORM_RESTART, 32, 1000), RESTRIP_OK);
-      std::size_t strips = 0;
-      ASSERT_EQ(restrip_mesh_stripify(m, RESTRIP_EFFORT_FAST, &fewest_strips, 0, &strips), RESTRIP_OK);
-      ASSERT_EQ(strips, live.recolor(Effort::fast, Cost::strips()));
-      ASSERT_EQ(restrip_mesh_keep(m, policy, &fewest_strips), RESTRIP_OK);
-      ASSERT_EQ(restrip_mesh_policy(m), policy);
-      live.keep(static_cast<Policy>(policy), Cost::strips());
-      for (int n = 0; n < 150; ++n) {
-        const Move move(m, random);
-        const restrip_coloring before = counted(m);
-        restrip_change change{};
-        const restrip_status expected = move.ask(m);
-        const restrip_status status = move.apply(m, &change);
-        const Checked checked = move.apply(live);
-        ASSERT_EQ(status, expected);
-        ASSERT_EQ(std::string(restrip_describe(status)), describe(checked.refusal));
-        (status == RESTRIP_OK ? (void)done.insert(move.operation) : (void)refused.insert(status));
-        if (status == RESTRIP_OK) {
-          if (checked.new_vertices.empty() || move.operation == split) {
-            ASSERT_EQ(change.halfedge, checked.rewrite.halfedge.id);
-          } else {
-            ASSERT_EQ(restrip_mesh_to(m, change.halfedge), checked.new_vertex());
-          }
-          ASSERT_EQ(counted(m).strips, before.strips + static_cast<std::size_t>(change.strips));
-          ASSERT_EQ(counted(m).isolated, before.isolated + static_cast<std::size_t>(change.isolated));
-        }
-        ASSERT_EQ(strip_count(m), counted(m).strips);
-        if (n % 10 != 9) continue;
-        std::size_t saved = 0;
-        ASSERT_EQ(restrip_mesh_improve(m, 200, &saved), RESTRIP_OK);
-        ASSERT_EQ(saved, live.improve(200));
-        std::int32_t stepped = 0;
-        if (n % 40 == 19) {
-          ASSERT_EQ(restrip_live_undo(m, &stepped), RESTRIP_OK);
-          ASSERT_EQ(stepped != 0, live.undo());
-        }
-        updated(m);
+  std::uint32_t seed = 0;
+  drive::Tally sum;
+  for (const std::int32_t form : {RESTRIP_FORM_RESTART, RESTRIP_FORM_STITCHED, RESTRIP_FORM_LENGTHS, RESTRIP_FORM_LIST})
+    for (const std::int32_t bits : {0, 16, 32})
+      for (const std::size_t history : {std::size_t{0}, std::size_t{1'000'000}}) {
+        const std::string bytes = drive::random_bytes(800, ++seed);
+        const StripMesh start = seed % 2 == 0 ? sample::tube(5, 6) : sample::sphere(1);
+        Handle mesh = handle_of(start);
+        ASSERT_EQ(begin_live(mesh.get(), form, bits, history), RESTRIP_OK);
+        ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
+        updated(mesh.get());  // buffer and history begin
+        CSubject subject(std::move(mesh), history);
+        const IndexWidth width = bits == 16   ? IndexWidth::bits16
+                                 : bits == 32 ? IndexWidth::bits32
+                                              : IndexWidth::automatic;
+        LiveMesh live(start, {.history = history, .format = {static_cast<StripForm>(form), width}, .deferred = true});
+        live.recolor(Effort::fast, Cost::indices());
         live.update();
-        ASSERT_EQ(restrip_live_frame(m), live.frame());
-        ASSERT_EQ(corners_of(m), corners_of(live.mesh()));
-        ASSERT_EQ(colors_of(m), colors_of(live.mesh()));
+        drive::LiveSubject other(std::move(live), history);
+        drive::Device device;
+        drive::FrameLooks looks(history != 0);
+        drive::Twin twin(other);
+        const std::array<drive::Oracle*, 3> oracles{&device, &looks, &twin};
+        drive::Input input(bytes);
+        sum += drive::drive(input, subject, oracles, {.allocations_fail = false, .far_names = bits != 16});
       }
-    }
-  EXPECT_EQ(done.size(), split + 1);
-  EXPECT_GE(refused.size(), 6U);
-}
-
-TEST(CInterface, ASavedMeshContinues) {
-  std::mt19937 random(41);
-  const Handle mesh = handle_of(sample::tube(9, 12));
-  ASSERT_EQ(begin_live(mesh.get(), RESTRIP_FORM_STITCHED, 0), RESTRIP_OK);
-  for (int n = 0; n < 40; ++n) Move(mesh.get(), random).apply(mesh.get(), nullptr);
-  const std::string bytes = saved(mesh.get());
-  restrip_mesh* loaded = nullptr;
-  ASSERT_EQ(restrip_mesh_load(bytes.data(), bytes.size(), 1000, nullptr, 0, &loaded), RESTRIP_OK);
-  const Handle again(loaded);
-  EXPECT_EQ(restrip_mesh_policy(loaded), restrip_mesh_policy(mesh.get()));
-  updated(loaded);
-  EXPECT_EQ(live_view(loaded).form, RESTRIP_FORM_STITCHED);
-  EXPECT_EQ(sorted_triangles(loaded), sorted_triangles(mesh.get()));
-  EXPECT_EQ(strip_count(loaded), strip_count(mesh.get()));
+  for (const drive::Call call : {drive::Call::split, drive::Call::merge, drive::Call::reload, drive::Call::undo}) {
+    EXPECT_GT(sum.done[static_cast<std::size_t>(call)], 30U);
+  }
 }
 
 TEST(CInterface, DamagedSavesAreRefused) {
@@ -173,53 +86,20 @@ TEST(CInterface, DamagedSavesAreRefused) {
   EXPECT_NE(std::string(text).find("not a saved"), std::string::npos);
 }
 
-/// Copies the ranges to a buffer on a device.
-void upload(const void* indices, std::span<const restrip_range> ranges, std::size_t width,
-            std::vector<std::byte>& device) {
-  for (const restrip_range& range : ranges) {
-    ASSERT_LE((range.first + range.count) * width, device.size());
-    std::copy_n(static_cast<const std::byte*>(indices) + range.first * width, range.count * width,
-                device.begin() + static_cast<std::ptrdiff_t>(range.first * width));
-  }
-}
-
 form_reader::Triangles read_view(const void* indices, std::size_t bytes, const restrip_buffer_view& view) {
   const auto width = static_cast<std::size_t>(view.index_bits) / 8;
   form_reader::Reader reader({static_cast<const std::byte*>(indices), bytes}, width);
-  for (const restrip_range& draw : std::span(view.draws, view.draw_count)) {
-    if (view.form == RESTRIP_FORM_LIST)
-      reader.list(draw.first, draw.count);
-    else
-      reader.strip(draw.first, draw.count, view.form == RESTRIP_FORM_RESTART);
-  }
+  for (const restrip_range& draw : std::span(view.draws, view.draw_count))
+    reader.draw(static_cast<StripForm>(view.form), std::array{IndexRange{draw.first, draw.count}});
   return std::move(reader).triangles();
 }
 
-/// Every form and width, of a live buffer after random operations, of a mesh and of a list.
+/// Every form and width, of a mesh and of a list.
 TEST(CInterface, BuffersInEveryForm) {
-  std::mt19937 random(31);
   for (std::int32_t form = RESTRIP_FORM_RESTART; form <= RESTRIP_FORM_LIST; ++form)
     for (const std::int32_t bits : {0, 16, 32}) {
       const Handle mesh = handle_of(sample::tube(9, 12));
-      ASSERT_EQ(begin_live(mesh.get(), form, bits), RESTRIP_OK);
-      std::vector<std::byte> device;
       restrip_buffer_view view{};
-      for (int round = 0; round < 8; ++round) {
-        const restrip_range* ranges = nullptr;
-        std::size_t count = 0;
-        std::int32_t outgrown = 0;
-        std::size_t room = 0;
-        ASSERT_EQ(restrip_live_update(mesh.get(), 9, 16, &ranges, &count, &outgrown), RESTRIP_OK);
-        ASSERT_EQ(restrip_live_buffer(mesh.get(), &view, &room), RESTRIP_OK);
-        const auto width = static_cast<std::size_t>(view.index_bits) / 8;
-        ASSERT_EQ(width, bits == 32 ? 4U : 2U);
-        ASSERT_EQ(view.form, form);
-        if (outgrown != 0) device.assign(room * width, std::byte{1});
-        for (const restrip_range& range : std::span(ranges, count)) ASSERT_EQ(range.first * width % 16, 0U);
-        upload(view.indices, {ranges, count}, width, device);
-        ASSERT_EQ(read_view(device.data(), view.index_count * width, view), sorted_triangles(mesh.get()));
-        for (int n = 0; n < 8; ++n) Move(mesh.get(), random).apply(mesh.get(), nullptr);
-      }
       ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
       std::vector<std::uint32_t> list;
       for (const Corners& c : sorted_triangles(mesh.get())) list.insert(list.end(), c.begin(), c.end());
@@ -357,7 +237,7 @@ TEST(CInterface, ManyInOneCallAreTheSameOnesInOrder) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       restrip_change change{7, 7, 7, 7};
       const auto place = static_cast<std::size_t>(operation);
-      ASSERT_EQ(statuses[i], at_halfedge.at(place).apply(twin.get(), all[i], &change)) << operation << " at " << all[i];
+      ASSERT_EQ(statuses[i], at_halfedge.at(place)(twin.get(), all[i], &change)) << operation << " at " << all[i];
       EXPECT_EQ(std::memcmp(&changes[i], &change, sizeof change), 0);  // untouched by a refusal
     }
     EXPECT_EQ(corners_of(m), corners_of(twin.get()));

@@ -15,10 +15,6 @@ std::optional<Target> chosen;
 
 }  // namespace
 
-void promise(bool kept, const char* what) {
-  if (!kept) throw std::logic_error(std::string("a promise was broken: ") + what);
-}
-
 const Target& chosen_target() { return chosen.value(); }
 
 }  // namespace restrip::fuzz
@@ -35,7 +31,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     if (argument.starts_with(to_folder)) folder = argument.substr(to_folder.size());
   }
   std::string names;
-  for (auto* targets : {&mesh_targets, &table_targets, &live_targets, &saved_targets})
+  for (auto* targets : {&mesh_targets, &table_targets, &live_targets})
     for (Target& target : targets()) {
       names += ' ' + target.name;
       if (target.name == wanted) chosen = std::move(target);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../support/promise.hpp"
 #include "common/file_error.hpp"
 
 /// Parses --target=NAME and --write-seeds=FOLDER (writes one file for each seed, then exits): the command line shared
@@ -23,14 +24,12 @@ struct Target {
   unsigned runs = 0;  ///< default number of runs in a test; about two seconds with sanitizers
 };
 
-/// Readers of meshes, of tables and custom operations (by the verifier); a LiveMesh, driven and saved.
+/// Readers of meshes, of tables and custom operations (by the verifier); a LiveMesh, driven and loaded.
 [[nodiscard]] std::vector<Target> mesh_targets();
 [[nodiscard]] std::vector<Target> table_targets();
 [[nodiscard]] std::vector<Target> live_targets();
-[[nodiscard]] std::vector<Target> saved_targets();
 
-/// A promise of a reader: throws std::logic_error if it is broken.
-void promise(bool kept, const char* what);
+using testing_support::promise;
 
 /// False if the reader throws this exception.
 template <class Error = files::FileError, class Read>

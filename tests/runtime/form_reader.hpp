@@ -45,6 +45,20 @@ class Reader {
     for (std::size_t i = first; i + 3 <= first + count; i += 3)
       triangle(indices_.at(i), indices_.at(i + 1), indices_.at(i + 2));
   }
+  // The draw calls of a buffer in this form.
+  void draw(StripForm form, std::span<const IndexRange> draws) {
+    for (const auto& [first, count] : draws) {
+      if (form == StripForm::list)
+        list(first, count);
+      else
+        strip(first, count, form == StripForm::restart);
+    }
+  }
+  [[nodiscard]] bool has_restart(const IndexRange& range) const {
+    const auto first = indices_.begin() + static_cast<std::ptrdiff_t>(range.first);
+    return std::find(first, first + static_cast<std::ptrdiff_t>(range.count), restart_) !=
+           first + static_cast<std::ptrdiff_t>(range.count);
+  }
   [[nodiscard]] std::size_t vertices(std::size_t first, std::size_t count) const {
     std::vector<std::uint32_t> all(indices_.begin() + static_cast<std::ptrdiff_t>(first),
                                    indices_.begin() + static_cast<std::ptrdiff_t>(first + count));
@@ -65,6 +79,14 @@ class Reader {
   Triangles drawn_;
 };
 
+// What the draw calls of a buffer draw.
+inline Triangles drawn(std::span<const std::byte> bytes, std::size_t width, StripForm form,
+                       std::span<const IndexRange> draws) {
+  Reader reader(bytes, width);
+  reader.draw(form, draws);
+  return std::move(reader).triangles();
+}
+
 // What strips with restart indices draw.
 inline Triangles read_strips(std::span<const std::uint32_t> indices) {
   Reader reader(std::as_bytes(indices), 4);
@@ -83,12 +105,7 @@ inline Triangles read(const IndexBuffer& buffer) {
     }
     return std::move(reader).triangles();
   }
-  for (const auto& [first, count] : buffer.batches) {
-    if (buffer.form == StripForm::list)
-      reader.list(first, count);
-    else
-      reader.strip(first, count, buffer.form == StripForm::restart);
-  }
+  reader.draw(buffer.form, buffer.batches);
   return std::move(reader).triangles();
 }
 

@@ -1,36 +1,35 @@
-// Checks that a locator agrees with a walk along the strip for every triangle.
+// Whether a locator agrees with a walk along the strip of every triangle.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <cstdint>
 #include <set>
+#include <string>
 
 #include "restrip/output/strips.hpp"
 #include "search/strip_locator.hpp"
 
 namespace restrip {
 
-// Along every strip the order grows or falls throughout, and no two strips share a name.
-inline ::testing::AssertionResult agrees(const StripLocator& locator, const StripMesh& mesh) {
+/// What is wrong, or nothing: along every strip the order grows or falls throughout, and no two strips share a name.
+inline std::string disagreement(const StripLocator& locator, const StripMesh& mesh) {
   const Strips strips = extract_strips(mesh);
   if (strips.size() != locator.strips())
-    return ::testing::AssertionFailure() << locator.strips() << " strips in the locator, " << strips.size()
-                                         << " in the mesh";
+    return std::to_string(locator.strips()) + " strips in the locator, " + std::to_string(strips.size()) +
+           " in the mesh";
   std::set<std::uint32_t> names;
   for (std::size_t s = 0; s < strips.size(); ++s) {
     const auto strip = strips[s];
     const StripLocator::Position first = locator.position(strip.front());
-    if (!names.insert(first.strip).second) return ::testing::AssertionFailure() << "two strips with one name";
+    if (!names.insert(first.strip).second) return "two strips with one name";
     const bool up = strip.size() < 2 || locator.position(strip[1]).order > first.order;
     for (std::size_t i = 1; i < strip.size(); ++i) {
       const StripLocator::Position a = locator.position(strip[i - 1]);
       const StripLocator::Position b = locator.position(strip[i]);
-      if (b.strip != first.strip) return ::testing::AssertionFailure() << "a strip with two names";
-      if (a.order == b.order || (a.order < b.order) != up) return ::testing::AssertionFailure() << "out of order";
+      if (b.strip != first.strip) return "a strip with two names";
+      if (a.order == b.order || (a.order < b.order) != up) return "out of order";
     }
   }
-  return ::testing::AssertionSuccess();
+  return "";
 }
 
 }  // namespace restrip

@@ -1,5 +1,6 @@
-// Split, collapse and flip, and the definition of a good mesh, on bare lists of vertex triples: the other side of
-// checks_test.cpp. Nothing here uses a StripMesh, and every question is answered by a scan of the whole list.
+// Split, collapse, flip and custom operations, and the definition of a good mesh, on bare lists of vertex triples: the
+// other side of checks_test.cpp. Nothing here uses a StripMesh, and every question is answered by a scan of the whole
+// list.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "restrip/operations/apply.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip::bare {
@@ -214,6 +216,58 @@ inline std::optional<List> flip(const List& list, const Shape& shape, Name u, Na
   after.push_back({*l, *r, v});
   if (!as_good(shape, after, {u, v, *l, *r}, {}, {})) return std::nullopt;
   return after;
+}
+
+// The list after an operation at the directed edge from -> to; empty if the patch does not exist there, has a vertex
+// twice, or leaves a mesh that is not manifold. `added`: the new vertices, in the order of the operation file.
+template <class Table>
+std::optional<List> applied(const List& list, const Shape& shape, const Table& table, Name from, Name to,
+                            const std::vector<Name>& added) {
+  std::map<unsigned, Name> names;
+  std::vector<Corners> out;
+  for (const tables::PatchTriangle& t : table.triangles_before) {
+    const bool first = out.empty();
+    const Name a = first ? from : out[t.from][(t.from_side + 1U) % 3];
+    const Name b = first ? to : out[t.from][t.from_side];
+    const auto c = apex(list, a, b);
+    if (!c) return {};
+    out.push_back({a, b, *c});
+    for (std::size_t s = 0; s < 3; ++s)
+      if (!names.emplace(t.vertex[s], out.back()[s]).second && names.at(t.vertex[s]) != out.back()[s]) return {};
+  }
+  for (std::size_t t = 0; t < out.size(); ++t)
+    for (std::size_t s = 0; s < 3; ++s)
+      if (table.triangles_before[t].side[s] == tables::PatchTriangle::boundary_side &&
+          apex(list, out[t][(s + 1) % 3], out[t][s]))
+        return {};
+  std::set<Name> gone;
+  for (const auto& [place, name] : names)
+    if (!gone.insert(name).second) return {};
+  std::vector<Name> made;
+  std::vector<Name> named;
+  List after;
+  for (const Corners& c : list)
+    if (std::none_of(out.begin(), out.end(), [&](const Corners& o) { return sorted({o}) == sorted({c}); }))
+      after.push_back(c);
+  if (after.size() + out.size() != list.size()) return {};
+  for (const tables::PatchTriangle& t : table.triangles_after) {
+    Corners corners{};
+    for (std::size_t s = 0; s < 3; ++s) {
+      if (!names.contains(t.vertex[s])) {
+        made.push_back(added.at(made.size()));
+        names[t.vertex[s]] = made.back();
+      }
+      corners[s] = names.at(t.vertex[s]);
+      named.push_back(corners[s]);
+    }
+    after.push_back(corners);
+  }
+  for (const Name v : named) gone.erase(v);
+  std::vector<Name> old(named);
+  old.insert(old.end(), gone.begin(), gone.end());
+  if (!all_regular(shape, old)) return {};
+  if (!as_good(shape, after, named, {gone.begin(), gone.end()}, made)) return {};
+  return sorted(after);
 }
 
 }  // namespace restrip::bare

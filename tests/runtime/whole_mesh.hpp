@@ -22,7 +22,7 @@ inline Look look_at(const StripMesh& mesh) {
   for (const StripMesh::Halfedge h : sample::sides_of(mesh))
     look.insert(look.end(), {h.id, mesh.from(h), mesh.opposite(h).id, mesh.solid(h) ? 1U : 0U});
   for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
-    look.insert(look.end(), {mesh.spoke(v).id, mesh.non_manifold(v) ? 1U : 0U});
+    if (mesh.spoke(v).id != none) look.insert(look.end(), {v, mesh.spoke(v).id, mesh.non_manifold(v) ? 1U : 0U});
   StripMesh next = mesh;
   Vertex v = 0;
   while (v < next.vertex_bound() &&

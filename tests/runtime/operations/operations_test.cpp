@@ -1,9 +1,5 @@
-// Random splits, collapses and flips keep a valid mesh and a valid coloring, and report exactly what they changed.
-//
-// After every operation the mesh around it is compared with what the operation promises, and the strips and isolated
-// triangles of the whole mesh with a count from scratch (small meshes) or every few hundred operations (the larger
-// ones): the sum of what all operations reported is the change that the count finds. Fans that do not fit into words
-// are compared with a second search for the best recolouring.
+// Splits and collapses of any valence report exactly what they change. Fans that do not fit into words are compared
+// with a second search for the best recolouring. Random operations on the free functions are in live_random_test.cpp.
 #include "restrip/operations/operations.hpp"
 
 #include <gtest/gtest.h>
@@ -28,94 +24,6 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit;
-
-class Walk {
- public:
-  Walk(StripMesh start, unsigned seed, std::size_t check_every)
-      : mesh(std::move(start)), random_(seed), every_(check_every) {}
-
-  void run(std::size_t operations) {
-    reported_ = census_of(mesh);
-    ASSERT_EQ(fault_of(mesh), "");
-    const std::size_t low = mesh.triangle_count() / 2;
-    const std::size_t high = mesh.triangle_count() * 2;
-    for (std::size_t n = 0; n < operations && !::testing::Test::HasFatalFailure(); ++n) {
-      const Trend trend = trend_between(low, high, mesh.triangle_count());
-      if (!operate(draw_at(mesh, random_side(mesh, random_), random_, all_operations, trend))) continue;
-      if (++done_ % every_ == 0) check();
-    }
-    check();
-  }
-
-  StripMesh mesh;
-  std::set<std::uint32_t> split_valences;
-  std::size_t one_sided_splits = 0;
-  std::size_t boundary_collapses = 0;
-  std::size_t flips = 0;
-
- private:
-  bool operate(const DrawnOperation& drawn) {
-    const std::size_t before = mesh.triangle_count();
-    const Vertex u = mesh.from(drawn.h);
-    const Vertex v = mesh.to(drawn.h);
-    const bool rim = StripMesh::on_boundary(drawn.h) || StripMesh::on_boundary(mesh.opposite(drawn.h));
-    const Checked done = perform(mesh, drawn);
-    if (!done) return false;
-    reported_ += done.rewrite;
-    if (drawn.kind == OperationKind::split) {
-      const bool both = drawn.where.spokes == Where::Spokes::both;
-      one_sided_splits += both ? 0U : 1U;
-      EXPECT_EQ(mesh.triangle_count(), before + (both ? 2U : 1U));
-      split_valences.insert(done.rewrite.valence);
-    } else if (drawn.kind == OperationKind::collapse) {
-      boundary_collapses += rim ? 1U : 0U;
-    } else if (drawn.kind == OperationKind::flip) {
-      EXPECT_EQ(mesh.spoke(u, v).id, none);
-      ++flips;
-    }
-    return true;
-  }
-
-  void check() {
-    ASSERT_EQ(fault_of(mesh), "") << "after operation " << done_;
-    ASSERT_EQ(census_of(mesh), reported_) << "after operation " << done_;
-  }
-
-  std::mt19937 random_;
-  std::size_t every_;
-  std::size_t done_ = 0;
-  Census reported_;
-};
-
-TEST(Operations, SmallMeshesCheckedAfterEveryOperation) {
-  unsigned seed = 1;
-  for (StripMesh& start : sample::meshes()) {
-    SCOPED_TRACE("mesh number " + std::to_string(seed));
-    Walk walk(std::move(start), seed++, 1);
-    walk.run(400);
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
-
-TEST(Operations, LongWalksOnClosedAndOpenMeshes) {
-  for (const auto& [name, start] : {std::pair{"sphere", sample::sphere(4)},
-                                    {"torus", sample::torus(40, 40)},
-                                    {"rectangle", sample::rectangle(40, 40)},
-                                    {"tube", sample::tube(30, 40)}}) {
-    SCOPED_TRACE(name);
-    Walk walk(start, 7, 500);
-    walk.run(60000);
-    if (testing::Test::HasFatalFailure()) return;
-    for (std::uint32_t k = 3; k <= 12; ++k)
-      EXPECT_TRUE(walk.split_valences.contains(k)) << "no split of a " << k << "-vertex";
-    EXPECT_GT(walk.flips, 1000U);
-    if (walk.mesh.leaves_boundary(walk.mesh.spoke(0)) && std::string(name) != "sphere" &&
-        std::string(name) != "torus") {
-      EXPECT_GT(walk.one_sided_splits, 0U);
-      EXPECT_GT(walk.boundary_collapses, 0U);
-    }
-  }
-}
 
 TEST(Operations, AnyValence) {
   for (const Vertex k : {9U, 40U, 61U, 62U, 63U, 64U, 65U, 130U, 1000U}) {

@@ -1,5 +1,5 @@
-// A live buffer of every form and width draws its mesh after random operations, the returned ranges are enough to keep
-// a copy of it on a device, and have the requested alignment and gaps.
+// What a live buffer promises beyond live_random_test.cpp, which draws it after random operations from the ranges that
+// updates return: widths, room, windows, and the largest numbers.
 #include "restrip/output/live_buffer.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,6 @@
 #include "restrip/live_mesh.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
-#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -42,69 +41,18 @@ class Device {
   }
   template <class Live>
   [[nodiscard]] form_reader::Triangles drawn(const Live& live, StripForm form) const {
-    form_reader::Reader reader({memory_.data(), bytes_}, live.index_bytes());
     std::vector<IndexRange> draws;
     if constexpr (requires { live.draws(draws); })
       live.draws(draws);
     else
       live.buffer().draws(draws);
-    for (const auto& [first, count] : draws) {
-      if (form == StripForm::list)
-        reader.list(first, count);
-      else
-        reader.strip(first, count, form == StripForm::restart);
-    }
-    return std::move(reader).triangles();
+    return form_reader::drawn({memory_.data(), bytes_}, live.index_bytes(), form, draws);
   }
 
  private:
   std::vector<std::byte> memory_;
   std::size_t bytes_ = 0;
 };
-
-TEST(LiveBuffer, DrawsTheMeshInEveryForm) {
-  std::mt19937 random(21);
-  std::size_t outgrown = 0;
-  for (const StripForm form : forms)
-    for (const IndexWidth width : widths)
-      for (StripMesh& mesh : sample::meshes()) {
-        stripify(mesh);
-        Keeper keeper(mesh, Policy::quick, Cost::indices());
-        std::vector<Triangle> changed;
-        mesh.watch(&changed);
-        LiveBuffer buffer({.form = form, .width = width});
-        Device device;
-        for (int round = 0; round < 50; ++round) {
-          const RangeOptions options{.merge_gap = random() % 40, .align = std::size_t{2} << random() % 4};
-          const Upload upload = buffer.update(mesh, changed, options);
-          outgrown += upload.outgrown ? 1U : 0U;
-          changed.clear();
-          device.upload(buffer, upload);
-          ASSERT_TRUE(device.equals(buffer));
-          ASSERT_EQ(device.drawn(buffer, form), sample::triangles_of(mesh));
-          std::vector<IndexRange> draws;
-          buffer.draws(draws);
-          if (form == StripForm::list) {
-            ASSERT_EQ(draws.size(), 1U);
-            ASSERT_EQ(draws[0].count, 3 * mesh.triangle_count());
-          }
-          ASSERT_EQ(buffer.bytes().size() % 4, 0U);
-          std::size_t end = 0;
-          for (const IndexRange& range : upload) {
-            ASSERT_TRUE(end == 0 || range.first - end > options.merge_gap);
-            end = range.first + range.count;
-            ASSERT_TRUE(range.first * buffer.index_bytes() % options.align == 0);
-            ASSERT_TRUE(end * buffer.index_bytes() % options.align == 0 || end == buffer.size());
-          }
-          if (round == 30) buffer.forget();
-          if (round == 35) buffer.keep_upload();
-          for (auto n = random() % 8; n > 0; --n)
-            random_operation(keeper, random, mesh.triangle_count() < 60 || round % 30 < 20);
-        }
-        mesh.watch(nullptr);
-      }
-  EXPECT_GT(outgrown, forms.size() * widths.size() * sample::meshes().size());
-}
 
 TEST(LiveBuffer, WidensWhenAVertexNeedsIt) {
   for (const StripForm form : forms) {
@@ -258,56 +206,6 @@ TEST(LiveBuffer, ReturnsWhatWasNotReturnedAfterAChangeOfWidth) {
     EXPECT_TRUE(device.equals(live.buffer()));
     EXPECT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
   }
-}
-
-/// Through frames, undo and redo across changes of width, with histories of any length, the mesh is restored and drawn.
-TEST(LiveBuffer, OfALiveMeshIsDrawnAcrossWidths) {
-  std::mt19937 random(26);
-  int widened = 0;
-  for (int round = 0; round < 12; ++round)
-    for (const StripForm form : forms) {
-      const std::size_t history = random() % 2 == 0 ? 1'000'000 : 1 + random() % 400;
-      LiveMesh live(sample::torus(6, 6),
-                    {.history = history, .format = {.form = form, .width = IndexWidth::automatic}});
-      Device device;
-      device.upload(live, {{}, true});
-      const std::array all{IndexRange{0, live.bytes().size() / live.index_bytes()}};
-      device.upload(live, {all, false});
-      std::vector<Look> looks{look_at(live.mesh())};
-      std::size_t at = 0;
-      for (int step = 0; step < 60; ++step) {
-        const std::size_t width = live.index_bytes();
-        const auto choice = random() % 6;
-        if (choice < 3) {
-          if (!(choice == 0 ? live.redo() : live.undo())) continue;
-          at += choice == 0 ? 1 : std::size_t(-1);
-        } else {
-          const Look before = look_at(live.mesh());
-          for (auto n = random() % 5; n > 0; --n)
-            random_operation(live.keeper(), random, live.mesh().triangle_count() < 90, all_operations);
-          const Vertex fresh = std::max(Vertex{65'535}, static_cast<Vertex>(live.mesh().vertex_bound()));
-          const auto h = random_halfedge(live.mesh(), random);
-          if (choice == 5) live.split(random_split(live.mesh(), h, random), random() % 2 == 0 ? fresh : none);
-          const Upload upload = live.update();
-          device.upload(live, upload);
-          if (look_at(live.mesh()) == before) continue;  // no frame, although the buffer may have been written
-          looks.resize(++at);
-          looks.push_back(look_at(live.mesh()));
-        }
-        if (random() % 3 != 0) {
-          device.upload(live, live.update());
-          ASSERT_TRUE(device.equals(live.buffer()));
-          ASSERT_EQ(device.drawn(live, form), sample::triangles_of(live.mesh()));
-        }
-        ASSERT_EQ(look_at(live.mesh()), looks[at]);
-        ASSERT_EQ(fault_of(live.mesh()), "");
-        ASSERT_EQ(live.strips(), count_strips(live.mesh()));
-        ASSERT_EQ(live.keeper().isolated(), check_coloring(live.mesh()).isolated);
-        ASSERT_EQ(live.keeper().swaps(), count_swaps(live.mesh()));
-        widened += live.index_bytes() > width ? 1 : 0;
-      }
-    }
-  EXPECT_GT(widened, 20);
 }
 
 /// A stitched buffer drawn in windows of any even number of indices: each triangle once, with its winding.

@@ -1,5 +1,5 @@
-// The buffer draws the mesh after every update, indices not reported have not changed, and it is never much longer than
-// the strips, with indices of 32 and of 16 bits. Buffers of other meshes are in tests/adapters.
+// The buffer is never much longer than the strips, and an update writes little; that it draws the mesh after every
+// update is in live_random_test.cpp.
 #include "output/strip_buffer.hpp"
 
 #include <gtest/gtest.h>
@@ -22,34 +22,6 @@ namespace {
 // The promise of the header.
 std::size_t most_indices(const StripMesh& mesh) {
   return strip_indices(mesh, extract_strips(mesh)).size() * 110 / 100 + 128;
-}
-
-TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
-  std::mt19937 random(11);
-  for (const Policy policy : {Policy::local, Policy::quick}) {
-    for (const int most : {1, 5, 40}) {
-      for (StripMesh& mesh : sample::meshes()) {
-        Keeper keeper(mesh, policy, Cost::strips());
-        std::vector<Triangle> changed;
-        mesh.watch(&changed);
-        StripBuffer buffer(mesh);
-        ASSERT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
-        for (int round = 0; round < 60; ++round) {
-          const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
-          for (int n = most == 1 ? 1 : static_cast<int>(random() % static_cast<unsigned>(most)); n > 0; --n)
-            random_operation(keeper, random, mesh.triangle_count() < 60 || (round / 15) % 2 == 0);
-          const auto ranges = buffer.update(mesh, changed);
-          expect_only_reported_changes(before, buffer.indices(), ranges);
-          changed.clear();
-          ASSERT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
-          ASSERT_LE(buffer.indices().size(), most_indices(mesh));
-          ASSERT_LE(buffer.used(), buffer.indices().size());
-          if (HasFatalFailure()) return;
-        }
-        mesh.watch(nullptr);
-      }
-    }
-  }
 }
 
 // A mesh grows to twice its size, shrinks to a tenth and grows again; the length is looked at after every operation.

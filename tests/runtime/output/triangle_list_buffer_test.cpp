@@ -1,57 +1,17 @@
-// The list draws the mesh after every update, indices not reported have not changed, and only changed corners are
-// written.
+// Only changed corners of a list are written; that it draws the mesh is in live_random_test.cpp.
 #include "output/triangle_list_buffer.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
-#include "buffer_changes.hpp"
-#include "form_reader.hpp"
-#include "random_operation.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
 namespace {
-
-TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
-  std::mt19937 random(15);
-  for (const unsigned most : {1U, 40U}) {
-    for (StripMesh& mesh : sample::meshes()) {
-      Keeper keeper(mesh, Policy::local, Cost::strips());
-      std::vector<Triangle> changed;
-      mesh.watch(&changed);
-      TriangleListBuffer buffer(mesh);
-      TriangleListBuffer narrow(mesh, IndexWidth::bits16);
-      for (int round = 0; round < 100; ++round) {
-        const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
-        for (unsigned n = most == 1 ? 1 : static_cast<unsigned>(random() % most); n > 0; --n)
-          random_operation(keeper, random, mesh.triangle_count() < 60 || (round / 25) % 2 == 0);
-        const auto ranges = buffer.update(mesh, changed);
-        expect_only_reported_changes(before, buffer.indices(), ranges);
-        const std::vector<std::uint32_t> narrow_before(narrow.indices16().begin(), narrow.indices16().end());
-        const auto narrow_ranges = narrow.update(mesh, changed, {.merge_gap = 0, .align = 2});
-        const std::vector<std::uint32_t> narrow_after(narrow.indices16().begin(), narrow.indices16().end());
-        expect_only_reported_changes(narrow_before, narrow_after, narrow_ranges);
-        changed.clear();
-        ASSERT_EQ(buffer.indices().size(), 3 * mesh.triangle_count());
-        form_reader::Reader reader(std::as_bytes(buffer.indices()), 4);
-        reader.list(0, buffer.indices().size());
-        ASSERT_EQ(std::move(reader).triangles(), sample::triangles_of(mesh));
-        // With 16 bits one more index makes a multiple of four bytes if necessary.
-        ASSERT_EQ(narrow.indices16().size(), (buffer.indices().size() + 1) / 2 * 2);
-        ASSERT_TRUE(std::equal(buffer.indices().begin(), buffer.indices().end(), narrow.indices16().begin()));
-        if (HasFatalFailure()) return;
-      }
-      mesh.watch(nullptr);
-    }
-  }
-}
 
 // A flip changes two corners, a split one of each triangle that goes to the new vertex and two triangles.
 TEST(TriangleListBuffer, WritesTheCornersThatChanged) {

@@ -27,7 +27,7 @@ TEST(Tunnel, EachJoinTakesOneStripAway) {
         const bool joined = tunnel.join(mesh, locator, t, states, on_failure);
         ASSERT_EQ(locator.strips(), before - (joined ? 1 : 0));
         ASSERT_TRUE(check_coloring(mesh).valid);
-        ASSERT_TRUE(agrees(locator, mesh));
+        ASSERT_EQ(disagreement(locator, mesh), "");
       }
   }
 }
@@ -54,7 +54,7 @@ TEST(TunnelRounds, LeaveAsFewStripsAsComponentsOfClosedMeshes) {
     EXPECT_LE(locator.strips(), before);
     EXPECT_GE(locator.strips(), connected_components(mesh));
     EXPECT_TRUE(check_coloring(mesh).valid);
-    EXPECT_TRUE(agrees(locator, mesh));
+    EXPECT_EQ(disagreement(locator, mesh), "");
   }
   StripMesh torus = sample::torus(30, 30);  // every triangle its own strip to begin with
   StripLocator locator(torus);
@@ -95,7 +95,7 @@ TEST(TunnelRounds, BeginOnlyWhereItIsWorthIt) {
   EXPECT_LT(locator.strips(), mesh.triangle_count());
   EXPECT_LT(mesh.solid_degree(0), 3U);
   EXPECT_GT(mesh.solid_degree(0), 0U);
-  EXPECT_TRUE(agrees(locator, mesh));
+  EXPECT_EQ(disagreement(locator, mesh), "");
 }
 
 }  // namespace
