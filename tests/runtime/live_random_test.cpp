@@ -54,7 +54,6 @@ TEST(LiveRandom, KeepsItsPromisesUnderEveryPolicyCostAndForm) {
   Tally sum;
   std::size_t judged = 0;
   std::size_t outgrown = 0;
-  RuleCounts rules;
   std::uint32_t seed = 0;
   for (const PolicyRow& row : policies)
     for (const Cost& cost : {Cost::strips(), Cost::indices(), Cost{5, 0, 2}})
