@@ -8,11 +8,8 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <vector>
 
 #include "mirror.hpp"
 #include "restrip/live_mesh.hpp"
@@ -63,27 +60,13 @@ class StripVisitor : public simplification::Edge_collapse_visitor_base<Mesh> {
 }  // namespace
 
 int main() {
-  Mesh mesh;  // a torus with bumps
-  constexpr int columns = 60;
-  constexpr int rows = 30;
-  std::vector<std::uint32_t> triangles;
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x) {
-      const double u = 6.283185307 * x / columns;
-      const double v = 6.283185307 * y / rows;
-      const double around = 3 + std::cos(v) * (1 + 0.1 * std::sin(5 * u));
-      mesh.add_vertex(Point(around * std::cos(u), around * std::sin(u), std::sin(v)));
-    }
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x) {
-      const auto at = [&](int dx, int dy) { return std::uint32_t((y + dy) % rows * columns + (x + dx) % columns); };
-      for (const auto& [a, b, c] : {std::array{at(0, 0), at(1, 0), at(1, 1)}, {at(0, 0), at(1, 1), at(0, 1)}}) {
-        triangles.insert(triangles.end(), {a, b, c});
-        mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
-      }
-    }
+  Mesh mesh;
+  const StartMesh start = bumpy_torus();
+  for (const auto& [x, y, z] : start.points) mesh.add_vertex(Point(x, y, z));
+  for (const auto& [a, b, c] : start.triangles)
+    mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
 
-  restrip::LiveMesh live(triangles, mesh.num_vertices());
+  restrip::LiveMesh live(indices_of(start.triangles), mesh.num_vertices());
   StripVisitor::Shared shared{live};
   simplification::edge_collapse(mesh, simplification::Count_ratio_stop_predicate<Mesh>(0.2),
                                 CGAL::parameters::visitor(StripVisitor(shared)));

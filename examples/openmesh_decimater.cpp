@@ -5,11 +5,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <vector>
 
 #include "mirror.hpp"
 #include "restrip/live_mesh.hpp"
@@ -52,27 +49,13 @@ Triangles triangles_of(const Mesh& mesh) {
 }  // namespace
 
 int main() {
-  Mesh mesh;  // a torus with bumps
-  constexpr int columns = 60;
-  constexpr int rows = 30;
-  std::vector<std::uint32_t> triangles;
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x) {
-      const double u = 6.283185307 * x / columns;
-      const double v = 6.283185307 * y / rows;
-      const double around = 3 + std::cos(v) * (1 + 0.1 * std::sin(5 * u));
-      mesh.add_vertex({float(around * std::cos(u)), float(around * std::sin(u)), float(std::sin(v))});
-    }
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x) {
-      const auto at = [&](int dx, int dy) { return std::uint32_t((y + dy) % rows * columns + (x + dx) % columns); };
-      for (const auto& [a, b, c] : {std::array{at(0, 0), at(1, 0), at(1, 1)}, {at(0, 0), at(1, 1), at(0, 1)}}) {
-        triangles.insert(triangles.end(), {a, b, c});
-        mesh.add_face(Mesh::VertexHandle(int(a)), Mesh::VertexHandle(int(b)), Mesh::VertexHandle(int(c)));
-      }
-    }
+  Mesh mesh;
+  const StartMesh start = bumpy_torus();
+  for (const auto& [x, y, z] : start.points) mesh.add_vertex({float(x), float(y), float(z)});
+  for (const auto& [a, b, c] : start.triangles)
+    mesh.add_face(Mesh::VertexHandle(int(a)), Mesh::VertexHandle(int(b)), Mesh::VertexHandle(int(c)));
 
-  restrip::LiveMesh live(triangles, mesh.n_vertices());
+  restrip::LiveMesh live(indices_of(start.triangles), mesh.n_vertices());
   OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
   OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
   ModStripsT<Mesh>::Handle strips;

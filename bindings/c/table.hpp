@@ -96,8 +96,9 @@ inline std::string fault_of(const std::string& name, Side triangles, std::uint32
     const restrip_patch_triangle& t = triangles[i];
     const std::string what = name + ": triangle " + std::to_string(i);
     for (unsigned s = 0; s < 3; ++s) {
-      if (t.vertex[s] >= vertices || t.vertex[s] == t.vertex[(s + 1) % 3])
-        return what + " has vertex " + std::to_string(t.vertex[s]) + " twice, or there is none";
+      if (t.vertex[s] >= vertices)
+        return what + " has vertex " + std::to_string(t.vertex[s]) + " of " + std::to_string(vertices);
+      if (t.vertex[s] == t.vertex[(s + 1) % 3]) return what + " has vertex " + std::to_string(t.vertex[s]) + " twice";
       const std::uint8_t side = t.side[s];
       if (side == PatchTriangle::boundary_side) continue;
       const bool port = side >= PatchTriangle::port_side;

@@ -135,7 +135,7 @@ set(CMAKE_CXX_FLAGS \"-O0 -fno-exceptions -fno-rtti\")
 set(CMAKE_FIND_ROOT_PATH ${SCRATCH}/runtime)
 ")
   file(WRITE ${SCRATCH}/wasm.cmake "${toolchain}")
-  # The library for that processor; the one of this machine is no answer to find_package() there.
+  # The library for that processor; find_package() does not accept the library of this machine there.
   run(${CMAKE_COMMAND} -G Ninja -S ${ROOT} -B ${SCRATCH}/library -DRESTRIP_BUILD_PROGRAMS=OFF -DCMAKE_TOOLCHAIN_FILE=${SCRATCH}/wasm.cmake
       -DCMAKE_BUILD_TYPE=Debug -DCMAKE_UNITY_BUILD=ON -DCMAKE_INSTALL_PREFIX=${SCRATCH}/runtime)
   run(${CMAKE_COMMAND} --build ${SCRATCH}/library)

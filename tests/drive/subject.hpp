@@ -38,7 +38,7 @@ enum class Call : std::uint8_t {
   keep,
   move_to_level,
   pack,
-  reload,  ///< saves the mesh and goes on with what was loaded
+  reload,  ///< saves the mesh and continues with what was loaded
   update,
   undo,
   redo

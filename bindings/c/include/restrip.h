@@ -76,7 +76,7 @@ enum {
   RESTRIP_VERTEX_IN_USE = 12,      /* the vertex named for a split has triangles already */
   RESTRIP_NO_MANIFOLD = 13,        /* the mesh would not be a manifold */
   RESTRIP_VERTEX_TOO_FAR = 14,     /* the vertex named for a split is more than 2^20 beyond all others */
-  RESTRIP_OTHER_PATCH = 15,        /* the triangles there are not those of the custom operation */
+  RESTRIP_OTHER_PATCH = 15,        /* the triangles there differ from the custom operation's */
   RESTRIP_SAME_VERTEX = 16,        /* two vertices of the custom operation are one vertex of the mesh */
 
   /* Everything else. */

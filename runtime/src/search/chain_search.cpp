@@ -165,8 +165,8 @@ bool ChainSearch::keeps_strips(const Mesh& mesh, const ChainMove& move) {
   const Halfedge out = lowest_side(u, kept_u);
   Halfedge from_t = mesh.opposite(lowest_side(t, kept_t));
   Halfedge from_u = mesh.opposite(out);
-  // A walk from t comes to u over the edge that u keeps, which closes a cycle, or over the one that it gives up. A walk
-  // from u over the edge that it keeps comes to t only in a cycle.
+  // A walk from t reaches u over the edge that u keeps, which closes a cycle, or over the one that it gives up. A walk
+  // from u over the edge that it keeps reaches t only in a cycle.
   for (std::uint32_t n = 0; n < max_walk; ++n) {
     if (StripMesh::triangle(from_t) == u) return !(from_t == out);
     if (StripMesh::triangle(from_u) == t) return false;
