@@ -67,7 +67,7 @@ inline constexpr std::array policies{
               "ends of strips that meet are joined",
               "3 looks at the strip ends of the patch",
               "none",
-              "3 to 5",
+              "3 to 7",
               {},
               {IndexPlan::From::ends, {.looks = 3, .length = 3}}},
     PolicyRow{Policy::quick,
@@ -75,7 +75,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "10 looks, chains of 8 moves",
               "a locator of the strips",
-              "10 to 30",
+              "10 to 90",
               {56, 150},
               {IndexPlan::From::patch, {.looks = 10, .length = 8, .worse = 1}}},
     PolicyRow{Policy::full,
@@ -83,7 +83,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "70 looks, around the patch as well",
               "a locator of the strips",
-              "40 to 200",
+              "40 to 500",
               {320, 0},
               {IndexPlan::From::ring, {.looks = 70, .length = 8, .worse = 2}}}};
 
