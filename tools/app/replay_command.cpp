@@ -188,7 +188,7 @@ Subcommand add_replay(CLI::App& app) {
   add_policy_option(*sub, command.policy);
   sub->add_option(
          "--states", command.states,
-         "fixed number of states per search for quick, full and best; more leave fewer strips and take longer "
+         "fixed number of states per search for quick and full; more leave fewer strips and take longer "
          "(default: the policy's, reduced if strips are long enough); with --cost indices: strip ends looked at after "
          "each operation")
       ->check(whole_number_from(1, 1'000'000));

@@ -117,8 +117,8 @@ typedef struct restrip_build_report {
  * edges are dashed, and the policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES. `report` may be null. `origin`
  * may be null, or has room for index_count / 3 numbers and receives for each triangle of the mesh its place in
  * `indices` (they differ when some are left out). The indices are copied. index_count must be a multiple of 3 (else
- * RESTRIP_BAD_ARGUMENT); a mesh holds at most 536,870,911 triangles and as many vertices (else
- * RESTRIP_TOO_LARGE), and has memory for all vertices below vertex_count. O(T). Release the mesh with
+ * RESTRIP_BAD_ARGUMENT); a mesh holds at most 536,870,911 triangles and the same number of vertices
+ * (else RESTRIP_TOO_LARGE), and has memory for all vertices below vertex_count. O(T). Release the mesh with
  * restrip_mesh_free. After an error *mesh is null. */
 RESTRIP_API restrip_status restrip_mesh_build_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
@@ -289,8 +289,7 @@ RESTRIP_API restrip_status restrip_mesh_flip_at(restrip_mesh* mesh, uint32_t v, 
  * counter-clockwise; either list may be empty. Vertices that are not in use become new ones, vertices left without
  * triangles go. Edges of removed triangles are cleared, then the policy searches among what has changed. Refused unless
  * the mesh stays a manifold with boundary, with three triangles or more around an interior vertex. `halfedge` of the
- * change is a side of the first new triangle. O(n log n) for n triangles at the vertices, and the time of the policy.
- */
+ * change is a side of the first new triangle. Quadratic in the triangles, and the time of the policy. */
 RESTRIP_API restrip_status restrip_mesh_replace(restrip_mesh* mesh, const uint32_t* out, size_t out_count,
                                                 const uint32_t* in, size_t in_count, restrip_change* change);
 
@@ -522,7 +521,7 @@ RESTRIP_API size_t restrip_live_frame(const restrip_mesh* mesh);
 /* ---- Baked meshes ------------------------------------------------------------------------------ */
 
 /* A progressive mesh with strips precomputed by `restrip bake` for every level (docs/how-to/baked-strips.md). Level n
- * is the base with its first n records played. All functions above work on it. Your own changes (split, collapse, flip,
+ * is the base with its first n records played. All functions above work on it. Other changes (split, collapse, flip,
  * stripify, keep, set_colors) leave the levels: from then on the policy maintains the strips, RESTRIP_POLICY_LOCAL
  * unless you choose another, and restrip_baked_move returns RESTRIP_OUT_OF_STEP until restrip_baked_restart. */
 

@@ -7,9 +7,8 @@
 //   for (const auto& range : ranges) upload(range);
 //   live.undo();                                       // the last frame, if a history is kept
 //
-// The parts can also be used separately: StripMesh, Keeper, StripBuffer, History. This header only declares: for a
-// member or a parameter by reference fwd.hpp is enough. With the compiled library (restrip::restrip) a file that
-// includes it compiles almost as fast as one that includes the same standard headers.
+// The parts can also be used separately: StripMesh, Keeper (search/keeper.hpp), LiveBuffer (output/live_buffer.hpp).
+// For a member behind a pointer or a parameter by reference fwd.hpp is enough.
 //
 // Different objects may be used by different threads at the same time, one object only by one.
 #pragma once
@@ -70,7 +69,7 @@ class LiveMesh {
   explicit LiveMesh(StripMesh mesh, const LiveOptions& options = {})
       : LiveMesh(std::move(mesh), options, Colors::of_mesh) {}
   /// Plays a progressive mesh with precomputed strips (formats/baked_file.hpp), from its base on. Policy, cost and
-  /// effort of the options are not used: operations of your own are done under Policy::local for fewest strips.
+  /// effort of the options are not used: other operations are done under Policy::local for fewest strips.
   explicit LiveMesh(std::shared_ptr<const BakedFile> file, const LiveOptions& options = {});
   LiveMesh(LiveMesh&& other) noexcept;
   LiveMesh& operator=(LiveMesh&& other) noexcept;
@@ -101,14 +100,14 @@ class LiveMesh {
   /// Any change of a few triangles: removes `out` and adds `in`, each by its corners, counter-clockwise; either may be
   /// empty. Numbers that are not in use become new vertices, vertices left without triangles go. Edges of removed
   /// triangles are cleared, then the policy searches among what has changed. Refused with a reason if the mesh would
-  /// not be a manifold with boundary (check_replace() in strip_mesh.hpp). Quadratic in the triangles.
+  /// not be a manifold with boundary (check_replace() in checks.hpp). Quadratic in the triangles.
   Checked replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in);
 
   /// Another policy and cost for all later operations. Undo does not restore them. Linear time.
   void keep(Policy policy, const Cost& cost);
   /// Strips from scratch for the present mesh (stripify.hpp), for this cost; returns their number. The next update()
   /// writes the whole buffer. A recolouring that changes a colour can be undone like an operation. Handles stay.
-  /// Like operations of your own, it leaves the levels of baked strips. Needs memory for a second mesh.
+  /// Like operations, it leaves the levels of baked strips. Needs memory for a second mesh.
   std::size_t recolor(Effort effort, const Cost& cost, std::uint64_t limit = 0, const Interrupt* interrupt = nullptr);
   /// The same with given colours: bit s of solid_sides[t] for side s of triangle t below triangle_bound(). Returns
   /// false, and changes nothing, if they are not a valid colouring with 0 for numbers that are not triangles.
@@ -134,7 +133,9 @@ class LiveMesh {
   Renumbering pack();
 
   /// Ends a frame and returns the ranges of the buffer that must be uploaded, ascending; valid until the next call.
-  /// Upload::outgrown says that the buffer on the device is too small.
+  /// Upload::outgrown says that the buffer on the device is too small. The constructor writes the buffer already, and
+  /// the first update() returns only what has changed since: upload bytes() once before. If the options have
+  /// `deferred`, the first update() returns everything.
   Upload update(const RangeOptions& ranges = {});
   /// Makes the next update() also return the ranges of the last one, for a caller that could not upload them.
   void keep_upload() noexcept;

@@ -6,6 +6,11 @@
 // index that differs to the last. A run that became longer uses the gaps next to its place; otherwise its neighbours
 // slide, or it moves to the smallest gap that is large enough, or to the end of the buffer.
 //
+// Invariant, between updates. Each triangle on a strip is in one run, and run_of_ names its place. Runs do not overlap
+// and are listed in the order of the buffer; the last cell of each separates it from the next. All other cells are in
+// the gap after a place and hold filling(). All places are settled: only during an update a place is dirty, while its
+// run is read, or claimed by the run that will take it.
+//
 // Stitched runs. Each begins at an even index with its first vertex twice, is wound for an odd place, and ends with its
 // last vertex repeated, to an even length. So the triangles between runs, or between a run and a gap filled with one
 // vertex, are always degenerate, and stitched runs can move like others.

@@ -39,7 +39,7 @@ namespace restrip {
 
 /// Whether any triangles may be replaced by others (the other StripMesh::replace): `out` are triangles of the mesh,
 /// each once, `in` have three different corners each, and the result is a manifold with boundary at all their vertices,
-/// with at least three triangles around an interior one.
+/// with at least three triangles around an interior one. O(n log n) for n triangles at these vertices.
 [[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                     std::span<const std::array<Vertex, 3>> in);
 

@@ -1,5 +1,4 @@
-// StripMesh: a compact triangle mesh whose dual edges carry a colour, for replays and for users without a mesh
-// structure.
+// StripMesh: the mesh of the library, a compact half-edge mesh whose dual edges carry a colour.
 //
 // Flat arrays: 12 bytes a triangle for adjacency and colours, 12 for its corners, 5 a vertex. The data structure is the
 // corner table with explicit links (Rossignac, "Edgebreaker", 1999; Campagna, Kobbelt, Seidel, "Directed edges", 1998).

@@ -49,7 +49,8 @@ struct RuleCounts {
   std::uint64_t asked = 0;     ///< rules looked up
   std::uint64_t taken = 0;     ///< of them: their colours were written
   std::uint64_t kept = 0;      ///< of them: passed-on colours cost no more and were kept
-  std::uint64_t improved = 0;  ///< operations after which a search lowered the cost, or joins strips or isolated ones
+  std::uint64_t improved = 0;  ///< operations after which a search lowered the cost, or a join the number of strips or
+                               ///< of isolated triangles
   friend constexpr bool operator==(const RuleCounts&, const RuleCounts&) = default;
 };
 

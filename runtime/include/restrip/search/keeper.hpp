@@ -1,8 +1,9 @@
 // Keeper: maintains the strips of a mesh through every operation, under a policy.
 //
 // Every operation begins with its proven rule (operations.hpp), which reads one patch. A policy (policy.hpp) says what
-// follows. The steps after the rule only lower the cost, so an operation adds at most what a rule adds at most
-// (docs/explanation/theory.md, "What an operation adds"). One of two engines takes these steps: src/search/
+// follows. Under costs that weigh swaps or isolated triangles, a policy that searches may keep the colours before a
+// split or collapse instead, if they cost no more. The steps after that only lower the cost, so what an operation adds
+// is bounded (docs/explanation/theory.md, "What an operation adds"). One of two engines takes these steps: src/search/
 // fewest_strips.cpp under the cost of strips, src/search/lowest_cost.cpp under a cost that weighs swaps or isolated
 // triangles, such as Cost::indices().
 //
