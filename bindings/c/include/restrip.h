@@ -24,7 +24,7 @@
  * Threads. Different meshes may be used by different threads at once. One mesh may be read by several threads
  * (functions that take a const restrip_mesh *), or be changed by one. The library has no other state.
  *
- * Complexities are given for T triangles. Memory: 24 bytes a triangle and 5 a vertex; 13 more a triangle under
+ * Complexities are given for T triangles. Memory: 24 bytes a triangle and 5 a vertex; 20 more a triangle under
  * RESTRIP_POLICY_QUICK and RESTRIP_POLICY_FULL for fewest strips; and the contents of a live
  * buffer or a baked mesh.
  */

@@ -92,15 +92,16 @@ class LiveMesh {
   Checked join_faces(Halfedge chord);
   Checked bisect(Halfedge h);
   Checked merge(Halfedge chord);
-  /// A custom operation (operations/apply.hpp).
+  /// A custom operation. Include operations/apply.hpp, which makes an OperationView of its table.
   Checked apply(const OperationView& table, Halfedge where);
   /// The same in the first orientation that fits, with this triangle as the first of the operation (first_place()).
   Checked apply_anywhere(const OperationView& table, Triangle triangle);
 
-  /// Any change of a few triangles: removes `out` and adds `in`, each by its corners, counter-clockwise; either may be
-  /// empty. Numbers that are not in use become new vertices, vertices left without triangles go. Edges of removed
-  /// triangles are cleared, then the policy searches among what has changed. Refused with a reason if the mesh would
-  /// not be a manifold with boundary (check_replace() in checks.hpp). Quadratic in the triangles.
+  /// Any change of a few triangles: removes `out`, by their numbers in mesh(), and adds `in`, each by its corners,
+  /// counter-clockwise; either may be empty. The number of the triangle with the side a -> b is
+  /// StripMesh::triangle(edge(a, b)). Numbers that are not in use become new vertices, vertices left without triangles
+  /// go. Edges of removed triangles are cleared, then the policy searches among what has changed. Refused with a reason
+  /// if the mesh would not be a manifold with boundary (check_replace() in checks.hpp). Quadratic in the triangles.
   Checked replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in);
 
   /// Another policy and cost for all later operations. Undo does not restore them. Linear time.
