@@ -85,7 +85,7 @@ export class Library {
     const positions = [];
     try {
       for (const { ports, before, after, first, vertices, triangles_before: from, triangles_after: to } of table.positions) {
-        if (!from) throw new Error(`the table ${table.name} has no triangles: its operation was described as a graph`);
+        if (!from) throw new Error(`the table ${table.name} has no triangles; make it with restrip-generate rules --language json`);
         const size = 2 ** (table.matching ? ports : before.edges + ports);
         const entries = Uint32Array.from(table.entries.slice(first, first + size), (entry) => (entry === table.none ? 0xffffffff : entry));
         const bytes = [from, to].map((triangles) => Uint8Array.from(triangles.flat()));

@@ -39,7 +39,7 @@ export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'bo
  * repeated indices; runs to be drawn one by one (`draws`); a triangle list. */
 export type Form = 'restart' | 'stitched' | 'lengths' | 'list';
 
-/** The effort for strips from scratch: one pass; then long searches; then four times as long. */
+/** The effort for strips from scratch: one pass; then long searches; then up to ten times as long. */
 export type Effort = 'fast' | 'full' | 'best';
 /** How strips in the buffer stay short and in order. `cache`: vertices of the cache that strips are ordered for, up to 64; 0: no
  *  order (32). `waste`: what cuts and gaps may add, per mille of the indices needed (95). `work`: indices that an update may move for

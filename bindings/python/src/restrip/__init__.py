@@ -240,7 +240,7 @@ class Table:
             raise ValueError("Table: this is not the table of an operation; make one with restrip-generate rules --language json")
         for at in data["positions"]:
             if "triangles_before" not in at:
-                raise ValueError(f"Table: {data['name']} has no triangles: its operation was described as a graph")
+                raise ValueError(f"Table: {data['name']} has no triangles; make it with restrip-generate rules --language json")
             before, after = (np.asarray(at[f"triangles_{side}"], np.uint8).reshape(-1, 8) for side in ("before", "after"))
             size = 1 << (at["ports"] + (0 if data["matching"] else at["before"]["edges"]))
             entries = np.asarray(data["entries"][at["first"]:at["first"] + size], np.uint32)

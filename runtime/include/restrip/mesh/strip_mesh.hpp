@@ -84,7 +84,7 @@ struct StripStep {
   Halfedge in{};
 };
 
-/// An indexed triangle mesh with colored dual edges.
+/// An indexed triangle mesh with coloured dual edges.
 ///
 /// Triangle handles are stable until the triangle is removed. The handle removed last is used by the next insertion, so
 /// coarsening and refining again gives the same handles. At most `max_triangles` triangles.
@@ -194,7 +194,7 @@ class StripMesh {
     touch(triangle(h));
     touch(triangle({link_of(h) >> 1}));
   }
-  /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid coloring.
+  /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid colouring.
   [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
     RESTRIP_ASSERT(alive(t), "StripMesh::solid_degree", no_such_triangle);
     unsigned degree = 0;

@@ -22,11 +22,12 @@
 
 namespace restrip {
 
-/// Places inside a table: 16 bits if they suffice, 32 in tables that go beyond k = 8 (docs/reference/tables.md, "Larger tables").
+/// Places inside a table: 16 bits if they suffice, 32 in tables that go beyond k = 8 (docs/reference/tables.md, "Larger
+/// tables").
 template <unsigned MaxK>
 using TableIndex = std::conditional_t<MaxK <= 8, std::uint16_t, std::uint32_t>;
 
-/// Where the rows of keys start, for closed or for open fans: index 1 << k | ports.
+/// Where the rows of keys start: index 1 << k | ports.
 template <unsigned MaxK>
 using RowStarts = std::array<TableIndex<MaxK>, std::size_t{2} << MaxK>;
 

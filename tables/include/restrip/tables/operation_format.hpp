@@ -9,8 +9,8 @@
 //
 // A family has the tables of all its positions one after another (OperationFamily).
 //
-// Where the file gives the triangles with their vertices, the header has them too (SurfaceOperation, SurfaceFamily),
-// for programs that change a mesh; restrip/operations/apply.hpp is one.
+// The header also has the triangles before and after the operation (SurfaceOperation, SurfaceFamily), for programs that
+// change a mesh; restrip/operations/apply.hpp is one.
 #pragma once
 
 #include <algorithm>
@@ -37,9 +37,8 @@ struct OperationTable {
   std::array<Entry, Size> entries;
 };
 
-/// A triangle of a patch. Triangles are in traversal order; each after the first is entered through its side 0, across a
-/// side of an earlier one.
-/// Side s runs from corner s to the next one, counter-clockwise.
+/// A triangle of a patch. Triangles are in traversal order; each after the first is entered through its side 0, across
+/// a side of an earlier one. Side s runs from corner s to the next one, counter-clockwise.
 struct PatchTriangle {
   std::uint8_t from = 0;       ///< met from this triangle; the first one from outside
   std::uint8_t from_side = 0;  ///< across this side of it
