@@ -144,7 +144,7 @@ class Page:
         """The most over all sizes."""
         of = lambda how, field: plain(max(self.of_scale(size, how, field) for size in self.sizes()), 2)
         return (f"at most {of('random/bare', 'mesh_bytes')} for mesh and colours, {of('random/quick', 'keeper_bytes')} more for the searches of "
-                f"`quick` and `full`, {of('buffer', 'buffer_bytes')} more for `StripBuffer`, the index buffer included")
+                f"`quick` and `full`, {of('buffer', 'buffer_bytes')} more for the live buffer, its indices included")
 
     # ---- simplification, which scripts/simplify_table.py measures
     def simplified(self):

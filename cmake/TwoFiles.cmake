@@ -8,7 +8,7 @@ if(Python3_FOUND)
   add_custom_command(
     OUTPUT ${RESTRIP_TWO_FILES}/restrip.hpp ${RESTRIP_TWO_FILES}/restrip.cpp
     COMMAND Python3::Interpreter ${script} --out ${RESTRIP_TWO_FILES}
-    DEPENDS ${script} ${sources}
+    DEPENDS ${script} ${sources} ${PROJECT_SOURCE_DIR}/cmake/project.cmake
     VERBATIM)
   add_custom_target(two_files ALL DEPENDS ${RESTRIP_TWO_FILES}/restrip.hpp)
   install(FILES ${RESTRIP_TWO_FILES}/restrip.hpp ${RESTRIP_TWO_FILES}/restrip.cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/restrip

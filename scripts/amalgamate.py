@@ -77,7 +77,10 @@ def main():
 
     with open(os.path.join(here, "LICENSE"), encoding="utf-8") as file:
         licence = ["// " + line if line else "//" for line in file.read().splitlines()]
-    banner = ["// restrip in two files, made by scripts/amalgamate.py. Do not edit.", "//"] + licence
+    with open(os.path.join(here, "cmake/project.cmake"), encoding="utf-8") as file:
+        version = re.search(r"^set\(RESTRIP_VERSION (.+)\)$", file.read(), re.M)[1]
+    banner = [f"// restrip {version} in two files, made by scripts/amalgamate.py. Do not edit. Include restrip.hpp, and compile",
+              "// restrip.cpp once with your program: c++ -std=c++20 main.cpp restrip.cpp", "//"] + licence
     public = Amalgamation(folders)
     public.add(FIRST)
     # First the description and the check of the standard in restrip.hpp: otherwise a compiler of an older standard
