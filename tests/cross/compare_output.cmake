@@ -1,9 +1,10 @@
-# Runs PROGRAM and fails unless it prints the bytes of the file EXPECTED.
+# Runs PROGRAM and fails unless it prints the bytes of the file EXPECTED, with SECTION only the lines after "== SECTION".
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} ended with ${result}")
 endif()
-file(READ ${EXPECTED} expected)
+include(${CMAKE_CURRENT_LIST_DIR}/expected_section.cmake)
+expected_section(${EXPECTED} "${SECTION}" expected)
 if(expected STREQUAL "" OR NOT printed STREQUAL expected)
-  message(FATAL_ERROR "printed:\n${printed}\nexpected (${EXPECTED}):\n${expected}")
+  message(FATAL_ERROR "printed:\n${printed}\nexpected (${EXPECTED} ${SECTION}):\n${expected}")
 endif()
