@@ -55,7 +55,7 @@ for arguments, steps in ((bake, ("simplifying", "baking")),
     assert said.count("%") > 50, said
     assert run(*arguments).stderr == ""
 # One step that does not know how much is left.
-for arguments, steps in ((("stripify", mesh, "--effort", "best", "--limit", 10, "--bound"), ("making strips", "computing the lower bound")),
+for arguments, steps in ((("stripify", mesh, "--effort", "best", "--limit", 10), ("making strips",)),
                          (("make-mesh", "--triangles", 2000, "-o", scratch / "other.obj"), ("making a mesh",))):
     said = on_a_terminal(*arguments)
     assert all(f"{step} \u2026" in said for step in steps), said

@@ -55,7 +55,7 @@ TEST(Anneal, BestIsTheLeastOfAllColoringsOfTinyMeshesButForAWinding) {
       EXPECT_LE(recounted(mesh, annealed_costs[i]), least[i] + winding)
           << "cost " << i << ", " << edges.size() << " dual edges";
     }
-    EXPECT_LE(strip_index_lower_bound(mesh).indices, fewest_indices);
+    EXPECT_LE(tools::strip_index_lower_bound(mesh), fewest_indices);
   }
 }
 
@@ -110,7 +110,7 @@ TEST(Anneal, IndicesAreFewOnLargerMeshes) {
     const std::size_t full = indices(Effort::full, Cost::indices());
     EXPECT_LT(fast, with_fewest_strips - with_fewest_strips / 20);
     EXPECT_LT(full, fast - fast / 50);
-    EXPECT_GT(full, strip_index_lower_bound(mesh).indices);
+    EXPECT_GT(full, tools::strip_index_lower_bound(mesh));
   }
 }
 
