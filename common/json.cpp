@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "common/file_error.hpp"
 #include "common/printable.hpp"
+#include "common/reading.hpp"
 
 namespace restrip {
 

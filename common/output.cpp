@@ -10,15 +10,67 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <optional>
+#include <system_error>
 #include <utility>
+#include <vector>
 
-#include "common/file_error.hpp"
+#include "common/printable.hpp"
 #include "common/reading.hpp"
 #include "common/system_calls.hpp"
 
 namespace restrip::files {
+namespace {
+
+thread_local std::vector<const Claim*> claims;
+
+}  // namespace
+
+Claim::Claim(std::string shown, std::filesystem::path file, int descriptor)
+    : shown_(std::move(shown)), file_(std::move(file)), descriptor_(descriptor) {
+  const auto own = status();
+  const auto found = std::find_if(claims.begin(), claims.end(), [this](const Claim* c) { return same_place(*c); });
+  const Claim* const other = found != claims.end() ? *found : own ? on(*own) : nullptr;
+  if (other != nullptr)
+    throw FileError(
+        fmt::format("{}: is the output {} as well, and one would be lost; name another file", shown_, other->shown_));
+  claims.push_back(this);
+}
+
+Claim::~Claim() { claims.erase(std::remove(claims.begin(), claims.end(), this), claims.end()); }
+
+const Claim* Claim::on(const struct stat& file) {
+  if (S_ISCHR(file.st_mode)) return nullptr;
+  for (const Claim* claim : claims)
+    if (const auto other = claim->status(); other && other->st_dev == file.st_dev && other->st_ino == file.st_ino)
+      return claim;
+  return nullptr;
+}
+
+bool Claim::on_standard_output() {
+  struct stat file {};
+  return std::any_of(claims.begin(), claims.end(), [](const Claim* c) { return c->descriptor_ == STDOUT_FILENO; }) ||
+         (::fstat(STDOUT_FILENO, &file) == 0 && on(file) != nullptr);
+}
+
+std::optional<struct stat> Claim::status() const {
+  struct stat found {};
+  const int result = descriptor_ >= 0 ? ::fstat(descriptor_, &found) : ::stat(file_.c_str(), &found);
+  return result == 0 ? std::optional(found) : std::nullopt;
+}
+
+/// For files that do not exist yet.
+bool Claim::same_place(const Claim& other) const {
+  const auto folder = [](const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  };
+  std::error_code error;
+  return descriptor_ < 0 && other.descriptor_ < 0 && file_.filename() == other.file_.filename() &&
+         std::filesystem::equivalent(folder(file_), folder(other.file_), error) && !error &&
+         !std::filesystem::is_character_file(file_, error);
+}
 
 namespace fs = std::filesystem;
 
@@ -268,6 +320,35 @@ void OutputSet::write(const std::vector<NamedBytes>& files) const {
   }
   if (drafts.size() > 1) drafts.back().remove_target();
   for (Draft& draft : drafts) draft.publish();
+}
+
+ReportOutput::ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs)
+    : to_stdout_(json == "-") {
+  if (to_stdout_ && ::fcntl(STDOUT_FILENO, F_GETFD) < 0)
+    throw FileError("standard output: cannot be written: it is closed; name a file for --json");
+  if (to_stdout_)
+    claim_ = std::make_shared<Claim>("standard output", "-", STDOUT_FILENO);
+  else if (!json.empty())
+    file_.emplace(json, OutputRules{{".json"}, std::move(inputs)});
+}
+
+void ReportOutput::print(std::string_view text, std::string_view json) const {
+  if (to_stdout_) {
+    fmt::print("{}", json);
+    return;
+  }
+  if (file_) file_->write(json);
+  fmt::print(Claim::on_standard_output() ? stderr : stdout, "{}", printable(text));
+}
+
+int exit_code(std::string_view program, int code) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  fmt::print(stderr, "{}: standard output could not be written: {}\n", program,
+             errno == EBADF ? "it is closed"
+             : errno != 0   ? std::strerror(errno)
+                            : "its device refused it");
+  return 2;
 }
 
 }  // namespace restrip::files

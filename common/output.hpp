@@ -1,17 +1,47 @@
 // All programs of the project write files through this. An output is tested before the work that makes it, and appears
 // whole or not at all: drafted in the folder of its target (through links), synced, renamed. While an output lives, no
-// other output may name its file, and read_whole() refuses to read it (claim.hpp).
+// other output may name its file, and read_whole() refuses to read it.
 #pragma once
+
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "common/claim.hpp"
-
 namespace restrip::files {
+
+// The files that a thread is about to write, whatever their names: none may be written twice, and none may be read,
+// because it would be lost. Outputs claim their files before anything is read, so files found later (the buffers of a
+// glTF) are protected as well.
+
+class Claim {
+ public:
+  /// `shown`: its name as the user wrote it. `file`: the target of its links. `descriptor`: -1, or the open file.
+  /// Throws FileError when this thread has claimed the file already.
+  Claim(std::string shown, std::filesystem::path file, int descriptor);
+  ~Claim();
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+
+  [[nodiscard]] const std::string& shown() const noexcept { return shown_; }
+
+  /// The claim on this file, or null. Terminals and the like are never claimed: several may use them.
+  [[nodiscard]] static const Claim* on(const struct stat& file);
+  /// Whether standard output carries a file, so that text has to go elsewhere.
+  [[nodiscard]] static bool on_standard_output();
+
+ private:
+  [[nodiscard]] std::optional<struct stat> status() const;
+  [[nodiscard]] bool same_place(const Claim& other) const;
+
+  std::string shown_;
+  std::filesystem::path file_;
+  int descriptor_;
+};
 
 /// Conditions on an output.
 struct OutputRules {
@@ -78,5 +108,31 @@ class OutputSet {
   MadeFolders folders_;
   std::vector<Output> tested_;
 };
+
+// The destination of the report of a command, the same for every command: text on standard output, or on standard error
+// if another output of the command is standard output; with `--json FILE` also JSON to the file; with `--json -` JSON
+// on standard output instead of the text.
+
+class ReportOutput {
+ public:
+  /// `json`: the argument of the option, empty if it was not given. Tests the file before the work; it must end in
+  /// .json and not be an input. Throws what files::Output throws.
+  explicit ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs = {});
+
+  /// Whether standard output is only for JSON, so that intermediate lines are not printed.
+  [[nodiscard]] bool replaces_text() const noexcept { return to_stdout_; }
+
+  /// Both end with a line feed, or are empty.
+  void print(std::string_view text, std::string_view json) const;
+
+ private:
+  bool to_stdout_;
+  std::optional<Output> file_;
+  std::shared_ptr<const Claim> claim_;  // on standard output
+};
+
+/// The exit code of a program: `code`, or 2 with a message if standard output could not be written, which a buffer or a
+/// full disk may hide until the end. For the end of every main(), also after --help.
+[[nodiscard]] int exit_code(std::string_view program, int code);
 
 }  // namespace restrip::files

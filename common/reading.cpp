@@ -9,9 +9,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "common/claim.hpp"
 #include "common/counted.hpp"
-#include "common/file_error.hpp"
+#include "common/output.hpp"
 #include "common/system_calls.hpp"
 
 namespace restrip::files {

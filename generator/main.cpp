@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "commands/command.hpp"
-#include "common/report_output.hpp"
+#include "common/output.hpp"
 #include "common/system_calls.hpp"
 
 using namespace restrip::generator;

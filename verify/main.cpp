@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "common/report_output.hpp"
+#include "common/output.hpp"
 #include "explain/commands.hpp"
 #include "model/input.hpp"
 #include "model/program.hpp"

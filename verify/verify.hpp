@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "judge/report.hpp"
-#include "model/family.hpp"
+#include "model/description.hpp"
 
 namespace restrip::verify {
 

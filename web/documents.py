@@ -169,11 +169,11 @@ def steps(file, beside, titles, documents):
     return f'<nav class="steps" aria-label="Previous and next">{link(before, "prev", "← {}")}{link(after, "next", "{} →")}</nav>' if before or after else ""
 
 
-def commands(folder):
-    """What to type in each language: TEXT after #, a line of prose with links; the rest as code."""
+def commands(file):
+    """What to type in each language: after == and its name a line of prose with links, then code."""
     out = []
-    for name in ("cpp", "npm", "python", "c"):
-        lines = (folder / f"{name}.txt").read_text(encoding="utf-8").rstrip("\n").split("\n")
+    for section in file.read_text(encoding="utf-8").removeprefix("== ").split("\n== "):
+        name, *lines = section.rstrip("\n").split("\n")
         out.append(f'<div class="get-{name}"><div class="code"><pre tabindex="0"><code>{escape(chr(10).join(lines[1:]), quote=False)}</code></pre></div><p>{lines[0]}</p></div>')
     return "\n".join(out)
 
@@ -186,7 +186,7 @@ def landing(readme, scripts, put, source):
     chosen = re.findall(r'<h2 id="what-is-guaranteed">.*?(?=<h2)|<p>The idea is due to.*?</p>', readme, flags=re.S)
     if len(chosen) != 2:
         sys.exit("documents.py: README.md has not one section 'What is guaranteed' and one paragraph 'The idea is due to', which the first page shows")
-    return text.replace("<!--SOURCE-->", escape(source)).replace("<!--GET-->", commands(FOLDER / "get")).replace("<!--GUARANTEES-->", "".join(chosen))
+    return text.replace("<!--SOURCE-->", escape(source)).replace("<!--GET-->", commands(FOLDER / "get.txt")).replace("<!--GUARANTEES-->", "".join(chosen))
 
 
 def whole(title, description, body, style, page, address):

@@ -1,13 +1,13 @@
-// The subcommands of restrip-generate, one file each: NAME_command.cpp has its options, its help and what it does. And
-// what several of them share.
+// The subcommands of restrip-generate, each with its options, its help and what it does: tables_command.cpp writes
+// tables, rules and the automaton, dump_command.cpp prints rules. And what several of them share.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <functional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "emit/emit.hpp"
 
@@ -26,28 +26,22 @@ Subcommand add_rules(CLI::App& app);
 Subcommand add_dump(CLI::App& app);
 
 /// Adds the destination of the report as JSON.
-CLI::Option* add_json_option(CLI::App& command, std::string& file);
+inline CLI::Option* add_json_option(CLI::App& command, std::string& file) {
+  return command.add_option("--json", file,
+                            "Write the report as JSON to this file; - for standard output, in place of the text");
+}
 
 /// Adds the languages; `of_cpp` says what is written in C++, `in_others` in other languages.
-CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& languages, const char* of_cpp,
-                                 const char* in_others);
-
-/// Adds the name of a shipped family.
-CLI::Option* add_family_option(CLI::App& command, std::string& family);
-
-/// A folder for files that are known before the work.
-class OutputFolder {
- public:
-  /// Tests the files. Throws files::FileError; none may be one of the inputs.
-  OutputFolder(const std::string& folder, const std::vector<std::filesystem::path>& names,
-               const std::vector<std::string>& inputs = {});
-
-  /// Writes the files, except those that are there with these bytes, so that nothing is compiled again because of them.
-  void write(std::vector<files::NamedBytes> files);
-
- private:
-  std::filesystem::path folder_;
-  files::OutputSet out_;
-};
+inline CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& languages, const char* of_cpp,
+                                        const char* in_others) {
+  return command
+      .add_option("--language", languages,
+                  fmt::format("c++ (the default: {}), c, rust, json, glsl or wgsl: {} and look-up; several "
+                              "separated by commas",
+                              of_cpp, in_others))
+      ->delimiter(',')
+      ->check(CLI::IsMember(language_files()))
+      ->allow_extra_args(false);
+}
 
 }  // namespace restrip::generator

@@ -12,8 +12,8 @@
 
 #include "commands/command.hpp"
 #include "commands/pipeline.hpp"
-#include "common/report_output.hpp"
-#include "describe/description_file.hpp"
+#include "common/output.hpp"
+#include "describe/description.hpp"
 #include "solve/section.hpp"
 
 namespace restrip::generator {
@@ -117,13 +117,19 @@ Subcommand add_dump(CLI::App& app) {
   const auto kept = std::make_shared<DumpCommand>();
   CLI::App* sub = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
   std::string all;
-  for (const Description& family : families()) all += fmt::format("  {:<19}{}\n", family.name, columns(family));
+  std::vector<std::string> names;
+  for (const Description& family : families()) {
+    all += fmt::format("  {:<19}{}\n", family.name, columns(family));
+    names.push_back(family.name);
+  }
   sub->footer("Columns:\n" + all +
               "  others             their numbers, then inner,ports,inner_after,strips,isolated; ports_after "
               "before strips\n                     if ports may be given up\n"
               "\nExamples, from the top of the source tree:\n  restrip-generate dump --family split --k 4\n"
               "  restrip-generate dump --operation tables/operations/bisect.json\n");
-  add_family_option(*sub, kept->family);
+  sub->add_option("--family", kept->family, fmt::format("One of {}", fmt::join(names, ", ")))
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
   sub->add_option("--k", kept->k, "Valence: 3 … 13 (open families: 1 … 13)")->check(CLI::Range(1, 13));
   auto* file = sub->add_option("--operation", kept->file, "Instead, a custom operation or family: its file")
                    ->excludes("--family")

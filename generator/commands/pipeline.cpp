@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "certify/certificate.hpp"
-#include "describe/description_file.hpp"
+#include "describe/description.hpp"
 #include "solve/section.hpp"
-#include "tables/operation_layout.hpp"
-#include "tables/packing.hpp"
+#include "tables/layout.hpp"
 
 namespace restrip::generator {
 

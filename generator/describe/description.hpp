@@ -4,7 +4,9 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,6 +15,11 @@
 #include "describe/triangles.hpp"
 
 namespace restrip::generator {
+
+// tables/families.json and a list of the files of tables/operations, embedded at build time (cmake/Embed.cmake).
+
+extern const std::string_view families_text;
+extern const std::string_view operations_text;
 
 /// Limits for operation files, on either side; families must obey them when tables are made.
 inline constexpr unsigned most_ports = 12;
@@ -118,5 +125,30 @@ struct PositionWithPatch : Position {
 
 /// The name of an operation in dumps and reports: "open-collapse k 8 gaps 2 5".
 [[nodiscard]] std::string name_of(const Position& position);
+
+// Reads files of descriptions (docs/reference/operation-file.md): one description, or a list.
+
+inline constexpr std::size_t most_terms = 64;  ///< of a criterion
+
+/// "expected at most 22 edges and ports together: a table has an entry for each of their colourings; found 12 and 12".
+[[nodiscard]] std::string too_many_colors(const Side& side);
+
+/// Reads the files of a user, of at most 1 MiB each. Throws files::FileError, or std::runtime_error if descriptions in
+/// two files have the same name or certificate.
+[[nodiscard]] std::vector<Description> read_descriptions(const std::vector<std::string>& files);
+
+/// Reads the text of a file; `file` is only used in errors.
+[[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text,
+                                                          Author author = Author::user);
+
+// The tie-break, whose effect is measured, not proved: it keeps strips long over thousands of operations on fans
+// (docs/reference/tables.md, "Tie-break").
+
+/// The operation on which the rows of a position act (patch_of_rows), with its preference.
+[[nodiscard]] Operation operation_of_rows(const Position& position);
+
+/// The tie-break of a position with the side `after`: empty for descriptions of single operations and for descriptions
+/// with an explicit constraint or cost.
+[[nodiscard]] Criterion tie_break(const Position& position, const Side& after);
 
 }  // namespace restrip::generator

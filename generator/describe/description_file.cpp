@@ -1,5 +1,3 @@
-#include "describe/description_file.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +10,7 @@
 #include "common/json.hpp"
 #include "common/printable.hpp"
 #include "common/reading.hpp"
-#include "describe/families_text.hpp"
+#include "describe/description.hpp"
 
 namespace restrip::generator {
 namespace {

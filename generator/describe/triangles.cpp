@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "describe/description_file.hpp"
+#include "describe/description.hpp"
 
 namespace restrip::generator {
 namespace {

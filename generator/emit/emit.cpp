@@ -8,11 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "automaton/automaton_layout.hpp"
+#include "automaton/automaton.hpp"
 #include "common/counted.hpp"
 #include "common/digest.hpp"
-#include "emit/cpp.hpp"
-#include "emit/languages.hpp"
 
 namespace restrip::generator {
 namespace {

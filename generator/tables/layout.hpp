@@ -1,4 +1,4 @@
-// The rule tables as plain arrays, from which the files of all languages are written (emit/languages.hpp).
+// The rule tables as plain arrays, from which the files of all languages are written (emit/emit.hpp).
 // tables/include/restrip/tables/format.hpp explains the numbers.
 #pragma once
 
@@ -8,9 +8,35 @@
 #include <string>
 #include <vector>
 
-#include "tables/packing.hpp"
+#include "certify/certificate.hpp"
 
 namespace restrip::generator {
+
+// The stage `tables` for fans: packs the keys of each valence into few cells by row displacement (see
+// tables/include/restrip/tables/format.hpp).
+
+/// The cells of keys within the block of their valence.
+struct Packing {
+  std::vector<unsigned> start;  ///< index 1 << k | ports
+  std::vector<unsigned> cells;  ///< index k: cells in one block
+};
+
+/// The packing serves all sections, valence by valence. First fit, the fullest rows first: deterministic. Flips have no
+/// packing.
+[[nodiscard]] Packing pack(const std::vector<Certificate>& certificates, unsigned max_k);
+
+/// The values of `joined` under which a look-up may find this key (docs/reference/notation.md, "Key"): bit i is set if
+/// solid port i is joined to the solid port before it around the closed fan. If exactly two ports are solid and they
+/// are joined, either of their bits alone will do.
+[[nodiscard]] std::vector<Mask> spellings(const Key& key);
+
+/// The rules of a family of fans in their cells: members as in RuleTable of restrip/tables/format.hpp.
+struct RuleBlocks {
+  std::vector<unsigned> first;  ///< index k
+  std::vector<unsigned> cells;  ///< index k
+  std::vector<Mask> rules;      ///< cells without a key hold 0
+};
+[[nodiscard]] RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, unsigned max_k);
 
 struct TableArray {
   std::string name;   ///< "closed_rows", "split_first", "split_cells", "split_rules", …, "flip_rules"
@@ -57,5 +83,35 @@ struct LookUp {
 
 /// The families of rules, with the packing of their keys.
 [[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& rules, const Packing& packing, unsigned max_k);
+
+// The table of an operation or a family, common to all languages: entries as explained in
+// tables/include/restrip/tables/operation_format.hpp, and for each position the size of the patch and the start of its
+// entries.
+
+struct OperationLayout {
+  /// A position and the start of its entries.
+  struct At {
+    PositionWithPatch position;
+    std::size_t first = 0;
+  };
+
+  unsigned width = 8;         ///< bits of an entry: 8, 16 or 32
+  std::vector<At> positions;  ///< in ascending order of their numbers, or the only one
+  std::vector<std::uint32_t> entries;
+
+  [[nodiscard]] const Description& named() const { return *positions.at(0).position.family; }
+  [[nodiscard]] bool matching() const { return named().constraint.most_edges == 1; }
+  /// The entry of configurations that are not valid.
+  [[nodiscard]] std::uint32_t none() const { return ~std::uint32_t{0} >> (32 - width); }
+  [[nodiscard]] std::size_t bytes() const { return entries.size() * width / 8; }
+};
+
+/// For answered positions of one description, which must outlive the layout.
+[[nodiscard]] OperationLayout operation_layout(const std::vector<AnsweredPosition>& positions);
+
+/// For all positions of each description up to max_k, by its certificate, in the order of the certificates.
+[[nodiscard]] std::vector<OperationLayout> operation_layouts(const std::vector<Certificate>& certificates,
+                                                             const std::vector<Description>& descriptions,
+                                                             unsigned max_k);
 
 }  // namespace restrip::generator

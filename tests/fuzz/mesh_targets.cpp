@@ -14,7 +14,6 @@
 #include "lod/simplify.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/mend.hpp"
-#include "meshes/seams.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
 #include "target.hpp"

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "certificate/certificate.hpp"
-#include "certificate/certificate_form.hpp"
 #include "certificate/manifest.hpp"
 #include "judge/table_dump.hpp"
 #include "model/input.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../support/promise.hpp"
-#include "common/file_error.hpp"
+#include "common/reading.hpp"
 
 /// Parses --target=NAME and --write-seeds=FOLDER (writes one file for each seed, then exits): the command line shared
 /// by libFuzzer and our driver.

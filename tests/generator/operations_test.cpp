@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../support/refusal_of.hpp"
-#include "describe/description_file.hpp"
+#include "describe/description.hpp"
 #include "solved.hpp"
 
 namespace restrip::generator {

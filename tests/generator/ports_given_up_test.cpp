@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../runtime/naive_patch.hpp"
-#include "describe/description_file.hpp"
+#include "describe/description.hpp"
 #include "solved.hpp"
 
 namespace restrip::generator {

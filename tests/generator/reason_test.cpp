@@ -1,11 +1,10 @@
 // Reasons as text, and their length. The verifier checks whether they are true.
-#include "certify/reason.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "describe/description_file.hpp"
+#include "certify/certificate.hpp"
+#include "describe/description.hpp"
 #include "solved.hpp"
 
 namespace restrip::generator {

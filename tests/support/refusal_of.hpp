@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "common/file_error.hpp"
+#include "common/reading.hpp"
 
 namespace restrip {
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "lod/baked_file.hpp"
-#include "lod/component_strips.hpp"
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
+#include "lod/trail_search.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
 #include "replay/replay.hpp"

@@ -1,12 +1,11 @@
 // Claims: no colouring has fewer strips than the bound; the counts of components after splits and changes of colours
 // equal a new count.
-#include "lod/component_strips.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "lod/simplify.hpp"
+#include "lod/trail_search.hpp"
 #include "meshes/made_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/baked.hpp"

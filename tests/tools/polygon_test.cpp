@@ -1,8 +1,6 @@
 // Claims: the triangles of a simple polygon cover it exactly once and have its orientation, wherever it lies, also with
 // corners on straight lines, corners at one place, and holes joined by an edge that is passed twice. Convex polygons
 // become fans. Judged by areas: all are positive, and their sum is that of the outline.
-#include "meshes/polygon.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "meshes/soup_builder.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {

@@ -11,7 +11,6 @@
 
 #include "../support/refusal_of.hpp"
 #include "certificate/certificate.hpp"
-#include "certificate/certificate_form.hpp"
 #include "corpus.hpp"
 #include "model/input.hpp"
 #include "verdict.hpp"

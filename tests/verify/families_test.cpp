@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "corpus.hpp"
-#include "model/family.hpp"
+#include "model/description.hpp"
 #include "naive_tables.hpp"
 
 namespace restrip::verify::test {

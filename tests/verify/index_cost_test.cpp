@@ -14,7 +14,6 @@
 
 #include "definition/definition.hpp"
 #include "model/description.hpp"
-#include "model/family.hpp"
 
 namespace restrip::verify::test {
 namespace {

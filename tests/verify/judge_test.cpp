@@ -13,7 +13,7 @@
 
 #include "judge/operation_judge.hpp"
 #include "judge/symmetry.hpp"
-#include "model/family.hpp"
+#include "model/description.hpp"
 #include "verdict.hpp"
 
 namespace restrip::verify::test {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "corpus.hpp"
-#include "model/family.hpp"
+#include "model/description.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify::test {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "judge/orbits.hpp"
-#include "model/family.hpp"
+#include "judge/symmetry.hpp"
+#include "model/description.hpp"
 
 namespace restrip::verify {
 namespace {

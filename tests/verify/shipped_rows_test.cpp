@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "certificate/certificate.hpp"
-#include "judge/reason_check.hpp"
+#include "judge/operation_judge.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify {

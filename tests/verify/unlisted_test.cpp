@@ -10,7 +10,7 @@
 #include "judge/family_report.hpp"
 #include "judge/symmetry.hpp"
 #include "judge/table_dump.hpp"
-#include "model/family.hpp"
+#include "model/description.hpp"
 
 namespace restrip::verify::test {
 namespace {

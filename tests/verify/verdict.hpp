@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "model/family.hpp"
+#include "model/description.hpp"
 #include "naive_tables.hpp"
 
 namespace restrip::verify::test {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "app/options.hpp"
-#include "app/report.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
@@ -15,7 +14,7 @@
 #include "lod/baked_file.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/strip_file.hpp"
-#include "replay/replay_text.hpp"
+#include "replay/replay.hpp"
 
 namespace restrip::tools {
 namespace {

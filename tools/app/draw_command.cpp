@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "app/options.hpp"
-#include "app/report.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"

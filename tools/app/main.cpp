@@ -13,9 +13,9 @@
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
+#include "common/output.hpp"
 #include "common/printable.hpp"
 #include "common/reading.hpp"
-#include "common/report_output.hpp"
 #include "common/system_calls.hpp"
 #include "meshes/soup_builder.hpp"
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/options.hpp"
-#include "app/report.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "common/progress.hpp"

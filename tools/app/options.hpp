@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/output.hpp"
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
@@ -16,6 +18,32 @@
 #include "replay/methods.hpp"
 
 namespace restrip::tools {
+
+// The report of a command: text for people and the members of a JSON object, printed together at the end.
+
+struct Report {
+  /// `file`: the argument of --json. Throws BadInput before the work if it cannot be written.
+  explicit Report(const std::string& file) : out(file) {}
+
+  void add(const Mended& mended) {
+    text += as_text(mended);
+    add_to(json, mended);
+  }
+  /// `name`: of the file that was written.
+  void add(const WrittenStrips& written, const std::string& name) {
+    text += as_text(written, name);
+    add_to(json, written);
+  }
+  /// Names may contain bytes that are not UTF-8.
+  [[nodiscard]] std::string json_text() const {
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  }
+  void print() const { out.print(text, json_text()); }
+
+  files::ReportOutput out;
+  std::string text;
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+};
 
 /// A subcommand of the command line. `run` executes it after parsing and returns the exit code: 0, or 1 if a check
 /// failed or simplify stopped short. It throws BadInput on bad input.

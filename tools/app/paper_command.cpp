@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "app/options.hpp"
-#include "app/report.hpp"
 #include "common/output.hpp"
 #include "lod/simplify.hpp"
 #include "paper/paper.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/options.hpp"
-#include "app/report.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
@@ -19,7 +18,7 @@
 #include "meshes/soup_builder.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/methods.hpp"
-#include "replay/replay_text.hpp"
+#include "replay/replay.hpp"
 #include "replay/walk.hpp"
 #include "restrip/search/stripify.hpp"
 

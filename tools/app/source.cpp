@@ -7,7 +7,7 @@
 
 #include "common/bad_input.hpp"
 #include "lod/baked_file.hpp"
-#include "meshes/seams.hpp"
+#include "meshes/mend.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/strips.hpp"
 

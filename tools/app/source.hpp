@@ -16,7 +16,7 @@
 #include "meshes/mend.hpp"
 #include "meshes/soup.hpp"
 #include "replay/methods.hpp"
-#include "replay/replay_text.hpp"
+#include "replay/replay.hpp"
 
 namespace restrip::tools {
 
@@ -31,7 +31,7 @@ struct Source {
 /// The costs of the strips of a baked mesh.
 [[nodiscard]] BakedCosts costs_of(const BakedMesh& baked, double seconds);
 
-/// Closes the seams of the soup first (seams.hpp). `mended`: what was changed before.
+/// Closes the seams of the soup first. `mended`: what was changed before.
 [[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options, Mended mended = {});
 /// Of a mesh that has been read from the file. Throws BadInput if a progressive mesh is to be simplified
 /// (`options_given`) or mended.

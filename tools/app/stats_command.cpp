@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "app/options.hpp"
-#include "app/report.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/mesh_report.hpp"
 

@@ -1,7 +1,7 @@
 // Bad input: the program exits with code 2 and one sentence that names the file and the remedy.
 #pragma once
 
-#include "common/file_error.hpp"
+#include "common/reading.hpp"
 
 namespace restrip::tools {
 

@@ -10,7 +10,6 @@
 #include "common/progress.hpp"
 #include "common/stopwatch.hpp"
 #include "lod/coloring_check.hpp"
-#include "lod/component_strips.hpp"
 #include "lod/trail_search.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"

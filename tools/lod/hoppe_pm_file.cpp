@@ -8,7 +8,7 @@
 
 #include "common/bad_input.hpp"
 #include "lod/pm_file.hpp"
-#include "meshes/attributes.hpp"
+#include "meshes/soup.hpp"
 #include "meshes/text_cursor.hpp"
 #include "restrip/mesh/checks.hpp"
 

@@ -10,7 +10,7 @@
 #include "common/counted.hpp"
 #include "common/progress.hpp"
 #include "lod/coloring_check.hpp"
-#include "meshes/seams.hpp"
+#include "meshes/mend.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -42,7 +42,7 @@ struct Simplification {
 };
 
 /// The splits lead back to exactly the soup's triangles. If the soup has attributes, vertices on seams stay; otherwise
-/// close the seams first, or their two sides move apart (seams.hpp).
+/// close the seams first, or their two sides move apart.
 [[nodiscard]] Simplification simplify(const Soup& soup, const SimplifyOptions& options = {});
 
 }  // namespace restrip::tools

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "common/json.hpp"
-#include "meshes/attributes.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup.hpp"
 

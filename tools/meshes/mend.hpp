@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "meshes/positions.hpp"
 #include "meshes/soup.hpp"
 
 namespace restrip::tools {
@@ -23,7 +23,7 @@ struct Mended {
   std::size_t welded_vertices = 0;     ///< merged into an earlier vertex
   std::size_t vanished_triangles = 0;  ///< had two corners that were merged
   std::size_t turned_triangles = 0;
-  std::size_t closed_seams = 0;  ///< vertices merged by close_seams() (seams.hpp)
+  std::size_t closed_seams = 0;  ///< vertices merged by close_seams()
   /// Soup::left_out, and attributes that the output does not hold.
   std::vector<std::string> left_out = {};
   Rounding rounding = {};  ///< by the output format
@@ -58,5 +58,20 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 /// Adds `mended`, if mending was requested, `closed_seams` and `left_out_content`, if there are any, and `rounded`, if
 /// it matters, to a report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);
+
+// Seams: edges at which a format repeats vertices, because normals or texture coordinates differ on their two sides.
+// By index they are borders, but there is surface on both sides.
+
+/// For each vertex, the first of the vertices that are one with it across seams: the border of a triangle that lies on
+/// another edge, both ends at the same places, is a seam. Places are the same if their distance is at most a millionth
+/// of the mesh's size and a thousandth of the shortest border there, since programs compute the two sides of a seam
+/// separately. Two borders of triangles back to back, as those of a sheet with two sides, are not a seam. O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> first_across_seams(const Soup& soup);
+
+/// The vertices that are several at one place, in ascending order.
+[[nodiscard]] std::vector<std::uint32_t> vertices_on_seams(const Soup& soup);
+
+/// Merges the vertices of each seam into the first of them. Triangles that then have two equal corners are removed.
+void close_seams(Soup& soup, Mended& mended);
 
 }  // namespace restrip::tools

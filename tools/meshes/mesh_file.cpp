@@ -10,7 +10,7 @@
 
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
-#include "meshes/positions.hpp"
+#include "meshes/soup.hpp"
 
 namespace restrip::tools {
 namespace {

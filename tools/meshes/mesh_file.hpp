@@ -36,7 +36,7 @@ enum class ReadAttributes { no, yes };
 [[nodiscard]] std::string obj_bytes(const Soup& soup);
 /// PLY, binary little-endian: vertices with nx ny nz, s t, red green blue alpha if present, and faces. Colours keep
 /// their encoding. PLY counts t from below, glTF and Soup from above, so it is inverted, which may change it by 2^-25.
-/// Coordinates have 64 bits if the input file had them or if rounding to 32 matters (positions.hpp), otherwise 32.
+/// Coordinates have 64 bits if the input file had them or if rounding to 32 matters (rounding_of()), otherwise 32.
 [[nodiscard]] std::string ply_bytes(const Soup& soup);
 /// The same with strips as in Stanford's scans (Cyberware's `tristrips`, -1 between strips). Throws BadInput if there
 /// are more indices than a PLY list holds.

@@ -17,7 +17,7 @@
 #include "common/printable.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/mesh_file.hpp"
-#include "meshes/positions.hpp"
+#include "meshes/soup.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
 

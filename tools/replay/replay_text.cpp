@@ -1,10 +1,9 @@
-#include "replay/replay_text.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "common/counted.hpp"
+#include "replay/replay.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "replay/live_measure.hpp"
-#include "replay/maintainer.hpp"
+#include "replay/methods.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::tools {

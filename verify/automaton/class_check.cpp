@@ -9,7 +9,7 @@
 #include <string>
 #include <tuple>
 
-#include "automaton/arcs_around.hpp"
+#include "automaton/arc.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "automaton/automaton_dump.hpp"
+#include "automaton/automaton_certificate.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
+#include "common/output.hpp"
 #include "judge/report.hpp"
-#include "model/family.hpp"
+#include "model/description.hpp"
 #include "model/input.hpp"
 #include "model/program.hpp"
 

@@ -10,7 +10,7 @@
 #include "common/counted.hpp"
 #include "common/digest.hpp"
 #include "common/printable.hpp"
-#include "model/families_text.hpp"
+#include "model/description.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify {

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/cost.hpp"
+#include "model/coloring.hpp"
 
 namespace restrip::verify {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "common/counted.hpp"
-#include "model/family.hpp"
+#include "model/description.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify {

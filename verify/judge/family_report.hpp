@@ -4,7 +4,7 @@
 #include <span>
 
 #include "certificate/certificate.hpp"
-#include "judge/position.hpp"
+#include "judge/operation_judge.hpp"
 
 namespace restrip::verify {
 

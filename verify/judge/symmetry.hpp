@@ -2,12 +2,13 @@
 // node for each port, each triangle, each inner edge after and each term of the cost that counts only some members.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include "model/coloring.hpp"
-#include "model/key.hpp"
+#include "model/masks.hpp"
 
 namespace restrip::verify {
 
@@ -50,5 +51,16 @@ class Symmetries {
 /// Whether some map of triangles, edges and ports takes one operation to another: its patches before and after, the
 /// ports that may be given up, and the cost. Throws InputError as above.
 bool isomorphic(const Operation& one, const Operation& other);
+
+// Counts orbits of configurations by merging each with its images under the symmetries found here. The generator counts
+// them by nauty's symmetries.
+
+struct OrbitCounts {
+  std::uint64_t all = 0;
+  std::uint64_t valid = 0;
+};
+
+/// `valid` gives for each configuration, indexed by concatenated(inner, ports), whether it is valid.
+OrbitCounts merged_orbits(const Operation& operation, const Symmetries& symmetries, const std::vector<bool>& valid);
 
 }  // namespace restrip::verify

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/file_error.hpp"
+#include "common/reading.hpp"
 #include "model/masks.hpp"
 
 namespace restrip::verify {

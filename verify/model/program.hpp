@@ -8,7 +8,7 @@
 #include <exception>
 #include <string>
 
-#include "common/report_output.hpp"
+#include "common/output.hpp"
 
 namespace restrip::verify {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/side.hpp"
+#include "model/operation.hpp"
 
 namespace restrip::verify {
 

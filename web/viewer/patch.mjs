@@ -49,7 +49,7 @@ export class Patch {
   }
   /// A coloured triangle.
   fill(color, corners) { this.fills += `<path class="old" style="fill:${color}" d="${outline(corners)}"/>`; }
-  /// The names of a triangle and of a port, as in verify/explain/picture.cpp.
+  /// The names of a triangle and of a port, as in verify/explain/commands.cpp.
   name([x, y], text, radius) {
     this.extra += `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius}"/><text x="${x.toFixed(1)}" y="${y.toFixed(1)}" style="font-size:${radius}px">${text}</text>`;
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "automaton/automaton_dump.hpp"
+#include "automaton/automaton_certificate.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify {

@@ -14,7 +14,7 @@
 
 #include "automaton/automaton_certificate.hpp"
 #include "automaton/class_check.hpp"
-#include "certificate/certificate_form.hpp"
+#include "certificate/certificate.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify::test {

@@ -4,10 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/file_error.hpp"
 #include "common/output.hpp"
 #include "common/reading.hpp"
-#include "common/report_output.hpp"
 
 namespace restrip::maker {
 

@@ -1,5 +1,5 @@
 // The files of a module: what the page gives, and what the program writes. They replace the file system below
-// common/reading.hpp, common/output.hpp and common/report_output.hpp, so that the commands run as they are.
+// common/reading.hpp and common/output.hpp, so that the commands run as they are.
 #pragma once
 #include <map>
 #include <string>
