@@ -143,7 +143,7 @@ struct LonelyCount {
   std::vector<LonelyRule> orbits;
 };
 
-/// Tries every recolouring: about a second for k = 8, and four times longer for each further k.
+/// Tries every recolouring: four times the work for each further k.
 [[nodiscard]] LonelyCount lonely_configurations(SplitPosition at);
 
 /// All of figures 6, 7 and 8.

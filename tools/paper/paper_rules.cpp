@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <compare>
 #include <map>
+#include <optional>
 #include <utility>
 
-#include "common/disjoint_sets.hpp"
 #include "paper/paper.hpp"
 #include "restrip/rules/key.hpp"
 
@@ -44,62 +44,14 @@ std::vector<Colors> orbit_of(SplitPosition at, Word loop, Word ports) {
   return orbit;
 }
 
-/// The colours of a patch as a graph: its triangles, the solid edges between them, and the owners of ports.
-class ColoredPatch {
- public:
-  static ColoredPatch fan(std::size_t k, Word loop, Word ports) {
-    ColoredPatch patch(k, ports);
-    for (std::size_t i = 0; i < k; ++i) patch.own_next_port(i);
-    for (std::size_t i = 0; i < k; ++i)
-      if (has(loop, i)) patch.link(i, (i + 1) % k);
-    return patch;
-  }
-  static ColoredPatch ring(SplitPosition at, Word inner, Word ports) {
-    const std::size_t n = at.k + 2;
-    ColoredPatch patch(n, ports);
-    for (std::size_t i = 0; i < at.k; ++i) patch.own_next_port(i < at.a ? i + 1 : i + 2);
-    for (std::size_t j = 0; j < n; ++j)
-      if (has(inner, j)) patch.link(j, (j + 1) % n);
-    if (has(inner, n)) patch.link(0, at.a + 1);
-    return patch;
-  }
-
-  /// Valid degrees and no cycle.
-  [[nodiscard]] bool valid() const {
-    return !cycle_ && std::all_of(degree_.begin(), degree_.end(), [](int d) { return d <= 2; });
-  }
-  [[nodiscard]] int isolated() const { return static_cast<int>(std::count(degree_.begin(), degree_.end(), 0)); }
-  /// The pairs of joined ports as a mask over all pairs.
-  [[nodiscard]] Word pairs() {
-    Word result = 0;
-    std::size_t pair = 0;
-    for (std::size_t i = 0; i < owner_.size(); ++i)
-      for (std::size_t j = i + 1; j < owner_.size(); ++j, ++pair)
-        if (has(ports_, i) && has(ports_, j) && together(owner_[i], owner_[j])) result |= bit(pair);
-    return result;
-  }
-
- private:
-  ColoredPatch(std::size_t triangles, Word ports) : sets_(triangles), degree_(triangles, 0), ports_(ports) {}
-  void own_next_port(std::size_t triangle) {
-    if (has(ports_, owner_.size())) ++degree_[triangle];
-    owner_.push_back(triangle);
-  }
-  void link(std::size_t x, std::size_t y) {
-    if (!sets_.unite(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))) cycle_ = true;
-    ++degree_[x];
-    ++degree_[y];
-  }
-  [[nodiscard]] bool together(std::size_t x, std::size_t y) {
-    return sets_.find(static_cast<std::uint32_t>(x)) == sets_.find(static_cast<std::uint32_t>(y));
-  }
-
-  DisjointSets sets_;
-  std::vector<int> degree_;         // of each triangle, solid ports included
-  std::vector<std::size_t> owner_;  // the triangle of each port
-  Word ports_;
-  bool cycle_ = false;
-};
+/// Which ports a patch joins, if a fan can join them, as a mask that differs for different pairs: bit i stands for
+/// solid port i and the one before it, which of two ports is the same from either.
+std::optional<Word> pairs_of(const Patch& patch, Word inner, Word ports) {
+  const detail::InnerPairs pairs = detail::inner_pairs(patch, inner, ports);
+  if (pairs.over_chord != 0 && detail::name_of_pair(patch, patch.spread(pairs.over_chord), patch.spread(ports)) == 0)
+    return std::nullopt;
+  return count_bits(ports) == 2 && pairs.joined != 0 ? ports : pairs.joined;
+}
 
 RuleOfOrbit rule_of(SplitPosition at, Word loop, Word ports) {
   const Rule rule = split_rule(at, loop, ports);
@@ -108,7 +60,8 @@ RuleOfOrbit rule_of(SplitPosition at, Word loop, Word ports) {
           ports,
           rule.colors,
           rule.strips,
-          ColoredPatch::ring(at, rule.colors, ports).isolated() - ColoredPatch::fan(at.k, loop, ports).isolated(),
+          detail::isolated(ring_with_chord(at.k, at.a), rule.colors, ports) -
+              detail::isolated(closed_fan(at.k), loop, ports),
           orbit_of(at, loop, ports).size()};
 }
 
@@ -152,6 +105,8 @@ std::vector<RuleOfOrbit> rules_with_full_ports(SplitPosition at) {
 LonelyCount lonely_configurations(SplitPosition at) {
   LonelyCount result;
   result.at = at;
+  const Patch fan = closed_fan(at.k);
+  const Patch ring = ring_with_chord(at.k, at.a);
   for (Word ports = 0; ports < bit(at.k); ++ports) {
     // The best recolouring for each pairing of these ports.
     struct Best {
@@ -162,18 +117,18 @@ LonelyCount lonely_configurations(SplitPosition at) {
     };
     std::map<Word, Best> best;
     for (Word inner = 0; inner < bit(at.k + 3); ++inner) {
-      ColoredPatch patch = ColoredPatch::ring(at, inner, ports);
-      if (!patch.valid()) continue;
-      const Best here{patch.isolated(), -count_bits(inner), inner};
-      const auto known = best.try_emplace(patch.pairs(), here).first;
+      if (!ring.valid(inner, ports)) continue;
+      const Best here{detail::isolated(ring, inner, ports), -count_bits(inner), inner};
+      const std::optional<Word> pairs = pairs_of(ring, inner, ports);
+      if (!pairs) continue;
+      const auto known = best.try_emplace(*pairs, here).first;
       known->second = std::min(known->second, here);
     }
     for (Word loop = 0; loop < bit(at.k); ++loop) {
-      if (!closed_fan(at.k).valid(loop, ports)) continue;
+      if (!fan.valid(loop, ports)) continue;
       ++result.valid;
-      ColoredPatch patch = ColoredPatch::fan(at.k, loop, ports);
-      const Best& whole = best.at(patch.pairs());
-      const int change = whole.isolated - patch.isolated();
+      const Best& whole = best.at(pairs_of(fan, loop, ports).value());
+      const int change = whole.isolated - detail::isolated(fan, loop, ports);
       if (change <= 0) continue;
       const RuleOfOrbit rule = rule_of(at, loop, ports);
       ++result.lonely;
