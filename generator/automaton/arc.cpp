@@ -161,7 +161,7 @@ std::optional<Meetings::Combination> Meetings::combination_of(const Meeting& mee
       }
   const int isolated = (degree_a == 0 ? 1 : 0) + (degree_d == 0 ? 1 : 0);
   combination.cost = isolated_cost * isolated - strip_cost * (solid(first_last) + solid(second_last) + chord);
-  // The tie-break (docs/explanation/automaton.md, "Ties"): the part of the tables' tie-break (tie_break.cpp) that can
+  // The tie-break (docs/explanation/automaton.md, "Ties"): the part of the tables' tie-break (tie_break()) that can
   // be evaluated here.
   combination.tie = 64 * (chord + degree_a + degree_d) + 100 * ((degree_a == 1 ? 1 : 0) + (degree_d == 1 ? 1 : 0)) -
                     49 * joined - 53 * static_cast<int>(std::count(reach.begin(), reach.end(), Reach::ends));

@@ -69,8 +69,8 @@ struct LanguageFile {
   std::string (*of_automaton)(const AutomatonArrays& automaton) = nullptr;
 };
 
-/// The files of each language, by its name on the command line; none for "c++", whose files are written by cpp.hpp. The
-/// shading languages share a file.
+/// The files of each language, by its name on the command line; none for "c++", whose files are written by the
+/// functions above. The shading languages share a file.
 [[nodiscard]] const std::map<std::string, std::vector<LanguageFile>>& language_files();
 
 /// The files of several languages, each once, by name: "restrip_tables.h" for "tables".

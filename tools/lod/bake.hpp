@@ -32,7 +32,7 @@ struct BakeReport {
   std::size_t most_strips = 0;    ///< over all levels, after every record
   std::size_t top_strips = 0;     ///< of the finest level
   std::size_t top_indices = 0;    ///< of an index buffer of its strips
-  std::size_t top_at_least = 0;   ///< strips_at_least() there (component_strips.hpp)
+  std::size_t top_at_least = 0;   ///< strips_at_least() there (trail_search.hpp)
   std::size_t fewest_levels = 0;  ///< levels with one strip per component
   std::size_t states = 0;         ///< search states visited
   double seconds = 0;
