@@ -80,8 +80,8 @@ mkdir "$scratch/python"
 tar -xzf "$scratch"/sdist/restrip-*.tar.gz -C "$scratch/python"
 pack "$dist/python/restrip-$version.tar.gz" "$scratch/python/restrip-$version"
 mkdir "$scratch/pages"
-(cd $build/web && find . \( -path ./package -o -path ./maker -o -name CMakeFiles \) -prune -o -type f \( -name '*.html' -o -name '*.svg' -o -name '*.png' -o -name '*.csv' \
-  -o -name '*.json' -o -name '*.js' -o -name '*.css' \) -print0 | xargs -0 cp --parents -t "$scratch/pages")
+(cd $build/web && find . \( -path ./maker -o -name CMakeFiles \) -prune -o -type f \( -name '*.html' -o -name '*.svg' -o -name '*.png' -o -name '*.csv' \
+  -o -name '*.json' -o -name '*.js' -o -name '*.css' -o -path './package/*' -o -path './restrip.[hc]pp' \) -print0 | xargs -0 cp --parents -t "$scratch/pages")
 cp LICENSE THIRD-PARTY.txt "$scratch/pages"
 pack "$dist/restrip-$version-pages.zip" "$scratch/pages"
 (cd "$dist" && sha256sum ./*.* python/* | sed 's/ \.\// /' >SHA256SUMS)

@@ -178,15 +178,16 @@ def commands(file):
     return "\n".join(out)
 
 
-def landing(readme, scripts, put, source):
-    """The first page; `readme`: the page of README.md."""
+def landing(readme, scripts, put, repository):
+    """The first page; `readme`: the page of README.md. Without the address of a repository nothing links to the source."""
+    source = f'<a href="{escape(repository)}">source</a>' if repository else "source"
     text = (FOLDER / "landing.html").read_text(encoding="utf-8").replace("/*SCRIPT*/", inlined(scripts))
     for name, file in (item.split("=", 1) for item in put):
         text = text.replace(f"<!--{name}-->", packed(file))
     chosen = re.findall(r'<h2 id="what-is-guaranteed">.*?(?=<h2)|<p>The idea is due to.*?</p>', readme, flags=re.S)
     if len(chosen) != 2:
         sys.exit("documents.py: README.md has not one section 'What is guaranteed' and one paragraph 'The idea is due to', which the first page shows")
-    return text.replace("<!--SOURCE-->", escape(source)).replace("<!--GET-->", commands(FOLDER / "get.txt")).replace("<!--GUARANTEES-->", "".join(chosen))
+    return text.replace("<!--SOURCE-->", source).replace("<!--GET-->", commands(FOLDER / "get.txt")).replace("<!--GUARANTEES-->", "".join(chosen))
 
 
 def whole(title, description, body, style, page, address):
@@ -226,7 +227,7 @@ def main():
         first = re.search(r"<p>(?!<img)(.*?)</p>", body, re.S)
         description = re.match(r".{1,200}?[.:](?= |$)|.{1,200}", plain(first[1]) if first else title)[0]
         (given.out / page).write_text(whole(f"{title} – restrip", description, f'<main class="prose">{SEARCH}{contents(body)}{anchored(body)}{steps(file, beside, titles, documents)}</main>', style, page.as_posix(), given.address), encoding="utf-8")
-    text = landing(bodies[documents.root / "README.md"], given.script, given.put, given.repository or os.path.relpath(documents.root, given.out))
+    text = landing(bodies[documents.root / "README.md"], given.script, given.put, given.repository)
     (given.out / "index.html").write_text(whole("restrip: triangle strips maintained while the mesh changes", "About half the indices of a triangle list, "
                                                 "while the mesh changes: strips are repaired around each change by proved rules.", text, style, "index.html", given.address), encoding="utf-8")
     for name in documents.copied:

@@ -1,10 +1,10 @@
 // The pages from their archive, in a browser: from the file system, and from a server below a path. Each opens, has a heading,
-// says nothing on its console and asks for no file that does not exist.
+// says nothing on its console, asks for no file that does not exist, and links to none.
 //   node pages.mjs FOLDER CHROMIUM
 import assert from 'node:assert/strict';
-import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { extname, join, resolve } from 'node:path';
+import { dirname, extname, join, resolve, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Browser } from '../web/browser.mjs';
 import { gpuFlags } from '../web/use_checks.mjs';
@@ -23,6 +23,15 @@ await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
 
 const pages = readdirSync(folder, { recursive: true }).map(String).filter((name) => name.endsWith('.html')).sort();
 for (const page of ['index.html', 'viewer.html', 'maker.html', 'atlas/index.html']) assert.ok(pages.includes(page), page);
+
+/// The links of a page to files that are not in the archive.
+const deadLinks = (name) => [...readFileSync(join(folder, name), 'utf8').replace(/<script[^]*?<\/script>/g, '').matchAll(/\s(?:href|src)="([^"#]+)/g)]
+  .map(([, link]) => link).filter((link) => !/^[a-z]+:/.test(link)).filter((link) => {
+    const to = resolve(folder, dirname(name), link);
+    return !to.startsWith(folder + sep) || !existsSync(to);
+  });
+for (const name of pages) assert.deepEqual(deadLinks(name), [], name);
+
 const browser = await Browser.start(chromium, ...gpuFlags);
 try {
   for (const base of [`${pathToFileURL(folder)}/`, `http://127.0.0.1:${server.address().port}${below}`])
