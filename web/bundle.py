@@ -2,11 +2,14 @@
 """Makes one file of a page, which opens from the file system: styles, scripts, the WebAssembly module and the mesh
 are put inside.
 
-bundle.py PAGE.html OUT.html --place PLACE [--address URL] [--style FILE…] [--script FILE…] [--worker FILE…] [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
+bundle.py PAGE.html OUT.html --place PLACE [--address URL] [--style FILE…] [--script FILE…] [--worker FILE…]
+          [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
+
 Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
-names at their top levels must differ; whole-line comments and indentation are left out. Scripts of a worker are bundled in the same way. --part replaces <!--NAME--> by the file as
-it is, --code by its text, coloured, --put by the file, compressed and in base64. --place is the place of the page in the site, for <!--NAVIGATION-->; title and description become its whole head, in which --address of
-the site makes the address of the page's picture absolute."""
+names at their top levels must differ; whole-line comments and indentation are left out. Scripts of a worker are bundled
+in the same way. --part replaces <!--NAME--> by the file as it is, --code by its text, coloured, --put by the file,
+compressed and in base64. --place is the place of the page in the site, for <!--NAVIGATION-->; title and description
+become its whole head, in which --address of the site makes the address of the page's picture absolute."""
 import argparse
 import base64
 import gzip

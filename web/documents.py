@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Makes pages of the documents: documents.py ROOT OUT_FOLDER --style FILE… --script FILE… --put NAME=FILE… [--address URL] [--repository URL]
 
-web/documents/landing.html becomes index.html, with what README.md guarantees; README.md, CONTRIBUTING.md, CHANGELOG.md and the pages
-below docs/ keep their names. Links between them lead from page to page, to headings as GitHub names them; pictures and data in docs/ come along. A link to another file of the repository, which the
-pages do not have, is left as text with the file's name. A link to a file or heading that does not exist is refused.
-Needs markdown-it-py and Pygments (packages python3-markdown-it and python3-pygments)."""
+web/documents/landing.html becomes index.html, with what README.md guarantees; README.md, CONTRIBUTING.md, CHANGELOG.md
+and the pages below docs/ keep their names. Links between them lead from page to page, to headings as GitHub names them;
+pictures and data in docs/ come along. A link to another file of the repository, which the pages do not have, is left as
+text with the file's name. A link to a file or heading that does not exist is refused. Needs markdown-it-py and Pygments
+(packages python3-markdown-it and python3-pygments)."""
 import argparse
 import json
 import os

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Writes the measured times of docs/results.md that the race shows: times.py FILE OUT
 
-The table is the one below the heading "Moving the level of detail by 1 %", its column "of the list". A heading, column or row that is not there is an error."""
+The table is the one below the heading "Moving the level of detail by 1 %", its column "of the list". A heading, column
+or row that is not there is an error."""
 import re
 import sys
 from pathlib import Path

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Claim: a fault of one token in any shipped file is refused by a shipped command, and a run that did not read the file
-reports that. The faults are in headers of tables, formats, look-ups, automata, tables and look-ups in C,
-Rust, JSON, GLSL and WGSL, families.json and operation files; docs/explanation/what-is-proven.md lists the kinds. Each is put into a copy alone, or with
-others that another run judges, and the command must exit with an error and a sentence that names it. Without a fault
-every command ends by naming its input.
+reports that. The faults are in headers of tables, formats, look-ups, automata, tables and look-ups in C, Rust, JSON,
+GLSL and WGSL, families.json and operation files; docs/explanation/what-is-proven.md lists the kinds. Each is put into a
+copy alone, or with others that another run judges, and the command must exit with an error and a sentence that names
+it. Without a fault every command ends by naming its input.
 
   faults_test.py BIN COMPILER ROOT --c-compiler CC [--rustc RUSTC] [--node NODE] [--chromium CHROMIUM] [--glslang GLSLANG --vulkan DRIVER]
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Claims: `restrip stripify` and `convert` draw the oriented triangles of a textured glTF file, each corner with all its
-attributes in the encoding that it came in; through OBJ and PLY normals, texture coordinates and colours come back; `--weld` joins vertices that agree in everything and no others; nodes move normals
-and tangents as they move the surface; what is left out is named, and a damaged attribute is refused. The files are made and
-read here, with no code of restrip's.
+"""Claims: `restrip stripify` and `convert` draw the oriented triangles of a textured glTF file, each corner with all
+its attributes in the encoding that it came in; through OBJ and PLY normals, texture coordinates and colours come back;
+`--weld` joins vertices that agree in everything and no others; nodes move normals and tangents as they move the
+surface; what is left out is named, and a damaged attribute is refused. The files are made and read here, with no code
+of restrip's.
 
     attributes_test.py restrip SCRATCH
 """

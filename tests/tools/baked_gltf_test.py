@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Claims: a baked mesh in a GLB is the baked file, byte by byte, after a mesh that draws the base as its strips; every
-command that reads baked meshes reads it; a player written in Python after docs/reference/file-formats.md alone comes from it to the triangles
-and strips that `restrip replay` writes; other commands take the finest level, with its strips; and a file that is damaged, or
-draws another base, is refused with a sentence that names it.
+command that reads baked meshes reads it; a player written in Python after docs/reference/file-formats.md alone comes
+from it to the triangles and strips that `restrip replay` writes; other commands take the finest level, with its strips;
+and a file that is damaged, or draws another base, is refused with a sentence that names it.
 
     baked_gltf_test.py restrip SCRATCH
 """

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Claims: simplify opens no seam: a cube, a tube, a sphere and a folded sheet whose vertices are repeated for normals or texture
-coordinates have no open edge at 50, 10 and 2 % that they had not before, from PLY, OBJ and glTF, without a word only if no vertex was
-merged; with --attributes both sides of a seam keep their vertices, under both boundary policies, and what then stays too fine says why.
-bake, replay and draw see the same closed mesh. Sheets with two sides, which stay as they are, are reported with a remedy; two separate sides
-are simplified. The meshes, the files and the open edges are made here.
+"""Claims: simplify opens no seam: a cube, a tube, a sphere and a folded sheet whose vertices are repeated for normals
+or texture coordinates have no open edge at 50, 10 and 2 % that they had not before, from PLY, OBJ and glTF, without a
+word only if no vertex was merged; with --attributes both sides of a seam keep their vertices, under both boundary
+policies, and what then stays too fine says why. bake, replay and draw see the same closed mesh. Sheets with two sides,
+which stay as they are, are reported with a remedy; two separate sides are simplified. The meshes, the files and the
+open edges are made here.
 
     seams_test.py restrip SCRATCH
 """

@@ -1,9 +1,10 @@
 // The atlas in headless Chromium. Its rules are the same as in the native dump: every valid configuration of a split
 // with k <= 6 leads, by the key that the page's own script computes, to a row whose answer, moved back by the symmetry,
 // costs what the library's answer costs; and each rule of each certificate, of families and operations, has its row.
-// The patch drawn before has, by the library, the rule of its row. The tables are complete without JavaScript. Tables show all of each reason, from telephones
-// to desktops, and are printed with all their pictures. A configuration painted by clicks has the answer of the
-// library, or a reason why it is not valid, in every family; a link shows it again.
+// The patch drawn before has, by the library, the rule of its row. The tables are complete without JavaScript. Tables
+// show all of each reason, from telephones to desktops, and are printed with all their pictures. A configuration
+// painted by clicks has the answer of the library, or a reason why it is not valid, in every family; a link shows it
+// again.
 //   node atlas_test.mjs WEB_FOLDER CHROMIUM DUMP_TABLES SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

@@ -1,9 +1,9 @@
-// Claims about the first page. At 1280 x 800 it shows, without scrolling, what a strip is, the gain in two figures, where the
-// source is and what to type. Its hare fills the canvas; it is peeled into one ribbon and rolled up once, and not if the
-// visitor wants no motion; then it follows the slider, with the figures of the package. The cards are drawn. Without WebGL
-// or JavaScript the picture is there instead. Code in the documents has the text of its document, coloured in light and
-// dark so that it can be read, and a button that copies it; documents have contents, neighbours and a search. What is wrong for readers of all abilities is what
-// accessible.mjs finds.
+// Claims about the first page. At 1280 x 800 it shows, without scrolling, what a strip is, the gain in two figures,
+// where the source is and what to type. Its hare fills the canvas; it is peeled into one ribbon and rolled up once, and
+// not if the visitor wants no motion; then it follows the slider, with the figures of the package. The cards are drawn.
+// Without WebGL or JavaScript the picture is there instead. Code in the documents has the text of its document,
+// coloured in light and dark so that it can be read, and a button that copies it; documents have contents, neighbours
+// and a search. What is wrong for readers of all abilities is what accessible.mjs finds.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,11 +1,12 @@
 // The viewer in headless Chromium, opened from the file system. The picture drawn from the live strips is the one drawn
-// from a plain list of the mesh's triangles, but for one pixel in ten thousand (two triangles that meet at the outline have
-// the same depth there, and the first one drawn wins): at several levels, under policies and costs, in the
-// view-dependent modes, after 20 cuts and after a random walk of the slider. The copy of the index buffer on the graphics card is the
-// live one. The live buffer does not depend on the processor's speed. The figures on the page are the same as from
-// `restrip replay` for the same way. Strips in colours take one draw call. A dropped mesh is prepared in a worker and shown, also from gzip and with
-// the buffers of a .gltf; a file that is not a mesh is refused with a sentence. Without WebGL or JavaScript, and when the context is lost, the page says so.
-// The race holds what race_check.mjs says, the picture of README.md what picture_check.mjs says. Nothing is said on the console.
+// from a plain list of the mesh's triangles, but for one pixel in ten thousand (two triangles that meet at the outline
+// have the same depth there, and the first one drawn wins): at several levels, under policies and costs, in the
+// view-dependent modes, after 20 cuts and after a random walk of the slider. The copy of the index buffer on the
+// graphics card is the live one. The live buffer does not depend on the processor's speed. The figures on the page are
+// the same as from `restrip replay` for the same way. Strips in colours take one draw call. A dropped mesh is prepared
+// in a worker and shown, also from gzip and with the buffers of a .gltf; a file that is not a mesh is refused with a
+// sentence. Without WebGL or JavaScript, and when the context is lost, the page says so. The race holds what
+// race_check.mjs says, the picture of README.md what picture_check.mjs says. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

@@ -4,9 +4,9 @@
 >>> restrip.strips_of(numpy.array([[0, 1, 2], [2, 1, 3], [2, 3, 4]]))
 array([0, 1, 2, 3, 4], dtype=uint16)
 
-`strips_of` is for meshes that do not change, `simplify` makes levels of detail. `LiveMesh` has the operations of a mesh that changes, maintains its strips, and
-returns the parts of its index buffer that changed. Faces go in as arrays of any integer type with three columns, such as
-`trimesh.Trimesh.faces`, or `mesh.regular_faces` of pyvista.
+`strips_of` is for meshes that do not change, `simplify` makes levels of detail. `LiveMesh` has the operations of a mesh
+that changes, maintains its strips, and returns the parts of its index buffer that changed. Faces go in as arrays of any
+integer type with three columns, such as `trimesh.Trimesh.faces`, or `mesh.regular_faces` of pyvista.
 """
 from __future__ import annotations
 
