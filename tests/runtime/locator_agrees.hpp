@@ -10,7 +10,8 @@
 
 namespace restrip {
 
-/// What is wrong, or nothing: along every strip the order grows or falls throughout, and no two strips share a name.
+/// What is wrong, or nothing: along every strip the order grows or falls in steps of one, and no two strips share a
+/// name.
 inline std::string disagreement(const StripLocator& locator, const StripMesh& mesh) {
   const Strips strips = extract_strips(mesh);
   if (strips.size() != locator.strips())
@@ -26,7 +27,12 @@ inline std::string disagreement(const StripLocator& locator, const StripMesh& me
       const StripLocator::Position a = locator.position(strip[i - 1]);
       const StripLocator::Position b = locator.position(strip[i]);
       if (b.strip != first.strip) return "a strip with two names";
-      if (a.order == b.order || (a.order < b.order) != up) return "out of order";
+      if (b.order != (up ? a.order + 1 : a.order - 1)) return "out of order";
+      const auto forwards = locator.position(strip[i - 1], strip[i]);
+      const auto backwards = locator.position(strip[i], strip[i - 1]);
+      if (forwards.first.strip != a.strip || forwards.first.order != a.order || forwards.second != b.order ||
+          backwards.first.strip != a.strip || backwards.first.order != b.order || backwards.second != a.order)
+        return "two triangles together are not where each is";
     }
   }
   return "";

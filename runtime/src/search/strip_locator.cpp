@@ -31,18 +31,39 @@ constexpr std::uint32_t rank_of(Triangle t) noexcept {
 
 // ---- trees
 
-StripLocator::Position StripLocator::position(Triangle t) const noexcept {
+// The position of t. If `above`, which precedes or follows t, is an ancestor of it, `step` is added to the order of t
+// to get the order of `above`. Without branches on the shape of the tree, which no processor predicts.
+StripLocator::Position StripLocator::climb(Triangle t, Triangle above, int& step) const noexcept {
   RESTRIP_ASSERT(knows(t), "StripLocator::position", "the locator does not know the triangle");
   const Node* node = &nodes_[t];
-  std::uint32_t before = size(node->child[0]);
+  const Triangle first = node->child[0];
+  std::uint32_t before = first == none ? 0 : nodes_[first].size;
   for (;;) {
-    if (node->turned) before = node->size - 1 - before;
+    const std::uint32_t turned = 0U - std::uint32_t{node->turned};  // a mask; size + ~before is size - 1 - before
+    before = (before ^ turned) + (node->size & turned);
+    step = node->turned ? -step : step;
     if (node->parent == none) return {t, before};
     const Node& parent = nodes_[node->parent];
-    if (parent.child[1] == t) before += parent.size - node->size;
+    const bool on_right = parent.child[1] == t;
+    before += (parent.size - node->size) & (0U - std::uint32_t{on_right});
     t = node->parent;
+    if (t == above) step = on_right ? -1 : 1;
     node = &parent;
   }
+}
+
+StripLocator::Position StripLocator::position(Triangle t) const noexcept {
+  int unused = 0;
+  return climb(t, none, unused);
+}
+// Of two triangles that follow each other in order, one is an ancestor of the other.
+std::pair<StripLocator::Position, std::uint32_t> StripLocator::position(Triangle t, Triangle next) const noexcept {
+  int step = 0;
+  const bool t_above = rank_of(t) > rank_of(next);
+  Position below = climb(t_above ? next : t, t_above ? t : next, step);
+  const std::uint32_t above = below.order + static_cast<std::uint32_t>(step);
+  if (!t_above) return {below, above};
+  return {{below.strip, above}, below.order};
 }
 
 void StripLocator::turn(Triangle t) noexcept { nodes_[t].turned = !nodes_[t].turned; }
@@ -54,52 +75,50 @@ void StripLocator::push_down(Triangle t) noexcept {
   for (const Triangle child : node.child)
     if (child != none) turn(child);
 }
-// Either may be none.
+void StripLocator::push_down_to(Triangle t) noexcept {
+  if (nodes_[t].parent != none) push_down_to(nodes_[t].parent);
+  push_down(t);
+}
+// The child may be none.
 void StripLocator::hang(Triangle child, Triangle parent, unsigned side) noexcept {
-  if (parent != none) nodes_[parent].child[side] = child;
+  nodes_[parent].child[side] = child;
   if (child != none) nodes_[child].parent = parent;
 }
 
 // Puts two trees together, by their roots, and returns the root.
 Triangle StripLocator::append(Triangle first, Triangle second) noexcept {
-  Triangle root = none;
-  Triangle parent = none;
-  unsigned side = 0;
-  while (first != none && second != none) {
-    const bool first_on_top = rank_of(first) > rank_of(second);
-    const Triangle top = first_on_top ? first : second;
-    push_down(top);
-    nodes_[top].size = nodes_[first].size + nodes_[second].size;
-    hang(top, parent, side);
-    if (root == none) root = top;
-    parent = top;
-    side = first_on_top ? 1 : 0;
-    (first_on_top ? first : second) = nodes_[top].child[side];
-  }
-  hang(first != none ? first : second, parent, side);
-  return root != none ? root : first != none ? first : second;
-}
-
-void StripLocator::push_down_to(Triangle t) noexcept {
-  if (nodes_[t].parent != none) push_down_to(nodes_[t].parent);
-  push_down(t);
+  if (first == none || second == none) return first != none ? first : second;
+  const bool first_on_top = rank_of(first) > rank_of(second);
+  const Triangle top = first_on_top ? first : second;
+  push_down(top);
+  nodes_[top].size = nodes_[first].size + nodes_[second].size;
+  if (first_on_top)
+    hang(append(nodes_[first].child[1], second), first, 1);
+  else
+    hang(append(first, nodes_[second].child[0]), second, 0);
+  return top;
 }
 
 // Cuts a strip between two triangles that follow each other.
 void StripLocator::part(Triangle a, Triangle b) noexcept {
-  if (position(b).order < position(a).order) std::swap(a, b);
-  push_down_to(a);
+  const bool a_above = rank_of(a) > rank_of(b);
+  const Triangle above = a_above ? a : b;
+  Triangle below = a_above ? b : a;
+  push_down_to(below);
+  // The lower one is at the edge of a subtree of the other, and nothing hangs on its side of the cut.
+  Triangle t = nodes_[below].parent;
+  const bool on_right = nodes_[t].child[1] == below;
+  std::array<Triangle, 2> half{none, none};
+  half[(t == above) == on_right ? 1 : 0] = below;
   // On the way up each node, with its other subtree, goes to the part before the cut or to the one after it.
-  std::array<Triangle, 2> half{none, nodes_[a].child[1]};
-  Triangle below = nodes_[a].child[1];
-  for (Triangle t = a; t != none;) {
-    const Triangle above = nodes_[t].parent;
-    const unsigned side = nodes_[t].child[1] == below ? 0 : 1;
+  while (t != none) {
+    Node& node = nodes_[t];
+    const unsigned side = node.child[1] == below ? 0 : 1;
     hang(half[side], t, 1 - side);
-    nodes_[t].size = 1 + size(nodes_[t].child[0]) + size(nodes_[t].child[1]);
-    half[side] = t;
-    below = t;
-    t = above;
+    const auto size_of = [this](Triangle child) { return child == none ? 0 : nodes_[child].size; };
+    node.size = 1 + size_of(node.child[0]) + size_of(node.child[1]);
+    half[side] = below = t;
+    t = node.parent;
   }
   for (const Triangle root : half) nodes_[root].parent = none;
   ++strips_;
@@ -156,36 +175,31 @@ void StripLocator::link(StripMesh& mesh, Halfedge h) {
   join(a, b);
 }
 
-// Calls visit(t, u) for each solid edge between triangles of the patch, or between the patch and its neighbours.
+// Calls visit(t, u) for each solid edge of the triangles t of the patch; once if u is in the patch, too.
 template <class Visit>
-void StripLocator::for_each_solid_edge(const StripMesh& mesh, std::span<const Triangle> patch, bool inner,
-                                       Visit&& visit) const {
+void StripLocator::for_each_solid_edge(const StripMesh& mesh, std::span<const Triangle> patch, Visit&& visit) const {
   for (const Triangle t : patch)
     for (unsigned side = 0; side < 3; ++side) {
       const Halfedge h = StripMesh::halfedge(t, side);
       if (!mesh.solid(h)) continue;
       const Triangle u = StripMesh::triangle(mesh.opposite(h));
-      if (inner ? nodes_[u].in_patch && t < u : !nodes_[u].in_patch) visit(t, u);
+      if (!nodes_[u].in_patch || t < u) visit(t, u);
     }
 }
 
 void StripLocator::before_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
   for (const Triangle t : patch) nodes_[t].in_patch = true;
-  for_each_solid_edge(mesh, patch, false, [this](Triangle t, Triangle u) { part(t, u); });
-  for_each_solid_edge(mesh, patch, true, [this](Triangle, Triangle) { ++strips_; });
   strips_ -= patch.size();
+  for_each_solid_edge(mesh, patch,
+                      [this](Triangle t, Triangle u) { nodes_[u].in_patch ? void(++strips_) : part(t, u); });
   for (const Triangle t : patch) nodes_[t] = {};
 }
 
 void StripLocator::after_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
   if (nodes_.size() < mesh.triangle_bound()) nodes_.resize(mesh.triangle_bound());
-  for (const Triangle t : patch) {
-    nodes_[t].size = 1;
-    nodes_[t].in_patch = true;
-  }
+  for (const Triangle t : patch) nodes_[t] = {.size = 1, .in_patch = true};
   strips_ += patch.size();
-  for (const bool inner : {true, false})
-    for_each_solid_edge(mesh, patch, inner, [this](Triangle t, Triangle u) { join(t, u); });
+  for_each_solid_edge(mesh, patch, [this](Triangle t, Triangle u) { join(t, u); });
   for (const Triangle t : patch) nodes_[t].in_patch = false;
 }
 

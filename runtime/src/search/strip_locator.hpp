@@ -1,7 +1,7 @@
 // StripLocator: finds whether two triangles are in one strip, and their order along it, without walking it, while
 // strips are cut, linked, reversed and rewritten.
 //
-// Costs, for strips of n triangles: position(), cut(), link(), and each strip through a patch, expected O(log n);
+// Costs, for strips of n triangles: a query, cut(), link(), and each strip through a patch, expected O(log n);
 // linear in the patch besides. Memory: 20 bytes a triangle. Nothing is allocated once the arrays have grown.
 //
 // Colours and locator must change together: colour dual edges through cut() and link(), and call before_patch() before
@@ -29,7 +29,6 @@ class StripLocator {
   struct Position {
     std::uint32_t strip = none;
     std::uint32_t order = 0;
-    friend constexpr bool operator==(const Position&, const Position&) = default;
   };
 
   StripLocator() = default;
@@ -42,6 +41,8 @@ class StripLocator {
   [[nodiscard]] bool knows(Triangle t) const noexcept { return t < nodes_.size() && nodes_[t].size != 0; }
   /// The position of a triangle that is alive.
   [[nodiscard]] Position position(Triangle t) const noexcept;
+  /// The position of t and the order of `next`, which must follow or precede it in its strip, for the price of one.
+  [[nodiscard]] std::pair<Position, std::uint32_t> position(Triangle t, Triangle next) const noexcept;
   /// Number of strips.
   [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
 
@@ -69,16 +70,16 @@ class StripLocator {
     bool in_patch = false;   // while before_patch() or after_patch() runs
   };
 
-  [[nodiscard]] std::uint32_t size(Triangle t) const noexcept { return t == none ? 0 : nodes_[t].size; }
+  [[nodiscard]] Position climb(Triangle t, Triangle above, int& step) const noexcept;
   void turn(Triangle t) noexcept;
   void push_down(Triangle t) noexcept;
+  void push_down_to(Triangle t) noexcept;
   void hang(Triangle child, Triangle parent, unsigned side) noexcept;
   Triangle append(Triangle first, Triangle second) noexcept;
-  void push_down_to(Triangle t) noexcept;
   void part(Triangle a, Triangle b) noexcept;
   void join(Triangle a, Triangle b) noexcept;
   template <class Visit>
-  void for_each_solid_edge(const StripMesh& mesh, std::span<const Triangle> patch, bool inner, Visit&& visit) const;
+  void for_each_solid_edge(const StripMesh& mesh, std::span<const Triangle> patch, Visit&& visit) const;
 
   std::vector<Node> nodes_;
   std::size_t strips_ = 0;

@@ -15,6 +15,7 @@
 #include "search/tunnel.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "search/sides.hpp"
 
@@ -38,11 +39,7 @@ bool Tunnel::join(StripMesh& mesh, StripLocator& locator, Triangle end, std::uin
   used_ = 0;
   seen_[end] = search_;
   const StripLocator::Position at = locator.position(end);
-  bool down = false;
-  if (const unsigned solid = mesh.solid_sides(end); solid != 0) {
-    const Halfedge there = mesh.opposite(lowest_side(end, solid));
-    down = locator.position(StripMesh::triangle(there)).order < at.order;
-  }
+  const bool down = at.order != 0;
   states_.push_back({none, {}, {}, 0, 0, at.strip, false});
   *room_for(states_.back(), 1) = {down ? 0 : at.order, down ? at.order : ~Order{0}, at.strip,
                                   (down ? Piece::down_flag : 0U) | Piece::last_flag};
@@ -101,8 +98,13 @@ bool Tunnel::move(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfe
     ++n;
   }
   if (seen_all && n > 1) return false;
-  const StripLocator::Position at = locator.position(x);
-  for (unsigned i = 0; i < n; ++i) next[i].order = locator.position(StripMesh::triangle(next[i].towards_x)).order;
+  StripLocator::Position at;
+  if (n == 0) {
+    at = locator.position(x);
+  } else {
+    std::tie(at, next[0].order) = locator.position(x, StripMesh::triangle(next[0].towards_x));
+    next[1].order = 2 * at.order - next[0].order;  // on the other side, if at all
+  }
 
   const Piece* const pieces = pieces_.data() + states_[s].pieces;
   const std::uint32_t total = states_[s].total;
