@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "common/printable.hpp"
-#include "common/reading.hpp"
 
 namespace restrip {
 

@@ -1,11 +1,19 @@
-// Makes text with names and bytes of files safe to print: a terminal obeys some of them.
+// The error of files that cannot be used; and how text with names and bytes of files is made safe to print: a terminal
+// obeys some of them.
 #pragma once
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace restrip::files {
+
+/// One line that names the file, what is wrong with it, and the remedy.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Control characters other than line feeds, and bytes that are not UTF-8, as \x1b.
 [[nodiscard]] std::string printable(std::string_view text);

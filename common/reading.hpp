@@ -3,18 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
+#include "common/printable.hpp"
+
 namespace restrip::files {
-
-// The exception for files that cannot be used.
-
-/// One line that names the file, what is wrong with it, and the remedy.
-class FileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// The most bytes that are read. The size of a regular file is known in advance; a pipe or a device may never end.
 struct ReadLimits {

@@ -24,7 +24,7 @@ set(door_maker "\"common/[^\"]*\"|<nlohmann/json.hpp>|<stdio.h>")
 set(door_maker_generator "\"commands/pipeline.hpp\"")
 set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"")
 # The readers of the program, for JavaScript.
-set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
+set(door_readers "\"(lod/mesh_formats|meshes/(mend|soup)).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
 set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables|rule_of_@name@).h\"")

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <map>
 
-#include "common/bad_input.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
@@ -14,6 +13,7 @@
 #include "lod/simplify.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/mend.hpp"
+#include "meshes/soup.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
 #include "target.hpp"

@@ -6,8 +6,8 @@
 
 #include <bit>
 
-#include "common/bad_input.hpp"
 #include "meshes/mesh_report.hpp"
+#include "meshes/soup.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -10,9 +10,9 @@
 #include <cctype>
 #include <utility>
 
-#include "common/bad_input.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/little_endian.hpp"
+#include "meshes/soup.hpp"
 #include "scratch_folder.hpp"
 #include "shapes.hpp"
 #include "support/refusal_of.hpp"

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "common/output.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
@@ -23,6 +22,7 @@
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
+#include "meshes/soup.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
 #include "scratch_folder.hpp"

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "common/bad_input.hpp"
 #include "lod/mesh_formats.hpp"
 #include "meshes/soup.hpp"
 #include "restrip/search/stripify.hpp"

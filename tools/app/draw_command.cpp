@@ -18,7 +18,6 @@
 
 #include "app/options.hpp"
 #include "app/source.hpp"
-#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "lod/coloring_check.hpp"

@@ -5,7 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "common/bad_input.hpp"
 #include "lod/baked_file.hpp"
 #include "meshes/mend.hpp"
 #include "restrip/mesh/strip_mesh.hpp"

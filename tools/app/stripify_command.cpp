@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "app/options.hpp"
-#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "common/progress.hpp"

@@ -6,7 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include "common/bad_input.hpp"
 #include "common/progress.hpp"
 #include "common/stopwatch.hpp"
 #include "lod/coloring_check.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/bad_input.hpp"
 #include "formats/baked_format.hpp"
 #include "lod/pm_file.hpp"
 #include "meshes/gltf_file.hpp"

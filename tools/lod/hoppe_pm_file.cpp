@@ -6,7 +6,6 @@
 #include <tuple>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "lod/pm_file.hpp"
 #include "meshes/soup.hpp"
 #include "meshes/text_cursor.hpp"

@@ -5,8 +5,6 @@
 
 #include <system_error>
 
-#include "common/bad_input.hpp"
-
 namespace restrip::tools {
 
 ReadMesh read_mesh_file(const NamedFile& file, ReadAttributes attributes) {

@@ -7,7 +7,6 @@
 #include <array>
 #include <utility>
 
-#include "common/bad_input.hpp"
 #include "formats/baked_format.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "meshes/gltf_file.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/strip_file.hpp"

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/text_cursor.hpp"
 

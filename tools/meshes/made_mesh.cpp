@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/bad_input.hpp"
 #include "common/random.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/disjoint_sets.hpp"
 #include "meshes/edges.hpp"

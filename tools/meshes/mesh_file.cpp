@@ -8,7 +8,6 @@
 #include <limits>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/soup.hpp"
 

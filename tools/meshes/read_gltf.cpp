@@ -13,7 +13,6 @@
 #include <span>
 #include <tuple>
 
-#include "common/bad_input.hpp"
 #include "common/printable.hpp"
 #include "meshes/gltf_file.hpp"
 #include "meshes/mesh_file.hpp"

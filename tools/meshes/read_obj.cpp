@@ -13,7 +13,6 @@
 #include <map>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "common/printable.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup_builder.hpp"

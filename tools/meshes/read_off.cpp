@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"

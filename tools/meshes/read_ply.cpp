@@ -12,7 +12,6 @@
 #include <span>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/printable.hpp"
 #include "meshes/mesh_file.hpp"

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "common/printable.hpp"
 #include "meshes/little_endian.hpp"

@@ -11,7 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "common/printable.hpp"
+
 namespace restrip::tools {
+
+/// The input is at fault, not the program, which exits with code 2. The text is one sentence that names the file, the
+/// remedy, and the position if that helps.
+using BadInput = files::FileError;
 
 // Attributes of vertices: normals, texture coordinates, colours. Values are kept as the file encodes them, so writing
 // them changes nothing.

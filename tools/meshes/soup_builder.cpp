@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 
 namespace restrip::tools {

@@ -10,7 +10,6 @@
 #include <utility>
 #include <variant>
 
-#include "common/bad_input.hpp"
 #include "common/counted.hpp"
 #include "meshes/little_endian.hpp"
 

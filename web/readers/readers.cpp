@@ -12,9 +12,9 @@
 #include <string_view>
 #include <variant>
 
-#include "common/bad_input.hpp"
 #include "lod/mesh_formats.hpp"
 #include "meshes/mend.hpp"
+#include "meshes/soup.hpp"
 
 #ifdef __wasm__
 #define READERS_EXPORT(name) extern "C" __attribute__((export_name(#name)))
