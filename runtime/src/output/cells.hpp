@@ -42,12 +42,6 @@ class Cells {
   void set(std::size_t i, std::uint32_t index) noexcept {
     narrow_ ? void(cells16_[i] = static_cast<std::uint16_t>(index)) : void(cells32_[i] = index);
   }
-  /// Whether the cells from `first` on hold these indices.
-  [[nodiscard]] bool hold(std::size_t first, std::span<const std::uint32_t> indices) const noexcept {
-    for (std::size_t i = 0; i < indices.size(); ++i)
-      if ((*this)[first + i] != indices[i]) return false;
-    return true;
-  }
   /// Writes indices from `first` on, from the first that differs to the last. Returns what it has written.
   IndexRange write(std::size_t first, std::span<const std::uint32_t> indices) noexcept {
     const std::uint32_t* const then = indices.data();
@@ -77,13 +71,6 @@ class Cells {
   }
   void resize(std::size_t count, std::uint32_t index = 0) {
     narrow_ ? cells16_.resize(count, static_cast<std::uint16_t>(index)) : cells32_.resize(count, index);
-  }
-  void drop_last(std::size_t count) noexcept {
-    const auto dropped = static_cast<std::ptrdiff_t>(count);
-    if (narrow_)
-      cells16_.erase(cells16_.end() - dropped, cells16_.end());
-    else
-      cells32_.erase(cells32_.end() - dropped, cells32_.end());
   }
   void append(std::span<const std::uint32_t> indices) {
     const std::size_t first = size();

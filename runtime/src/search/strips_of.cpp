@@ -25,11 +25,6 @@ template <class Element>
 struct ListedStrips : ColoringCopy {
   TriangleList<Element> list;
 
-  [[nodiscard]] static Triangle triangle(Halfedge h) noexcept { return StripMesh::triangle(h); }
-  [[nodiscard]] static Halfedge halfedge(Triangle t) noexcept { return StripMesh::halfedge(t); }
-  [[nodiscard]] static Halfedge next(Halfedge h) noexcept { return StripMesh::next(h); }
-  [[nodiscard]] static bool on_boundary(Halfedge h) noexcept { return StripMesh::on_boundary(h); }
-  [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept { return {across(h.id)}; }
   [[nodiscard]] Vertex from(Halfedge h) const noexcept { return list.corner(h.id); }
 };
