@@ -242,8 +242,8 @@ class Simplify(unittest.TestCase):
 
 class Live(unittest.TestCase):
     def test_buffers_follow_random_operations(self):
-        for policy in ("bare", "rules", "local", "quick", "full"):
-            for form, index in (("restart", 16), ("stitched", 32), ("restart", "auto"), ("list", 16), ("list", "auto")):
+        for policy in ("rules", "quick"):  # tests/c drives every policy and form
+            for form, index in (("restart", 16), ("stitched", 32), ("list", "auto")):
                 generator = random.Random(f"{policy} {form} {index}")
                 mesh = restrip.LiveMesh(grid(8), policy=policy, effort="full")
                 mesh.begin_buffer(form, index)

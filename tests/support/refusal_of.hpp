@@ -1,5 +1,5 @@
-#pragma once
 // The message of a refusal.
+#pragma once
 
 #include <string>
 

@@ -1,5 +1,5 @@
-#pragma once
 // Sanitizers make tests many times slower, so tests use smaller meshes under them.
+#pragma once
 
 #include <cstdint>
 

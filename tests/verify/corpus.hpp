@@ -1,4 +1,3 @@
-#pragma once
 // The corpus on disk: tests/corpus/accept/small is a folder of tables for small fans; reject.txt and malformed.txt list
 // damages to it and the expected messages of the checker. Format, one instruction a line:
 //
@@ -15,6 +14,7 @@
 //   delete                    the file is deleted
 //   keep-sums                 do not update the sums in last lines afterwards
 //   keep-manifest             do not update the MANIFEST afterwards
+#pragma once
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
-#pragma once
 // A naive judge of operations, for the tests of the verifier: worlds are sets of pairs, cycles are found by comparing
 // edges with components, and symmetries by trying all permutations. Of the verifier it uses only the operation as it
 // was read.
+#pragma once
 
 #include <set>
 #include <utility>

@@ -1,7 +1,7 @@
-#pragma once
 // Certificates for small fans and custom operations, made in the slowest and most obvious way, and correct and careless
 // reasons. It shares only the struct of an operation with the checker that it tests; the patches of fans are
 // handwritten from docs/reference/notation.md.
+#pragma once
 
 #include <functional>
 #include <map>

@@ -1,5 +1,5 @@
-#pragma once
 // The checker's verdict on tables: in memory for one section, or through files for a folder or an operation.
+#pragma once
 
 #include <filesystem>
 #include <optional>
