@@ -88,8 +88,9 @@ inline Triangles drawn(std::span<const std::byte> bytes, std::size_t width, Stri
 }
 
 // What strips with restart indices draw.
-inline Triangles read_strips(std::span<const std::uint32_t> indices) {
-  Reader reader(std::as_bytes(indices), 4);
+template <class Index>
+Triangles read_strips(std::span<const Index> indices) {
+  Reader reader(std::as_bytes(indices), sizeof(Index));
   reader.strip(0, indices.size(), true);
   return std::move(reader).triangles();
 }

@@ -2,7 +2,6 @@
 // counts, refusals, sentences and the numbers of frames.
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -12,7 +11,6 @@
 
 #include "../support/random_operations.hpp"
 #include "baked_torus.hpp"
-#include "check_buffer.hpp"
 #include "form_reader.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/output/live_buffer.hpp"
@@ -36,19 +34,6 @@ void expect_buffer_drawn(const LiveMesh& live) {
   live.buffer().draws(draws);
   ASSERT_EQ(form_reader::drawn(live.bytes(), live.index_bytes(), live.buffer().format().form, draws),
             sample::triangles_of(live.mesh()));
-}
-
-// Records do not contain isolated triangles, so they are counted when the levels are left.
-TEST(LiveUndo, CountsAreRightAfterTheLevels) {
-  const auto file = baked_torus();
-  for (std::size_t level = 0; level <= file->splits.size(); level += 7) {
-    LiveMesh live(file, {.history = 1000});
-    live.move_to_level(level);
-    ASSERT_TRUE(live.flip(random_halfedge_that_flips(live.mesh())));
-    const ColoringReport report = check_coloring(live.mesh());
-    EXPECT_EQ(live.keeper().isolated(), report.isolated);
-    EXPECT_EQ(live.keeper().strips(), report.strips);
-  }
 }
 
 // A buffer of 16 bits refuses vertex 65,535, and says what to do; the frame can be undone.
@@ -98,7 +83,7 @@ TEST(LiveUndo, ABakedMeshPlaysItsLevelsAndBeginsAgain) {
   ASSERT_TRUE(live.undo());
   EXPECT_EQ(live.level(), 10U);
   EXPECT_EQ(live.move_to_level(0), 10U);
-  EXPECT_EQ(triangles_of(live.mesh()), triangles_of(file->mesh));
+  EXPECT_EQ(sample::triangles_of(live.mesh()), sample::triangles_of(file->mesh));
   live.keep(Policy::full, Cost::indices());
   EXPECT_EQ(live.level(), std::nullopt);
   ASSERT_TRUE(live.flip(random_halfedge_that_flips(live.mesh())));
@@ -108,7 +93,7 @@ TEST(LiveUndo, ABakedMeshPlaysItsLevelsAndBeginsAgain) {
   EXPECT_EQ(look_at(live.mesh()), base);
   EXPECT_EQ(live.undoable(), 0U);
   EXPECT_NE(live.update().size(), 0U);
-  EXPECT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh()));
+  EXPECT_EQ(form_reader::read_strips(live.indices()), sample::triangles_of(live.mesh()));
   EXPECT_EQ(live.move_to_level(file->splits.size()), file->splits.size());
   // A saved mesh has its strips, but not its levels.
   const LiveMesh loaded = LiveMesh::load(live.save());
@@ -151,7 +136,7 @@ TEST(LiveUndo, ADeferredBufferBeginsWithTheFirstUpdate) {
   EXPECT_EQ(live.changed().size(), 0U);
   const Upload all = live.update();
   EXPECT_TRUE(all.outgrown);
-  EXPECT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh()));
+  EXPECT_EQ(form_reader::read_strips(live.indices()), sample::triangles_of(live.mesh()));
   EXPECT_EQ(live.undoable(), 0U);
   ASSERT_TRUE(live.flip(live.mesh().spoke(3)));
   EXPECT_NE(live.changed().size(), 0U);

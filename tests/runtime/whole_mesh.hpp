@@ -10,6 +10,7 @@
 #include "operations/join.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
+#include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -36,6 +37,48 @@ inline Look look_at(const StripMesh& mesh) {
     look.insert(look.end(), {chord.id, next.to(chord)});
   }
   return look;
+}
+
+/// Where the ends of strips lie.
+struct Ends {
+  std::size_t strips = 0;
+  std::size_t isolated = 0;
+  std::size_t meeting = 0;         ///< dashed edges between ends of different strips
+  std::size_t own = 0;             ///< dashed edges between the two ends of one strip
+  std::size_t boundary_sides = 0;  ///< of strip ends and isolated triangles
+};
+
+inline Ends ends_of(const StripMesh& mesh) {
+  const Strips strips = extract_strips(mesh);
+  std::vector<std::size_t> strip_of(mesh.triangle_bound(), 0);
+  Ends count{strips.size()};
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    count.isolated += strips[s].size() == 1 ? 1U : 0U;
+    for (const Triangle t : strips[s]) strip_of[t] = s;
+  }
+  for (const StripMesh::Halfedge h : sample::sides_of(mesh)) {
+    const Triangle t = StripMesh::triangle(h);
+    if (mesh.solid_degree(t) > 1) continue;
+    const StripMesh::Halfedge across = mesh.opposite(h);
+    if (StripMesh::on_boundary(across)) {
+      ++count.boundary_sides;
+      continue;
+    }
+    const Triangle u = StripMesh::triangle(across);
+    if (mesh.solid(h) || mesh.solid_degree(u) > 1 || u < t) continue;
+    ++(strip_of[t] == strip_of[u] ? count.own : count.meeting);
+  }
+  return count;
+}
+
+/// Wherever no ends of different strips meet, the bounds of docs/explanation/theory.md, "What holds for the whole
+/// mesh", hold.
+inline std::string fault_of_ends(const StripMesh& mesh) {
+  const Ends ends = ends_of(mesh);
+  if (ends.meeting != 0) return "ends of two strips meet";
+  if (6 * ends.strips > mesh.triangle_count() + 2 * ends.isolated + 2 * ends.own + ends.boundary_sides)
+    return "more strips than the bound";
+  return ends.isolated + ends.own > ends.strips ? "more ends than strips have" : "";
 }
 
 /// Joins all strip ends that meet.

@@ -1,5 +1,5 @@
-// Random operations, legal or not, for all tests that need many: the kinds, how often each is drawn, and where. A test
-// performs what was drawn on a mesh, on a keeper or on a LiveMesh, or on two of them in step.
+// Random operations, legal or not, on a mesh or its keeper: the kinds, how often each is drawn, and where. tests/drive
+// has those on a LiveMesh.
 #pragma once
 
 #include <array>
@@ -133,34 +133,19 @@ inline Refusal check(const StripMesh& mesh, const DrawnOperation& drawn) {
   }
 }
 
-/// By a StripMesh, its keeper or a LiveMesh; refused if it is not legal. `name`: the vertex of a split.
+/// By a StripMesh or its keeper; refused if it is not legal.
 template <class Target>
-Checked perform(Target& target, const DrawnOperation& drawn, Vertex name = none) {
-  using enum OperationKind;
-  const OperationKind kind = drawn.kind;
-  const StripMesh::Halfedge h = drawn.h;
-  const VertexSplit& where = drawn.where;
-  if constexpr (requires {
-                  { target.flip(h) } -> std::same_as<Checked>;
-                }) {
-    if (kind == split) return target.split(where, name);
-    if (kind == collapse) return target.collapse(h);
-    if (kind == flip) return target.flip(h);
-    if (kind == split_face) return target.split_face(h);
-    if (kind == join_faces) return target.join_faces(h);
-    return kind == bisect ? target.bisect(h) : target.merge(h);
-  } else {
-    if (kind == split) return checked_split(target, where, name);
-    if (kind == collapse) return checked_collapse(target, h);
-    if (kind == flip) return checked_flip(target, h);
-    const StripMesh* mesh = nullptr;
-    if constexpr (std::same_as<Target, StripMesh>)
-      mesh = &target;
-    else
-      mesh = &target.mesh();
-    const OperationPlace at = place_of(*mesh, kind, h);
-    return checked_apply(target, at.table, at.where);
-  }
+Checked perform(Target& target, const DrawnOperation& drawn) {
+  if (drawn.kind == OperationKind::split) return checked_split(target, drawn.where);
+  if (drawn.kind == OperationKind::collapse) return checked_collapse(target, drawn.h);
+  if (drawn.kind == OperationKind::flip) return checked_flip(target, drawn.h);
+  const StripMesh* mesh = nullptr;
+  if constexpr (std::same_as<Target, StripMesh>)
+    mesh = &target;
+  else
+    mesh = &target.mesh();
+  const OperationPlace at = place_of(*mesh, drawn.kind, drawn.h);
+  return checked_apply(target, at.table, at.where);
 }
 
 }  // namespace restrip

@@ -173,20 +173,6 @@ TEST(Checks, AgreeOnEveryListOfFourTrianglesOverFiveVertices) {
   EXPECT_GT(comparison.granted, 10000U);
 }
 
-TEST(Checks, AgreeOnRandomLists) {
-  Comparison comparison;
-  std::mt19937 random(20);
-  for (int n = 0; n < 400; ++n) {
-    const auto vertices = static_cast<Vertex>(5 + random() % 3);
-    const std::vector<bare::Corners> all = triangles_over(vertices);
-    std::vector<bare::Corners> triangles;
-    for (std::size_t i = 0, count = 4 + random() % 7; i < count; ++i) triangles.push_back(all[random() % all.size()]);
-    comparison.all_operations(StripMesh::build(triangles, vertices));
-    if (HasFailure()) return;
-  }
-  EXPECT_GT(comparison.granted, 200U);
-}
-
 // Meshes of a few triangles: closed, open, in several components, with handles, with holes, and not manifold.
 std::vector<StripMesh> small_meshes() {
   std::vector<StripMesh> all;

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "random_operation.hpp"
+#include "../../support/random_operations.hpp"
 #include "sample_meshes.hpp"
 #include "whole_mesh.hpp"
 
@@ -50,22 +50,6 @@ TEST(History, AFrameThatSplitsAndCollapsesBackIsAFrame) {
       mesh.watch(nullptr);
     }
   EXPECT_GT(triangles_as_they_were, 100U);
-}
-
-TEST(History, ForgetsWhatIsTooMuch) {
-  StripMesh mesh = sample::torus(12, 12);
-  std::vector<Triangle> changed;
-  mesh.watch(&changed);
-  Keeper keeper(mesh, Policy::local, Cost::strips());
-  History history(mesh, 100);
-  std::mt19937 random(5);
-  for (int n = 0; n < 200; ++n) {
-    changed.clear();
-    random_operation(keeper, random, n % 2 == 0);
-    history.frame(mesh, changed);
-  }
-  EXPECT_GE(history.undoable(), 1U);
-  EXPECT_LE(history.undoable(), 50U);
 }
 
 TEST(History, ForgetsTrianglesThatCameAndWentInAFrame) {

@@ -7,16 +7,13 @@
 
 #include <array>
 #include <cstddef>
-#include <random>
 #include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "random_operation.hpp"
-#include "restrip/search/keeper.hpp"
+#include "restrip/mesh/checks.hpp"
 #include "sample_meshes.hpp"
-#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -39,37 +36,6 @@ TEST(StripMesh, BuildCountsWhatItLeavesOut) {
   EXPECT_EQ(mesh.corners(1), triangles[5]);
 }
 
-// An insertion takes the vertex that was announced, also when free vertices have been named by callers since.
-TEST(StripMesh, AnnouncesTheNextVertex) {
-  std::mt19937 random(31);
-  StripMesh mesh = sample::torus(8, 8);
-  std::vector<Vertex> removed;
-  std::size_t reused = 0;
-  std::size_t named = 0;
-  for (int round = 0; round < 2000; ++round) {
-    const StripMesh::Halfedge h = random_halfedge(mesh, random);
-    if (round % 40 < 20) {
-      if (check_collapse(mesh, h) != Refusal::granted) continue;
-      removed.push_back(mesh.to(h));
-      mesh.remove_vertex(h);
-      continue;
-    }
-    const auto where = random_split(mesh, h, random);
-    const Vertex wanted = !removed.empty() && random() % 4 == 0 ? removed[random() % removed.size()] : none;
-    if (check_split(mesh, where, wanted) != Refusal::granted) continue;
-    const Vertex next = mesh.next_vertex();
-    const std::size_t bound = mesh.vertex_bound();
-    const Vertex made = mesh.to(mesh.insert_vertex(where, wanted));
-    named += wanted != none ? 1U : 0U;
-    if (wanted != none) continue;
-    ASSERT_EQ(made, next);
-    reused += next < bound ? 1U : 0U;
-  }
-  EXPECT_GT(reused, 50U);
-  EXPECT_GT(named, 20U);
-  EXPECT_GT(mesh.vertex_bound(), 64U);
-}
-
 // A range of addresses that may not be read: a look at a triangle before its count would end the program there.
 TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
   const std::size_t count = StripMesh::max_triangles + 1;
@@ -81,23 +47,6 @@ TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
   EXPECT_THROW((void)StripMesh::build(triangles, 3), std::length_error);
   munmap(range, count * sizeof(sample::Corners));
   EXPECT_THROW((void)StripMesh::build({}, std::size_t{1} << 32), std::length_error);
-}
-
-// Compares the list of changes with the whole mesh before and after.
-TEST(StripMesh, AWatchNamesEveryTriangleThatChanges) {
-  std::mt19937 random(17);
-  for (StripMesh& mesh : sample::meshes()) {
-    Keeper keeper(mesh, Policy::local, Cost::strips());
-    std::vector<Triangle> changed;
-    mesh.watch(&changed);
-    for (int round = 0; round < 60; ++round) {
-      const StripMesh before = mesh;
-      changed.clear();
-      random_operation(keeper, random, round % 20 < 10);
-      EXPECT_TRUE(names_all_changes(changed, before, mesh)) << "round " << round;
-    }
-    mesh.watch(nullptr);
-  }
 }
 
 // A watch moves only with its mesh; a copy has none.

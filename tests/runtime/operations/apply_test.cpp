@@ -5,14 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <random>
 #include <utility>
 #include <vector>
 
-#include "../../support/random_operations.hpp"
 #include "applied_lists.hpp"
-#include "restrip/mesh/walks.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
@@ -57,49 +54,6 @@ TEST(Apply, DoesWhatTheFileSaysWhereItMay) {
         }
       }
   });
-}
-
-// The named operations find their table and the place of its first side, and undo each other.
-TEST(Apply, ByName) {
-  std::mt19937 random(6);
-  std::array<std::size_t, 4> done{};
-  for (const StripMesh& start : {sample::torus(6, 5), sample::rectangle(5, 4), sample::tube(5, 6)}) {
-    StripMesh mesh = start;
-    stripify(mesh, Effort::fast, Cost::strips());
-    for (std::size_t n = 0; n < 2000; ++n) {
-      // Vertices of all valences.
-      const Halfedge any = random_halfedge(mesh, random);
-      mesh.triangle_count() > 3 * start.triangle_count() ? checked_collapse(mesh, any) : checked_flip(mesh, any);
-      const Halfedge h = random_side(mesh, random);
-      const auto before = sample::triangles_of(mesh);
-      StripMesh copy = mesh;
-      const Vertex from = mesh.from(h);
-      const Vertex to = mesh.to(h);
-      if (const Checked split = split_face(copy, h)) {
-        ASSERT_EQ(split.new_vertices.size(), 1U);
-        ASSERT_EQ(copy.triangle_count(), mesh.triangle_count() + 2);
-        ASSERT_EQ(spoke_count(copy, split.new_vertex()), 3U);
-        ASSERT_TRUE(join_faces(copy, copy.spoke(from, split.new_vertex())));
-        ASSERT_EQ(sample::triangles_of(copy), before);
-        ++done[0];
-      }
-      copy = mesh;
-      if (const Checked halved = bisect(copy, h)) {
-        const bool rim = StripMesh::on_boundary(h) || StripMesh::on_boundary(mesh.opposite(h));
-        ASSERT_EQ(copy.spoke(from, to).id, none);
-        ASSERT_NE(copy.spoke(from, halved.new_vertex()).id, none);
-        ASSERT_NE(copy.spoke(halved.new_vertex(), to).id, none);
-        ASSERT_EQ(copy.triangle_count(), mesh.triangle_count() + (rim ? 1 : 2));
-        const Checked merged = merge(copy, copy.spoke(from, halved.new_vertex()));
-        ASSERT_TRUE(merged) << describe(merged.refusal);
-        ASSERT_EQ(sample::triangles_of(copy), before);
-        ++done[rim ? 1 : 2];
-      }
-      done[3] += merge(mesh, h) ? 1U : 0U;
-      if (mesh.triangle_count() < start.triangle_count() / 2) mesh = start;
-    }
-  }
-  for (const std::size_t times : done) EXPECT_GT(times, 10U);
 }
 
 // Coarsening and refining again gives the same handles.

@@ -8,9 +8,10 @@
 #include <random>
 #include <vector>
 
-#include "random_operation.hpp"
+#include "../../support/random_operations.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
@@ -32,44 +33,6 @@ Where random_place(const StripMesh& mesh, std::mt19937& random) {
   Where where = random_split(mesh, random_halfedge(mesh, random), random);
   if (where.spokes == Spokes::both && random() % 2 == 0) std::swap(where.left, where.right);
   return where;
-}
-
-TEST(Baked, FlipsGiveTheColoringTheyWereTakenFromAndTakeItBack) {
-  unsigned seed = 1;
-  std::size_t one_sided = 0;
-  for (const StripMesh& start : sample::meshes()) {
-    std::mt19937 random(seed++);
-    StripMesh mesh = start;
-    stripify(mesh, Effort::fast, Cost::strips());
-    for (int n = 0; n < 300; ++n) {
-      const Where where = random_place(mesh, random);
-      if (check_split(mesh, where) != Refusal::granted) continue;
-      one_sided += where.spokes == Spokes::both ? 0U : 1U;
-      const std::size_t strips = valid_strips(mesh);
-      const std::vector<std::uint8_t> before = colors_of(mesh);
-
-      StripMesh by_rules = mesh;
-      split(by_rules, where);
-      StripMesh plain = mesh;
-      const auto plainly = split_baked(plain, where, {});
-      ASSERT_EQ(static_cast<int>(valid_strips(plain)), static_cast<int>(strips) + plainly.strips);
-
-      const std::vector<Halfedge> flips = sample::recolored_edges(plain, by_rules);
-      const auto done = split_baked(mesh, where, std::span<const Halfedge>(flips));
-      ASSERT_EQ(done.halfedge, plainly.halfedge);
-      ASSERT_EQ(colors_of(mesh), colors_of(by_rules));
-      ASSERT_EQ(static_cast<int>(valid_strips(mesh)), static_cast<int>(strips) + done.strips);
-
-      StripMesh back = mesh;
-      const auto undone = collapse_baked(back, done.halfedge, std::span<const Halfedge>(flips));
-      ASSERT_EQ(undone.strips, -done.strips);
-      ASSERT_EQ(valid_strips(back), strips);
-      std::vector<std::uint8_t> again = colors_of(back);
-      again.resize(before.size());
-      ASSERT_EQ(again, before);
-    }
-  }
-  EXPECT_GT(one_sided, 50U);
 }
 
 struct Sequence {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "check_buffer.hpp"
+#include "form_reader.hpp"
 #include "measure/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -43,7 +43,7 @@ Counts checked(StripMesh mesh, const VertexCache& cache) {
   EXPECT_TRUE(check_coloring(mesh).valid);
   EXPECT_EQ(as_set(strips), as_set(extract_strips(mesh)));
   const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
-  EXPECT_EQ(triangles_of_strips(std::span(indices)), triangles_of(mesh));
+  EXPECT_EQ(form_reader::read_strips(std::span(indices)), sample::triangles_of(mesh));
   EXPECT_EQ(strips_for_vertex_cache(again, cache).order, strips.order) << "the same every time";
   return {mesh.triangle_count(), indices.size(), vertex_cache_misses(indices, cache.size)};
 }

@@ -8,14 +8,18 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "check_buffer.hpp"
 #include "form_reader.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "search/strip_locator.hpp"
 
 namespace restrip {
 namespace {
@@ -98,7 +102,8 @@ TEST(Strips, DecodingGivesBackTheMesh) {
       EXPECT_EQ(strips.order.size(), mesh.triangle_count());
       const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
       EXPECT_EQ(indices.size(), strip_index_count(mesh, strips));
-      EXPECT_EQ(form_reader::read_strips(indices), sample::triangles_of(mesh));
+      EXPECT_EQ(strip_indices(mesh), indices);
+      EXPECT_EQ(form_reader::read_strips(std::span<const std::uint32_t>(indices)), sample::triangles_of(mesh));
     }
   }
 }
@@ -156,15 +161,6 @@ TEST(Strips, SwapsAreKnownFromFourColours) {
   EXPECT_GT(shorter, 0U);
 }
 
-TEST(Strips, AreWrittenFromColorsAsFromAList) {
-  std::mt19937 random(5);
-  for (const double share : {0.0, 0.3, 0.6, 0.9, 1.0})
-    for (StripMesh& mesh : sample::meshes()) {
-      sample::color_at_random(mesh, share, random);
-      EXPECT_EQ(strip_indices(mesh), strip_indices(mesh, extract_strips(mesh)));
-    }
-}
-
 TEST(Strips, AnEmptyMeshHasNone) {
   const StripMesh mesh;
   const Strips strips = extract_strips(mesh);
@@ -197,6 +193,44 @@ TEST(CheckColoring, FindsWhatIsWrong) {
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.strips, 4U);
   EXPECT_EQ(report.isolated, 3U);
+}
+
+// ---- colourings that are not valid
+// A ring of solid edges lacks an end to locate a strip from, and a triangle of three solid edges is not part of a
+// strip.
+TEST(InvalidColorings, AreRefusedByReadersOfTheWholeMesh) {
+  for (const bool cycle : {true, false}) {
+    StripMesh mesh = sample::rectangle(3, 3);
+    if (cycle) {
+      for_each_spoke(mesh, 5, [&](StripMesh::Halfedge h) { mesh.set_solid(h, true); });
+    } else {
+      Triangle t = 0;
+      const auto inner = [&](unsigned side) {
+        return !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, side)));
+      };
+      while (!inner(0) || !inner(1) || !inner(2)) ++t;
+      for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(t, side), true);
+    }
+    ASSERT_FALSE(check_coloring(mesh).valid);
+    const auto message = [&](const auto& read) -> std::string {
+      try {
+        read();
+      } catch (const std::invalid_argument& error) {
+        return error.what();
+      }
+      return "nothing thrown";
+    };
+    const std::string expected = std::string("restrip: the colouring is not valid: ") +
+                                 (cycle ? "solid dual edges close a cycle" : "a triangle has three solid dual edges");
+    for (const Policy policy : {Policy::local, Policy::quick, Policy::full})
+      EXPECT_EQ(message([&] { const Keeper keeper(mesh, policy, Cost::strips()); }), expected);
+    EXPECT_EQ(message([&] { const StripLocator locator(mesh); }), expected);
+    EXPECT_EQ(message([&] { (void)count_strips(mesh); }), expected);
+    mesh.clear_colors();
+    Keeper keeper(mesh, Policy::quick, Cost::strips());
+    EXPECT_EQ(keeper.strips(), mesh.triangle_count());
+    EXPECT_EQ(count_strips(mesh), mesh.triangle_count());
+  }
 }
 
 }  // namespace

@@ -47,12 +47,5 @@ TEST(TriangleListBuffer, PaddingIsWrittenOnlyWhenItChanges) {
   EXPECT_LE(ranges.back().first + ranges.back().count, 6U);
 }
 
-TEST(TriangleListBuffer, AMeshWithoutTrianglesWritesNothing) {
-  const StripMesh mesh = StripMesh::build(std::vector<sample::Corners>{}, 0);
-  TriangleListBuffer buffer;
-  EXPECT_TRUE(buffer.update(mesh, {}).empty());
-  EXPECT_TRUE(buffer.indices().empty());
-}
-
 }  // namespace
 }  // namespace restrip

@@ -52,21 +52,6 @@ TEST(ChainMoves, AreCompleteAndPricedAsCountedInEveryColoringOfSmallMeshes) {
   EXPECT_GT(compared, 10'000U);
 }
 
-TEST(ChainMoves, ArePricedAsCountedInRandomColorings) {
-  std::mt19937 random(31);
-  std::size_t compared = 0;
-  for (StripMesh& mesh : sample::meshes())
-    for (const double share : {0.3, 0.7, 1.0}) {
-      sample::color_at_random(mesh, share, random);
-      for (const Cost& cost : some_costs) {
-        ChainSearch search(cost);
-        compared += expect_end_moves_right(mesh, search);
-        if (HasFailure()) return;
-      }
-    }
-  EXPECT_GT(compared, 1000U);
-}
-
 // Every swap, and no other edge, can be cut.
 TEST(ChainMoves, CutsArePricedAsCounted) {
   std::mt19937 random(32);

@@ -37,18 +37,6 @@ void expect_right(const Keeper& keeper) {
   ASSERT_EQ(keeper.isolated(), static_cast<std::size_t>(cost.isolated));
 }
 
-// Operations under `bare` do not update a locator, so a search would use an old one.
-TEST(Keeper, SearchesNothingUnderBare) {
-  StripMesh mesh = sample::torus(12, 12);
-  stripify(mesh, Effort::fast, Cost::strips());
-  Keeper keeper(mesh, Policy::bare, Cost::strips());
-  keeper.set_search({.states = 40});
-  EXPECT_EQ(keeper.locator(), nullptr);
-  for (Triangle t = 0; t < 100; ++t) checked_flip(keeper, StripMesh::halfedge(t, 1));
-  for (int i = 0; i < 50; ++i) keeper.improve(1000);
-  expect_right(keeper);
-}
-
 std::size_t strips_from_scratch(StripMesh mesh) {
   return stripify(mesh, Effort::full, Cost::strips(), mesh.triangle_count() * 10);
 }

@@ -7,7 +7,6 @@
 #include <random>
 #include <vector>
 
-#include "check_buffer.hpp"
 #include "form_reader.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -54,7 +53,7 @@ TEST(StripsOf, WhatIsLeftOutIsNotDrawn) {
     const StripMesh mesh = StripMesh::build(list, vertices, &report);
     const Indices indices = std::get<Indices>(strips_of(list, vertices, plain, Effort::fast).indices);
     ASSERT_EQ(indices, by_way_of_a_mesh(list, vertices, Effort::fast, Cost::indices()));
-    ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
+    ASSERT_EQ(form_reader::read_strips(std::span<const std::uint32_t>(indices)), sample::triangles_of(mesh));
     ASSERT_EQ(mesh.triangle_count() + report.degenerate_triangles + report.out_of_range_triangles, list.size());
   }
 }
@@ -109,7 +108,7 @@ TEST(StripsOf, TakesShortIndicesAndAnEmptyList) {
   std::vector<std::uint16_t> narrow;
   for (const Corners& c : sample::triangles_of(mesh)) narrow.insert(narrow.end(), c.begin(), c.end());
   const Indices indices = std::get<Indices>(strips_of(narrow, mesh.vertex_bound(), plain).indices);
-  EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
+  EXPECT_EQ(form_reader::read_strips(std::span<const std::uint32_t>(indices)), sample::triangles_of(mesh));
   EXPECT_TRUE(strips_of(std::vector<Corners>{}, 0, plain, Effort::fast).empty());
 }
 
