@@ -19,10 +19,10 @@ class CSubject : public drive::Subject {
  public:
   using Call = drive::Call;
 
-  CSubject(Handle mesh, std::size_t history) : mesh_(std::move(mesh)), history_(history) {}
+  CSubject(Handle mesh, std::size_t history) : mesh_(std::move(mesh)), history_(history) { ranges_.reserve(10'000); }
 
   [[nodiscard]] bool can(Call call) const override {
-    return call != Call::apply && call != Call::replace && call != Call::move_to_level && call != Call::pack;
+    return call != Call::apply && call != Call::move_to_level && call != Call::pack;
   }
 
   drive::Outcome perform(const drive::Step& step) override {
@@ -100,16 +100,41 @@ class CSubject : public drive::Subject {
 
   restrip_status operate(const drive::Step& step, drive::Outcome& outcome) {
     restrip_change change{};
-    const restrip_status status =
-        step.call == Call::split
-            ? restrip_mesh_split(m(), step.where.left.id, step.where.right.id, step.name, &change)
-            : at_halfedge[static_cast<std::size_t>(step.call) - 1](m(), step.where.left.id, &change);
+    const restrip_status status = step.by_vertices && has_vertices(step) ? operate_by_vertices(step, &change)
+                                                                         : operate_by_halfedges(step, &change);
     if (status != RESTRIP_OK) return status;
     outcome.rewrite.strips = change.strips;
     outcome.rewrite.isolated = change.isolated;
     if (step.call == Call::split || step.call == Call::split_face || step.call == Call::bisect)
       outcome.added.push_back(restrip_mesh_to(m(), change.halfedge));
     return status;
+  }
+
+  restrip_status operate_by_halfedges(const drive::Step& step, restrip_change* change) {
+    const restrip_halfedge left = step.where.left.id;
+    if (step.call == Call::split) return restrip_mesh_split(m(), left, step.where.right.id, step.name, change);
+    if (step.call != Call::replace) return at_halfedge[static_cast<std::size_t>(step.call) - 1](m(), left, change);
+    return restrip_mesh_replace(m(), step.out.data(), step.out.size(), step.in.empty() ? nullptr : step.in[0].data(),
+                                step.in.size(), change);
+  }
+
+  /// Collapses, flips and splits at spokes of one vertex.
+  [[nodiscard]] bool has_vertices(const drive::Step& step) const {
+    const auto [left, right] = ends(step);
+    if (step.call != Call::split) return step.call <= Call::flip && left[0] != none;
+    return (left[0] != none || step.where.left.id == none) && (right[0] != none || step.where.right.id == none) &&
+           (left[0] == right[0] || left[0] == none || right[0] == none);
+  }
+  restrip_status operate_by_vertices(const drive::Step& step, restrip_change* change) {
+    const auto [left, right] = ends(step);
+    if (step.call == Call::collapse) return restrip_mesh_collapse_at(m(), left[0], left[1], change);
+    if (step.call == Call::flip) return restrip_mesh_flip_at(m(), left[0], left[1], change);
+    return restrip_mesh_split_at(m(), left[0] == none ? right[0] : left[0], left[1], right[1], step.name, change);
+  }
+  /// The vertices of both halfedges, from and to.
+  [[nodiscard]] std::array<std::array<std::uint32_t, 2>, 2> ends(const drive::Step& step) const {
+    const auto of = [this](Halfedge h) { return std::array{restrip_mesh_from(m(), h.id), restrip_mesh_to(m(), h.id)}; };
+    return {of(step.where.left), of(step.where.right)};
   }
 
   restrip_status update(const RangeOptions& options, drive::Outcome& outcome) {

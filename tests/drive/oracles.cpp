@@ -232,6 +232,21 @@ void Bounds::after(const Step& step, const Outcome& outcome, Subject& subject) {
 
 namespace {
 
+Checked replace(StripMesh& mesh, const Step& step) {
+  Checked done;
+  done.refusal = check_replace(mesh, step.out, step.in);
+  if (!done) return done;
+  const StripMesh before = mesh;
+  std::vector<Triangle> made;
+  mesh.replace(step.out, step.in, made);
+  promise(made.size() == step.in.size(), "a new triangle for each that was given");
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    promise(mesh.corners(made[i]) == step.in[i] && mesh.solid_degree(made[i]) == 0, "as it was given, and isolated");
+    promise(i >= step.out.size() || made[i] == step.out[i], "removed triangles leave their numbers to new ones");
+  }
+  return done;
+}
+
 Checked by_free_function(StripMesh& mesh, const Step& step) {
   const Halfedge h = step.where.left;
   switch (step.call) {
@@ -249,8 +264,10 @@ Checked by_free_function(StripMesh& mesh, const Step& step) {
       return bisect(mesh, h);
     case Call::merge:
       return merge(mesh, h);
-    default:
+    case Call::apply:
       return checked_apply(mesh, operations()[step.number % operations().size()], h);
+    default:
+      return replace(mesh, step);
   }
 }
 
@@ -258,13 +275,20 @@ Checked by_free_function(StripMesh& mesh, const Step& step) {
 
 void FreeFunctions::before(const Step& step, Subject& subject) {
   const LiveMesh& live = *subject.live();
-  applies_ = is_operation(step.call) && step.call != Call::replace && !step.by_vertices && !live.level();
+  applies_ = is_operation(step.call) && !step.by_vertices && !live.level();
   if (!applies_) return;
   mesh_ = live.mesh();
+  const Vertex next = mesh_.next_vertex();
+  std::vector<Triangle> changed;
+  mesh_.watch(&changed);
   done_ = by_free_function(mesh_, step);
+  mesh_.watch(nullptr);
+  promise(names_all_changes(changed, live.mesh(), mesh_), "a watch names every triangle that changes");
+  promise(step.call != Call::split || !done_ || step.name != none || done_.new_vertex() == next,
+          "a split takes the vertex that was announced");
 }
 
-void FreeFunctions::after(const Step& /*step*/, const Outcome& outcome, Subject& subject) {
+void FreeFunctions::after(const Step& step, const Outcome& outcome, Subject& subject) {
   if (!applies_ || outcome.end == End::out_of_memory) return;
   promise(done_.granted() == outcome.done(), "a LiveMesh refuses what the functions of a StripMesh refuse");
   promise(std::strcmp(describe(done_.refusal), outcome.reason) == 0, "for the same reason");
@@ -274,7 +298,8 @@ void FreeFunctions::after(const Step& /*step*/, const Outcome& outcome, Subject&
   if (!outcome.done() || keeper.policy() != Policy::rules || keeper.locator() != nullptr) return;
   if (!(keeper.weights() == Cost::strips())) return;
   promise(differing_triangles(mesh_, live.mesh()).empty(), "and nothing else under the policy `rules`");
-  promise(done_.rewrite.strips == outcome.rewrite.strips && done_.rewrite.isolated == outcome.rewrite.isolated,
+  promise(step.call == Call::replace ||
+              (done_.rewrite.strips == outcome.rewrite.strips && done_.rewrite.isolated == outcome.rewrite.isolated),
           "and counts the same");
 }
 
@@ -454,7 +479,8 @@ void Twin::after(const Step& step, const Outcome& outcome, Subject& subject) {
   if (is_operation(step.call) && outcome.done()) {
     promise(outcome.rewrite.strips == other.rewrite.strips && outcome.rewrite.isolated == other.rewrite.isolated,
             "twins count the same");
-    promise(std::equal(outcome.added.begin(), outcome.added.end(), other.added.begin(), other.added.end()),
+    promise(step.call == Call::replace ||
+                std::equal(outcome.added.begin(), outcome.added.end(), other.added.begin(), other.added.end()),
             "twins have the same new vertices");
   }
   promise(std::equal(outcome.upload.begin(), outcome.upload.end(), other.upload.begin(), other.upload.end()) &&
