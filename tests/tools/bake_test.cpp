@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "lod/baked_file.hpp"
 #include "lod/mesh_files.hpp"
@@ -13,7 +14,10 @@
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
 #include "replay/replay.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/baked.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
 #include "shapes.hpp"
 #include "support/refusal_of.hpp"
 
@@ -132,6 +136,112 @@ TEST_P(OneStrip, AtEveryLevelOfARealMesh) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RealMeshes, OneStrip, testing::Values("fandisk.obj", "rocker-arm.obj"));
+
+// ---- counts of strips that components need
+TEST(ComponentStrips, SomeStripsAreNeededWhateverTheColors) {
+  // A triangle and its three neighbours: three ends, so two strips.
+  const std::vector<Corners> star{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}};
+  EXPECT_EQ(strips_at_least(StripMesh::build(star, 6)), 2U);
+  EXPECT_EQ(strips_at_least(mesh_of(tetrahedron())), 1U);
+  EXPECT_EQ(strips_at_least(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {3, 4, 5}}, 6)), 2U);
+  // A sheet has two corners with one neighbour each: the ends of one strip.
+  EXPECT_EQ(strips_at_least(mesh_of(sheet(5))), 1U);
+}
+
+TEST(ComponentStrips, FollowSplits) {
+  Soup two = sheet(12);
+  const Soup closed = make_mesh(600);
+  const auto first = static_cast<Vertex>(two.points.size());
+  two.points.insert(two.points.end(), closed.points.begin(), closed.points.end());
+  for (const Corners& t : closed.triangles) two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const ProgressiveMesh source = simplify(two, {0.1, BoundaryPolicy::move}).mesh;
+  StripMesh mesh = StripMesh::build(source.base, source.points.size());
+  ComponentStrips counts(mesh);
+  ASSERT_EQ(counts.components(), 2U);
+  std::vector<Triangle> patch;
+  std::size_t boundary_splits = 0;
+  std::size_t spared = 0;
+  for (const Record& record : source.splits) {
+    const auto where = spokes_of(mesh, record);
+    using Spokes = VertexSplit::Spokes;
+    boundary_splits += where.spokes == Spokes::both ? 0U : 1U;
+    fan_triangles(mesh, where.spoke(), patch);
+    counts.before_split(mesh, patch);
+    const auto done = split_baked(mesh, where, {}, record.v_t);
+    edge_triangles(mesh, done.halfedge, patch);
+    counts.after_split(mesh, patch);
+    counts.add(patch.front(), done.strips);
+    const ComponentStrips again(mesh);
+    ASSERT_EQ(counts.needed(), again.needed());
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      ASSERT_EQ(counts.can_spare(t), again.can_spare(t)) << t;
+      spared += counts.can_spare(t) ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(boundary_splits, 0U);
+  EXPECT_GT(spared, 0U);
+  stripify(mesh, Effort::full, Cost::strips());
+  counts.recount(mesh);
+  const ComponentStrips again(mesh);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(counts.can_spare(t), again.can_spare(t)) << t;
+}
+
+// ---- trails
+std::vector<Triangle> ends_of(const StripMesh& mesh) {
+  std::vector<Triangle> ends;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.solid_degree(t) < 2) ends.push_back(t);
+  return ends;
+}
+
+std::size_t solid_edges_that_differ(const StripMesh& one, const StripMesh& other) {
+  std::size_t n = 0;
+  for (Triangle t = 0; t < one.triangle_bound(); ++t)
+    for (unsigned side = 0; side < 3; ++side)
+      if (one.solid(StripMesh::halfedge(t, side)) != other.solid(StripMesh::halfedge(t, side))) ++n;
+  return n / 2;
+}
+
+TEST(TrailSearch, EverySuccessIsOneStripLess) {
+  for (const Soup& soup : {make_mesh(2000), sheet(20), tetrahedron()}) {
+    StripMesh mesh = mesh_of(soup);
+    StripLocator locator(mesh);  // every triangle isolated
+    TrailSearch search;
+    std::size_t joined = 0;
+    for (;;) {
+      const StripMesh before = mesh;
+      const std::size_t strips = locator.strips();
+      if (!search.join(mesh, locator, ends_of(mesh), 20'000)) {
+        EXPECT_EQ(solid_edges_that_differ(before, mesh), 0U);
+        break;
+      }
+      ++joined;
+      ASSERT_EQ(locator.strips(), strips - 1);
+      ASSERT_EQ(search.flips().size() % 2, 1U);
+      ASSERT_EQ(solid_edges_that_differ(before, mesh), search.flips().size());
+      for (const StripMesh::Halfedge h : search.flips()) ASSERT_NE(mesh.solid(h), before.solid(h));
+      if (joined % 50 != 0) continue;
+      const ColoringReport report = check_coloring(mesh);
+      ASSERT_TRUE(report.valid);
+      ASSERT_EQ(report.strips, locator.strips());
+    }
+    const ColoringReport report = check_coloring(mesh);
+    EXPECT_TRUE(report.valid);
+    EXPECT_EQ(report.strips, locator.strips());
+    EXPECT_EQ(report.strips, soup.triangles.size() - joined);
+    EXPECT_LE(report.strips, 1 + soup.triangles.size() / 30);
+  }
+}
+
+TEST(TrailSearch, KeepsToItsBudget) {
+  StripMesh mesh = mesh_of(make_mesh(2000));
+  stripify(mesh, Effort::full, Cost::strips());
+  StripLocator locator(mesh);
+  TrailSearch search;
+  ASSERT_EQ(locator.strips(), 1U);
+  EXPECT_FALSE(search.join(mesh, locator, ends_of(mesh), 10'000));  // one strip has no other to join
+  EXPECT_LE(search.states(), 10'000U + 3 * TrailSearch::longest);
+}
 
 }  // namespace
 }  // namespace restrip::tools

@@ -6,7 +6,6 @@
 
 #include <utility>
 
-#include "common/random.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
@@ -63,40 +62,6 @@ TEST(Simplify, ATetrahedronStaysAsItIs) {
     EXPECT_TRUE(result.mesh.splits.empty());
     EXPECT_EQ(result.wanted_triangles, wanted);
   }
-}
-
-TEST(Simplify, SaysWhyItStopsShort) {
-  Random random(5);
-  std::size_t short_of_it = 0;
-  for (int round = 0; round < 150; ++round) {
-    Soup soup = round % 2 == 0 ? sheet(3 + random.below(9)) : make_mesh(200 + random.below(300), random.below(1000));
-    for (std::uint32_t faults = random.below(20); faults > 0; --faults) {
-      const auto t = random.below(static_cast<std::uint32_t>(soup.triangles.size()));
-      const auto any = [&] { return random.below(static_cast<std::uint32_t>(soup.points.size())); };
-      switch (random.below(4)) {
-        case 0:
-          soup.triangles.push_back(Corners(soup.triangles[t]));
-          break;
-        case 1:
-          std::swap(soup.triangles[t][0], soup.triangles[t][1]);
-          break;
-        case 2:
-          soup.triangles.erase(soup.triangles.begin() + t);
-          break;
-        default:
-          soup.triangles.push_back({any(), any(), any()});
-      }
-    }
-    for (const BoundaryPolicy policy : {BoundaryPolicy::lock, BoundaryPolicy::move}) {
-      const Simplification result = simplify(soup, {0.5, policy, 1 + random.below(20)});
-      expect_leads_back(result.mesh, soup);
-      EXPECT_EQ(result.left_out.obstacles.empty(), !result.stopped_short());
-      if (!result.stopped_short()) continue;
-      ++short_of_it;
-      EXPECT_EQ(why_no_coarser(result.left_out).find("granted"), std::string::npos);
-    }
-  }
-  EXPECT_GT(short_of_it, 100U);
 }
 
 TEST(Simplify, LeavesFaultsAlone) {
