@@ -10,8 +10,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Puzzle, bitsIn, fullest } from '../../web/viewer/judge.mjs';
-import { casesOf, shown } from '../../web/viewer/reason.mjs';
-import { Puzzles } from '../../web/viewer/puzzles.mjs';
+import { Puzzles, casesOf, shown } from '../../web/viewer/puzzles.mjs';
 
 const [folder] = process.argv.slice(2);
 const { load } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));

@@ -3,8 +3,7 @@
 import { embedded } from './embedded.mjs';
 import { fanPicture, ringPicture } from './patch.mjs';
 import { bitsIn, bitsOf } from './judge.mjs';
-import { shown } from './reason.mjs';
-import { Puzzles } from './puzzles.mjs';
+import { Puzzles, shown } from './puzzles.mjs';
 import { cutColors } from './cut.mjs';
 
 const counted = (n, what) => `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 's'}`;

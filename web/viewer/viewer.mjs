@@ -11,11 +11,64 @@ import { Cut } from './cut.mjs';
 import { Turn } from './turn.mjs';
 import { Race } from './race.mjs';
 import { Files } from './files.mjs';
-import { Link } from './link.mjs';
-import { Plain } from './plain.mjs';
+import { Link, readLink, showPart } from './link.mjs';
 import { listen } from './controls.mjs';
 import { indexWidth, showFigures, showLevel, showMesh, showReads } from './figures.mjs';
-import { wantedRecords } from './detail.mjs';
+
+// The distribution of detail: the level everywhere, and in the view-dependent modes all records near the view.
+
+/// A byte for each record, 1 if it is wanted; null: only the records of the level. `look`: a ray through the cursor.
+export function wantedRecords({ mode, mesh, level, clicks, splits, normals, camera, look }) {
+  const { points, levels } = mesh;
+  const wanted = new Uint8Array(levels).fill(1, 0, level);
+  for (const record of clicks) wanted[record] = 1;
+  if (mode === 'level') return clicks.length > 0 ? wanted : null;
+  if (mode === 'cursor') {
+    const hit = mesh.pick(look.from, look.along);
+    if (!hit) return wanted;
+    const near = (0.22 * camera.size) ** 2;
+    for (let i = level; i < levels; ++i) {
+      const v = 3 * splits[4 * i + 1];
+      if ((points[v] - hit[0]) ** 2 + (points[v + 1] - hit[1]) ** 2 + (points[v + 2] - hit[2]) ** 2 < near) wanted[i] = 1;
+    }
+    return wanted;
+  }
+  const eye = camera.eye;
+  for (let i = level; i < levels; ++i) {
+    const v = 3 * splits[4 * i + 1];
+    const [x, y, z] = [eye[0] - points[v], eye[1] - points[v + 1], eye[2] - points[v + 2]];
+    const facing = (x * normals[v] + y * normals[v + 1] + z * normals[v + 2]) / Math.hypot(x, y, z);
+    if (Math.abs(facing) < 0.12) wanted[i] = 1;
+  }
+  return wanted;
+}
+
+// The page in a browser without WebGL 2: the parts that draw no mesh work, the others show a picture and say why.
+
+const drawn = ['ribbon', 'cut', 'race'];
+
+export class Plain {
+  mesh = null;
+
+  /// `reason`: a sentence.
+  constructor(restrip, by, reason) {
+    Object.assign(this, { restrip, by });
+    by('fault-text').textContent = `${reason} Your turn and Use it work without it.`;
+    by('fault-gone').hidden = true;
+    this.turn = new Turn(this, by);
+    addEventListener('hashchange', () => this.follow());
+    this.follow();
+  }
+  follow() {
+    const state = readLink(location.hash);
+    this.part = showPart(this.by, state.part);
+    this.by('fault').hidden = !drawn.includes(this.part);
+    this.by('still').hidden = !drawn.includes(this.part);
+    this.turn.goTo(state);
+  }
+  /// A frame, which nothing here needs.
+  ask() {}
+}
 
 const by = (id) => document.getElementById(id);
 /// The rest in another task.
