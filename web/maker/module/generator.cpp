@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "commands/pipeline.hpp"
-#include "files.hpp"
 #include "module.hpp"
 
 namespace restrip::maker {

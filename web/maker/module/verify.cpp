@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "explain/explanation.hpp"
-#include "files.hpp"
 #include "model/input.hpp"
 #include "module.hpp"
 

@@ -1,4 +1,4 @@
-// Processes, which WebAssembly does not have: none can be started (files.cpp).
+// Processes, which WebAssembly does not have: none can be started (module.cpp).
 #pragma once
 #include <stdio.h>
 
