@@ -105,7 +105,6 @@ class Definition {
     return cost_of(operation_, recoloring, solid_count(configuration.ports & ~recoloring.ports));
   }
 
-  std::size_t questions() const { return questions_.size(); }
   std::uint64_t graphs() const { return before_.graphs() + after_.graphs(); }
 
  private:
