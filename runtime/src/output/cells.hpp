@@ -72,6 +72,14 @@ class Cells {
   void resize(std::size_t count, std::uint32_t index = 0) {
     narrow_ ? cells16_.resize(count, static_cast<std::uint16_t>(index)) : cells32_.resize(count, index);
   }
+  // Not by resize(), of which GCC 12 believes that it may grow without bound.
+  void drop_last(std::size_t count) noexcept {
+    const auto dropped = static_cast<std::ptrdiff_t>(count);
+    if (narrow_)
+      cells16_.erase(cells16_.end() - dropped, cells16_.end());
+    else
+      cells32_.erase(cells32_.end() - dropped, cells32_.end());
+  }
   void append(std::span<const std::uint32_t> indices) {
     const std::size_t first = size();
     resize(first + indices.size());

@@ -78,7 +78,7 @@ std::span<const IndexRange> TriangleListBuffer::update(const StripMesh& mesh, st
       slot_[owner_[last]] = slot;
     }
     owner_.pop_back();
-    cells_.resize(cells_.size() - 3);
+    cells_.drop_last(3);
   }
   free_.clear();
   pad();
