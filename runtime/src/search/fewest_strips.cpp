@@ -30,8 +30,8 @@ std::size_t FewestStrips::rebuild(const StripMesh& mesh) {
 Rewrite FewestStrips::perform(StripMesh& mesh, RuleChoice& choice, const Step& step) {
   choice.begin(false, false);
   if (tunnels()) return tunnel_from_patch(mesh, choice, step);
-  if (!joins_) return step.by_rules(mesh, choice);
-  const Rewrite done = step.joined(mesh, choice);
+  const Rewrite done = step.by_rules(mesh, choice, joins_);
+  if (!joins_) return done;
   const ColoringChange& by_rule = choice.change();
   choice.count_improved(done.strips < by_rule.strips || done.isolated < by_rule.isolated);
   return done;
@@ -41,7 +41,7 @@ Rewrite FewestStrips::tunnel_from_patch(StripMesh& mesh, RuleChoice& choice, con
   step.find_patch(mesh, patch_);
   triangles_ -= patch_.size();
   locator_.before_patch(mesh, patch_);
-  const Rewrite by_rule = step.by_rules(mesh, choice);
+  const Rewrite by_rule = step.by_rules(mesh, choice, false);
   step.find_new(mesh, by_rule.halfedge, patch_);
   const ColoringChange change = tunnelled(mesh, by_rule.isolated, step.may_isolate);
   choice.count_improved(change.strips < 0 || change.isolated < 0);

@@ -30,7 +30,7 @@ Rewrite LowestCost::perform(StripMesh& mesh, RuleChoice& choice, Surroundings& a
     around.add_neighbors(mesh);
     around.count_before(mesh);
   }
-  Rewrite done = step.by_rules(mesh, choice);
+  Rewrite done = step.by_rules(mesh, choice, false);
   static_cast<ColoringChange&>(done) = choice.change();
   if (!step.is_fan) {
     step.find_new(mesh, done.halfedge, start);

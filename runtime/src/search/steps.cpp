@@ -72,16 +72,14 @@ ColoringChange Surroundings::counted(const StripMesh& mesh) const {
 void SplitStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const {
   fan_triangles(mesh, where.spoke(), patch);
 }
-Rewrite SplitStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+Rewrite SplitStep::by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const {
   const auto change = begin_split(choice, mesh, where);
-  const Rewrite done = finish_split(mesh, change, change_by_split(mesh, where, change, new_vertex));
+  if (joins) choice.note(change);
+  const Halfedge chord = change_by_split(mesh, where, change, new_vertex);
+  if (joins) return finish_split_and_join(mesh, change, chord);
+  const Rewrite done = finish_split(mesh, change, chord);
   choice.begin_after_split(mesh, change, done.halfedge);
   return done;
-}
-Rewrite SplitStep::joined(StripMesh& mesh, RuleChoice& choice) const {
-  const auto change = begin_split(choice, mesh, where);
-  choice.note(change);
-  return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, new_vertex));
 }
 void SplitStep::surround(const StripMesh& mesh, Surroundings& around) const {
   using Spokes = VertexSplit::Spokes;
@@ -97,16 +95,14 @@ void SplitStep::find_new(const StripMesh& mesh, Halfedge chord, std::vector<Tria
 void CollapseStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const {
   edge_triangles(mesh, chord, patch);
 }
-Rewrite CollapseStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+Rewrite CollapseStep::by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const {
   const auto change = begin_collapse(choice, mesh, chord);
-  const Rewrite done = finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
+  if (joins) choice.note(change);
+  const Halfedge spoke = change_by_collapse(mesh, chord, change);
+  if (joins) return finish_collapse_and_join(mesh, change, spoke);
+  const Rewrite done = finish_collapse(mesh, change, spoke);
   choice.begin_after_collapse(mesh, change, done.halfedge);
   return done;
-}
-Rewrite CollapseStep::joined(StripMesh& mesh, RuleChoice& choice) const {
-  const auto change = begin_collapse(choice, mesh, chord);
-  choice.note(change);
-  return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change));
 }
 void CollapseStep::surround(const StripMesh& mesh, Surroundings& around) const {
   around.add_next_to(mesh, chord);
@@ -124,12 +120,9 @@ void FlipStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) c
   patch.clear();
   add_next_to(mesh, chord, patch);
 }
-Rewrite FlipStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
-  return choice.taken(flip_by_rule(mesh, chord));
-}
-Rewrite FlipStep::joined(StripMesh& mesh, RuleChoice& choice) const {
-  const Rewrite done = by_rules(mesh, choice);
-  return with(done, join_at_edge(mesh, done.halfedge));
+Rewrite FlipStep::by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const {
+  const Rewrite done = choice.taken(flip_by_rule(mesh, chord));
+  return joins ? with(done, join_at_edge(mesh, done.halfedge)) : done;
 }
 // The colouring would not stay valid with the colours of the two triangles' sides, so all of them are cleared.
 StripMesh::Halfedge FlipStep::bare(StripMesh& mesh) const {
@@ -149,12 +142,9 @@ ApplyStep::ApplyStep(const OperationView& of, Halfedge at, NewVertices& vertices
 void ApplyStep::find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const {
   add_triangles(mesh, table.triangles_before, where, patch);
 }
-Rewrite ApplyStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
-  return choice.taken(apply_unchecked(mesh, table, where, &added));
-}
-Rewrite ApplyStep::joined(StripMesh& mesh, RuleChoice& choice) const {
-  const Rewrite done = by_rules(mesh, choice);
-  return with(done, join_patch(mesh, table, done.halfedge));
+Rewrite ApplyStep::by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const {
+  const Rewrite done = choice.taken(apply_unchecked(mesh, table, where, &added));
+  return joins ? with(done, join_patch(mesh, table, done.halfedge)) : done;
 }
 // Without a rule no side of the patch can stay solid.
 StripMesh::Halfedge ApplyStep::bare(StripMesh& mesh) const {
@@ -192,7 +182,7 @@ void ReplaceStep::find_patch(const StripMesh& /*mesh*/, std::vector<Triangle>& p
   patch.assign(out.begin(), out.end());
   patch.insert(patch.end(), beyond.begin(), beyond.end());
 }
-Rewrite ReplaceStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
+Rewrite ReplaceStep::by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const {
   Rewrite done{{static_cast<int>(in.size()) - static_cast<int>(out.size()), 0, static_cast<int>(in.size())}, {}, 0};
   const auto isolated = [&](const auto& triangles) {
     return static_cast<int>(
@@ -209,10 +199,7 @@ Rewrite ReplaceStep::by_rules(StripMesh& mesh, RuleChoice& choice) const {
   done.isolated += isolated(beyond);
   if (!made.empty()) done.halfedge = StripMesh::halfedge(made[0]);
   choice.did(done);
-  return done;
-}
-Rewrite ReplaceStep::joined(StripMesh& mesh, RuleChoice& choice) const {
-  const Rewrite done = by_rules(mesh, choice);
+  if (!joins) return done;
   std::vector<Halfedge> nearby;
   for (const Triangle t : made) nearby.push_back(StripMesh::halfedge(t));
   for (const Triangle t : beyond) nearby.push_back(StripMesh::halfedge(t));

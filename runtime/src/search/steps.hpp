@@ -56,10 +56,8 @@ class Step {
 
   /// Sets `patch` to the triangles about to be rewritten.
   virtual void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const = 0;
-  /// The operation with its rule, or what the choice takes instead.
-  virtual Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const = 0;
-  /// The same, then ends that meet are joined.
-  virtual Rewrite joined(StripMesh& mesh, RuleChoice& choice) const = 0;
+  /// The operation with its rule, or what the choice takes instead; then, if `joins`, ends that meet are joined.
+  virtual Rewrite by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const = 0;
   /// The mesh update alone; returns Rewrite::halfedge.
   virtual Halfedge bare(StripMesh& mesh) const = 0;
   /// Adds the triangles that bare() changes.
@@ -77,8 +75,7 @@ struct SplitStep : Step {
 
   explicit SplitStep(const VertexSplit& at, Vertex name = none) : where(at), new_vertex(name) { is_fan = true; }
   void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const override;
-  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const override;
-  Rewrite joined(StripMesh& mesh, RuleChoice& choice) const override;
+  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const override;
   Halfedge bare(StripMesh& mesh) const override { return mesh.insert_vertex(where, new_vertex); }
   void surround(const StripMesh& mesh, Surroundings& around) const override;
   void find_new(const StripMesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const override;
@@ -89,8 +86,7 @@ struct CollapseStep : Step {
 
   explicit CollapseStep(Halfedge h) : chord(h) { is_fan = true; }
   void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const override;
-  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const override;
-  Rewrite joined(StripMesh& mesh, RuleChoice& choice) const override;
+  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const override;
   Halfedge bare(StripMesh& mesh) const override { return mesh.remove_vertex(chord); }
   void surround(const StripMesh& mesh, Surroundings& around) const override;
   void find_new(const StripMesh& mesh, Halfedge spoke, std::vector<Triangle>& patch) const override;
@@ -100,8 +96,7 @@ struct CollapseStep : Step {
 struct FlipStep final : CollapseStep {
   explicit FlipStep(Halfedge h);
   void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const override;
-  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const override;
-  Rewrite joined(StripMesh& mesh, RuleChoice& choice) const override;
+  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const override;
   Halfedge bare(StripMesh& mesh) const override;
 };
 
@@ -113,8 +108,7 @@ struct ApplyStep final : Step {
 
   ApplyStep(const OperationView& of, Halfedge at, NewVertices& vertices);
   void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const override;
-  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const override;
-  Rewrite joined(StripMesh& mesh, RuleChoice& choice) const override;
+  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const override;
   Halfedge bare(StripMesh& mesh) const override;
   void surround(const StripMesh& mesh, Surroundings& around) const override;
   void find_new(const StripMesh& mesh, Halfedge first, std::vector<Triangle>& patch) const override;
@@ -131,8 +125,7 @@ struct ReplaceStep final : Step {
   ReplaceStep(const StripMesh& mesh, std::span<const Triangle> removed, std::span<const std::array<Vertex, 3>> added,
               std::vector<Triangle>& list);
   void find_patch(const StripMesh& mesh, std::vector<Triangle>& patch) const override;
-  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice) const override;
-  Rewrite joined(StripMesh& mesh, RuleChoice& choice) const override;
+  Rewrite by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) const override;
   Halfedge bare(StripMesh& mesh) const override;
   void surround(const StripMesh& mesh, Surroundings& around) const override;
   void find_new(const StripMesh& mesh, Halfedge first, std::vector<Triangle>& patch) const override;
