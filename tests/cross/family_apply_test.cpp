@@ -5,15 +5,15 @@
 // with the most ports, under every policy.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <random>
 #include <vector>
 
 #include "../runtime/applied_lists.hpp"
-#include "../runtime/random_operation.hpp"
+#include "../support/random_operations.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
+#include "restrip/search/policy.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/tables/operations/flip_in_twelve.hpp"
 #include "restrip/tables/operations/remove_vertex.hpp"
@@ -61,29 +61,6 @@ TEST(FamilyApply, OfNoPositionIsRefused) {
       EXPECT_EQ(check_apply(mesh, position_of(family, {9}), StripMesh::halfedge(t)), Refusal::other_patch);
 }
 
-TEST(FamilyApply, ReportsWhatItChanged) {
-  std::array<std::size_t, 9> done{};
-  std::mt19937 random(8);
-  for (StripMesh mesh : meshes()) {
-    stripify(mesh, Effort::fast, Cost::strips());
-    ColoringReport last = check_coloring(mesh);
-    for (int tries = 0; tries < 2000 && mesh.triangle_count() > 8; ++tries) {
-      const Halfedge h = random_halfedge(mesh, random);
-      const unsigned k = valence(mesh, h);
-      const Checked removed = checked_apply(mesh, position_of(family, {k}), h);
-      if (!removed) continue;
-      ++done.at(k);
-      const ColoringReport report = check_coloring(mesh);
-      ASSERT_TRUE(report.valid);
-      EXPECT_EQ(removed.rewrite.valence, k);
-      ASSERT_EQ(static_cast<int>(report.strips), static_cast<int>(last.strips) + removed.rewrite.strips);
-      ASSERT_EQ(static_cast<int>(report.isolated), static_cast<int>(last.isolated) + removed.rewrite.isolated);
-      last = report;
-    }
-  }
-  for (unsigned k = 3; k <= 8; ++k) EXPECT_GT(done.at(k), 2U) << k;
-}
-
 TEST(FamilyApply, IsKeptUnderEveryPolicy) {
   std::mt19937 random(9);
   for (const PolicyRow& row : policies) {
@@ -98,6 +75,7 @@ TEST(FamilyApply, IsKeptUnderEveryPolicy) {
         const ColoringReport report = check_coloring(mesh);
         ASSERT_TRUE(report.valid) << row.name;
         ASSERT_EQ(report.strips, keeper.strips()) << row.name;
+        ASSERT_EQ(report.isolated, keeper.isolated()) << row.name;
       }
     }
     EXPECT_GT(done, 30U) << row.name;

@@ -1,6 +1,6 @@
 // Claims: what `restrip-verify explain` says of a recolouring is what trying every world and every recolouring says;
 // a world that refutes it has the fewest connections of all that do; no edge of a set that shows why nothing is better
-// can be left out, and each cheaper recolouring has one; and on the mesh around a split, its solid cycle is there.
+// can be left out, and each cheaper recolouring has one.
 // The method shares nothing with the verifier: it is the method of naive_operation.hpp.
 
 #include <fmt/format.h>
@@ -11,7 +11,6 @@
 #include <iostream>
 #include <map>
 #include <random>
-#include <restrip/restrip.hpp>
 #include <set>
 
 #include "explain/explanation.hpp"
@@ -100,12 +99,6 @@ void expect_obstacle(const ByTrial& trial, const Definition& definition, Colors 
   }
 }
 
-Operation shipped(const std::string& name, const Numbers& numbers) {
-  for (const Description& one : shipped_descriptions())
-    if (one.name == name) return operation_at(one, numbers);
-  throw std::logic_error(name);
-}
-
 /// Shipped families at small positions, and operation files with the default cost.
 std::vector<Operation> operations() {
   std::vector<Operation> all;
@@ -174,79 +167,6 @@ TEST(Explain, SaysWhatTryingEverythingSays) {
     std::cout << count << " x " << name_of(standing) << '\n';
     EXPECT_GT(count, 30);
   }
-}
-
-/// A vertex of k triangles before and after its split at (k, a), in two rings of 2k triangles. Triangles: t_i, then the
-/// rings, in each two after each port, then A and D. What is connected outside is connected through the outer ring.
-StripMesh mesh_around(const Operation& split, bool after, Colors colors, const std::array<unsigned, 2>& outside) {
-  const unsigned k = split.numbers.at(0);
-  const unsigned a = split.numbers.at(1);
-  std::vector<std::uint32_t> indices;
-  const auto add = [&](std::uint32_t u, std::uint32_t v, std::uint32_t w) { indices.insert(indices.end(), {u, v, w}); };
-  const auto inner = [&](unsigned i) { return 2 + i % k; };
-  const auto outer = [&](unsigned i) { return 2 + k + i % k; };
-  const auto far = [&](unsigned i) { return 2 + 2 * k + i % k; };
-  for (unsigned i = 0; i < k; ++i) add(after && i >= a ? 1 : 0, inner(i), inner(i + 1));
-  for (unsigned i = 0; i < k; ++i) {
-    add(inner(i + 1), inner(i), outer(i));
-    add(inner(i + 1), outer(i), outer(i + 1));
-  }
-  for (unsigned i = 0; i < k; ++i) {
-    add(outer(i + 1), outer(i), far(i));
-    add(outer(i + 1), far(i), far(i + 1));
-  }
-  if (after) {
-    add(inner(0), 0, 1);
-    add(inner(a), 1, 0);
-  }
-  StripMesh mesh = StripMesh::build(indices, 2 + 3 * k);
-  const auto set = [&](unsigned one, unsigned other) {
-    for (unsigned side = 0; side < 3; ++side) {
-      const auto h = StripMesh::halfedge(one, side);
-      const auto back = mesh.opposite(h);
-      if (!StripMesh::on_boundary(back) && StripMesh::triangle(back) == other) return mesh.set_solid(h, true);
-    }
-    FAIL() << one << " and " << other << " share no edge";
-  };
-  const auto& edges = (after ? split.after : split.before).edges;
-  const auto number = [&](unsigned triangle) {
-    return triangle < k ? triangle : 4 * k + triangle;
-  };  // A and D are last
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if ((colors.inner >> i & 1U) != 0) set(number(edges[i][0]), number(edges[i][1]));
-  for (unsigned i = 0; i < k; ++i)
-    if ((colors.ports >> i & 1U) != 0) set(i, k + 2 * i);
-  for (const unsigned port : outside) {
-    set(k + 2 * port, k + 2 * port + 1);
-    set(k + 2 * port + 1, 3 * k + 2 * port);
-  }
-  for (unsigned at = 3 * k + 2 * outside[0]; at != 3 * k + 2 * outside[1]; ++at) set(at, at + 1);
-  return mesh;
-}
-
-TEST(Explain, TheCycleExistsOnAMesh) {
-  std::mt19937 random(4);
-  int found = 0;
-  for (unsigned k = 3; k <= 6; ++k)
-    for (unsigned a = 1; 2 * a <= k; ++a) {
-      const Operation op = shipped("split", {k, a});
-      const Definition definition(op);
-      for (int tries = 0; tries < 3000; ++tries) {
-        const Colors configuration{static_cast<Mask>(random() % (1U << k)), static_cast<Mask>(random() % (1U << k))};
-        const Colors after{static_cast<Mask>(random() % (1U << (k + 3))), configuration.ports};
-        if (!definition.valid(configuration)) continue;
-        const Judgement judgement = judgement_of(definition, configuration, after);
-        if (judgement.standing != Standing::unsound) continue;
-        const World& world = definition.world(judgement.obstacle->world);
-        ASSERT_EQ(world.connected.size(), 1U);
-        EXPECT_TRUE(check_coloring(mesh_around(op, false, configuration, world.connected[0])).valid);
-        const StripMesh mesh = mesh_around(op, true, after, world.connected[0]);
-        EXPECT_FALSE(check_coloring(mesh).valid);
-        for (std::uint32_t t = 0; t < 5 * k + 2; ++t) EXPECT_LE(mesh.solid_degree(t), 2U);  // so it is a cycle
-        ++found;
-      }
-    }
-  EXPECT_GT(found, 100);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The tests of the verifier notice every deliberate fault of faults.txt. Each fault is tried in a process of its own,
 // up to the first failure.
 //
-//   verify_faults none           without a fault: all tests pass
+//   verify_faults none           without a fault: the tests pass that try each fault
 //   verify_faults NAME           with this fault, and reports which test notices it
 //   verify_faults PART/PARTS     with every PARTS-th fault
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iterator>
@@ -70,7 +71,9 @@ Outcome run(int number, const char* filter) {
 
 /// Whether the outcome is as it should be.
 bool judge(std::size_t number) {
-  if (number == 0) return run(0, "-*AutomatonRejects*:AutomatonFans.*") == Outcome::passed;
+  if (number == 0)
+    return std::all_of(stages.begin(), stages.end(),
+                       [](const char* stage) { return run(0, stage) == Outcome::passed; });
   const auto& [name, test] = fault_names[number - 1];
   Outcome outcome = *test != '\0' ? run(static_cast<int>(number), test) : Outcome::passed;
   for (const char* stage : stages)

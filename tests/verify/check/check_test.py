@@ -156,6 +156,7 @@ for sign in "-+":
         refused(with_line(number, rebuilt(before, words[:-3], after)), "triangle|edge|stated")
         refused(with_line(number, rebuilt(before, [*words[:-2], words[-1], words[-2]], after)), "triangle|edge")
 refused(with_line(2, None), "triangle|edge")
+refused(with_line(2, lines[2] + "\n" + re.sub(r"\d+$", "999999", lines[2])), "already has one on that side")
 
 # Lines that are missing, twice, or in the wrong order; a file that ends early, wherever that is.
 for number in range(first, len(lines) - 1, 61):
