@@ -61,13 +61,6 @@ StripMesh::Halfedge exit_to(const StripMesh& mesh, Triangle t, Triangle u) {
 
 }  // namespace
 
-void detail::throw_three_solid_edges() {
-  RESTRIP_THROW(std::invalid_argument, "restrip: the colouring is not valid: a triangle has three solid dual edges");
-}
-void detail::throw_solid_cycle() {
-  RESTRIP_THROW(std::invalid_argument, "restrip: the colouring is not valid: solid dual edges close a cycle");
-}
-
 ColoringReport check_coloring(const StripMesh& mesh) {
   ColoringReport report;
   std::vector<std::uint32_t> parent(mesh.triangle_bound());
@@ -98,18 +91,19 @@ ColoringReport check_coloring(const StripMesh& mesh) {
   return report;
 }
 
-std::size_t count_strips(const StripMesh& mesh) {
-  std::size_t triangles = 0;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    if (mesh.solid_degree(t) > 2) detail::throw_three_solid_edges();
-    ++triangles;
-  }
-  const Strips strips = extract_strips(mesh);
+Strips detail::valid_strips(const StripMesh& mesh) {
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t) && mesh.solid_degree(t) > 2)
+      RESTRIP_THROW(std::invalid_argument,
+                    "restrip: the colouring is not valid: a triangle has three solid dual edges");
+  Strips strips = extract_strips(mesh);
   // If no triangle has three solid edges, a strip without an end is a cycle.
-  if (strips.order.size() != triangles) detail::throw_solid_cycle();
-  return strips.size();
+  if (strips.order.size() != mesh.triangle_count())
+    RESTRIP_THROW(std::invalid_argument, "restrip: the colouring is not valid: solid dual edges close a cycle");
+  return strips;
 }
+
+std::size_t count_strips(const StripMesh& mesh) { return detail::valid_strips(mesh).size(); }
 
 std::size_t count_swaps(const StripMesh& mesh) {
   std::size_t sides = 0;  // each swap has two

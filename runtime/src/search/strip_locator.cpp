@@ -138,23 +138,15 @@ void StripLocator::join(Triangle a, Triangle b) noexcept {
 
 void StripLocator::rebuild(const StripMesh& mesh) {
   nodes_.assign(mesh.triangle_bound(), {});
-  strips_ = 0;
-  for (Triangle t = 0; t < nodes_.size(); ++t)
-    if (mesh.alive(t) && mesh.solid_degree(t) > 2) detail::throw_three_solid_edges();
-  std::size_t placed = 0;
-  for (Triangle t = 0; t < nodes_.size(); ++t) {
-    if (!mesh.alive(t) || nodes_[t].size != 0 || mesh.solid_degree(t) > 1) continue;
-    ++strips_;
+  const Strips strips = detail::valid_strips(mesh);
+  strips_ = strips.size();
+  for (std::size_t s = 0; s < strips.size(); ++s) {
     Triangle root = none;
-    StripStep step{true, StripMesh::halfedge(t, 3)};
-    for (; step.continues; step = mesh.strip_step(step.in), ++placed) {
-      const Triangle next = StripMesh::triangle(step.in);
-      nodes_[next].size = 1;
-      root = append(root, next);
+    for (const Triangle t : strips[s]) {
+      nodes_[t].size = 1;
+      root = append(root, t);
     }
   }
-  // If no triangle has three solid edges, a strip without an end is a cycle.
-  if (placed != mesh.triangle_count()) detail::throw_solid_cycle();
 }
 
 void StripLocator::cut(StripMesh& mesh, Halfedge h) {

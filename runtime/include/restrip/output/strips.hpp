@@ -76,9 +76,8 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 
 namespace detail {
 
-/// For colourings that turn out not to be valid while they are read: std::invalid_argument.
-[[noreturn]] void throw_three_solid_edges();
-[[noreturn]] void throw_solid_cycle();
+/// extract_strips(), but throws std::invalid_argument when the colouring is not valid.
+[[nodiscard]] Strips valid_strips(const StripMesh& mesh);
 
 }  // namespace detail
 
