@@ -74,17 +74,18 @@ int main() {
   const auto baked = bake(mesh, records);
   std::printf("%zu records, %zu flips\n", records.size(), baked.flips.size());
 
-  restrip::BakedPlayer player(mesh, baked);
+  std::size_t played = 0;  // records
   std::size_t strips = restrip::count_strips(mesh);
   const auto go_to = [&](std::size_t level) {
-    while (player.level() < level) {
-      const SplitRecord& record = records[player.level()];
-      strips += static_cast<std::size_t>(player.split(player.level(), record.where(mesh), record.v_t).strips);
+    for (; played < level; ++played) {
+      const SplitRecord& record = records[played];
+      const auto done = restrip::split_baked(mesh, record.where(mesh), baked[played], record.v_t);
+      strips += static_cast<std::size_t>(done.strips);
     }
-    while (player.level() > level) {
-      const SplitRecord& record = records[player.level() - 1];
-      strips +=
-          static_cast<std::size_t>(player.collapse(player.level() - 1, mesh.spoke(record.v_s, record.v_t)).strips);
+    for (; played > level; --played) {
+      const SplitRecord& record = records[played - 1];
+      const auto chord = mesh.spoke(record.v_s, record.v_t);
+      strips += static_cast<std::size_t>(restrip::collapse_baked(mesh, chord, baked[played - 1]).strips);
     }
     std::printf("level %4zu: %4zu triangles in %zu strips\n", level, mesh.triangle_count(), strips);
     return restrip::strip_indices(mesh, restrip::extract_strips(mesh));

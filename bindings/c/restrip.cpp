@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <new>
@@ -15,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -122,14 +124,22 @@ void tell(std::string_view what, char* text, std::size_t size) noexcept {
   if (size != 0) text[what.copy(text, size - 1)] = '\0';
 }
 
-/// The result of work(), or the code of the exception that ends it; `text` receives the sentence about bytes that were
-/// refused. Without exceptions RESTRIP_THROW does not return.
+/// The result of work(), RESTRIP_OK if it has none, or the code of the exception that ends it; `text` receives the
+/// sentence about bytes that were refused. Without exceptions RESTRIP_THROW does not return.
 template <class Work>
 restrip_status guarded(Work&& work, [[maybe_unused]] char* text = nullptr,
                        [[maybe_unused]] std::size_t text_size = 0) noexcept {
+  const auto done = [&]() -> restrip_status {
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      return RESTRIP_OK;
+    } else {
+      return work();
+    }
+  };
 #ifdef __cpp_exceptions
   try {
-    return work();
+    return done();
   } catch (const std::invalid_argument& error) {
     constexpr std::string_view prefix = "restrip: ";
     const std::string_view what = error.what();
@@ -143,8 +153,15 @@ restrip_status guarded(Work&& work, [[maybe_unused]] char* text = nullptr,
     return RESTRIP_UNEXPECTED;
   }
 #else
-  return work();
+  return done();
 #endif
+}
+
+/// The same for a function that needs these pointers.
+template <class Work>
+restrip_status given(std::initializer_list<const void*> pointers, Work&& work) noexcept {
+  if (std::find(pointers.begin(), pointers.end(), nullptr) != pointers.end()) return RESTRIP_NULL_ARGUMENT;
+  return guarded(work);
 }
 
 /// The number given, as a member of an enumeration of the library, 0 to `last`.
@@ -202,7 +219,6 @@ restrip_status build(const Index* indices, std::size_t index_count, std::size_t 
                                      {.format = {}, .deferred = true}));
     if (report != nullptr) *report = report_of(found);
     std::copy(places.begin(), places.end(), origin);
-    return RESTRIP_OK;
   });
 }
 
@@ -262,7 +278,6 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
     const bool sparse = vertex_count > index_count && vertex_count - index_count > StripMesh::max_vertex_gap;
     *out = new restrip_buffer(sparse ? strips_of_sparse(list, vertex_count, wanted, how, what, target)
                                      : strips_of(list, vertex_count, wanted, how, what, target));
-    return RESTRIP_OK;
   });
 }
 
@@ -431,11 +446,9 @@ struct Undelivered {
 };
 
 restrip_status step(restrip_mesh* mesh, bool (LiveMesh::*way)(), std::int32_t* done) noexcept {
-  if (any_null(mesh, done)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
+  return given({mesh, done}, [&] {
     *done = (mesh->live.*way)() ? 1 : 0;
     mesh->read_draws();
-    return RESTRIP_OK;
   });
 }
 
@@ -509,19 +522,13 @@ restrip_status restrip_mesh_build_u16(const std::uint16_t* indices, std::size_t 
 }
 restrip_status restrip_mesh_copy(const restrip_mesh* mesh, restrip_mesh** copy) {
   if (copy != nullptr) *copy = nullptr;
-  if (any_null(mesh, copy)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
-    *copy = new restrip_mesh(LiveMesh(StripMesh(mesh->mesh()), {.format = {}, .deferred = true}));
-    return RESTRIP_OK;
-  });
+  return given({mesh, copy},
+               [&] { *copy = new restrip_mesh(LiveMesh(StripMesh(mesh->mesh()), {.format = {}, .deferred = true})); });
 }
 restrip_status restrip_mesh_reserve(restrip_mesh* mesh, std::size_t triangles, std::size_t vertices) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   if (triangles > StripMesh::max_triangles || vertices > most_vertices) return RESTRIP_TOO_LARGE;
-  return guarded([&] {
-    mesh->live.reserve(triangles, vertices);
-    return RESTRIP_OK;
-  });
+  return guarded([&] { mesh->live.reserve(triangles, vertices); });
 }
 void restrip_mesh_free(restrip_mesh* mesh) { delete mesh; }
 
@@ -597,19 +604,15 @@ restrip_status restrip_mesh_set_colors(restrip_mesh* mesh, const std::uint8_t* s
   return guarded([&] { return mesh->live.recolor({solid_sides, size}) ? RESTRIP_OK : RESTRIP_BAD_COLORING; });
 }
 restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* coloring) {
-  if (any_null(mesh, coloring)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
+  return given({mesh, coloring}, [&] {
     const ColoringReport report = check_coloring(mesh->mesh());
     *coloring = {report.triangles, report.strips, report.isolated, report.valid ? 1 : 0};
-    return RESTRIP_OK;
   });
 }
 restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, std::size_t* strips) {
-  if (any_null(mesh, strips)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
+  return given({mesh, strips}, [&] {
     const LiveMesh& live = mesh->live;
     *strips = live.level() || live.keeper().up_to_date() ? live.strips() : count_strips(live.mesh());
-    return RESTRIP_OK;
   });
 }
 restrip_status restrip_mesh_stripify(restrip_mesh* mesh, std::int32_t effort, const restrip_cost* cost,
@@ -632,7 +635,6 @@ restrip_status restrip_mesh_stripify_until(restrip_mesh* mesh, std::int32_t effo
   return guarded([&] {
     const std::size_t made = mesh->live.recolor(how, what, limit, &interrupt);
     if (strips != nullptr) *strips = made;
-    return RESTRIP_OK;
   });
 }
 
@@ -644,10 +646,7 @@ restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const 
   Cost what;
   if (!named(policy, static_cast<Policy>(policies.size() - 1), how) || !cost_of(cost, what))
     return RESTRIP_BAD_ARGUMENT;
-  return guarded([&] {
-    mesh->live.keep(how, what);
-    return RESTRIP_OK;
-  });
+  return guarded([&] { mesh->live.keep(how, what); });
 }
 std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
   if (mesh == nullptr) return RESTRIP_POLICY_BARE;
@@ -815,7 +814,6 @@ restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std:
   return guarded([&] {
     const std::size_t less = mesh->live.improve(budget);
     if (saved != nullptr) *saved = less;
-    return RESTRIP_OK;
   });
 }
 
@@ -823,8 +821,7 @@ restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std:
 
 restrip_status restrip_mesh_strips(const restrip_mesh* mesh, std::uint32_t* triangles, std::size_t triangles_size,
                                    std::size_t* starts, std::size_t starts_size) {
-  if (any_null(mesh, triangles, starts)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
+  return given({mesh, triangles, starts}, [&] {
     const Strips strips = extract_strips(mesh->mesh());
     if (triangles_size < strips.order.size() || starts_size < strips.start.size()) return RESTRIP_TOO_SMALL;
     std::copy(strips.order.begin(), strips.order.end(), triangles);
@@ -886,7 +883,6 @@ restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_format* form
   return guarded([&] {
     mesh->live.begin_buffer(wanted, how, history);
     mesh->read_draws();
-    return RESTRIP_OK;
   });
 }
 restrip_status restrip_live_update(restrip_mesh* mesh, std::size_t merge_gap, std::size_t align,
@@ -902,7 +898,6 @@ restrip_status restrip_live_update(restrip_mesh* mesh, std::size_t merge_gap, st
     *ranges = mesh->ranges.data();
     *range_count = mesh->ranges.size();
     if (outgrown != nullptr) *outgrown = upload.outgrown ? 1 : 0;
-    return RESTRIP_OK;
   });
 }
 restrip_status restrip_live_buffer(const restrip_mesh* mesh, restrip_buffer_view* view, std::size_t* room) {
@@ -929,12 +924,10 @@ restrip_status restrip_live_history_size(const restrip_mesh* mesh, std::size_t* 
 size_t restrip_live_frame(const restrip_mesh* mesh) { return mesh == nullptr ? 0 : mesh->live.frame(); }
 
 restrip_status restrip_mesh_save(restrip_mesh* mesh, const void** bytes, std::size_t* size) {
-  if (any_null(mesh, bytes, size)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
+  return given({mesh, bytes, size}, [&] {
     mesh->saved = mesh->live.save();
     *bytes = mesh->saved.data();
     *size = mesh->saved.size();
-    return RESTRIP_OK;
   });
 }
 restrip_status restrip_mesh_load(const void* bytes, std::size_t size, std::size_t history, char* text,
@@ -975,16 +968,12 @@ restrip_status restrip_baked_move(restrip_mesh* mesh, std::size_t level, std::si
   return guarded([&] {
     const std::size_t played = mesh->live.move_to_level(level, most);
     if (done != nullptr) *done = played;
-    return RESTRIP_OK;
   });
 }
 restrip_status restrip_baked_restart(restrip_mesh* mesh) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
-  return guarded([&] {
-    mesh->live.restart();
-    return RESTRIP_OK;
-  });
+  return guarded([&] { mesh->live.restart(); });
 }
 restrip_status restrip_baked_record(const restrip_mesh* mesh, std::size_t i, restrip_record* record) {
   if (any_null(mesh, record)) return RESTRIP_NULL_ARGUMENT;
@@ -1026,16 +1015,13 @@ restrip_status restrip_simplify_u16(const std::uint16_t* indices, std::size_t in
   return simplify(indices, index_count, points, vertex_count, wanted, boundary, report, text, text_size, levels);
 }
 restrip_status restrip_levels_run(restrip_levels* levels, std::size_t wanted, std::size_t most, std::size_t* left) {
-  if (any_null(levels)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
+  return given({levels}, [&] {
     const bool ended = levels->run(wanted, most);
     if (left != nullptr) *left = ended ? 0 : levels->simplifier.mesh().triangle_count() - wanted;
-    return RESTRIP_OK;
   });
 }
 restrip_status restrip_levels_read(restrip_levels* levels, restrip_levels_view* view) {
-  if (any_null(levels, view)) return RESTRIP_NULL_ARGUMENT;
-  return guarded([&] {
+  return given({levels, view}, [&] {
     levels->base.clear();
     write_corners(levels->simplifier.mesh(), std::back_inserter(levels->base));
     const std::vector<SplitRecord>& collapses = levels->simplifier.collapses();
@@ -1047,7 +1033,6 @@ restrip_status restrip_levels_read(restrip_levels* levels, restrip_levels_view* 
         levels->obstacles.push_back({obstacle.why, obstacle.edges});
     *view = {levels->base.data(),    levels->base.size(),      levels->records.data(),
              levels->records.size(), levels->obstacles.data(), levels->obstacles.size()};
-    return RESTRIP_OK;
   });
 }
 void restrip_levels_free(restrip_levels* levels) { delete levels; }

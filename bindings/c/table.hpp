@@ -128,7 +128,7 @@ inline std::string fault_of(const restrip_operation& given) {
   const Side after(given.after, given.after_count);
   if (given.matching != 0) return "it is a table for matchings; a mesh keeps strips";
   if (given.ports > tables::most_patch_ports || given.edges_before > 31 || given.edges_after > 31 ||
-      given.vertices > 64)
+      given.vertices > 2 * NewVertices::most)
     return "it has more ports, edges or vertices than an operation can have";
   if (given.edges_before + given.ports > 22 || given.entry_count != std::size_t{1}
                                                                         << (given.edges_before + given.ports))

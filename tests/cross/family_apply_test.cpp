@@ -10,7 +10,7 @@
 
 #include "../runtime/applied_lists.hpp"
 #include "../support/random_operations.hpp"
-#include "restrip/operations/checked.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/policy.hpp"

@@ -45,7 +45,7 @@ endif()
 # The check itself must be able to fail: header | the file that is to be its test.
 foreach(wrong IN ITEMS "restrip/search/any.hpp|tests/runtime/search/any_test.cpp"
                        "restrip/search/keeper.hpp|tests/runtime/search/tunnel_test.cpp"
-                       "restrip/mesh/checks.hpp|runtime/include/restrip/operations/checked.hpp")
+                       "restrip/mesh/checks.hpp|runtime/include/restrip/operations/refine.hpp")
   string(REPLACE "|" ";" wrong "${wrong}")
   list(GET wrong 0 header)
   list(GET wrong 1 test)

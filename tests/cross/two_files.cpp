@@ -114,9 +114,8 @@ void by_record() {
   restrip::BakedRecords records;
   records.flips = {mesh.spoke(4, 5)};
   records.first = {0, 1};
-  restrip::BakedPlayer player(mesh, records);
-  const auto done = player.split(0, {mesh.spoke(4, 1), mesh.spoke(4, 7)});
-  player.collapse(0, done.halfedge);
+  const auto done = restrip::split_baked(mesh, {mesh.spoke(4, 1), mesh.spoke(4, 7)}, records[0]);
+  restrip::collapse_baked(mesh, done.halfedge, records[0]);
   print("baked", mesh);
 }
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "restrip/operations/checked.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"
@@ -237,7 +237,7 @@ Checked replace(StripMesh& mesh, const Step& step) {
   done.refusal = check_replace(mesh, step.out, step.in);
   if (!done) return done;
   const StripMesh before = mesh;
-  std::vector<Triangle> made;
+  std::vector<Triangle> made(step.in.size());
   mesh.replace(step.out, step.in, made);
   promise(made.size() == step.in.size(), "a new triangle for each that was given");
   for (std::size_t i = 0; i < made.size(); ++i) {
@@ -355,7 +355,7 @@ std::optional<bare::List> Mirror::wanted(const Step& step, const StripMesh& mesh
   if (step.call == Call::replace) {
     bare::List out;
     for (const Triangle t : step.out) {
-      if (!mesh.has_triangle(t) || std::count(step.out.begin(), step.out.end(), t) != 1) return {};
+      if (!mesh.alive(t) || std::count(step.out.begin(), step.out.end(), t) != 1) return {};
       out.push_back(mesh.corners(t));
     }
     return replaced(list_, out, step.in);
@@ -437,7 +437,7 @@ void check_packed(const StripMesh& before, const StripMesh& after, const Renumbe
   Triangle next = 0;
   for (Triangle t = 0; t < before.triangle_bound(); ++t) {
     const Triangle to = numbers.triangles[t];
-    promise(to == (before.has_triangle(t) ? next : none), "packed triangles stay in order");
+    promise(to == (before.alive(t) ? next : none), "packed triangles stay in order");
     if (to == none) continue;
     ++next;
     promise(after.solid_sides(to) == before.solid_sides(t), "packing keeps colours");

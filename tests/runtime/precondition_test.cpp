@@ -123,10 +123,6 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
     EXPECT_REFUSED(keeper.collapse({}), "Keeper::collapse", no_such_edge);
     EXPECT_REFUSED(keeper.flip({}), "Keeper::flip", no_such_edge);
   }
-  const BakedRecords records;
-  BakedPlayer player(mesh, records);
-  EXPECT_REFUSED(player.split(0, same), "BakedPlayer::split", same_spoke);
-  EXPECT_REFUSED(player.collapse(0, {}), "BakedPlayer::collapse", no_such_edge);
   const std::array<Halfedge, 1> dead{Halfedge{}};
   EXPECT_REFUSED(split_baked(mesh, {mesh.spoke(4, 0), mesh.spoke(4, 1)}, dead), "flips of a baked record",
                  no_such_edge);
@@ -144,13 +140,12 @@ TEST(PreconditionDeathTest, CustomOperations) {
   EXPECT_REFUSED(apply(pointed, tables::join_faces_rules, StripMesh::halfedge(0)), "apply", too_few_triangles);
   Keeper keeper(mesh, Policy::quick, Cost::strips());
   EXPECT_REFUSED(keeper.apply(tables::bisect_rules, inside), "Keeper::apply", other_patch);
-  // A triangle put in the place of two others.
-  std::array<Vertex, 3> vertices = mesh.corners(0);
+  // A triangle replaced twice, and one without room for its handle.
   std::array<Triangle, 1> made{};
-  const std::array<Triangle, 2> out{0, 1};
-  const std::array<StripMesh::Places, 1> in{{{0, 1, 2}}};
-  EXPECT_REFUSED(mesh.replace(out, in, vertices, made), "StripMesh::replace", other_patch);
-  EXPECT_FAILED(mesh.replace(std::span(out).first(1), in, vertices, std::span<Triangle>()),
+  const std::array<Triangle, 2> out{0, 0};
+  const std::array<std::array<Vertex, 3>, 1> in{mesh.corners(0)};
+  EXPECT_REFUSED(mesh.replace(out, in, made), "StripMesh::replace", other_patch);
+  EXPECT_FAILED(mesh.replace(std::span(out).first(1), in, std::span<Triangle>()),
                 "StripMesh::replace: `made` must have one element for each new triangle");
 }
 

@@ -10,7 +10,6 @@
 
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/operations/checked.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
 

@@ -163,10 +163,9 @@ const MeshFormat* format_of(std::string_view bytes) {
 Soup finest_level(const BakedBytes& found) {
   const BakedMesh& baked = found.baked;
   StripMesh mesh = baked.base;
-  BakedPlayer player(mesh, baked.records);
   // Reading has already played all records once.
   for (std::size_t i = 0; i < baked.mesh.splits.size(); ++i)
-    player.split(i, spokes_of(mesh, baked.mesh.splits[i]), baked.mesh.splits[i].v_t);
+    split_baked(mesh, spokes_of(mesh, baked.mesh.splits[i]), baked.records[i], baked.mesh.splits[i].v_t);
   Soup soup;
   soup.points = baked.mesh.points;
   soup.strips = strip_indices(mesh);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -73,13 +74,13 @@ class UnderPolicy final : public Maintainer {
 class Baked final : public Maintainer {
  public:
   Baked(StripMesh& mesh, const BakedRecords& records)
-      : Maintainer(mesh), keeper_(mesh, Policy::local, Cost::strips()), player_(mesh, records), records_(records) {}
+      : Maintainer(mesh), keeper_(mesh, Policy::local, Cost::strips()), records_(records) {}
   Rewrite split(const Where& where, Vertex v_t, std::size_t record) override {
-    if (!player_.can_split(record)) return on_its_own().split(where, v_t);
+    if (!can_split(record)) return on_its_own().split(where, v_t);
     fan_triangles(mesh_, where.spoke(), patch_);
     const auto valence = static_cast<std::uint32_t>(patch_.size());
     const int before = isolated(record);
-    Rewrite done = player_.split(record, where, v_t);
+    Rewrite done = play_split(where, v_t, record);
     edge_triangles(mesh_, done.halfedge, more_);
     patch_.insert(patch_.end(), more_.begin(), more_.end());
     done.isolated = isolated(record) - before;
@@ -87,30 +88,40 @@ class Baked final : public Maintainer {
     return done;
   }
   Rewrite collapse(Halfedge chord, std::size_t record) override {
-    if (!player_.can_collapse(record)) return on_its_own().collapse(chord);
+    if (!can_collapse(record)) return on_its_own().collapse(chord);
     edge_triangles(mesh_, chord, patch_);
     const int before = isolated(record);
-    Rewrite done = player_.collapse(record, chord);
+    Rewrite done = play_collapse(chord, record);
     done.isolated = isolated(record) - before;
     fan_triangles(mesh_, done.halfedge, more_);
     done.valence = static_cast<std::uint32_t>(more_.size());
     return done;
   }
   Rewrite flip(Halfedge h) override { return on_its_own().flip(h); }
-  void restart(std::size_t level) override { player_.restart(level); }
+  void restart(std::size_t level) override { level_ = level; }
   [[nodiscard]] RuleCounts rule_counts() const override { return keeper_.rule_counts(); }
 
  private:
   void split_silently(const Where& where, Vertex v_t, std::size_t record) override {
-    player_.can_split(record) ? player_.split(record, where, v_t) : on_its_own().split(where, v_t);
+    can_split(record) ? play_split(where, v_t, record) : on_its_own().split(where, v_t);
   }
   void collapse_silently(Halfedge chord, std::size_t record) override {
-    player_.can_collapse(record) ? player_.collapse(record, chord) : on_its_own().collapse(chord);
+    can_collapse(record) ? play_collapse(chord, record) : on_its_own().collapse(chord);
+  }
+  [[nodiscard]] bool can_split(std::size_t record) const { return level_ == record && record < records_.size(); }
+  [[nodiscard]] bool can_collapse(std::size_t record) const { return level_ == record + 1; }
+  Rewrite play_split(const Where& where, Vertex v_t, std::size_t record) {
+    level_ = record + 1;
+    return split_baked(mesh_, where, records_[record], v_t);
+  }
+  Rewrite play_collapse(Halfedge chord, std::size_t record) {
+    level_ = record;
+    return collapse_baked(mesh_, chord, records_[record]);
   }
   /// For an operation that is not a record.
   Keeper& on_its_own() {
-    if (player_.in_step()) keeper_.forget();
-    player_.leave_step();
+    if (level_) keeper_.forget();
+    level_.reset();
     return keeper_;
   }
 
@@ -125,7 +136,7 @@ class Baked final : public Maintainer {
   }
 
   Keeper keeper_;
-  BakedPlayer player_;
+  std::optional<std::size_t> level_ = 0;  // records played, until an operation is not one
   const BakedRecords& records_;
   std::vector<Triangle> patch_;
   std::vector<Triangle> more_;

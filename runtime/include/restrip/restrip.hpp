@@ -27,7 +27,6 @@
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
-#include "restrip/operations/checked.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/operations/result.hpp"

@@ -16,7 +16,6 @@
 #include "mesh/history.hpp"
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/mesh/split_record.hpp"
-#include "restrip/operations/checked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"
@@ -76,7 +75,7 @@ struct LiveMesh::Parts {
         keeper(file ? Keeper(mesh, Policy::local, Cost::strips()) : Keeper(mesh, options.policy, options.cost)),
         buffer(options.format, options.layout),
         most_history(options.history) {
-    if (file) player.emplace(mesh, file->records);
+    if (file) level = 0;
     level_strips = keeper.strips();
     if (options.deferred) return;
     buffer.rebuild(mesh);
@@ -132,7 +131,7 @@ struct LiveMesh::Parts {
     framed = changed.size();
     const State& then = history->states[history->mesh.undoable()];
     if (then.level) {
-      player->restart(*then.level);
+      level = then.level;
       level_strips = then.strips;
       keeper.forget();
     } else {
@@ -142,7 +141,7 @@ struct LiveMesh::Parts {
     return true;
   }
   [[nodiscard]] State state() const noexcept {
-    return in_step() ? State{std::nullopt, player->level(), level_strips} : State{keeper.counts(), std::nullopt, 0};
+    return level ? State{std::nullopt, level, level_strips} : State{keeper.counts(), std::nullopt, 0};
   }
   /// If memory runs out for the keeper, it reads the mesh before its next operation.
   void recolor(std::span<const std::uint8_t> solid_sides) {
@@ -152,27 +151,28 @@ struct LiveMesh::Parts {
     keeper.rebuild();
   }
   /// A keeper does not see the records that are played: it reads the mesh before its first operation after them.
-  [[nodiscard]] bool in_step() const noexcept { return player && player->in_step(); }
   void leave_levels() noexcept {
-    if (!in_step()) return;
-    player->leave_step();
-    keeper.forget();
+    if (level) keeper.forget();
+    level.reset();
   }
   /// An operation that is not a record: the mesh leaves its levels, unless the operation is refused.
   template <class Operation>
   Checked operate(Operation&& operation) {
-    if (!in_step()) return operation(keeper);
+    const std::optional<std::size_t> before = level;
     leave_levels();  // also if an exception ends the operation
     const Checked done = operation(keeper);
-    if (!done) player->restart(player->level());
+    if (!done) level = before;
     return done;
+  }
+  Checked apply(const OperationPlace& at) {
+    return operate([&](Keeper& own) { return checked_apply(own, at.table, at.where); });
   }
 
   std::shared_ptr<const BakedFile> file;  // of a baked mesh
   StripMesh mesh;
   Keeper keeper;
-  std::optional<BakedPlayer> player;
-  std::size_t level_strips = 0;  // while in step
+  std::optional<std::size_t> level;  // records played, while the mesh is at a level of the file
+  std::size_t level_strips = 0;      // of that level
   std::vector<Triangle> changed;
   std::size_t framed = 0;
   LiveBuffer buffer;
@@ -234,28 +234,14 @@ Checked LiveMesh::collapse(Halfedge chord) {
 Checked LiveMesh::flip(Halfedge h) {
   return parts_->operate([&](Keeper& keeper) { return checked_flip(keeper, h); });
 }
-Checked LiveMesh::apply(const OperationView& table, Halfedge where) {
-  return parts_->operate([&](Keeper& keeper) { return checked_apply(keeper, table, where); });
-}
+Checked LiveMesh::apply(const OperationView& table, Halfedge where) { return parts_->apply({table, where}); }
 Checked LiveMesh::apply_anywhere(const OperationView& table, Triangle triangle) {
   return apply(table, first_place(mesh(), table, triangle));
 }
-Checked LiveMesh::split_face(Halfedge h) {
-  const OperationPlace at = split_face_at(mesh(), h);
-  return apply(at.table, at.where);
-}
-Checked LiveMesh::join_faces(Halfedge chord) {
-  const OperationPlace at = join_faces_at(mesh(), chord);
-  return apply(at.table, at.where);
-}
-Checked LiveMesh::bisect(Halfedge h) {
-  const OperationPlace at = bisect_at(mesh(), h);
-  return apply(at.table, at.where);
-}
-Checked LiveMesh::merge(Halfedge chord) {
-  const OperationPlace at = merge_at(mesh(), chord);
-  return apply(at.table, at.where);
-}
+Checked LiveMesh::split_face(Halfedge h) { return parts_->apply(split_face_at(mesh(), h)); }
+Checked LiveMesh::join_faces(Halfedge chord) { return parts_->apply(join_faces_at(mesh(), chord)); }
+Checked LiveMesh::bisect(Halfedge h) { return parts_->apply(bisect_at(mesh(), h)); }
+Checked LiveMesh::merge(Halfedge chord) { return parts_->apply(merge_at(mesh(), chord)); }
 
 Checked LiveMesh::replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in) {
   return parts_->operate([&](Keeper& keeper) { return checked_replace(keeper, out, in); });
@@ -263,7 +249,7 @@ Checked LiveMesh::replace(std::span<const Triangle> out, std::span<const std::ar
 
 void LiveMesh::keep(Policy policy, const Cost& cost) {
   parts_->keeper.keep(policy, cost);
-  parts_->player.reset();
+  parts_->level.reset();
   if (parts_->history)
     for (State& state : parts_->history->states) state = {};  // counts of another cost
 }
@@ -295,22 +281,25 @@ bool LiveMesh::recolor(std::span<const std::uint8_t> solid_sides) {
 // ---- baked levels
 
 const BakedFile* LiveMesh::baked() const noexcept { return parts_->file.get(); }
-std::optional<std::size_t> LiveMesh::level() const noexcept {
-  return parts_->in_step() ? std::optional(parts_->player->level()) : std::nullopt;
-}
+std::optional<std::size_t> LiveMesh::level() const noexcept { return parts_->level; }
 std::size_t LiveMesh::move_to_level(std::size_t level, std::size_t most) {
-  if (!parts_->in_step()) return 0;
-  BakedPlayer& player = *parts_->player;
-  const std::vector<SplitRecord>& splits = parts_->file->splits;
-  RESTRIP_ASSERT(level <= splits.size(), "LiveMesh::move_to_level", "the level does not exist");
+  if (!parts_->level) return 0;
+  const BakedFile& file = *parts_->file;
+  StripMesh& mesh = parts_->mesh;
+  RESTRIP_ASSERT(level <= file.splits.size(), "LiveMesh::move_to_level", "the level does not exist");
   std::size_t played = 0;
-  parts_->keeper.forget();
-  for (std::size_t at = player.level(); at != level && played < most; at = player.level(), ++played) {
-    const SplitRecord& split = splits[at < level ? at : at - 1];
-    const Rewrite done = at < level ? player.split(at, spokes_of(mesh(), split), split.v_t)
-                                    : player.collapse(at - 1, mesh().spoke(split.v_s, split.v_t));
+  std::size_t at = *parts_->level;
+  parts_->leave_levels();  // also if an exception ends it
+  for (; at != level && played < most; ++played) {
+    const bool up = at < level;
+    const std::size_t record = up ? at : at - 1;
+    const SplitRecord& split = file.splits[record];
+    const Rewrite done = up ? split_baked(mesh, spokes_of(mesh, split), file.records[record], split.v_t)
+                            : collapse_baked(mesh, mesh.spoke(split.v_s, split.v_t), file.records[record]);
+    at = up ? at + 1 : at - 1;
     parts_->level_strips += static_cast<std::size_t>(done.strips);
   }
+  parts_->level = at;
   return played;
 }
 void LiveMesh::restart() {
@@ -320,7 +309,7 @@ void LiveMesh::restart() {
   parts_->mesh = std::move(base);
   parts_->keeper.forget();  // also if no memory is left for the next line
   parts_->keeper = Keeper(parts_->mesh, Policy::local, Cost::strips());
-  parts_->player.emplace(parts_->mesh, parts_->file->records);
+  parts_->level = 0;
   parts_->level_strips = count_strips(parts_->mesh);
   if (parts_->begun) parts_->begin();
 }
@@ -359,7 +348,7 @@ std::size_t LiveMesh::room() const noexcept { return buffer().room(); }
 // ---- the parts
 
 const StripMesh& LiveMesh::mesh() const noexcept { return parts_->mesh; }
-std::size_t LiveMesh::strips() const noexcept { return parts_->in_step() ? parts_->level_strips : keeper().strips(); }
+std::size_t LiveMesh::strips() const noexcept { return parts_->level ? parts_->level_strips : keeper().strips(); }
 std::span<const Triangle> LiveMesh::changed() const noexcept { return parts_->changed; }
 const RuleCounts& LiveMesh::rule_counts() const noexcept { return keeper().rule_counts(); }
 Keeper& LiveMesh::keeper() noexcept {

@@ -3,7 +3,7 @@
 // Outline. frame() compares every triangle that the watch has named with the copy, and the first spokes of the corners
 // that it had or has. Of what differs it stores number and old value, and brings the copy in step; so a triangle
 // that is named again no longer differs, and no list has to be sorted. Lists of free handles change at their ends only,
-// each time by one element, so as many elements at the end are compared as triangles were named.
+// by at most three elements for each triangle named, so that many elements at their ends are compared.
 //
 // undo() and redo() are the same step: every stored value is exchanged with the value in the mesh.
 //
@@ -98,7 +98,7 @@ bool History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
   frame.spokes = (data_.size() - at) / words_of_value;
   note_end(last_.free_, mesh.free_, changed.size());
   frame.free = (data_.size() - at) / words_of_value - frame.spokes;
-  note_end(last_.free_vertices_, mesh.free_vertices_, changed.size());
+  note_end(last_.free_vertices_, mesh.free_vertices_, 3 * changed.size());
   if (data_.empty() && frame.sizes == now) return false;
   frame.data = data_;
   for (; frames_.size() > done_; frames_.pop_back()) kept_ -= frames_.back().size();

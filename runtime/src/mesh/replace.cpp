@@ -1,221 +1,206 @@
-// check_replace() and StripMesh::replace for a disc of few triangles.
+// Any triangles replaced by any others.
+//
+// Outline of the check. The vertices concerned are the corners of both lists. Their triangles after the change are
+// those around them now without `out`, and `in`. Each is a corner at three vertices: seen from a vertex, it leads from
+// its side that leaves the vertex to its side that enters it. The mesh stays a manifold if at each vertex the corners
+// form one chain or one ring.
+//
+// Outline of the change. The *open* sides are those that lose their neighbour, those of the new triangles, and those on
+// the boundary at a vertex of a new triangle. Each is joined with the open side between the same vertices in the other
+// direction. One that stays open is the first spoke of the vertex that it leaves.
+//
+// Invariant. Every edge that changes has both ends among the vertices, so that nothing else needs to be looked at. At a
+// vertex at most one open side leaves on the boundary, before and after the change.
+//
+// Cost. The check: O(n log n) for n triangles at the vertices. The change: O(n log n) for n triangles in both lists.
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
-#include "mesh/fan_checks.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {
-namespace detail {
+namespace {
 
-/// A side of a removed triangle whose neighbour across it stays.
-struct RimSide {
+using Corners = std::array<Vertex, 3>;
+
+/// A triangle at a vertex: it has the sides vertex -> next and last -> vertex.
+struct CornerAt {
+  Vertex vertex = none;
+  Vertex next = none;
+  Vertex last = none;
+};
+
+struct OpenSide {
   Vertex from = none;
   Vertex to = none;
-  Halfedge across;  ///< may lack a triangle
-  bool solid = false;
+  Halfedge h;
+  friend bool operator<(const OpenSide& a, const OpenSide& b) noexcept {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  }
 };
 
-class PatchRim {
- public:
-  PatchRim(const StripMesh& mesh, std::span<const Triangle> out) {
-    for (const Triangle t : out)
-      for (unsigned s = 0; s < 3; ++s) {
-        const Halfedge h = StripMesh::halfedge(t, s);
-        const Halfedge across = mesh.opposite(h);
-        if (StripMesh::on_boundary(across) || !has(out, StripMesh::triangle(across)))
-          sides_[count_++] = {mesh.from(h), mesh.to(h), across, mesh.solid(h)};
-      }
-  }
-  [[nodiscard]] static bool has(std::span<const Triangle> triangles, Triangle t) {
-    return std::find(triangles.begin(), triangles.end(), t) != triangles.end();
-  }
-  [[nodiscard]] const RimSide* find(Vertex from, Vertex to) const {
-    const auto end = sides_.begin() + static_cast<std::ptrdiff_t>(count_);
-    const auto at =
-        std::find_if(sides_.begin(), end, [&](const RimSide& side) { return side.from == from && side.to == to; });
-    return at == end ? nullptr : &*at;
-  }
-  /// The sides with a triangle across.
-  [[nodiscard]] std::size_t ports() const {
-    return static_cast<std::size_t>(
-        std::count_if(sides_.begin(), sides_.begin() + static_cast<std::ptrdiff_t>(count_),
-                      [](const RimSide& side) { return !StripMesh::on_boundary(side.across); }));
-  }
-
- private:
-  std::array<RimSide, 3 * StripMesh::most_replaced> sides_;
-  std::size_t count_ = 0;
-};
-
-/// The sides of the new triangles, numbered: side s of triangle t is 3 t + s.
-class NewSides {
- public:
-  explicit NewSides(std::span<const StripMesh::Places> in) : in_(in) {}
-  [[nodiscard]] std::size_t size() const { return 3 * in_.size(); }
-  [[nodiscard]] std::uint8_t from(std::size_t i) const { return in_[i / 3][i % 3]; }
-  [[nodiscard]] std::uint8_t to(std::size_t i) const { return in_[i / 3][(i + 1) % 3]; }
-  /// The first side from one place to another that is not before side `i`, or size().
-  [[nodiscard]] std::size_t find(std::uint8_t from, std::uint8_t to, std::size_t i = 0) const {
-    while (i < size() && (this->from(i) != from || this->to(i) != to)) ++i;
-    return i;
-  }
-  /// A side that leaves the place, or size().
-  [[nodiscard]] std::size_t leaving(std::size_t place) const {
-    std::size_t i = 0;
-    while (i < size() && from(i) != place) ++i;
-    return i;
-  }
-
- private:
-  std::span<const StripMesh::Places> in_;
-};
-
-/// Whether a mesh edge between the two vertices remains when `out` is removed.
-bool edge_stays(const StripMesh& mesh, std::span<const Triangle> out, Vertex v, Vertex w) {
-  const Halfedge h = mesh.spoke(v, w);
-  if (h.id == none) return false;
-  for (const auto side : {h, mesh.opposite(h)})
-    if (!StripMesh::on_boundary(side) && !PatchRim::has(out, StripMesh::triangle(side))) return true;
-  return false;
+std::vector<Vertex> corners_of(const StripMesh& mesh, std::span<const Triangle> out, std::span<const Corners> in) {
+  std::vector<Vertex> vertices;
+  for (const Triangle t : out)
+    for (const Vertex v : mesh.corners(t)) vertices.push_back(v);
+  for (const Corners& c : in) vertices.insert(vertices.end(), c.begin(), c.end());
+  detail::sort_unique(vertices);
+  return vertices;
 }
 
-/// The number of triangles that have the vertex.
-std::size_t count_around(const StripMesh& mesh, std::span<const Triangle> triangles, Vertex v) {
-  return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), [&](Triangle t) {
-    const auto corners = mesh.corners(t);
-    return std::find(corners.begin(), corners.end(), v) != corners.end();
-  }));
+/// The corners at the vertices after the change, by vertex. `gone` is sorted.
+std::vector<CornerAt> corners_after(const StripMesh& mesh, std::span<const Vertex> vertices,
+                                    std::span<const Triangle> gone, std::span<const Corners> in) {
+  std::vector<CornerAt> all;
+  for (const Vertex v : vertices) {
+    if (v >= mesh.vertex_bound() || mesh.spoke(v).id == none) continue;
+    for_each_around(mesh, mesh.spoke(v), [&](Halfedge h) {
+      if (std::binary_search(gone.begin(), gone.end(), StripMesh::triangle(h))) return;
+      all.push_back({v, mesh.to(h), mesh.to(StripMesh::next(h))});
+    });
+  }
+  for (const Corners& c : in)
+    for (std::size_t s = 0; s < 3; ++s) all.push_back({c[s], c[(s + 1) % 3], c[(s + 2) % 3]});
+  std::sort(all.begin(), all.end(), [](const CornerAt& a, const CornerAt& b) {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.next < b.next;
+  });
+  return all;
 }
 
-/// Whether the vertex then has at least three triangles, or is on the boundary.
-bool has_enough(const StripMesh& mesh, std::span<const Triangle> out, const NewSides& sides, std::size_t place,
-                Vertex v) {
-  std::size_t more = 0;
-  bool closed = true;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    if (sides.from(i) == place) {
-      ++more;
-      closed = closed && sides.find(sides.to(i), sides.from(i)) < sides.size();
-    }
-  // Closed by only the new triangles, or by the remaining ones.
-  if (closed) return more >= 3;
-  if (v == none || mesh.leaves_boundary(mesh.spoke(v))) return true;
-  const std::size_t fewer = count_around(mesh, out, v);
-  const std::size_t valence = spokes_up_to(mesh, v, 3 + fewer);
-  return valence == fewer || valence - fewer + more >= 3;
+/// The corner that begins at next, or null. `fan`: the corners at a vertex, by `next`.
+const CornerAt* find(std::span<const CornerAt> fan, Vertex next) {
+  const auto at =
+      std::lower_bound(fan.begin(), fan.end(), next, [](const CornerAt& corner, Vertex v) { return corner.next < v; });
+  return at == fan.end() || at->next != next ? nullptr : &*at;
 }
 
-}  // namespace detail
+/// Whether the corners at a vertex are one chain or one ring; of a ring there must be three.
+Refusal refusal_of_fan(std::span<const CornerAt> fan) {
+  for (std::size_t i = 1; i < fan.size(); ++i)
+    if (fan[i].next == fan[i - 1].next) return Refusal::no_manifold;
+  std::vector<Vertex> lasts;
+  for (const CornerAt& corner : fan) lasts.push_back(corner.last);
+  std::sort(lasts.begin(), lasts.end());
+  if (std::adjacent_find(lasts.begin(), lasts.end()) != lasts.end()) return Refusal::no_manifold;
+  // Begin where no other corner ends, if there is such a place.
+  const CornerAt* first = fan.data();
+  for (const CornerAt& corner : fan)
+    if (!std::binary_search(lasts.begin(), lasts.end(), corner.next)) first = &corner;
+  std::size_t met = 0;
+  const CornerAt* at = first;
+  do {
+    ++met;
+    at = find(fan, at->last);
+  } while (at != nullptr && at != first);
+  if (met != fan.size()) return Refusal::no_manifold;
+  return at != nullptr && met < 3 ? Refusal::too_few_triangles : Refusal::granted;
+}
 
-Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out, std::span<const StripMesh::Places> in,
-                      std::span<const Vertex> vertices) {
-  if (out.empty() || in.empty() || out.size() > StripMesh::most_replaced || in.size() > StripMesh::most_replaced)
-    return Refusal::other_patch;
-  const auto listed = [&](Vertex v) { return std::count(vertices.begin(), vertices.end(), v) != 0; };
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (!mesh.alive(out[i]) || detail::PatchRim::has(out.first(i), out[i])) return Refusal::other_patch;
-    const auto corners = mesh.corners(out[i]);
-    if (!std::all_of(corners.begin(), corners.end(), listed)) return Refusal::other_patch;
+}  // namespace
+
+Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out, std::span<const Corners> in) {
+  std::vector<Triangle> gone(out.begin(), out.end());
+  std::sort(gone.begin(), gone.end());
+  if (std::adjacent_find(gone.begin(), gone.end()) != gone.end()) return Refusal::other_patch;
+  for (const Triangle t : gone)
+    if (!mesh.alive(t)) return Refusal::other_patch;
+  for (const Corners& c : in) {
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return Refusal::same_vertex;
+    for (const Vertex v : c)
+      if (v >= mesh.vertex_bound() && (v == none || v - mesh.vertex_bound() > StripMesh::max_vertex_gap))
+        return Refusal::vertex_too_far;
   }
-  for (const Vertex& v : vertices) {
-    if (v == none) continue;
-    if (std::find(vertices.data(), &v, v) != &v) return Refusal::same_vertex;
-    if (detail::count_around(mesh, out, v) == 0) return Refusal::other_patch;
-    if (mesh.non_manifold(v)) return Refusal::non_manifold_vertex;
+  const std::vector<Vertex> vertices = corners_of(mesh, out, in);
+  for (const Vertex v : vertices)
+    if (v < mesh.vertex_bound() && mesh.non_manifold(v)) return Refusal::non_manifold_vertex;
+  const std::vector<CornerAt> corners = corners_after(mesh, vertices, gone, in);
+  for (std::size_t i = 0, end = 0; i < corners.size(); i = end) {
+    while (end < corners.size() && corners[end].vertex == corners[i].vertex) ++end;
+    const Refusal refusal = refusal_of_fan(std::span(corners).subspan(i, end - i));
+    if (refusal != Refusal::granted) return refusal;
   }
-  const detail::PatchRim rim(mesh, out);
-  const detail::NewSides sides(in);
-  std::size_t ports = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (sides.from(i) >= vertices.size() || sides.to(i) >= vertices.size()) return Refusal::other_patch;
-    if (sides.from(i) == sides.to(i) || sides.find(sides.from(i), sides.to(i)) < i) return Refusal::other_patch;
-    const Vertex from = vertices[sides.from(i)];
-    const Vertex to = vertices[sides.to(i)];
-    if (from == none || to == none) continue;
-    if (const detail::RimSide* side = rim.find(from, to)) {
-      ports += StripMesh::on_boundary(side->across) ? 0U : 1U;
-      continue;
-    }
-    if (detail::edge_stays(mesh, out, from, to)) return Refusal::edge_exists;
-  }
-  if (ports != rim.ports()) return Refusal::other_patch;
-  for (std::size_t place = 0; place < vertices.size(); ++place)
-    if (sides.leaving(place) < sides.size() && !detail::has_enough(mesh, out, sides, place, vertices[place]))
-      return Refusal::too_few_triangles;
   return Refusal::granted;
 }
 
-void StripMesh::replace(std::span<const Triangle> out, std::span<const Places> in, std::span<Vertex> vertices,
-                        std::span<Triangle> made) {
-  RESTRIP_ASSERT_GRANTED(check_replace(*this, out, in, vertices), "StripMesh::replace");
+void StripMesh::replace(std::span<const Triangle> out, std::span<const Corners> in, std::span<Triangle> made) {
+  RESTRIP_ASSERT_GRANTED(check_replace(*this, out, in), "StripMesh::replace");
   RESTRIP_ASSERT(made.size() == in.size(), "StripMesh::replace", "`made` must have one element for each new triangle");
   // Everything that may throw comes first.
+  std::vector<Vertex> corners_of_out;
+  corners_of_out.reserve(3 * out.size());
+  std::vector<OpenSide> open;
+  open.reserve(3 * out.size() + 6 * in.size());
   const std::size_t taken_over = (std::min)(out.size(), in.size());
   const std::size_t more = in.size() - taken_over;
   const std::size_t fresh = more - (std::min)(more, free_.size());
-  const auto new_vertices = static_cast<std::size_t>(std::count(vertices.begin(), vertices.end(), none));
   if (fresh > max_triangles - triangles_.size())
     RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
-  if (new_vertices > none - spoke_.size())
-    RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
   detail::make_room(triangles_, fresh);
-  detail::make_room(spoke_, new_vertices);
-  detail::make_room(non_manifold_, new_vertices);
   detail::make_room(free_, out.size() - taken_over);
-  detail::make_room(free_vertices_, vertices.size());
-  expect_touches(out.size() + 7 * in.size());  // a new triangle is placed, and joined on three sides
+  detail::make_room(free_vertices_, 3 * out.size());
+  expect_touches(7 * (out.size() + in.size()));
+  Vertex highest = 0;
+  for (const Corners& c : in) highest = (std::max)({highest, c[0], c[1], c[2]});
+  if (highest >= spoke_.size() && !in.empty()) (void)new_vertex(highest);
 
-  const detail::PatchRim rim(*this, out);
-  const detail::NewSides sides(in);
-  // In reverse, so that the handle removed first is the first to be used again.
+  // The triangles go. Vertices whose first spoke goes with them take another one, if they have any.
+  for (const Triangle t : out) {
+    corners_of_out.insert(corners_of_out.end(), triangles_[t].corner.begin(), triangles_[t].corner.end());
+    triangles_[t].corner[0] = none;  // no longer alive
+  }
+  for (const Triangle t : out)
+    for (const std::uint32_t link : triangles_[t].link)
+      if (const Halfedge across{link >> 1}; link != edge_of_mesh && alive(triangle(across))) {
+        link_of(across) = edge_of_mesh;
+        touch(triangle(across));
+        open.push_back({from(across), to(across), across});
+      }
+  for (const Vertex v : corners_of_out)
+    if (!alive(triangle(spoke(v)))) set_spoke(v, {none});
+  for (const OpenSide& side : open) {
+    if (spoke_[side.from] == none) set_spoke(side.from, side.h);
+    if (spoke_[side.to] == none) set_spoke(side.to, next(side.h));
+  }
   for (std::size_t i = out.size(); i-- > taken_over;) {
     place_triangle(out[i], none, none, none);
     free_.push_back(out[i]);
   }
-  for (std::size_t i = vertices.size(); i-- > 0;)
-    if (vertices[i] != none && sides.leaving(i) == sides.size()) {
-      set_spoke(vertices[i], {none});
-      free_vertices_.push_back(vertices[i]);
-    }
-  for (Vertex& v : vertices)
-    if (v == none) {
-      v = new_vertex(none);
-      set_spoke(v, halfedge(out[0]));  // in use from now on
-    }
+
+  // The others come.
+  for (const Corners& c : in)
+    for (const Vertex v : c)
+      if (const Halfedge first = spoke(v); first.id != none && link_of(first) == edge_of_mesh)
+        open.push_back({v, to(first), first});
   for (std::size_t i = 0; i < in.size(); ++i) {
     made[i] = i < taken_over ? out[i] : take_triangle();
-    place_triangle(made[i], vertices[in[i][0]], vertices[in[i][1]], vertices[in[i][2]]);
-  }
-  const auto side = [&](std::size_t i) { return halfedge(made[i / 3], static_cast<unsigned>(i % 3)); };
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (const std::size_t other = sides.find(sides.to(i), sides.from(i), i + 1); other < sides.size()) {
-      join(side(i), side(other));
-    } else if (const detail::RimSide* old = rim.find(vertices[sides.from(i)], vertices[sides.to(i)])) {
-      join(side(i), old->across);
-      if (old->solid) color(side(i), true);
+    place_triangle(made[i], in[i][0], in[i][1], in[i][2]);
+    for (unsigned s = 0; s < 3; ++s) {
+      open.push_back({in[i][s], in[i][(s + 1) % 3], halfedge(made[i], s)});
+      if (spoke_[in[i][s]] == none) set_spoke(in[i][s], halfedge(made[i], s));
     }
   }
-  // A boundary vertex must keep the spoke from which counter-clockwise turns meet all its triangles. If its triangle
-  // was in the patch, the one on the boundary now is.
-  for (std::size_t place = 0; place < vertices.size(); ++place) {
-    const std::size_t any = sides.leaving(place);
-    const Vertex v = vertices[place];
-    if (any == sides.size() || !detail::PatchRim::has(out, triangle(spoke(v)))) continue;
-    Halfedge first = side(any);
-    for (Halfedge back = opposite(first); !on_boundary(back) && detail::PatchRim::has(made, triangle(back));
-         back = opposite(first)) {
-      first = next(back);
-      if (first == side(any)) break;
-    }
-    set_spoke(v, first);
+  std::sort(open.begin(), open.end());
+  for (const OpenSide& side : open) {
+    const auto other = std::lower_bound(open.begin(), open.end(), OpenSide{side.to, side.from, {}});
+    if (side.from < side.to && other != open.end() && other->from == side.to && other->to == side.from)
+      join(side.h, other->h);
   }
+  for (const OpenSide& side : open)
+    if (link_of(side.h) == edge_of_mesh) set_spoke(side.from, side.h);
+
+  // Vertices come, and go.
+  while (!free_vertices_.empty() && free_vertices_.back() < spoke_.size() && spoke_[free_vertices_.back()] != none)
+    free_vertices_.pop_back();
+  detail::sort_unique(corners_of_out);
+  for (auto v = corners_of_out.rbegin(); v != corners_of_out.rend(); ++v)
+    if (spoke_[*v] == none) free_vertices_.push_back(*v);
 }
 
 }  // namespace restrip

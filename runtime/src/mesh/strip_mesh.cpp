@@ -1,4 +1,4 @@
-// StripMesh, member by member. Included by strip_mesh.hpp.
+// StripMesh, member by member.
 #include "restrip/mesh/strip_mesh.hpp"
 
 #include <algorithm>
@@ -36,20 +36,13 @@ void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcep
 }
 
 void StripMesh::expect_touches_around(Vertex v) {
-  if (watch_.changed == nullptr) return;
-  std::size_t triangles = 0;
-  Halfedge h = spoke(v);
-  do {
-    ++triangles;
-    h = turn_ccw(*this, h);
-  } while (!on_boundary(h) && !(h == spoke(v)));
-  expect_touches(triangles + most_other_touches);
+  if (watch_.changed != nullptr) expect_touches(spoke_count(*this, v) + most_other_touches);
 }
 
-Vertex StripMesh::next_vertex() const noexcept {
-  const auto free = std::find_if(free_vertices_.rbegin(), free_vertices_.rend(),
-                                 [this](Vertex v) { return v < spoke_.size() && spoke_[v] == none; });
-  return free != free_vertices_.rend() ? *free : static_cast<Vertex>(spoke_.size());
+Vertex StripMesh::next_vertex(std::size_t n) const noexcept {
+  for (auto v = free_vertices_.rbegin(); v != free_vertices_.rend(); ++v)
+    if (*v < spoke_.size() && spoke_[*v] == none && n-- == 0) return *v;
+  return static_cast<Vertex>(spoke_.size() + n);
 }
 
 Vertex StripMesh::new_vertex(Vertex wanted) {
@@ -70,31 +63,6 @@ Vertex StripMesh::new_vertex(Vertex wanted) {
     non_manifold_.resize(spoke_.size(), 0);
   }
   return wanted;
-}
-
-StripMesh::Room StripMesh::take_room(VertexSplit::Spokes spokes, Vertex wanted) {
-  using Spokes = VertexSplit::Spokes;
-  RESTRIP_ASSERT(wanted >= spoke_.size() || spoke_[wanted] == none, "StripMesh::take_room",
-                 describe(Refusal::vertex_in_use));
-  // Everything that may throw comes first, so either everything has been taken or nothing.
-  const std::size_t needed = spokes == Spokes::both ? 2 : 1;
-  const std::size_t fresh = needed - (std::min)(needed, free_.size());
-  if (fresh > max_triangles - triangles_.size())
-    RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
-  detail::make_room(triangles_, fresh);
-  Room room;
-  room.vertex = new_vertex(wanted);
-  if (spokes != Spokes::right_only) room.left = take_triangle();
-  if (spokes != Spokes::left_only) room.right = take_triangle();
-  // In use from now on: a vertex that was named while it was free may be in the free list twice.
-  set_spoke(room.vertex, halfedge(room.left != none ? room.left : room.right, 0));
-  return room;
-}
-
-void StripMesh::give_back(const Room& room) {
-  if (room.right != none) free_.push_back(room.right);
-  if (room.left != none) free_.push_back(room.left);
-  free_vertices_.push_back(room.vertex);
 }
 
 void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
@@ -141,42 +109,8 @@ Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   return {none};
 }
 
-Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, Vertex wanted) {
-  RESTRIP_ASSERT_GRANTED(check_split(*this, {left, right}, wanted), "StripMesh::insert_vertex");
-  expect_touches(moved.size() + most_other_touches);
-  return insert_vertex(left, right, moved, take_room(VertexSplit::Spokes::both, wanted));
-}
-
-Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved,
-                                  const Room& room) noexcept {
-  const Vertex v_s = from(left);
-  const Vertex v_t = room.vertex;
-  for (const Halfedge h : moved) set_corner(h, v_t);
-  const Halfedge before_left = opposite(left);
-  const Halfedge before_right = opposite(right);
-  const Triangle a = room.left;
-  const Triangle d = room.right;
-  place_triangle(a, v_s, v_t, from(before_left));
-  place_triangle(d, v_t, v_s, from(before_right));
-  join(halfedge(a, 2), left);
-  join(halfedge(a, 1), before_left);
-  join(halfedge(d, 2), right);
-  join(halfedge(d, 1), before_right);
-  const Halfedge chord = halfedge(a, 0);
-  const Halfedge back = halfedge(d, 0);
-  join(chord, back);
-  set_spoke(v_t, back);
-  if (from(spoke(v_s)) != v_s) set_spoke(v_s, chord);
-  return chord;
-}
-
-Halfedge StripMesh::insert_vertex(const VertexSplit& where, Vertex wanted) {
+Halfedge StripMesh::insert_vertex(const VertexSplit& where, Vertex wanted, std::span<const Halfedge> moved) {
   RESTRIP_ASSERT_GRANTED(check_split(*this, where, wanted), "StripMesh::insert_vertex");
-  expect_touches_around(from(where.spoke()));
-  return insert_vertex(where, take_room(where.spokes, wanted));
-}
-
-Halfedge StripMesh::insert_vertex(const VertexSplit& where, const Room& room) noexcept {
   using Spokes = VertexSplit::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
   const bool has_right = where.spokes != Spokes::left_only;
@@ -187,12 +121,26 @@ Halfedge StripMesh::insert_vertex(const VertexSplit& where, const Room& room) no
   const Vertex v_s = from(has_left ? left : right);
   const Vertex v_l = has_left ? to(left) : none;
   const Vertex v_r = has_right ? to(right) : none;
-  const Vertex v_t = room.vertex;
+
+  // Everything that may throw comes first, so either everything has been taken or nothing.
+  if (moved.empty())
+    expect_touches_around(v_s);
+  else
+    expect_touches(moved.size() + most_other_touches);
+  const std::size_t needed = has_left && has_right ? 2 : 1;
+  const std::size_t fresh = needed - (std::min)(needed, free_.size());
+  if (fresh > max_triangles - triangles_.size())
+    RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
+  detail::make_room(triangles_, fresh);
+  const Vertex v_t = new_vertex(wanted);
+  const Triangle a = has_left ? take_triangle() : none;
+  const Triangle d = has_right ? take_triangle() : none;
 
   // The triangles of v_t: counter-clockwise from `right`; if the boundary interrupts, the rest is clockwise of `left`.
   const Halfedge old_spoke = spoke(v_s);
   bool interrupted = !has_right;
-  if (has_right) {
+  for (const Halfedge h : moved) set_corner(h, v_t);
+  if (has_right && moved.empty()) {
     Halfedge h = right;
     while (!(has_left && h == left)) {
       if (on_boundary(h)) {
@@ -212,7 +160,6 @@ Halfedge StripMesh::insert_vertex(const VertexSplit& where, const Room& room) no
 
   Halfedge chord{};
   if (has_left) {
-    const Triangle a = room.left;
     place_triangle(a, v_s, v_t, v_l);
     join(halfedge(a, 2), left);
     join(halfedge(a, 1), before_left);
@@ -220,7 +167,6 @@ Halfedge StripMesh::insert_vertex(const VertexSplit& where, const Room& room) no
     if (on_boundary(left) && spoke(v_l) == before_left) set_spoke(v_l, halfedge(a, 2));
   }
   if (has_right) {
-    const Triangle d = room.right;
     place_triangle(d, v_t, v_s, v_r);
     join(halfedge(d, 2), right);
     join(halfedge(d, 1), before_right);
@@ -248,30 +194,25 @@ Halfedge StripMesh::insert_vertex(const VertexSplit& where, const Room& room) no
   return chord;
 }
 
-void StripMesh::expect_back() {
-  detail::make_room(free_, 2);
-  detail::make_room(free_vertices_, 1);
-}
-
-Halfedge StripMesh::remove_vertex(Halfedge chord) {
+Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
   RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
-  expect_back();
-  expect_touches_around(to(chord));
-  Room freed;
-  const Halfedge merged = remove_vertex(chord, freed);
-  give_back(freed);
-  return merged;
-}
-
-Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
+  const Vertex v_s = from(chord);
+  const Vertex v_t = to(chord);
   const Halfedge back = opposite(chord);
   const bool has_left = !on_boundary(chord);
   const bool has_right = !on_boundary(back);
-  const Vertex v_s = from(chord);
-  const Vertex v_t = to(chord);
-  const bool boundary_vertex = on_boundary(opposite(spoke(v_s))) || on_boundary(opposite(spoke(v_t)));
+  const bool boundary_vertex =
+      moved.empty() && (on_boundary(opposite(spoke(v_s))) || on_boundary(opposite(spoke(v_t))));
+  // Everything that may throw comes first.
+  detail::make_room(free_, 2);
+  detail::make_room(free_vertices_, 1);
+  if (moved.empty())
+    expect_touches_around(v_t);
+  else
+    expect_touches(moved.size() + most_other_touches);
 
-  {
+  for (const Halfedge h : moved) set_corner(h, v_s);
+  if (moved.empty()) {
     const Halfedge first = spoke(v_t);
     Halfedge h = first;
     do {
@@ -280,8 +221,10 @@ Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
     } while (!(h == first) && !on_boundary(h));
   }
 
-  const Halfedge merged = unlink(chord, back, has_left, has_right, freed);
-  freed.vertex = v_t;
+  const Halfedge merged = unlink(chord, back, has_left, has_right);
+  if (has_right) free_.push_back(triangle(back));
+  if (has_left) free_.push_back(triangle(chord));
+  free_vertices_.push_back(v_t);
   set_spoke(v_t, {none});
 
   Halfedge first = on_boundary(merged) ? next(opposite(merged)) : merged;
@@ -291,30 +234,8 @@ Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
   return merged;
 }
 
-Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
-  RESTRIP_ASSERT_GRANTED(check_collapse(*this, chord), "StripMesh::remove_vertex");
-  expect_back();
-  expect_touches(moved.size() + most_other_touches);
-  Room freed;
-  const Halfedge merged = remove_vertex(chord, moved, freed);
-  give_back(freed);
-  return merged;
-}
-
-Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept {
-  const Vertex v_s = from(chord);
-  const Vertex v_t = to(chord);
-  for (const Halfedge h : moved) set_corner(h, v_s);
-  const Halfedge merged = unlink(chord, opposite(chord), true, true, freed);
-  freed.vertex = v_t;
-  set_spoke(v_t, {none});
-  set_spoke(v_s, merged);
-  return merged;
-}
-
 /// Joins the neighbours on both sides of the triangles at the chord, and empties these triangles.
-Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept {
-  freed.left = freed.right = none;
+Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right) noexcept {
   Halfedge merged{};
   if (has_right) {
     const Halfedge to_right = next(back);         // v_s -> v_r
@@ -325,8 +246,7 @@ Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool ha
     join(below, above);
     if (spoke(v_r) == from_right) set_spoke(v_r, below);
     merged = on_boundary(above) ? opposite(below) : above;
-    freed.right = triangle(back);
-    place_triangle(freed.right, none, none, none);
+    place_triangle(triangle(back), none, none, none);
   }
   if (has_left) {
     const Halfedge to_left = next(chord);        // v_t -> v_l
@@ -337,8 +257,7 @@ Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool ha
     join(below, above);
     if (spoke(v_l) == from_left) set_spoke(v_l, above);
     merged = on_boundary(below) ? opposite(above) : below;
-    freed.left = triangle(chord);
-    place_triangle(freed.left, none, none, none);
+    place_triangle(triangle(chord), none, none, none);
   }
   return merged;
 }

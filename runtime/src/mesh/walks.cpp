@@ -11,7 +11,7 @@ std::size_t connected_components(const StripMesh& mesh) {
   std::vector<Triangle> open;
   std::size_t components = 0;
   for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
-    if (!mesh.has_triangle(start) || met[start]) continue;
+    if (!mesh.alive(start) || met[start]) continue;
     ++components;
     met[start] = true;
     open.push_back(start);

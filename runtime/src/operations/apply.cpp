@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 
+#include "mesh/fan_checks.hpp"
 #include "operations/halves.hpp"
 #include "operations/patch_sides.hpp"
 #include "restrip/mesh/checks.hpp"
@@ -114,39 +115,80 @@ Refusal refusal_of_patch(const StripMesh& mesh, std::span<const PatchTriangle> t
   return Refusal::granted;
 }
 
-/// The arguments of StripMesh::replace().
-struct Replacement {
-  std::array<Triangle, tables::most_patch_triangles> out;
-  std::array<StripMesh::Places, tables::most_patch_triangles> in;
-  std::array<Vertex, 2 * NewVertices::most> vertices;
-  std::size_t out_count;
-  std::size_t in_count;
-  std::size_t vertex_count;
+/// The vertices of an operation by their numbers in the table; `none` for those that are not in use before it.
+using PatchVertices = std::array<Vertex, 2 * NewVertices::most>;
 
-  Replacement(const StripMesh& mesh, const OperationView& table, const PatchSides& patch)
-      : out_count(table.triangles_before.size()), in_count(table.triangles_after.size()), vertex_count(table.vertices) {
-    vertices.fill(none);
-    for (std::size_t t = 0; t < out_count; ++t) {
-      out[t] = StripMesh::triangle(patch.side[t][0]);
-      for (std::size_t s = 0; s < 3; ++s) vertices[table.triangles_before[t].vertex[s]] = mesh.from(patch.side[t][s]);
-    }
-    for (std::size_t t = 0; t < in_count; ++t) in[t] = table.triangles_after[t].vertex;
+PatchVertices vertices_before(const StripMesh& mesh, const PatchSides& patch) {
+  PatchVertices vertex;
+  vertex.fill(none);
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+    for (std::size_t s = 0; s < 3; ++s) vertex[patch.triangles[t].vertex[s]] = mesh.from(patch.side[t][s]);
+  return vertex;
+}
+
+std::size_t triangles_at(std::span<const PatchTriangle> triangles, std::size_t v) {
+  return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), [v](const PatchTriangle& t) {
+    return std::find(t.vertex.begin(), t.vertex.end(), v) != t.vertex.end();
+  }));
+}
+
+/// Whether the mesh keeps its properties: an edge that the operation makes is new, and around each vertex that stays
+/// there are three triangles or more, or it is on the boundary.
+Refusal refusal_of_result(const StripMesh& mesh, const OperationView& table, const PatchSides& patch) {
+  const PatchVertices vertex = vertices_before(mesh, patch);
+  const auto in_patch = [&](Halfedge h) {
+    return StripMesh::on_boundary(h) || std::any_of(patch.sides().begin(), patch.sides().end(), [&](const auto& side) {
+             return StripMesh::triangle(side[0]) == StripMesh::triangle(h);
+           });
+  };
+  for (std::size_t v = 0; v < table.vertices; ++v) {
+    if (vertex[v] == none) continue;
+    if (std::count(vertex.begin(), vertex.end(), vertex[v]) != 1) return Refusal::same_vertex;
+    if (mesh.non_manifold(vertex[v])) return Refusal::non_manifold_vertex;
   }
-  [[nodiscard]] std::span<const Triangle> removed() const { return std::span(out).first(out_count); }
-  [[nodiscard]] std::span<const StripMesh::Places> inserted() const { return std::span(in).first(in_count); }
-  [[nodiscard]] std::span<Vertex> corners() { return std::span(vertices).first(vertex_count); }
-};
+  PatchEdges on_rim = 0;  // by vertex, on the rim after the operation
+  for (const PatchTriangle& t : table.triangles_after)
+    for (std::size_t s = 0; s < 3; ++s) {
+      const std::uint8_t from = t.vertex[s];
+      const std::uint8_t to = t.vertex[(s + 1) % 3];
+      if (t.side[s] >= PatchTriangle::port_side) on_rim |= PatchEdges{1} << from | PatchEdges{1} << to;
+      const bool port = t.side[s] >= PatchTriangle::port_side && t.side[s] != PatchTriangle::boundary_side;
+      if (port || vertex[from] == none || vertex[to] == none) continue;
+      const Halfedge h = mesh.spoke(vertex[from], vertex[to]);
+      if (h.id != none && !(in_patch(h) && in_patch(mesh.opposite(h)))) return Refusal::edge_exists;
+    }
+  for (std::size_t v = 0; v < table.vertices; ++v) {
+    const std::size_t more = triangles_at(table.triangles_after, v);
+    if ((on_rim >> v & 1U) == 0) {
+      if (more == 1 || more == 2) return Refusal::too_few_triangles;
+    } else if (vertex[v] != none && !mesh.leaves_boundary(mesh.spoke(vertex[v]))) {
+      const std::size_t fewer = triangles_at(table.triangles_before, v);
+      const std::size_t valence = spokes_up_to(mesh, vertex[v], 3 + fewer);
+      if (valence != fewer && valence - fewer + more < 3) return Refusal::too_few_triangles;
+    }
+  }
+  return Refusal::granted;
+}
 
 }  // namespace
 
 Halfedge replace_patch(StripMesh& mesh, const OperationView& table, const PatchSides& patch, NewVertices* added) {
-  Replacement change(mesh, table, patch);
-  const auto before = change.vertices;
+  PatchVertices vertex = vertices_before(mesh, patch);
+  std::size_t named = 0;
+  for (std::size_t v = 0; v < table.vertices; ++v) {
+    if (vertex[v] != none || triangles_at(table.triangles_after, v) == 0) continue;
+    do vertex[v] = mesh.next_vertex(named++);
+    while (std::count(vertex.begin(), vertex.end(), vertex[v]) != 1);
+    if (added != nullptr) added->push_back(vertex[v]);
+  }
+  std::array<Triangle, tables::most_patch_triangles> out;
+  std::array<std::array<Vertex, 3>, tables::most_patch_triangles> in;
   std::array<Triangle, tables::most_patch_triangles> made;
-  mesh.replace(change.removed(), change.inserted(), change.corners(), std::span(made).first(change.in_count));
-  if (added != nullptr)
-    for (std::size_t v = 0; v < change.vertex_count; ++v)
-      if (before[v] == none) added->push_back(change.vertices[v]);
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) out[t] = StripMesh::triangle(patch.side[t][0]);
+  const std::size_t count = table.triangles_after.size();
+  for (std::size_t t = 0; t < count; ++t)
+    for (std::size_t s = 0; s < 3; ++s) in[t][s] = vertex[table.triangles_after[t].vertex[s]];
+  mesh.replace(std::span(out).first(patch.triangles.size()), std::span(in).first(count), std::span(made).first(count));
   return StripMesh::halfedge(made[0]);
 }
 
@@ -178,8 +220,7 @@ Refusal check_apply(const StripMesh& mesh, const OperationView& table, Halfedge 
   if (refusal != Refusal::granted) return refusal;
   const detail::PatchSides patch = detail::read_sides(mesh, table.triangles_before, where);
   if (!detail::rule_for(table, detail::solid_edges(mesh, patch)).valid) return Refusal::colors_not_valid;
-  detail::Replacement change(mesh, table, patch);
-  return check_replace(mesh, change.removed(), change.inserted(), change.corners());
+  return detail::refusal_of_result(mesh, table, patch);
 }
 
 Rewrite apply(StripMesh& mesh, const OperationView& table, Halfedge where, NewVertices* added) {
@@ -194,20 +235,13 @@ Checked checked_apply(StripMesh& mesh, const OperationView& table, Halfedge wher
   return done;
 }
 
-Places places(const StripMesh& mesh, const OperationView& table, Triangle triangle) {
-  Places found;
-  if (!mesh.alive(triangle)) return found;
+Halfedge first_place(const StripMesh& mesh, const OperationView& table, Triangle triangle) {
+  if (!mesh.alive(triangle)) return {};
   for (unsigned side = 0; side < 3; ++side) {
     const Halfedge h = StripMesh::halfedge(triangle, side);
-    if (check_apply(mesh, table, h) == Refusal::granted) found.side[found.count++] = h;
+    if (check_apply(mesh, table, h) == Refusal::granted) return h;
   }
-  return found;
-}
-
-Halfedge first_place(const StripMesh& mesh, const OperationView& table, Triangle triangle) {
-  const Places found = places(mesh, table, triangle);
-  if (!found.empty()) return found.side[0];
-  return mesh.alive(triangle) ? StripMesh::halfedge(triangle) : Halfedge{};
+  return StripMesh::halfedge(triangle);
 }
 
 }  // namespace restrip

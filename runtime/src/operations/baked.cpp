@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/operations.hpp"
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"
 
@@ -96,26 +95,6 @@ Rewrite collapse_baked(StripMesh& mesh, Halfedge chord, std::span<const Halfedge
   right.color(mesh);
   const int triangles = int{left.triangle} + int{right.triangle};
   return {{int{left.solid} + int{right.solid} - triangles - more, 0, 0}, spoke, 0};
-}
-
-Rewrite BakedPlayer::split(std::size_t record, const VertexSplit& where, Vertex new_vertex) {
-  RESTRIP_ASSERT_GRANTED(check_split(*mesh_, where, new_vertex), "BakedPlayer::split");
-  const bool fits = can_split(record);
-  leave_step();  // also if an exception ends it
-  if (!fits) return restrip::split(*mesh_, where, new_vertex);
-  const Rewrite done = split_baked(*mesh_, where, (*records_)[record], new_vertex);
-  restart(level_ + 1);
-  return done;
-}
-
-Rewrite BakedPlayer::collapse(std::size_t record, Halfedge chord) {
-  RESTRIP_ASSERT_GRANTED(check_collapse(*mesh_, chord), "BakedPlayer::collapse");
-  const bool fits = can_collapse(record);
-  leave_step();
-  if (!fits) return restrip::collapse(*mesh_, chord);
-  const Rewrite done = collapse_baked(*mesh_, chord, (*records_)[record]);
-  restart(level_ - 1);
-  return done;
 }
 
 }  // namespace restrip

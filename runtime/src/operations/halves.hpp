@@ -23,29 +23,21 @@ struct Answer {
 /// For colours that no valid stripification has, all edges are dashed, as in Rule.
 [[nodiscard]] Answer answer_by_rule(SeenPatch& patch);
 
-/// The source of rules for the operations: the tables, or a choice that compares them with other colours. split() and
+/// The source of rules for the operations: the tables, unless a choice compares them with other colours. split() and
 /// collapse() are for interior fans of ordinary valence, answer_split() and answer_collapse() for others.
 class RuleSource {
  public:
   virtual ~RuleSource() = default;
-  virtual Rule split(const StripMesh& mesh, Halfedge left, const InteriorFan& fan) = 0;
-  virtual Rule collapse(const StripMesh& mesh, Halfedge chord, const InteriorFan& fan, Word ring) = 0;
-  virtual Answer answer_split(const StripMesh& mesh, const VertexSplit& where, SeenPatch& patch) = 0;
-  virtual Answer answer_collapse(const StripMesh& mesh, Halfedge chord, SeenPatch& patch) = 0;
-};
-
-class TableRules final : public RuleSource {
- public:
-  Rule split(const StripMesh& /*mesh*/, Halfedge /*left*/, const InteriorFan& fan) override {
+  virtual Rule split(const StripMesh& /*mesh*/, Halfedge /*left*/, const InteriorFan& fan) {
     return split_rule({fan.k, fan.a}, fan.loop, fan.ports);
   }
-  Rule collapse(const StripMesh& /*mesh*/, Halfedge /*chord*/, const InteriorFan& fan, Word ring) override {
+  virtual Rule collapse(const StripMesh& /*mesh*/, Halfedge /*chord*/, const InteriorFan& fan, Word ring) {
     return collapse_rule({fan.k, fan.a}, ring, fan.ports);
   }
-  Answer answer_split(const StripMesh& /*mesh*/, const VertexSplit& /*where*/, SeenPatch& patch) override {
+  virtual Answer answer_split(const StripMesh& /*mesh*/, const VertexSplit& /*where*/, SeenPatch& patch) {
     return answer_by_rule(patch);
   }
-  Answer answer_collapse(const StripMesh& /*mesh*/, Halfedge /*chord*/, SeenPatch& patch) override {
+  virtual Answer answer_collapse(const StripMesh& /*mesh*/, Halfedge /*chord*/, SeenPatch& patch) {
     return answer_by_rule(patch);
   }
 };
@@ -77,8 +69,10 @@ struct FanChange {
     gap = gap_of_spoke;
     counts = rule.change;
   }
-  /// Interior: the spokes that go from one vertex to the other.
-  [[nodiscard]] std::span<const Halfedge> moved() const { return {fan.spokes + fan.a - 1, fan.k - fan.a}; }
+  /// The spokes that go from one vertex to the other, if they are known.
+  [[nodiscard]] std::span<const Halfedge> moved() const {
+    return {fan.spokes + (interior ? fan.a - 1 : 0), interior ? fan.k - fan.a : 0};
+  }
   [[nodiscard]] Rewrite done(Halfedge at) const { return {counts, at, static_cast<std::uint32_t>(fan.k)}; }
 };
 

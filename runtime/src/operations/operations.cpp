@@ -18,7 +18,6 @@
 
 #include "operations/halves.hpp"
 #include "restrip/mesh/checks.hpp"
-#include "restrip/operations/checked.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {
@@ -74,8 +73,7 @@ FanChange begin_split(RuleSource& rules, StripMesh& mesh, const VertexSplit& whe
 }
 
 Halfedge change_by_split(StripMesh& mesh, const VertexSplit& where, const FanChange& change, Vertex new_vertex) {
-  if (change.interior) return mesh.insert_vertex(where.left, where.right, change.moved(), new_vertex);
-  return mesh.insert_vertex(where, new_vertex);
+  return mesh.insert_vertex(where, new_vertex, change.moved());
 }
 
 Rewrite finish_split(StripMesh& mesh, const FanChange& change, Halfedge chord) {
@@ -139,7 +137,7 @@ FanChange begin_collapse(RuleSource& rules, StripMesh& mesh, Halfedge chord) {
 }
 
 Halfedge change_by_collapse(StripMesh& mesh, Halfedge chord, const FanChange& change) {
-  return change.interior ? mesh.remove_vertex(chord, change.moved()) : mesh.remove_vertex(chord);
+  return mesh.remove_vertex(chord, change.moved());
 }
 
 Rewrite finish_collapse(StripMesh& mesh, const FanChange& change, Halfedge left) {
@@ -202,13 +200,13 @@ Rewrite flip_by_rule(StripMesh& mesh, Halfedge h) {
 // ---- the public functions, with and without a check that is made in every build
 
 static Rewrite split_by_rule(StripMesh& mesh, const VertexSplit& where, Vertex new_vertex) {
-  detail::TableRules rules;
+  detail::RuleSource rules;
   const detail::FanChange change = detail::begin_split(rules, mesh, where);
   return detail::finish_split(mesh, change, detail::change_by_split(mesh, where, change, new_vertex));
 }
 
 static Rewrite collapse_by_rule(StripMesh& mesh, Halfedge chord) {
-  detail::TableRules rules;
+  detail::RuleSource rules;
   const detail::FanChange change = detail::begin_collapse(rules, mesh, chord);
   return detail::finish_collapse(mesh, change, detail::change_by_collapse(mesh, chord, change));
 }

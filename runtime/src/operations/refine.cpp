@@ -36,24 +36,4 @@ OperationPlace merge_at(const StripMesh& mesh, Halfedge chord) {
   return {tables::merge_rules, StripMesh::next(StripMesh::next(after))};
 }
 
-Checked split_face(StripMesh& mesh, Halfedge h) {
-  const OperationPlace at = split_face_at(mesh, h);
-  return checked_apply(mesh, at.table, at.where);
-}
-
-Checked join_faces(StripMesh& mesh, Halfedge chord) {
-  const OperationPlace at = join_faces_at(mesh, chord);
-  return checked_apply(mesh, at.table, at.where);
-}
-
-Checked bisect(StripMesh& mesh, Halfedge h) {
-  const OperationPlace at = bisect_at(mesh, h);
-  return checked_apply(mesh, at.table, at.where);
-}
-
-Checked merge(StripMesh& mesh, Halfedge chord) {
-  const OperationPlace at = merge_at(mesh, chord);
-  return checked_apply(mesh, at.table, at.where);
-}
-
 }  // namespace restrip

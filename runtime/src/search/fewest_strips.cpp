@@ -50,7 +50,7 @@ Rewrite FewestStrips::tunnel_from_patch(StripMesh& mesh, RuleChoice& choice, con
 
 // The steps after the rule; `isolated`: what the rule reported.
 ColoringChange FewestStrips::tunnelled(StripMesh& mesh, int isolated, MayIsolate may_isolate) {
-  std::erase_if(patch_, [&](Triangle t) { return !mesh.has_triangle(t); });
+  std::erase_if(patch_, [&](Triangle t) { return !mesh.alive(t); });
   triangles_ += patch_.size();
   locator_.after_patch(mesh, patch_);
   const std::uint32_t states = states_now();

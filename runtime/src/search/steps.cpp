@@ -195,6 +195,7 @@ Rewrite ReplaceStep::by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) c
         mesh.set_solid(h, false);
         ++done.strips;
       }
+  made.resize(in.size());
   mesh.replace(out, in, made);
   done.isolated += isolated(beyond);
   if (!made.empty()) done.halfedge = StripMesh::halfedge(made[0]);
@@ -210,6 +211,7 @@ Rewrite ReplaceStep::by_rules(StripMesh& mesh, RuleChoice& choice, bool joins) c
   return with(done, join_in(mesh, nearby));
 }
 StripMesh::Halfedge ReplaceStep::bare(StripMesh& mesh) const {
+  made.resize(in.size());
   mesh.replace(out, in, made);
   return made.empty() ? Halfedge{} : StripMesh::halfedge(made[0]);
 }

@@ -82,9 +82,7 @@ TEST(BakedFileByHand, IsReadAsThePageSays) {
     EXPECT_EQ(file.splits[0].v_l, 2U);
     EXPECT_EQ(file.splits[0].v_r, none);
     EXPECT_EQ(file.payload[0].size(), version == 2 ? 3U : 0U);
-    BakedPlayer player(file.mesh, file.records);
-    player.split(0, spokes_of(file.mesh, file.splits[0]), file.splits[0].v_t);
-    EXPECT_TRUE(player.in_step());
+    split_baked(file.mesh, spokes_of(file.mesh, file.splits[0]), file.records[0], file.splits[0].v_t);
     EXPECT_EQ(file.mesh.triangle_count(), 3U);
     EXPECT_TRUE(check_coloring(file.mesh).valid);
   }

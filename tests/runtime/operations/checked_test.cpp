@@ -1,10 +1,9 @@
 // Checked operations do all or nothing: what they refuse leaves the mesh as it is, and says why; what they grant is
 // done.
-#include "restrip/operations/checked.hpp"
-
 #include <gtest/gtest.h>
 
 #include "restrip/mesh/checks.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 

@@ -3,8 +3,7 @@
 //
 //   BakedFile file;
 //   if (const std::string fault = read_baked(bytes, file); !fault.empty()) return report(fault);
-//   BakedPlayer player(file.mesh, file.records);
-//   player.split(i, spokes_of(file.mesh, file.splits[i]), file.splits[i].v_t);
+//   split_baked(file.mesh, spokes_of(file.mesh, file.splits[i]), file.records[i], file.splits[i].v_t);
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 //    every interior vertex of the operation, no vertex lost except the one that a collapse removes, the same topology.
 //
 // In debug builds (precondition.hpp) operations call these and abort on a refusal; with NDEBUG they check nothing. For
-// operations from an untrusted source call these first, or checked_split() and its siblings (checked.hpp).
+// operations from an untrusted source call these first, or checked_split() and its siblings (operations.hpp).
 #pragma once
 
 #include <array>
@@ -31,15 +31,9 @@ namespace restrip {
 /// Whether the edge of h may be flipped. O(valence).
 [[nodiscard]] Refusal check_flip(const StripMesh& mesh, Halfedge h);
 
-/// Whether the triangles `in` may replace `out` (StripMesh::replace). The rules above hold, with these differences: all
-/// vertices must be different, and no mesh edge may be made that exists already. Quadratic in the triangles, and linear
-/// in the valence of the vertices between which there are new edges.
-[[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                                    std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
-
-/// Whether any triangles may be replaced by others (the other StripMesh::replace): `out` are triangles of the mesh,
-/// each once, `in` have three different corners each, and the result is a manifold with boundary at all their vertices,
-/// with at least three triangles around an interior one. O(n log n) for n triangles at these vertices.
+/// Whether any triangles may be replaced by others (StripMesh::replace): `out` are triangles of the mesh, each once,
+/// `in` have three different corners each, and the result is a manifold with boundary at all their vertices, with at
+/// least three triangles around an interior one. O(n log n) for n triangles at the vertices.
 [[nodiscard]] Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                     std::span<const std::array<Vertex, 3>> in);
 

@@ -226,39 +226,26 @@ class StripMesh {
   /// vertex, except those of the two spokes, keep their meaning. The dual edges of the new triangles are dashed; all
   /// others keep their colours. The new vertex is `new_vertex`, or the next free one when none is given; vertices up to
   /// it are allocated. Precondition: check_split() grants it. Throws std::length_error when another triangle or vertex
-  /// does not fit, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
-  Halfedge insert_vertex(const VertexSplit& where, Vertex new_vertex = none);
-  /// Splits an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go to the
-  /// new vertex, counter-clockwise from `right`.
-  Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, Vertex new_vertex = none);
+  /// does not fit, or std::bad_alloc; nothing has changed then. The same holds for the other operations. `moved`, if
+  /// the fan of an interior vertex has been walked already: the spokes whose left triangles go to the new vertex,
+  /// counter-clockwise from `right`.
+  Halfedge insert_vertex(const VertexSplit& where, Vertex new_vertex = none, std::span<const Halfedge> moved = {});
   /// Collapses the mesh edge of v_s -> v_t: removes v_t and the triangles at the edge, and returns a halfedge that
   /// leaves v_s: to v_l, the apex of the triangle to the left, or if that triangle does not exist, to v_r. Other
   /// halfedges around the two vertices keep their meaning, except those of the removed triangles and of the edges that
   /// are merged, whose dual edges are dashed; all others keep their colours. Precondition: check_collapse() grants it.
-  Halfedge remove_vertex(Halfedge chord);
-  /// Collapses a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t whose
-  /// left triangles stay, counter-clockwise.
-  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
+  /// `moved`, if the fans of two interior ends have been walked already: the spokes of v_t whose left triangles stay,
+  /// counter-clockwise.
+  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved = {});
   /// Flips an interior mesh edge: the edge of u -> v, with apexes l (left) and r (right), becomes the edge of r -> l,
   /// which is returned. All dual edges keep their colours. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
-  /// A triangle by its corners, counter-clockwise, each an index into a list of vertices.
-  using Places = std::array<std::uint8_t, 3>;
-  static constexpr std::size_t most_replaced = 16;
-  /// Replaces the triangles `out` by `in`: two discs of at most `most_replaced` triangles each, with the same rim
-  /// except on the boundary of the mesh. `vertices` lists the vertices of both, with `none` for each new one, which is
-  /// made and written there; vertices left without triangles are removed. The dual edges inside are dashed, dual edges
-  /// of the rim keep their colours. `made` receives the new triangles, which take over the handles of `out` in order
-  /// while there are any. Precondition: check_replace() grants it. Time quadratic in the triangles.
-  void replace(std::span<const Triangle> out, std::span<const Places> in, std::span<Vertex> vertices,
-               std::span<Triangle> made);
-
   /// Replaces any triangles by any others, each by its corners, counter-clockwise; either list may be empty. Vertices
   /// not in use become new ones, vertices left without triangles are removed. Dual edges of removed and of new
-  /// triangles are dashed; all others keep their colours. `made` receives the handles of `in`, of which the first ones
-  /// are those of `out`. Precondition: check_replace() of the same lists grants it. O(n log n) for the triangles at
-  /// their vertices.
-  void replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in, std::vector<Triangle>& made);
+  /// triangles are dashed; all others keep their colours. `made` has the size of `in` and receives its handles, of
+  /// which the first ones are those of `out`. Precondition: check_replace() of the same lists grants it. O(n log n) for
+  /// the triangles in both lists.
+  void replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in, std::span<Triangle> made);
 
   // ---- list of changes
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
@@ -278,12 +265,11 @@ class StripMesh {
   [[nodiscard]] bool alive(Triangle t) const noexcept {
     return t < triangles_.size() && triangles_[t].corner[0] != none;
   }
-  /// The same as alive().
-  [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   /// Vertices are below this bound.
   [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
-  /// The vertex that the next insertion takes if it names none. Skips free vertices that callers have named since.
-  [[nodiscard]] Vertex next_vertex() const noexcept;
+  /// The vertex that the next insertion takes if it names none. `n`: the one after it, and so on; a vertex may come
+  /// twice if it was named while it was free.
+  [[nodiscard]] Vertex next_vertex(std::size_t n = 0) const noexcept;
   [[nodiscard]] bool alive(Halfedge h) const noexcept {
     return side(h) < 3 && alive(triangle(h)) && (!on_boundary(h) || link_of({h.id & ~outside}) == edge_of_mesh);
   }
@@ -304,24 +290,6 @@ class StripMesh {
   friend class detail::TrialColors;
   friend class detail::LiveState;
   friend class History;
-
-  // The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
-  // does not have.
-  struct Room {
-    Vertex vertex = none;
-    Triangle left = none;
-    Triangle right = none;
-    friend constexpr bool operator==(const Room&, const Room&) = default;
-  };
-  // Throws as insert_vertex does; then nothing has been taken.
-  [[nodiscard]] Room take_room(VertexSplit::Spokes spokes, Vertex new_vertex);
-  void give_back(const Room& room);
-  // Room for the handles that a removal gives back, so that give_back does not throw.
-  void expect_back();
-  Halfedge insert_vertex(const VertexSplit& where, const Room& room) noexcept;
-  Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, const Room& room) noexcept;
-  Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;
-  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept;
 
   static constexpr const char* no_such_vertex = "the vertex is not one of this mesh";
   static constexpr const char* no_such_triangle = "the triangle is not one of this mesh";
@@ -383,7 +351,7 @@ class StripMesh {
   void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
   Triangle take_triangle();
   void place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept;
-  Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
+  Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right) noexcept;
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
   class Sides;

@@ -70,7 +70,7 @@ struct OperationView {
 };
 
 /// Whether the operation may be done: the triangles exist, all their vertices are different, the mesh keeps its
-/// properties (check_replace() in checks.hpp), and the colours have a rule.
+/// properties (checks.hpp), no edge is made that exists already, and the colours have a rule.
 [[nodiscard]] Refusal check_apply(const StripMesh& mesh, const OperationView& table, Halfedge where);
 
 /// Does the operation, with the best rule for the present colours. Rewrite::halfedge is the side of the first triangle
@@ -80,20 +80,9 @@ Rewrite apply(StripMesh& mesh, const OperationView& table, Halfedge where, NewVe
 /// The same if check_apply() grants it.
 Checked checked_apply(StripMesh& mesh, const OperationView& table, Halfedge where);
 
-/// Sides of one triangle, in the order 0, 1, 2.
-struct Places {
-  std::array<Halfedge, 3> side{};
-  std::size_t count = 0;
-
-  [[nodiscard]] std::size_t size() const noexcept { return count; }
-  [[nodiscard]] bool empty() const noexcept { return count == 0; }
-  [[nodiscard]] const Halfedge* begin() const noexcept { return side.data(); }
-  [[nodiscard]] const Halfedge* end() const noexcept { return side.data() + count; }
-};
-/// The sides of a triangle from which check_apply() grants the operation: the orientations in which it fits with this
-/// triangle as the first under `before`. None for a number that is not a triangle.
-[[nodiscard]] Places places(const StripMesh& mesh, const OperationView& table, Triangle triangle);
-/// The first of them; without one, side 0, for which check_apply() has the reason.
+/// The first side of a triangle from which check_apply() grants the operation: the first orientation in which it fits
+/// with this triangle as the first under `before`. Without one, side 0, for which check_apply() has the reason; {none}
+/// for a number that is not a triangle.
 [[nodiscard]] Halfedge first_place(const StripMesh& mesh, const OperationView& table, Triangle triangle);
 
 }  // namespace restrip

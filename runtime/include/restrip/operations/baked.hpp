@@ -5,16 +5,15 @@
 // time a split flips exactly these colours, and a collapse flips them back, without rules, searches or state. A level
 // always has the same strips, bit for bit, whether it is reached by splits or by collapses.
 //
-//   BakedPlayer player(mesh, records);                 // mesh: the base, coloured as it was baked
-//   player.split(i, where, v_t);                       // record i, as the level grows
-//   player.collapse(i, chord);                         // and as it shrinks
+//   split_baked(mesh, where, records[i], v_t);         // record i, as the level grows; mesh: at first the base
+//   collapse_baked(mesh, chord, records[i]);           // and as it shrinks
 //
 // The flips of a record are relative to the *plain* colouring, which is valid by itself. A split gives both halves of
 // an edge that it cuts the colour of that edge, so that the inserted triangle continues that strip; all other new dual
 // edges are dashed. For a collapse the same holds in reverse.
 //
-// Play records in order: the flips of a record fit only the state just before it. For records that are played out of
-// order, and after any other change of the mesh, BakedPlayer falls back on the rules of operations.hpp.
+// Play records in order: the flips of a record fit only the state just before it. After any other change of the mesh
+// or its colours, restore both to a baked level, or use operations.hpp. A LiveMesh made of a baked file does this.
 #pragma once
 
 #include <cstddef>
@@ -55,47 +54,5 @@ Rewrite split_baked(StripMesh& mesh, const VertexSplit& where, std::span<const H
 /// The inverse: flips `flips`, collapses the edge of `chord` = v_s -> v_t into v_s, and gives each merged edge the
 /// colour that its halves then have. Preconditions and cost as above.
 Rewrite collapse_baked(StripMesh& mesh, Halfedge chord, std::span<const Halfedge> flips);
-
-/// Plays the records of one baked mesh, and knows whether their flips still fit.
-///
-/// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Any other operation is
-/// out of order. It is done by the rules (split, collapse), and so is every later one, because colours and names then
-/// differ from the baked ones. The colouring stays valid, its strips get shorter as they do under the rules, and the
-/// Rewrite is complete. To get back into step, restore the mesh and its colours to a baked
-/// level (most easily the base) and call restart().
-class BakedPlayer {
- public:
-  /// StripMesh and records must outlive the player. `level`: records played so far.
-  BakedPlayer(StripMesh& mesh, const BakedRecords& records, std::size_t level = 0) noexcept
-      : mesh_(&mesh), records_(&records), level_(level) {}
-
-  /// False once something was played out of order.
-  [[nodiscard]] bool in_step() const noexcept { return in_step_; }
-  /// Records played so far, while in step.
-  [[nodiscard]] std::size_t level() const noexcept { return level_; }
-  /// Whether this record may be split (collapsed) by its flips.
-  [[nodiscard]] bool can_split(std::size_t record) const noexcept {
-    return in_step_ && record == level_ && record < records_->size();
-  }
-  [[nodiscard]] bool can_collapse(std::size_t record) const noexcept { return in_step_ && record + 1 == level_; }
-
-  /// After an exception the player is out of step.
-  Rewrite split(std::size_t record, const VertexSplit& where, Vertex new_vertex = none);
-  Rewrite collapse(std::size_t record, Halfedge chord);
-
-  /// Call before changing the mesh or its colours in any other way.
-  void leave_step() noexcept { in_step_ = false; }
-  /// Declares that the mesh and its colours are at this baked level again.
-  void restart(std::size_t level = 0) noexcept {
-    level_ = level;
-    in_step_ = true;
-  }
-
- private:
-  StripMesh* mesh_;
-  const BakedRecords* records_;
-  std::size_t level_;
-  bool in_step_ = true;
-};
 
 }  // namespace restrip

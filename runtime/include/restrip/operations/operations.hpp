@@ -7,6 +7,13 @@
 // Preconditions: as for the mesh operation (checks.hpp); debug builds check them first and abort with the
 // reason (precondition.hpp). After an exception (std::bad_alloc, std::length_error) the colouring is valid, though
 // perhaps not optimal: first everything is read, then edges are cleared, then the mesh changes, then edges are set.
+//
+// For operations from an untrusted source the functions checked_… call the check in every build:
+//
+//   if (const auto done = checked_collapse(mesh, chord))
+//     use(done.rewrite.strips);
+//   else
+//     report(describe(done.refusal));
 #pragma once
 
 #include "restrip/mesh/strip_mesh.hpp"
@@ -23,5 +30,10 @@ Rewrite collapse(StripMesh& mesh, Halfedge chord);
 /// Flips the interior mesh edge of h and recolours the patch. A port is cleared only if no sound recolouring keeps it.
 /// The triangle outside may then be isolated, which Rewrite::isolated counts.
 Rewrite flip(StripMesh& mesh, Halfedge h);
+
+/// The same if the check grants it. A refused operation changes nothing, nor does one that throws when the mesh grows.
+Checked checked_split(StripMesh& mesh, const VertexSplit& where, Vertex new_vertex = none);
+Checked checked_collapse(StripMesh& mesh, Halfedge chord);
+Checked checked_flip(StripMesh& mesh, Halfedge h);
 
 }  // namespace restrip

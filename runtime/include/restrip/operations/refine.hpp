@@ -32,15 +32,18 @@ struct OperationPlace {
 /// vertex that `chord` leaves is joined to the one opposite.
 [[nodiscard]] OperationPlace merge_at(const StripMesh& mesh, Halfedge chord);
 
-/// Whether the operation may be done there.
+/// The functions of apply.hpp there.
 [[nodiscard]] inline Refusal check_apply(const StripMesh& mesh, const OperationPlace& at) {
   return check_apply(mesh, at.table, at.where);
 }
+inline Checked checked_apply(StripMesh& mesh, const OperationPlace& at) {
+  return checked_apply(mesh, at.table, at.where);
+}
 
-/// The operations by the rules. Results as from checked_apply().
-Checked split_face(StripMesh& mesh, Halfedge h);
-Checked join_faces(StripMesh& mesh, Halfedge chord);
-Checked bisect(StripMesh& mesh, Halfedge h);
-Checked merge(StripMesh& mesh, Halfedge chord);
+/// The operations by the rules, if they are granted.
+inline Checked split_face(StripMesh& mesh, Halfedge h) { return checked_apply(mesh, split_face_at(mesh, h)); }
+inline Checked join_faces(StripMesh& mesh, Halfedge chord) { return checked_apply(mesh, join_faces_at(mesh, chord)); }
+inline Checked bisect(StripMesh& mesh, Halfedge h) { return checked_apply(mesh, bisect_at(mesh, h)); }
+inline Checked merge(StripMesh& mesh, Halfedge chord) { return checked_apply(mesh, merge_at(mesh, chord)); }
 
 }  // namespace restrip
