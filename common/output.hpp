@@ -14,10 +14,9 @@
 
 namespace restrip::files {
 
-// The files that a thread is about to write, whatever their names: none may be written twice, and none may be read,
-// because it would be lost. Outputs claim their files before anything is read, so files found later (the buffers of a
-// glTF) are protected as well.
-
+/// The files that a thread is about to write, whatever their names: none may be written twice, and none may be read,
+/// because it would be lost. Outputs claim their files before anything is read, so files found later (the buffers of a
+/// glTF) are protected as well.
 class Claim {
  public:
   /// `shown`: its name as the user wrote it. `file`: the target of its links. `descriptor`: -1, or the open file.
@@ -109,10 +108,9 @@ class OutputSet {
   std::vector<Output> tested_;
 };
 
-// The destination of the report of a command, the same for every command: text on standard output, or on standard error
-// if another output of the command is standard output; with `--json FILE` also JSON to the file; with `--json -` JSON
-// on standard output instead of the text.
-
+/// The destination of the report of a command, the same for every command: text on standard output, or on standard
+/// error if another output of the command is standard output; with `--json FILE` also JSON to the file; with `--json -`
+/// JSON on standard output instead of the text.
 class ReportOutput {
  public:
   /// `json`: the argument of the option, empty if it was not given. Tests the file before the work; it must end in

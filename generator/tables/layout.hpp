@@ -84,10 +84,9 @@ struct LookUp {
 /// The families of rules, with the packing of their keys.
 [[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& rules, const Packing& packing, unsigned max_k);
 
-// The table of an operation or a family, common to all languages: entries as explained in
-// tables/include/restrip/tables/operation_format.hpp, and for each position the size of the patch and the start of its
-// entries.
-
+/// The table of an operation or a family, common to all languages: entries as explained in
+/// tables/include/restrip/tables/operation_format.hpp, and for each position the size of the patch and the start of its
+/// entries.
 struct OperationLayout {
   /// A position and the start of its entries.
   struct At {

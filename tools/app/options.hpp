@@ -19,8 +19,7 @@
 
 namespace restrip::tools {
 
-// The report of a command: text for people and the members of a JSON object, printed together at the end.
-
+/// The report of a command: text for people and the members of a JSON object, printed together at the end.
 struct Report {
   /// `file`: the argument of --json. Throws BadInput before the work if it cannot be written.
   explicit Report(const std::string& file) : out(file) {}

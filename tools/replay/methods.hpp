@@ -20,8 +20,8 @@
 
 namespace restrip::tools {
 
-// Maintainer: keeps the strips of one mesh while it changes. methods.hpp lists the methods of doing so; replays, walks,
-// benchmarks and the paper's report know this interface alone.
+// Maintainer: keeps the strips of one mesh while it changes. methods() below lists the ways of doing so; replays,
+// walks, benchmarks and the paper's report know this interface alone.
 
 /// The record number of an operation that plays no record of a progressive mesh.
 inline constexpr std::size_t no_record = static_cast<std::size_t>(-1);

@@ -63,8 +63,7 @@ class OperationJudge {
 /// valid. Precondition: the operation may have reasons.
 std::string fault_of_reason(const OperationJudge& judge, Colors configuration, Colors recoloring, const Reason& reason);
 
-// All checks of one operation at one position, and the threads that run them.
-
+/// All checks of one operation at one position, and the threads that run them.
 struct PositionCheck {
   const Operation* operation = nullptr;
   std::uint64_t configurations = 0;

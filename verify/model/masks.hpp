@@ -82,9 +82,7 @@ struct BitRow {
   }
 };
 
-// The key of a configuration (docs/reference/operation-file.md, "What a rule must be"): what a rule needs to know; and
-// permutations of ports, which move keys.
-
+/// The key of a configuration (docs/reference/operation-file.md, "What a rule must be"): what a rule needs to know.
 struct Key {
   Mask ports = 0;    ///< the solid ports
   PortPairs joined;  ///< pairs of them that are joined and that some recolouring joins
