@@ -63,8 +63,10 @@ TEST(LiveApply, DoesAndUndoesCustomOperations) {
   live.update();
   EXPECT_EQ(form_reader::read_strips(live.indices()), sample::triangles_of(live.mesh()));
   EXPECT_FALSE(live.apply(tables::merge_rules, StripMesh::halfedge(20)));
-  EXPECT_TRUE(live.apply_anywhere(tables::merge_rules, StripMesh::triangle(refined.rewrite.halfedge)) ||
-              places(live.mesh(), tables::merge_rules, StripMesh::triangle(refined.rewrite.halfedge)).empty());
+  const Triangle merged = StripMesh::triangle(refined.rewrite.halfedge);
+  const Halfedge place = first_place(live.mesh(), tables::merge_rules, merged);
+  const bool fits = check_apply(live.mesh(), tables::merge_rules, place) == Refusal::granted;
+  EXPECT_EQ(bool(live.apply_anywhere(tables::merge_rules, merged)), fits);
   EXPECT_TRUE(live.apply_anywhere(tables::refine_face_rules, 40));
   live.update();
   ASSERT_TRUE(live.undo());
