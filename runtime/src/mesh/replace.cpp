@@ -189,8 +189,8 @@ void StripMesh::replace(std::span<const Triangle> out, std::span<const Corners> 
   std::sort(open.begin(), open.end());
   for (const OpenSide& side : open) {
     const auto other = std::lower_bound(open.begin(), open.end(), OpenSide{side.to, side.from, {}});
-    if (side.from < side.to && other != open.end() && other->from == side.to && other->to == side.from)
-      join(side.h, other->h);
+    const bool to_join = side.from < side.to && link_of(side.h) == edge_of_mesh;  // may be listed several times
+    if (to_join && other != open.end() && other->from == side.to && other->to == side.from) join(side.h, other->h);
   }
   for (const OpenSide& side : open)
     if (link_of(side.h) == edge_of_mesh) set_spoke(side.from, side.h);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -103,6 +104,28 @@ TEST(StripMesh, ReplacesTriangles) {
   EXPECT_EQ(sample::triangles_of(mesh), sample::triangles_of(turned));
   EXPECT_EQ(made, out);
   EXPECT_EQ(check_replace(mesh, out, in), Refusal::granted);  // the same again
+}
+
+// The room made in a watch's list suffices, also when triangles that fill a hole meet the same boundary vertices.
+TEST(StripMesh, FillingAHoleNamesTrianglesAsOftenAsThereIsRoomFor) {
+  for (Vertex n = 5; n <= 12; ++n) {
+    std::vector<std::array<Vertex, 3>> ring;
+    std::vector<std::array<Vertex, 3>> in;
+    for (Vertex v = 0; v < n; ++v) {
+      ring.push_back({v, (v + 1) % n, n + v});
+      ring.push_back({(v + 1) % n, n + (v + 1) % n, n + v});
+    }
+    for (Vertex v = 2; v + 1 < n; ++v) in.push_back({1, v + 1, v});
+    in.push_back({1, 0, n - 1});
+    StripMesh mesh = StripMesh::build(ring, 2 * n);
+    std::vector<Triangle> changed;
+    mesh.watch(&changed);
+    std::vector<Triangle> made(in.size());
+    mesh.replace({}, in, made);
+    // A new triangle is placed once, and each of its sides is joined once, with two names.
+    EXPECT_LE(changed.size(), 7 * in.size()) << n;
+    for (const Triangle t : made) EXPECT_EQ(std::count(changed.begin(), changed.end(), t), 4) << n;
+  }
 }
 
 }  // namespace
