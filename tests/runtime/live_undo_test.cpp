@@ -2,8 +2,10 @@
 // counts, refusals, sentences and the numbers of frames.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <optional>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -61,6 +63,28 @@ TEST(LiveUndo, WorksAfterAVertexThatSixteenBitsCannotName) {
   live.pack();
   live.update();
   expect_buffer_drawn(live);
+}
+
+// One changed triangle frees three vertices and takes three others: undo returns all of them.
+TEST(LiveUndo, TheNextVerticesAreThoseBeforeTheFrame) {
+  const std::vector<std::array<Vertex, 3>> lone{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  LiveMesh live(lone, 9, {.history = 1000});
+  const auto next_vertices = [&live] {
+    return std::array{live.mesh().next_vertex(0), live.mesh().next_vertex(1), live.mesh().next_vertex(2)};
+  };
+  const std::array<Triangle, 2> out{0, 1};
+  ASSERT_TRUE(live.replace(std::span(out).first(1), {}));
+  live.update();
+  const auto before = next_vertices();
+  EXPECT_EQ(before, lone[0]);
+  ASSERT_TRUE(live.replace(std::span(out).last(1), std::span(lone).first(1)));
+  live.update();
+  const auto after = next_vertices();
+  EXPECT_EQ(after, lone[1]);
+  ASSERT_TRUE(live.undo());
+  EXPECT_EQ(next_vertices(), before);
+  ASSERT_TRUE(live.redo());
+  EXPECT_EQ(next_vertices(), after);
 }
 
 TEST(LiveUndo, ABakedMeshPlaysItsLevelsAndBeginsAgain) {
