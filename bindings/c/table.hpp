@@ -3,6 +3,9 @@
 // A rule is sound in every surrounding mesh if it leaves a valid colouring of the patch, sets no port, and joins two
 // ports inside the patch only if they were joined there before: a cycle through the new patch would then have been one
 // through the old patch. joined() finds which ports a colouring joins, with union-find over the triangles.
+//
+// The mesh stays a manifold if on both sides the triangles at each vertex are one fan: a vertex at ports has the same
+// ports on both sides, so its fan begins and ends at the same mesh edges, or on the boundary before and after.
 #pragma once
 
 #include <array>
@@ -85,6 +88,32 @@ inline Joined joined(Side triangles, std::uint32_t colors, std::uint32_t ports) 
 /// Where a port or an inner edge is: from vertex to vertex, once for each triangle at it.
 using Ends = std::vector<std::array<std::uint8_t, 2>>;
 
+/// Whether the triangles at a vertex are one fan, open or closed.
+inline bool one_fan(Side triangles, std::uint8_t vertex) {
+  constexpr std::uint8_t nothing = 255;
+  std::array<std::uint8_t, nothing + 1> after{};  // by vertex: the next one around `vertex`, counter-clockwise
+  std::array<std::uint8_t, nothing + 1> before{};
+  after.fill(nothing);
+  before.fill(nothing);
+  std::size_t corners = 0;
+  std::uint8_t first = nothing;
+  for (const restrip_patch_triangle& t : triangles)
+    for (unsigned s = 0; s < 3; ++s) {
+      if (t.vertex[s] != vertex) continue;
+      first = t.vertex[(s + 1) % 3];
+      const std::uint8_t last = t.vertex[(s + 2) % 3];
+      if (after[first] != nothing || before[last] != nothing) return false;
+      after[first] = last;
+      before[last] = first;
+      ++corners;
+    }
+  for (std::size_t i = 0; i < corners && before[first] != nothing; ++i) first = before[first];
+  std::size_t met = 0;
+  for (std::uint8_t at = first; at != nothing && after[at] != nothing && (met == 0 || at != first); ++met)
+    at = after[at];
+  return met == corners;
+}
+
 /// What is wrong with the triangles of one side; empty if nothing is. Fills the ends of its ports.
 inline std::string fault_of(const std::string& name, Side triangles, std::uint32_t edges, std::uint32_t ports,
                             std::uint32_t vertices, std::vector<Ends>& ends_of_ports) {
@@ -119,6 +148,8 @@ inline std::string fault_of(const std::string& name, Side triangles, std::uint32
       return name + ": an inner edge is not one side of two triangles each";
   for (const Ends& ends : ends_of_ports)
     if (ends.size() != 1) return name + ": a port is not a side of one triangle";
+  for (std::uint8_t v = 0; v < vertices; ++v)
+    if (!one_fan(triangles, v)) return name + ": the triangles at vertex " + std::to_string(v) + " are not one fan";
   return {};
 }
 

@@ -452,6 +452,14 @@ TEST(CInterface, TablesAreChecked) {
             "after: triangle 2 does not share its first side with the triangle that it is met from");
   EXPECT_EQ(said([](DividedFace& d) { std::swap(d.before[0].side[0], d.before[0].side[1]); }),
             "a port has other vertices after the operation");
+  EXPECT_EQ(said([](DividedFace& d) {  // a hole that would pinch a mesh whose boundary has vertex 2
+              d.after = {{0, 0, {0, 1, 3}, {64, 0, 1}},
+                         {0, 1, {3, 1, 2}, {0, 65, 255}},
+                         {0, 2, {0, 3, 4}, {1, 255, 2}},
+                         {2, 2, {0, 4, 2}, {2, 255, 66}}};
+              d.operation.vertices = 5;
+            }),
+            "after: the triangles at vertex 2 are not one fan");
   std::mt19937 random(12);
   std::size_t accepted = 0;
   for (int n = 0; n < 4000; ++n) {
