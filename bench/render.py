@@ -46,7 +46,8 @@ class Page:
         context = self.r.context["replay"]
         caches = [f"{c['size'] // 1024:,} KiB {c['type'].lower()} L{c['level']}" for c in context.get("caches", [])
                   if c["type"] != "Instruction"]
-        return f"{context['num_cpus']} processors at {context['mhz_per_cpu'] / 1000:.1f} GHz; caches {', '.join(caches)}"
+        machine = f"{context['num_cpus']} processors at {context['mhz_per_cpu'] / 1000:.1f} GHz"
+        return f"{machine}; caches {', '.join(caches)}" if caches else machine
 
     def measured(self):
         """The days on which the programs ran."""
@@ -143,7 +144,9 @@ class Page:
     def memory(self):
         """The most over all sizes."""
         of = lambda how, field: plain(max(self.of_scale(size, how, field) for size in self.sizes()), 2)
-        return (f"at most {of('random/bare', 'mesh_bytes')} for mesh and colours, {of('random/quick', 'keeper_bytes')} more for the searches of "
+        searches = max(self.of_scale(size, "random/quick", "keeper_bytes") - self.of_scale(size, "random/bare", "keeper_bytes")
+                       for size in self.sizes())
+        return (f"at most {of('random/bare', 'mesh_bytes')} for mesh and colours, {plain(searches, 2)} more for the searches of "
                 f"`quick` and `full`, {of('buffer', 'buffer_bytes')} more for the live buffer, its indices included")
 
     # ---- simplification, which scripts/simplify_table.py measures

@@ -242,8 +242,8 @@ enum {
   RESTRIP_POLICY_BARE = 0,   /* no rule, dual edges of changed triangles become dashed; 1 */
   RESTRIP_POLICY_RULES = 1,  /* nothing; 2 */
   RESTRIP_POLICY_LOCAL = 2,  /* 3 looks at the strip ends of the patch; 3 to 7 */
-  RESTRIP_POLICY_QUICK = 3,  /* 10 looks, chains of 8 moves; 10 to 90 */
-  RESTRIP_POLICY_FULL = 4,   /* 70 looks, around the patch as well; 40 to 500 */
+  RESTRIP_POLICY_QUICK = 3,  /* 10 looks, chains of 8 moves; 20 to 60 */
+  RESTRIP_POLICY_FULL = 4,   /* 70 looks, around the patch as well; 50 to 300 */
   RESTRIP_POLICY_BAKED = 255 /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
 /* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A

@@ -75,7 +75,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "10 looks, chains of 8 moves",
               "a locator of the strips",
-              "10 to 90",
+              "20 to 60",
               {56, 150},
               {IndexPlan::From::patch, {.looks = 10, .length = 8, .worse = 1}}},
     PolicyRow{Policy::full,
@@ -83,7 +83,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "70 looks, around the patch as well",
               "a locator of the strips",
-              "40 to 500",
+              "50 to 300",
               {320, 0},
               {IndexPlan::From::ring, {.looks = 70, .length = 8, .worse = 2}}}};
 
