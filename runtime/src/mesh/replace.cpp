@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "mesh/fan_checks.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
@@ -114,8 +115,7 @@ Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out, std:
   for (const Corners& c : in) {
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return Refusal::same_vertex;
     for (const Vertex v : c)
-      if (v >= mesh.vertex_bound() && (v == none || v - mesh.vertex_bound() > StripMesh::max_vertex_gap))
-        return Refusal::vertex_too_far;
+      if (v == none || detail::refusal_of_name(mesh, v) == Refusal::vertex_too_far) return Refusal::vertex_too_far;
   }
   const std::vector<Vertex> vertices = corners_of(mesh, out, in);
   for (const Vertex v : vertices)

@@ -2,6 +2,8 @@
 // done.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/search/keeper.hpp"
@@ -30,6 +32,9 @@ TEST(Checked, OperationsDoAllOrNothing) {
   const auto furthest = static_cast<Vertex>(mesh.vertex_bound() + StripMesh::max_vertex_gap + mesh.triangle_bound());
   EXPECT_EQ(check_split(mesh, {inside, turn_ccw(mesh, inside)}, furthest + 1), Refusal::vertex_too_far);
   EXPECT_EQ(check_split(mesh, {inside, turn_ccw(mesh, inside)}, furthest), Refusal::granted);
+  const auto alone = [](Vertex v) { return std::vector<sample::Corners>{{30, 31, v}}; };
+  EXPECT_EQ(check_replace(mesh, {}, alone(furthest + 1)), Refusal::vertex_too_far);
+  EXPECT_EQ(check_replace(mesh, {}, alone(furthest)), Refusal::granted);
   EXPECT_EQ(sample::triangles_of(mesh), before);
   const Checked up = checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 30);
   ASSERT_TRUE(up);

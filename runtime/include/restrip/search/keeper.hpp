@@ -120,7 +120,8 @@ class Keeper {
   [[nodiscard]] const Cost& weights() const noexcept { return cost_; }
   /// False after an exception, until rebuild() or the next operation.
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
-  /// Null under policies without a locator, and while it is not up to date.
+  /// For the tests of the library: the class is private. Null under policies without a locator, and while it is not up
+  /// to date.
   [[nodiscard]] const StripLocator* locator() const noexcept;
 
  private:
