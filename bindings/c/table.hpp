@@ -148,8 +148,8 @@ inline std::string fault_of(const std::string& name, Side triangles, std::uint32
       return name + ": an inner edge is not one side of two triangles each";
   for (const Ends& ends : ends_of_ports)
     if (ends.size() != 1) return name + ": a port is not a side of one triangle";
-  for (std::uint8_t v = 0; v < vertices; ++v)
-    if (!one_fan(triangles, v)) return name + ": the triangles at vertex " + std::to_string(v) + " are not one fan";
+  for (std::uint32_t v = 0; v < vertices; ++v)
+    if (!one_fan(triangles, static_cast<std::uint8_t>(v))) return name + ": the triangles at vertex " + std::to_string(v) + " are not one fan";
   return {};
 }
 
