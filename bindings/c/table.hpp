@@ -149,7 +149,8 @@ inline std::string fault_of(const std::string& name, Side triangles, std::uint32
   for (const Ends& ends : ends_of_ports)
     if (ends.size() != 1) return name + ": a port is not a side of one triangle";
   for (std::uint32_t v = 0; v < vertices; ++v)
-    if (!one_fan(triangles, static_cast<std::uint8_t>(v))) return name + ": the triangles at vertex " + std::to_string(v) + " are not one fan";
+    if (!one_fan(triangles, static_cast<std::uint8_t>(v)))
+      return name + ": the triangles at vertex " + std::to_string(v) + " are not one fan";
   return {};
 }
 
