@@ -65,7 +65,7 @@ void add_to(nlohmann::ordered_json& report, const Mended& mended);
 /// For each vertex, the first of the vertices that are one with it across seams: the border of a triangle that lies on
 /// another edge, both ends at the same places, is a seam. Places are the same if their distance is at most a millionth
 /// of the mesh's size and a thousandth of the shortest border there, since programs compute the two sides of a seam
-/// separately. Two borders of triangles back to back, as those of a sheet with two sides, are not a seam. O(n log n).
+/// separately. Two borders of triangles back to back, as a sheet with two sides has, are not a seam. O(n log n).
 [[nodiscard]] std::vector<std::uint32_t> first_across_seams(const Soup& soup);
 
 /// The vertices that are several at one place, in ascending order.

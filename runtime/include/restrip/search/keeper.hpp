@@ -14,8 +14,8 @@
 //
 // Complexity. An operation takes the time of its rule and of the searches and, if the policy tunnels, time linear in
 // the patch and logarithmic in the length of the strips for the locator. The mean number of states in a search depends
-// on the policy, not on the size of the mesh. After warm-up nothing is allocated beyond what the mesh itself allocates
-// to grow.
+// on the policy, not on the size of the mesh. After warm-up splits, collapses and flips allocate nothing beyond what
+// the mesh itself allocates to grow; other operations also allocate short lists of the sides that they join.
 //
 // Exceptions (std::bad_alloc, and std::length_error of the mesh). The mesh and its colouring are valid after an
 // exception: the operation, or the repair that follows it, is done completely, in part or not at all. The data of the
