@@ -157,10 +157,14 @@ restrip_status guarded(Work&& work, [[maybe_unused]] char* text = nullptr,
 #endif
 }
 
+bool any_null(std::initializer_list<const void*> pointers) noexcept {
+  return std::find(pointers.begin(), pointers.end(), nullptr) != pointers.end();
+}
+
 /// The same for a function that needs these pointers.
 template <class Work>
 restrip_status given(std::initializer_list<const void*> pointers, Work&& work) noexcept {
-  if (std::find(pointers.begin(), pointers.end(), nullptr) != pointers.end()) return RESTRIP_NULL_ARGUMENT;
+  if (any_null(pointers)) return RESTRIP_NULL_ARGUMENT;
   return guarded(work);
 }
 
@@ -187,11 +191,6 @@ bool cost_of(const restrip_cost* given, Cost& out) noexcept {
 bool cache_of(const restrip_cache* given, VertexCache& out) noexcept {
   if (given != nullptr) out = {given->size, given->weight};
   return out.weight >= 0 && out.weight <= 1000;
-}
-
-template <class... Pointers>
-bool any_null(const Pointers*... pointers) noexcept {
-  return (... || (pointers == nullptr));
 }
 
 // ---- meshes
@@ -427,7 +426,7 @@ restrip_status apply(restrip_mesh* mesh, std::int32_t operation, restrip_halfedg
 /// What is wrong with the arguments of a function that does an operation at each of n halfedges.
 restrip_status each_fault(const restrip_mesh* mesh, std::int32_t operation, std::size_t n,
                           const restrip_halfedge* halfedges, const restrip_status* statuses) noexcept {
-  if (mesh == nullptr || (n != 0 && any_null(halfedges, statuses))) return RESTRIP_NULL_ARGUMENT;
+  if (mesh == nullptr || (n != 0 && any_null({halfedges, statuses}))) return RESTRIP_NULL_ARGUMENT;
   const bool known = 0 <= operation && static_cast<std::size_t>(operation) < at_halfedge.size();
   return known ? RESTRIP_OK : RESTRIP_BAD_ARGUMENT;
 }
@@ -526,7 +525,7 @@ restrip_status restrip_mesh_copy(const restrip_mesh* mesh, restrip_mesh** copy) 
                [&] { *copy = new restrip_mesh(LiveMesh(StripMesh(mesh->mesh()), {.format = {}, .deferred = true})); });
 }
 restrip_status restrip_mesh_reserve(restrip_mesh* mesh, std::size_t triangles, std::size_t vertices) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   if (triangles > StripMesh::max_triangles || vertices > most_vertices) return RESTRIP_TOO_LARGE;
   return guarded([&] { mesh->live.reserve(triangles, vertices); });
 }
@@ -542,14 +541,14 @@ std::size_t restrip_mesh_vertex_bound(const restrip_mesh* mesh) {
   return mesh == nullptr ? 0 : mesh->mesh().vertex_bound();
 }
 restrip_status restrip_mesh_corners(const restrip_mesh* mesh, std::uint32_t t, std::uint32_t corners[3]) {
-  if (any_null(mesh, corners)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, corners})) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->mesh().alive(t)) return RESTRIP_BAD_ARGUMENT;
   const auto found = mesh->mesh().corners(t);
   std::copy(found.begin(), found.end(), corners);
   return RESTRIP_OK;
 }
 restrip_status restrip_mesh_triangles(const restrip_mesh* mesh, std::uint32_t* corners, std::size_t size) {
-  if (any_null(mesh, corners)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, corners})) return RESTRIP_NULL_ARGUMENT;
   if (size < 3 * mesh->mesh().triangle_count()) return RESTRIP_TOO_SMALL;
   write_corners(mesh->mesh(), corners);
   return RESTRIP_OK;
@@ -563,7 +562,7 @@ restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, std::uint32_t v, st
 }
 restrip_status restrip_mesh_find_each(const restrip_mesh* mesh, std::size_t n, const std::uint32_t* v,
                                       const std::uint32_t* w, restrip_halfedge* found) {
-  if (mesh == nullptr || (n != 0 && any_null(v, w, found))) return RESTRIP_NULL_ARGUMENT;
+  if (mesh == nullptr || (n != 0 && any_null({v, w, found}))) return RESTRIP_NULL_ARGUMENT;
   for (std::size_t i = 0; i < n; ++i) found[i] = restrip_mesh_find(mesh, v[i], w[i]);
   return RESTRIP_OK;
 }
@@ -592,14 +591,14 @@ int restrip_mesh_solid(const restrip_mesh* mesh, restrip_halfedge h) {
 // ---- colours
 
 restrip_status restrip_mesh_get_colors(const restrip_mesh* mesh, std::uint8_t* solid_sides, std::size_t size) {
-  if (any_null(mesh, solid_sides)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, solid_sides})) return RESTRIP_NULL_ARGUMENT;
   if (size < mesh->mesh().triangle_bound()) return RESTRIP_TOO_SMALL;
   for (Triangle t = 0; t < mesh->mesh().triangle_bound(); ++t)
     solid_sides[t] = mesh->mesh().alive(t) ? static_cast<std::uint8_t>(mesh->mesh().solid_sides(t)) : std::uint8_t{0};
   return RESTRIP_OK;
 }
 restrip_status restrip_mesh_set_colors(restrip_mesh* mesh, const std::uint8_t* solid_sides, std::size_t size) {
-  if (any_null(mesh, solid_sides)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, solid_sides})) return RESTRIP_NULL_ARGUMENT;
   if (size != mesh->mesh().triangle_bound()) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] { return mesh->live.recolor({solid_sides, size}) ? RESTRIP_OK : RESTRIP_BAD_COLORING; });
 }
@@ -622,7 +621,7 @@ restrip_status restrip_mesh_stripify(restrip_mesh* mesh, std::int32_t effort, co
 restrip_status restrip_mesh_stripify_until(restrip_mesh* mesh, std::int32_t effort, const restrip_cost* cost,
                                            std::uint64_t limit, std::int32_t (*stop)(void* context), void* context,
                                            std::size_t* strips) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   Effort how{};
   Cost what;
   if (!named(effort, Effort::best, how) || !cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
@@ -641,7 +640,7 @@ restrip_status restrip_mesh_stripify_until(restrip_mesh* mesh, std::int32_t effo
 // ---- operations
 
 restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const restrip_cost* cost) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   Policy how{};
   Cost what;
   if (!named(policy, static_cast<Policy>(policies.size() - 1), how) || !cost_of(cost, what))
@@ -656,7 +655,7 @@ std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
 
 restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right, std::uint32_t v_t,
                                   restrip_change* change) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   if (const restrip_status status = indexable(*mesh, Refusal::granted, v_t); status != RESTRIP_OK) return status;
   return guarded([&] { return reported(mesh->live.split(where_of(left, right), v_t), change); });
 }
@@ -668,7 +667,7 @@ restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip
 }
 restrip_status restrip_mesh_split_at(restrip_mesh* mesh, std::uint32_t v, std::uint32_t left, std::uint32_t right,
                                      std::uint32_t v_t, restrip_change* change) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   if (const restrip_status status = indexable(*mesh, Refusal::granted, v_t); status != RESTRIP_OK) return status;
   return guarded([&] { return reported(mesh->live.split(v, left, right, v_t), change); });
 }
@@ -710,8 +709,8 @@ restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restri
 restrip_status restrip_table_make(const restrip_operation* operation, char* text, std::size_t text_size,
                                   restrip_table** table) {
   if (table != nullptr) *table = nullptr;
-  if (any_null(operation, table) || (text == nullptr && text_size != 0) ||
-      any_null(operation->before, operation->after, operation->entries))
+  if (any_null({operation, table}) || (text == nullptr && text_size != 0) ||
+      any_null({operation->before, operation->after, operation->entries}))
     return RESTRIP_NULL_ARGUMENT;
   tell({}, text, text_size);
   return guarded([&]() -> restrip_status {
@@ -746,7 +745,7 @@ restrip_status restrip_table_make(const restrip_operation* operation, char* text
 void restrip_table_free(restrip_table* table) { delete table; }
 restrip_status restrip_mesh_apply(restrip_mesh* mesh, const restrip_table* table, restrip_halfedge h,
                                   restrip_change* change, std::uint32_t* added, std::size_t* added_count) {
-  if (any_null(mesh, table) || (added == nullptr) != (added_count == nullptr)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, table}) || (added == nullptr) != (added_count == nullptr)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&]() -> restrip_status {
     if (table->new_vertices != 0) {
       const auto highest = static_cast<Vertex>(mesh->mesh().vertex_bound() + table->new_vertices - 1);
@@ -778,14 +777,14 @@ restrip_status restrip_mesh_check_each(const restrip_mesh* mesh, std::int32_t op
 }
 restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                         std::uint32_t v_t) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   return indexable(*mesh, check_split(mesh->mesh(), where_of(left, right), v_t), v_t);
 }
 
 restrip_status restrip_mesh_play(restrip_mesh* mesh, const restrip_record* records, std::size_t n, std::int32_t forward,
                                  std::size_t* done) {
   if (done != nullptr) *done = 0;
-  if (any_null(mesh) || (n != 0 && records == nullptr)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh}) || (n != 0 && records == nullptr)) return RESTRIP_NULL_ARGUMENT;
   const auto spoke = [mesh](std::uint32_t v, std::uint32_t w, bool& missing) {
     const restrip_halfedge h = w == RESTRIP_NONE ? RESTRIP_NONE : restrip_mesh_find(mesh, v, w);
     missing = missing || (h == RESTRIP_NONE && w != RESTRIP_NONE);
@@ -809,7 +808,7 @@ restrip_status restrip_mesh_play(restrip_mesh* mesh, const restrip_record* recor
 }
 
 restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.level()) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     const std::size_t less = mesh->live.improve(budget);
@@ -845,7 +844,7 @@ restrip_status restrip_strips_of_u16(const std::uint16_t* indices, std::size_t i
 restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_cache* cache, const restrip_format* format,
                                    restrip_buffer** buffer) {
   if (buffer != nullptr) *buffer = nullptr;
-  if (any_null(mesh, buffer)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, buffer})) return RESTRIP_NULL_ARGUMENT;
   VertexCache target;
   StripFormat wanted;
   if (!format_of(format, wanted) || !cache_of(cache, target)) return RESTRIP_BAD_ARGUMENT;
@@ -857,7 +856,7 @@ restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_cache
   });
 }
 restrip_status restrip_buffer_read(const restrip_buffer* buffer, restrip_buffer_view* view) {
-  if (any_null(buffer, view)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({buffer, view})) return RESTRIP_NULL_ARGUMENT;
   const IndexBuffer& made = buffer->buffer;
   *view = {made.bytes().data(),
            made.size(),
@@ -874,7 +873,7 @@ void restrip_buffer_free(restrip_buffer* buffer) { delete buffer; }
 
 restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_format* format, const restrip_layout* layout,
                                   std::size_t history) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   StripFormat wanted;
   LayoutOptions how;
   if (layout != nullptr) how = {layout->cache, layout->waste, layout->work};
@@ -887,7 +886,7 @@ restrip_status restrip_live_begin(restrip_mesh* mesh, const restrip_format* form
 }
 restrip_status restrip_live_update(restrip_mesh* mesh, std::size_t merge_gap, std::size_t align,
                                    const restrip_range** ranges, std::size_t* range_count, std::int32_t* outgrown) {
-  if (any_null(mesh, ranges, range_count)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, ranges, range_count})) return RESTRIP_NULL_ARGUMENT;
   if (align == 0 || (align != 2 && align % 4 != 0)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     const Upload upload = mesh->live.update({merge_gap, align});
@@ -901,7 +900,7 @@ restrip_status restrip_live_update(restrip_mesh* mesh, std::size_t merge_gap, st
   });
 }
 restrip_status restrip_live_buffer(const restrip_mesh* mesh, restrip_buffer_view* view, std::size_t* room) {
-  if (any_null(mesh, view)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, view})) return RESTRIP_NULL_ARGUMENT;
   const LiveBuffer& buffer = mesh->live.buffer();
   *view = {buffer.bytes().data(),
            buffer.size(),
@@ -916,7 +915,7 @@ restrip_status restrip_live_buffer(const restrip_mesh* mesh, restrip_buffer_view
 restrip_status restrip_live_undo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, &LiveMesh::undo, done); }
 restrip_status restrip_live_redo(restrip_mesh* mesh, std::int32_t* done) { return step(mesh, &LiveMesh::redo, done); }
 restrip_status restrip_live_history_size(const restrip_mesh* mesh, std::size_t* undoable, std::size_t* redoable) {
-  if (any_null(mesh, undoable, redoable)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, undoable, redoable})) return RESTRIP_NULL_ARGUMENT;
   *undoable = mesh->live.undoable();
   *redoable = mesh->live.redoable();
   return RESTRIP_OK;
@@ -955,7 +954,7 @@ std::size_t restrip_baked_levels(const restrip_mesh* mesh) {
   return mesh == nullptr || mesh->live.baked() == nullptr ? 0 : mesh->live.baked()->splits.size();
 }
 restrip_status restrip_baked_level(const restrip_mesh* mesh, std::size_t* level) {
-  if (any_null(mesh, level)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, level})) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
   if (!mesh->live.level()) return RESTRIP_OUT_OF_STEP;
   *level = *mesh->live.level();
@@ -971,19 +970,19 @@ restrip_status restrip_baked_move(restrip_mesh* mesh, std::size_t level, std::si
   });
 }
 restrip_status restrip_baked_restart(restrip_mesh* mesh) {
-  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh})) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
   return guarded([&] { mesh->live.restart(); });
 }
 restrip_status restrip_baked_record(const restrip_mesh* mesh, std::size_t i, restrip_record* record) {
-  if (any_null(mesh, record)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, record})) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
   if (i >= restrip_baked_levels(mesh)) return RESTRIP_BAD_ARGUMENT;
   *record = record_of(mesh->live.baked()->splits[i]);
   return RESTRIP_OK;
 }
 restrip_status restrip_baked_payload(const restrip_mesh* mesh, std::size_t i, const void** bytes, std::size_t* size) {
-  if (any_null(mesh, bytes, size)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, bytes, size})) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
   if (i >= restrip_baked_levels(mesh)) return RESTRIP_BAD_ARGUMENT;
   const auto payload = mesh->live.baked()->payload[i];
@@ -992,7 +991,7 @@ restrip_status restrip_baked_payload(const restrip_mesh* mesh, std::size_t i, co
   return RESTRIP_OK;
 }
 restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates, std::size_t* vertex_count) {
-  if (any_null(mesh, coordinates, vertex_count)) return RESTRIP_NULL_ARGUMENT;
+  if (any_null({mesh, coordinates, vertex_count})) return RESTRIP_NULL_ARGUMENT;
   if (mesh->live.baked() == nullptr) return RESTRIP_NOT_BAKED;
   const auto& points = mesh->live.baked()->points;
   *coordinates = points.empty() ? nullptr : points.front().data();

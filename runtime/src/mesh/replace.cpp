@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "mesh/fan_checks.hpp"
@@ -138,11 +137,7 @@ void StripMesh::replace(std::span<const Triangle> out, std::span<const Corners> 
   std::vector<OpenSide> open;
   open.reserve(3 * out.size() + 6 * in.size());
   const std::size_t taken_over = (std::min)(out.size(), in.size());
-  const std::size_t more = in.size() - taken_over;
-  const std::size_t fresh = more - (std::min)(more, free_.size());
-  if (fresh > max_triangles - triangles_.size())
-    RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
-  detail::make_room(triangles_, fresh);
+  expect_triangles(in.size() - taken_over);
   detail::make_room(free_, out.size() - taken_over);
   detail::make_room(free_vertices_, 3 * out.size());
   expect_touches(7 * (out.size() + in.size()));

@@ -20,6 +20,13 @@ void StripMesh::join(Halfedge g, Halfedge h) noexcept {
   touch(triangle(h));
 }
 
+void StripMesh::expect_triangles(std::size_t count) {
+  const std::size_t fresh = count - (std::min)(count, free_.size());
+  if (fresh > max_triangles - triangles_.size())
+    RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
+  detail::make_room(triangles_, fresh);
+}
+
 Triangle StripMesh::take_triangle() {
   if (free_.empty()) {
     triangles_.emplace_back();
@@ -35,8 +42,9 @@ void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcep
   touch(t);
 }
 
-void StripMesh::expect_touches_around(Vertex v) {
-  if (watch_.changed != nullptr) expect_touches(spoke_count(*this, v) + most_other_touches);
+void StripMesh::expect_touches_around(Vertex v, std::span<const Halfedge> moved) {
+  if (watch_.changed == nullptr) return;
+  expect_touches((moved.empty() ? spoke_count(*this, v) : moved.size()) + most_other_touches);
 }
 
 Vertex StripMesh::next_vertex(std::size_t n) const noexcept {
@@ -123,15 +131,8 @@ Halfedge StripMesh::insert_vertex(const VertexSplit& where, Vertex wanted, std::
   const Vertex v_r = has_right ? to(right) : none;
 
   // Everything that may throw comes first, so either everything has been taken or nothing.
-  if (moved.empty())
-    expect_touches_around(v_s);
-  else
-    expect_touches(moved.size() + most_other_touches);
-  const std::size_t needed = has_left && has_right ? 2 : 1;
-  const std::size_t fresh = needed - (std::min)(needed, free_.size());
-  if (fresh > max_triangles - triangles_.size())
-    RESTRIP_THROW(std::length_error, "restrip: the mesh already has the most triangles that a StripMesh can hold");
-  detail::make_room(triangles_, fresh);
+  expect_touches_around(v_s, moved);
+  expect_triangles(has_left && has_right ? 2 : 1);
   const Vertex v_t = new_vertex(wanted);
   const Triangle a = has_left ? take_triangle() : none;
   const Triangle d = has_right ? take_triangle() : none;
@@ -206,10 +207,7 @@ Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> move
   // Everything that may throw comes first.
   detail::make_room(free_, 2);
   detail::make_room(free_vertices_, 1);
-  if (moved.empty())
-    expect_touches_around(v_t);
-  else
-    expect_touches(moved.size() + most_other_touches);
+  expect_touches_around(v_t, moved);
 
   for (const Halfedge h : moved) set_corner(h, v_s);
   if (moved.empty()) {

@@ -242,9 +242,9 @@ class StripMesh {
   Halfedge turn_edge(Halfedge h);
   /// Replaces any triangles by any others, each by its corners, counter-clockwise; either list may be empty. Vertices
   /// not in use become new ones, vertices left without triangles are removed. Dual edges of removed and of new
-  /// triangles are dashed; all others keep their colours. `made` has the size of `in` and receives its handles, of
-  /// which the first ones are those of `out`. Precondition: check_replace() of the same lists grants it. O(n log n) for
-  /// the triangles in both lists.
+  /// triangles are dashed; all others keep their colours. `made` has the size of `in` and receives its handles;
+  /// the first ones are the handles of `out` again. Precondition: check_replace() of the same lists grants it.
+  /// O(n log n) for the triangles in both lists.
   void replace(std::span<const Triangle> out, std::span<const std::array<Vertex, 3>> in, std::span<Triangle> made);
 
   // ---- list of changes
@@ -327,8 +327,8 @@ class StripMesh {
   /// A flip moves six corners, joins five edges and colours five; insertions and removals do less, except for the
   /// corners at a vertex.
   static constexpr std::size_t most_other_touches = 6 + 2 * 5 + 2 * 5;
-  /// Makes room for the touches of an operation on the triangles around v.
-  void expect_touches_around(Vertex v);
+  /// Makes room for the touches of an operation on the triangles around v, or if they are known, at `moved`.
+  void expect_touches_around(Vertex v, std::span<const Halfedge> moved);
   void touch(Triangle t) noexcept {
     if (watch_.changed != nullptr) watch_.changed->push_back(t);
   }
@@ -349,6 +349,8 @@ class StripMesh {
   [[nodiscard]] std::uint32_t link_of(Halfedge h) const noexcept { return triangles_[triangle(h)].link[side(h)]; }
   [[nodiscard]] std::uint32_t& link_of(Halfedge h) noexcept { return triangles_[triangle(h)].link[side(h)]; }
   void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
+  // Makes room for `count` calls of take_triangle().
+  void expect_triangles(std::size_t count);
   Triangle take_triangle();
   void place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept;
   Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right) noexcept;
