@@ -149,22 +149,6 @@ class Page:
         return (f"at most {of('random/bare', 'mesh_bytes')} for mesh and colours, {plain(searches, 2)} more for the searches of "
                 f"`quick` and `full`, {of('buffer', 'buffer_bytes')} more for the live buffer, its indices included")
 
-    # ---- simplification, which scripts/simplify_table.py measures
-    def simplified(self):
-        """A row for each level: ranges over all meshes."""
-        with open(Path(__file__).parents[1] / "docs/results-simplify.csv", encoding="utf-8") as file:
-            of = {(row["percent"], row["program"], row["mesh"]): row for row in csv.DictReader(file)}
-        rows = []
-        for percent in dict.fromkeys(percent for percent, _, _ in of):
-            meshes = [mesh for level, program, mesh in of if (level, program) == (percent, "restrip")]
-            value = lambda program, mesh, field: float(of[percent, program, mesh][field])
-            over = lambda field, rivals: self.span([value("restrip", mesh, field) / min(value(rival, mesh, field) for rival in rivals) for mesh in meshes])
-            most = lambda program: f"{max(value(program, mesh, 'turned_percent') for mesh in meshes):.3f} %"
-            rows.append([f"{percent} %", over("mean_distance", ["meshoptimizer", "openmesh"]), over("largest_distance", ["meshoptimizer"]), most("restrip"),
-                         most("meshoptimizer"), over("time_of_meshoptimizer", ["meshoptimizer"]), over("time_of_meshoptimizer", ["openmesh"])])
-        return table(["left", "mean distance, of the better", "largest, of meshoptimizer's", "facing away", "meshoptimizer's", "time, of meshoptimizer's",
-                      "of OpenMesh's"], rows)
-
     # ---- one mesh stands for all
     def shown(self):
         mesh = "bunny" if ("bunny", "100") in self.levels else self.levels[-1][0]

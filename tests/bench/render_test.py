@@ -65,7 +65,7 @@ class Render(unittest.TestCase):
         page = self.page()
         self.assertNotIn("{{", page)
         self.assertNotRegex(page, r"\bnan\b|\binf\b")
-        self.assertEqual(len(tables(page)), 4)
+        self.assertEqual(len(tables(page)), 3)
         for head, rows in tables(page):
             self.assertGreater(len(rows), 0, head)
             for row in rows:
