@@ -19,7 +19,7 @@ if (names.length === 0) {
 const folder = join(root, 'build/release/web/package');
 const { load } = await import(pathToFileURL(join(folder, 'restrip.mjs')));
 const { loadReaders } = await import(pathToFileURL(join(folder, 'formats.mjs')));
-const readMesh = await loadReaders();
+const { readMesh } = await loadReaders();
 const { listed, representative, ruleName } = await import('../web/viewer/patch.mjs');
 const restrip = await load();
 const scratch = mkdtempSync(join(tmpdir(), 'restrip-met-'));

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
@@ -48,24 +46,6 @@ struct restrip_buffer {
   }
   const restrip::IndexBuffer buffer;
   std::vector<restrip_range> draws;
-};
-
-struct restrip_levels {
-  restrip_levels(restrip::StripMesh mesh, std::span<const restrip::Simplifier::Point> points,
-                 restrip::BoundaryPolicy boundary)
-      : simplifier(std::move(mesh), points, boundary) {}
-  bool run(std::size_t wanted, std::size_t most = static_cast<std::size_t>(-1)) {
-    const bool ended = simplifier.run(wanted, most);
-    stopped_short = ended && simplifier.mesh().triangle_count() > wanted;
-    return ended;
-  }
-
-  restrip::Simplifier simplifier;
-  bool stopped_short = false;
-  // Of the view.
-  std::vector<std::uint32_t> base;
-  std::vector<restrip_record> records;
-  std::vector<restrip_obstacle> obstacles;
 };
 
 struct restrip_mesh {
@@ -280,63 +260,7 @@ restrip_status strips_of_list(const Index* indices, std::size_t index_count, std
   });
 }
 
-// ---- simplification
-
-/// Writes the corners of all triangles, in the order of their numbers.
-template <class Out>
-void write_corners(const StripMesh& mesh, Out out) {
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t))
-      for (const Vertex v : mesh.corners(t)) *out++ = v;
-}
-
 restrip_record record_of(const SplitRecord& split) noexcept { return {split.v_s, split.v_t, split.v_l, split.v_r}; }
-
-/// What is wrong with the arguments of a simplification; empty if nothing is.
-template <class Index>
-std::string fault_of(std::span<const Index> indices, std::span<const double> points, std::int32_t boundary) {
-  const std::size_t vertex_count = points.size() / 3;
-  if (indices.size() % 3 != 0) return std::to_string(indices.size()) + " indices are not whole triangles";
-  if (boundary != RESTRIP_BOUNDARY_LOCK && boundary != RESTRIP_BOUNDARY_MOVE)
-    return "boundary " + std::to_string(boundary) + " is neither 0 (lock) nor 1 (move)";
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    if (indices[i] >= vertex_count)
-      return "triangle " + std::to_string(i / 3) + " has corner " + std::to_string(indices[i]) + ", but there are " +
-             std::to_string(vertex_count) + " vertices";
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!std::isfinite(points[i])) return "a coordinate of vertex " + std::to_string(i / 3) + " is not a finite number";
-  return {};
-}
-
-template <class Index>
-restrip_status simplify(const Index* indices, std::size_t index_count, const double* points, std::size_t vertex_count,
-                        std::size_t wanted, std::int32_t boundary, restrip_build_report* report, char* text,
-                        std::size_t text_size, restrip_levels** out) {
-  if (out != nullptr) *out = nullptr;
-  if (out == nullptr || (indices == nullptr && index_count != 0) || (points == nullptr && vertex_count != 0) ||
-      (text == nullptr && text_size != 0))
-    return RESTRIP_NULL_ARGUMENT;
-  tell({}, text, text_size);
-  if (vertex_count > most_vertices || index_count / 3 > StripMesh::max_triangles) return RESTRIP_TOO_LARGE;
-  return guarded([&]() -> restrip_status {
-    const std::span list(indices, index_count);
-    const std::string fault = fault_of(list, std::span(points, 3 * vertex_count), boundary);
-    if (!fault.empty()) {
-      tell(fault, text, text_size);
-      return RESTRIP_BAD_ARGUMENT;
-    }
-    std::vector<Simplifier::Point> places(vertex_count);
-    for (std::size_t i = 0; i < 3 * vertex_count; ++i) places[i / 3][i % 3] = points[i];
-    BuildReport found;
-    auto levels = std::make_unique<restrip_levels>(
-        StripMesh::build(list, vertex_count, &found), places,
-        boundary == RESTRIP_BOUNDARY_LOCK ? BoundaryPolicy::lock : BoundaryPolicy::move);
-    levels->run(wanted);
-    if (report != nullptr) *report = report_of(found);
-    *out = levels.release();
-    return RESTRIP_OK;
-  });
-}
 
 /// Reads a mesh from bytes, or describes what is wrong with them in `text`.
 template <class Read>
@@ -550,7 +474,9 @@ restrip_status restrip_mesh_corners(const restrip_mesh* mesh, std::uint32_t t, s
 restrip_status restrip_mesh_triangles(const restrip_mesh* mesh, std::uint32_t* corners, std::size_t size) {
   if (any_null({mesh, corners})) return RESTRIP_NULL_ARGUMENT;
   if (size < 3 * mesh->mesh().triangle_count()) return RESTRIP_TOO_SMALL;
-  write_corners(mesh->mesh(), corners);
+  for (Triangle t = 0; t < mesh->mesh().triangle_bound(); ++t)
+    if (mesh->mesh().alive(t))
+      for (const Vertex v : mesh->mesh().corners(t)) *corners++ = v;
   return RESTRIP_OK;
 }
 
@@ -998,43 +924,6 @@ restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coor
   *vertex_count = points.size();
   return RESTRIP_OK;
 }
-
-// ---- simplification
-
-restrip_status restrip_simplify_u32(const std::uint32_t* indices, std::size_t index_count, const double* points,
-                                    std::size_t vertex_count, std::size_t wanted, std::int32_t boundary,
-                                    restrip_build_report* report, char* text, std::size_t text_size,
-                                    restrip_levels** levels) {
-  return simplify(indices, index_count, points, vertex_count, wanted, boundary, report, text, text_size, levels);
-}
-restrip_status restrip_simplify_u16(const std::uint16_t* indices, std::size_t index_count, const double* points,
-                                    std::size_t vertex_count, std::size_t wanted, std::int32_t boundary,
-                                    restrip_build_report* report, char* text, std::size_t text_size,
-                                    restrip_levels** levels) {
-  return simplify(indices, index_count, points, vertex_count, wanted, boundary, report, text, text_size, levels);
-}
-restrip_status restrip_levels_run(restrip_levels* levels, std::size_t wanted, std::size_t most, std::size_t* left) {
-  return given({levels}, [&] {
-    const bool ended = levels->run(wanted, most);
-    if (left != nullptr) *left = ended ? 0 : levels->simplifier.mesh().triangle_count() - wanted;
-  });
-}
-restrip_status restrip_levels_read(restrip_levels* levels, restrip_levels_view* view) {
-  return given({levels, view}, [&] {
-    levels->base.clear();
-    write_corners(levels->simplifier.mesh(), std::back_inserter(levels->base));
-    const std::vector<SplitRecord>& collapses = levels->simplifier.collapses();
-    levels->records.resize(collapses.size());
-    std::transform(collapses.rbegin(), collapses.rend(), levels->records.begin(), record_of);
-    levels->obstacles.clear();
-    if (levels->stopped_short)
-      for (const Obstacle& obstacle : levels->simplifier.obstacles())
-        levels->obstacles.push_back({obstacle.why, obstacle.edges});
-    *view = {levels->base.data(),    levels->base.size(),      levels->records.data(),
-             levels->records.size(), levels->obstacles.data(), levels->obstacles.size()};
-  });
-}
-void restrip_levels_free(restrip_levels* levels) { delete levels; }
 
 // ---- the rules by themselves
 

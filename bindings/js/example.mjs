@@ -10,9 +10,10 @@ if (!file) {
   process.exit(2);
 }
 const restrip = await load();
-const readMesh = await loadReaders();
+const { readMesh, simplified } = await loadReaders();
 const read = await readMesh(file, await readFile(file));
-const open = () => (read.baked ? restrip.baked(read.baked) : read.base ? restrip.progressive(read) : restrip.simplified(read));
+const levels = read.triangles ? await simplified(read) : read;
+const open = () => (levels.baked ? restrip.baked(levels.baked) : restrip.progressive(levels));
 
 const sum = (ranges) => ranges.reduce((all, { count }) => all + count, 0);
 /// Each brings its index buffer in step with the mesh; it returns the number written, and the number in the buffer.

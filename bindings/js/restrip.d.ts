@@ -63,11 +63,6 @@ export class Restrip {
   progressive(source: { points: ArrayLike<number>; base: ArrayLike<number>; splits: ArrayLike<number> }): StripMesh;
   /** A mesh without records. */
   mesh(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }): StripMesh;
-  /** Simplifies a mesh to `share` of its triangles, from 0 to 1, by quadric errors; boundary vertices move along the boundary. Takes
-   * seconds for a million triangles. */
-  simplified(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): StripMesh;
-  /** The same in steps: a generator of the share that is done, from 0 to 1, which returns the mesh. */
-  simplifying(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): Generator<number, StripMesh, void>;
   /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or not a
    *  mesh. */
   baked(bytes: Bytes): StripMesh;

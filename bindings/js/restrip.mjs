@@ -31,16 +31,15 @@ export async function load(source = new URL('./restrip.wasm', import.meta.url)) 
 
 /// Releases what an object here holds there.
 function release(held) {
-  const { library, mesh, scratch, levels } = held;
-  Object.assign(held, { mesh: 0, scratch: 0, levels: 0 });
+  const { library, mesh, scratch } = held;
+  Object.assign(held, { mesh: 0, scratch: 0 });
   for (const each of [mesh, scratch]) library.restrip_mesh_free(each);
-  library.restrip_levels_free(levels);
 }
 /// Releases what objects held that a program can no longer reach and did not close.
 const unreachable = new FinalizationRegistry(release);
-/// Holds a mesh, its strips from scratch, or a mesh that is being simplified, for `owner`; 0: not.
+/// Holds a mesh and its strips from scratch for `owner`; 0: not.
 function holding(owner, library, held) {
-  const all = { library, mesh: 0, scratch: 0, levels: 0, ...held };
+  const all = { library, mesh: 0, scratch: 0, ...held };
   unreachable.register(owner, all);
   return all;
 }
@@ -68,46 +67,6 @@ export class Restrip {
   }
   #opened(places, base, splits) {
     return new StripMesh(this.#library, { places, base, splits, mesh: this.#library.build(base, places.length / 3) });
-  }
-
-  /// A mesh, simplified here to `share` of its triangles.
-  simplified(source, share) {
-    const steps = this.simplifying(source, share);
-    for (;;) {
-      const { done, value } = steps.next();
-      if (done) return value;
-    }
-  }
-  /// The same in steps of some thousand attempts.
-  simplifying(source, share = 0.02) {
-    if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${quoted(share)}; it must be from 0 to 1`);
-    const [points, triangles] = lists('simplified()', source, ['points', 'triangles']);
-    const library = this.#library;
-    const places = coordinates(points);
-    const corners = vertices('triangles', triangles, 3, places.length / 3);
-    const [count, moving] = [corners.length / 3, 1];
-    library.with([corners, Float64Array.from(places)], (t, p) => library.explained(
-      library.restrip_simplify_u32(t, corners.length, p, places.length / 3, 0xffffffff, moving, 0, library.text, 256, library.out), 'simplified()'));
-    const owner = {};  // reached by the generator alone
-    const held = holding(owner, library, { levels: library.result() });
-    return this.#collapses(owner, held, places, Math.max(4, Math.round(count * share)), count);
-  }
-  *#collapses(owner, held, places, wanted, count) {
-    const library = this.#library;
-    try {
-      for (;;) {
-        library.done(library.restrip_levels_run(held.levels, wanted, 1000, library.out));
-        const left = library.result();
-        if (left === 0) break;
-        yield 1 - left / Math.max(1, count - wanted);
-      }
-      library.done(library.restrip_levels_read(held.levels, library.out));
-      const [base, baseCount, records, recordCount] = library.at(library.out, 4).slice();
-      return this.#opened(places, library.at(base, baseCount).slice(), library.at(records, 4 * recordCount).slice());
-    } finally {
-      release(held);  // the caller may have stopped early
-      void owner;
-    }
   }
 
   /// A baked mesh, from the bytes of its file.

@@ -14,8 +14,7 @@ expected=$3
 common=(-std=c++20 -O0 -Wall -Wextra -Werror)
 tried g++ "${common[@]}"
 tried g++ "${common[@]}" -fno-exceptions -fno-rtti -fvisibility=hidden
-# Clang 20 and later report deprecated functions that std::stable_sort of GCC 12's library calls.
-tried "$4" "${common[@]}" -Wno-deprecated-declarations
+tried "$4" "${common[@]}"
 if command -v x86_64-w64-mingw32-g++ >/dev/null; then
   echo x86_64-w64-mingw32-g++
   x86_64-w64-mingw32-g++ -std=c++20 -O0 main.cpp restrip.cpp -o program.exe

@@ -74,7 +74,6 @@ TEST(CArguments, NullIsACode) {
                                   restrip_mesh_reserve(nullptr, 1, 1),
                                   restrip_mesh_play(nullptr, nullptr, 0, 1, nullptr),
                                   restrip_mesh_play(m, nullptr, 1, 1, nullptr),
-                                  restrip_levels_run(nullptr, 1, 1, nullptr),
                                   restrip_live_begin(nullptr, nullptr, nullptr, 0),
                                   restrip_live_update(nullptr, 2, 4, &ranges, &size, nullptr),
                                   restrip_live_update(m, 2, 4, nullptr, &size, nullptr),

@@ -4,9 +4,6 @@
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 separate_arguments(launcher UNIX_COMMAND "${LAUNCHER}")
 list(APPEND flags -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror -I ${FOLDER})
-if(COMPILER MATCHES "clang")  # Clang 20 and later report deprecated functions that std::stable_sort of GCC 12's library calls
-  list(APPEND flags -Wno-deprecated-declarations)
-endif()
 set(sources ${SOURCE} ${FOLDER}/restrip.cpp)
 if(NOT DEFINED REFERENCE)
   execute_process(COMMAND ${COMPILER} ${flags} -fsyntax-only ${sources} COMMAND_ERROR_IS_FATAL ANY)

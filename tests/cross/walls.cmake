@@ -23,8 +23,8 @@ set(door_reports "\"common/(output|system_calls).hpp\"")
 set(door_maker "\"common/[^\"]*\"|<nlohmann/json.hpp>|<stdio.h>")
 set(door_maker_generator "\"commands/pipeline.hpp\"")
 set(door_maker_verify "\"explain/explanation.hpp\"|\"model/input.hpp\"|\"verify.hpp\"")
-# The readers of the program, for JavaScript.
-set(door_readers "\"(lod/mesh_formats|meshes/(mend|soup)).hpp\"")
+# The readers and the simplifier of the program, for JavaScript.
+set(door_readers "\"(lod/(coloring_check|mesh_formats|simplifier)|meshes/(mend|soup)).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
 set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables|rule_of_@name@).h\"")

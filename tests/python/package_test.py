@@ -155,89 +155,40 @@ class StripsOf(unittest.TestCase):
         self.assertIn("2 of 3 faces are left out", str(caught[0].message))
 
 
-class Simplify(unittest.TestCase):
+class Play(unittest.TestCase):
     @staticmethod
-    def island(n):
-        y, x = np.divmod(np.arange(n * n), n)
-        return np.stack([x, y, np.maximum(0, 8 * np.exp(-((x - 0.6 * n) ** 2 + (y - 0.4 * n) ** 2) / n) - 1)], 1)
-
-    @staticmethod
-    def from_above(points, faces):
-        a, b, c = (points[faces[:, corner], :2] for corner in range(3))
-        return ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
-
-    def test_a_height_field_never_faces_down(self):
-        points, faces = self.island(41), grid(41)
-        for boundary in ("move", "lock"):
-            for share in (0.5, 0.1, 0.06):
-                made = restrip.simplify(points, faces, share, boundary=boundary)
-                self.assertEqual((made.shortfall, made.report.boundary_edges), (None, 160))
-                self.assertLessEqual(len(made.faces), np.ceil(share * len(faces)))
-                areas = self.from_above(points, made.faces)
-                self.assertGreater(areas.min(), 0)
-                self.assertAlmostEqual(areas.sum(), 1600)
-                left = points[np.unique(made.faces)]
-                outline = ((left[:, :2] == 0) | (left[:, :2] == 40)).any(1).sum()
-                self.assertTrue(outline == 160 if boundary == "lock" else outline < 160, outline)
+    def levels(faces, count):
+        """The faces that are left after collapses of the first edges that may collapse, and the records, from coarse to fine."""
+        mesh, records = restrip.LiveMesh(faces, policy="bare"), []
+        while mesh.triangle_count > count:
+            edges = mesh.find_each(*mesh.faces()[:, :2].T)
+            edge = int(edges[np.argmin(mesh.check_each("collapse", edges))])
+            apexes = (mesh.ends(mesh.next(side))[1] for side in (edge, mesh.opposite(edge)))
+            records.insert(0, [*mesh.ends(edge), *apexes])
+            mesh.collapse(edge)
+        return mesh.faces(), np.array(records)
 
     def test_records_lead_back(self):
-        points, faces = self.island(20).astype(np.float32), grid(20)
-        made = restrip.simplify(points, faces, count=100)
-        self.assertIn(len(made.faces), (99, 100))
-        self.assertEqual([array.tolist() for array in made[:2]],
-                         [array.tolist() for array in restrip.simplify(points.tolist(), np.asfortranarray(faces, np.uint16), 99.9 / len(faces))[:2]])
-        mesh = restrip.LiveMesh(made.faces, len(points))
-        twin = restrip.LiveMesh(made.faces, len(points))
-        for v_s, v_t, v_l, v_r in made.records.tolist():
+        faces = grid(20)
+        base, records = self.levels(faces, 100)
+        self.assertLessEqual(len(base), 100)
+        mesh, twin = (restrip.LiveMesh(base, 400) for _ in range(2))
+        for v_s, v_t, v_l, v_r in records.tolist():
             twin.split(*(restrip.NONE if v == restrip.NONE else twin.find(v_s, v) for v in (v_l, v_r)), v_t)
-        mesh.play(made.records)
+        mesh.play(records)
         self.assertEqual(rotated(mesh.faces()), rotated(faces))
         self.assertEqual(mesh.faces().tolist(), twin.faces().tolist())
-        mesh.play(made.records[-50:], forward=False)
-        with self.assertRaisesRegex(restrip.RestripError, f"^record {len(made.records) - 1}: "):
-            mesh.play(made.records, forward=False)
-        mesh.play(made.records[:-50], forward=False)
-        self.assertEqual(rotated(mesh.faces()), rotated(made.faces))
+        mesh.play(records[-50:], forward=False)
+        with self.assertRaisesRegex(restrip.RestripError, f"^record {len(records) - 1}: "):
+            mesh.play(records, forward=False)
+        mesh.play(records[:-50], forward=False)
+        self.assertEqual(rotated(mesh.faces()), rotated(base))
         with self.assertRaisesRegex(restrip.RestripError, "^record 1: "):
-            mesh.play(made.records[[0, 0]])
-        for wrong in (made.records[:, :3], made.records.ravel(), made.records + 0.5):
+            mesh.play(records[[0, 0]])
+        for wrong in (records[:, :3], records.ravel(), records + 0.5):
             with self.assertRaisesRegex(ValueError, "records: expected"):
                 mesh.play(wrong)
-        mesh = restrip.LiveMesh(faces, len(points))
         self.assertTrue(mesh.check().valid)
-        self.assertEqual(len(restrip.simplify([], [], 0.5).faces), 0)
-        self.assertEqual(restrip.simplify(points, faces, 1).records.shape, (0, 4))
-
-    def test_what_stops_it_is_said(self):
-        tetrahedron = np.eye(4, 3), [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
-        with self.assertWarnsRegex(UserWarning, "restrip: 4 faces are left, 2 were wanted"):
-            made = restrip.simplify(*tetrahedron, 0.5)
-        self.assertRegex(made.shortfall, r"none of the 6 edges may collapse \(6: \w.*\)$")
-        self.assertEqual((rotated(made.faces), made.records.shape), (rotated(tetrahedron[1]), (0, 4)))
-        with self.assertWarnsRegex(UserWarning, "1 of 5 faces are left out"):
-            self.assertEqual(len(restrip.simplify(tetrahedron[0], tetrahedron[1] + [[1, 1, 2]], 1).faces), 4)
-
-    def test_bad_input_is_named(self):
-        points, faces = self.island(4), grid(4)
-        for share in (-0.1, 1.1, float("nan"), "1", 1j):
-            with self.assertRaisesRegex(ValueError, "share .*: expected a number from 0 to 1"):
-                restrip.simplify(points, faces, share)
-        for options, said in (({}, "either share or count"), ({"share": 0.5, "count": 3}, "either share or count"), ({"count": -1}, "count -1"), ({"count": 2.5}, "count 2.5"),
-                              ({"share": 0.5, "boundary": "keep"}, "boundary 'keep': expected one of lock, move")):
-            with self.assertRaisesRegex(ValueError, said):
-                restrip.simplify(points, faces, **options)
-        for wrong in (np.nan, np.inf):
-            broken = points.copy()
-            broken[7, 2] = wrong
-            with self.assertRaisesRegex(restrip.RestripError, "^simplify: a coordinate of vertex 7 is not a finite number$"):
-                restrip.simplify(broken, faces, 0.5)
-        with self.assertRaisesRegex(restrip.RestripError, "^simplify: triangle 1 has corner 6, but there are 6 vertices$"):
-            restrip.simplify(points[:6], faces, 0.5)
-        for wrong in (points[:, :2], points.ravel(), points + 0j, [["a", "b", "c"]]):
-            with self.assertRaisesRegex(ValueError, "points: expected numbers with three columns"):
-                restrip.simplify(wrong, faces, 0.5)
-        with self.assertRaisesRegex(ValueError, "faces: expected integers"):
-            restrip.simplify(points, [[0.0, 1.0, 2.0]], 0.5)
 
 
 class Live(unittest.TestCase):

@@ -1,5 +1,5 @@
 // Claims: simplification reaches its target or says why not, its splits lead back to exactly the triangles of the soup,
-// and non-manifold parts are left unchanged and counted. tests/runtime/search/simplify_test.cpp judges the collapses.
+// and non-manifold parts are left unchanged and counted. tests/tools/simplifier_test.cpp judges the collapses.
 #include "lod/simplify.hpp"
 
 #include <gtest/gtest.h>

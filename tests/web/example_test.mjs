@@ -36,7 +36,7 @@ try {
     const { show } = await import('/example.mjs');
     const { differ, picture, useFlatProgram } = await import('/pictures.mjs');
     const { loadReaders } = await import(`${name}/formats`);
-    const readMesh = await loadReaders();
+    const { readMesh } = await loadReaders();
     const { points, triangles } = await readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
     const gl = document.getElementById('canvas').getContext('webgl2', { antialias: false });
     useFlatProgram(gl);

@@ -17,7 +17,7 @@ mkdirSync(scratch, { recursive: true });
 const { Restrip, load, none, restartIndex } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
 const { loadReaders } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
 const wasm = readFileSync(join(folder, 'package/restrip.wasm'));
-const readMesh = await loadReaders();
+const { readMesh, simplified, simplifying } = await loadReaders();
 const restrip = await load();
 const file = join(folder, 'hare.pm');
 const source = await readMesh('hare.pm', readFileSync(file));
@@ -177,11 +177,12 @@ function copiesByRanges() {
 
 /// Random operations, writes of points, frames, undo and redo; a twin copies all points in each frame, and so do triangles and
 /// levels.
-function pointsFollowFrames() {
+async function pointsFollowFrames() {
+  const levels = await simplified(grid(9, 9), 0.3);
   let [steps, restored] = [0, 0];
   for (let seed = 1; seed <= 40; ++seed) {
     const random = randomOf(seed * 7919);
-    const open = [() => restrip.mesh(grid(6, 6)), () => restrip.simplified(grid(9, 9), 0.3)][seed % 2];
+    const open = [() => restrip.mesh(grid(6, 6)), () => restrip.progressive(levels)][seed % 2];
     const mesh = open().begin({ policy: ['bare', 'local'][seed % 3 % 2], history: 1e6 });
     mesh.update();
     const played = () => {
@@ -231,7 +232,7 @@ function pointsFollowFrames() {
   }
   assert.ok(restored > 200, `${restored} of ${steps}`);
   // Undone frames that left the records do not count, also after another frame took their place.
-  const mesh = restrip.simplified(grid(9, 9), 0.3).begin({ history: 1e5 });
+  const mesh = restrip.progressive(levels).begin({ history: 1e5 });
   mesh.moveTo(10);
   mesh.update();
   const flipped = () => { for (let i = 0; ; i += 3) if (mesh.flip(...mesh.triangles.subarray(i, i + 2)).ok) return; };
@@ -517,23 +518,37 @@ function appliesTables() {
 
 async function simplifies() {
   const soup = await readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
-  const mesh = restrip.simplified(soup, 0.1).begin({ policy: 'quick' });
+  const levels = await simplified(soup, 0.1);
+  const mesh = restrip.progressive(levels).begin({ policy: 'quick' });
   assert.ok(mesh.figures.triangles <= 0.11 * soup.triangles.length / 3);
   mesh.moveTo(mesh.levels);
   assert.deepEqual(sorted(mesh.triangles), sorted(soup.triangles));
   mesh.close();
   // In steps the result is the same, and the share done is reported; the caller may stop in between.
-  const steps = restrip.simplifying(soup, 0.1);
+  const steps = simplifying(soup, 0.1);
   const shares = [];
   let last;
-  while (!(last = steps.next()).done) shares.push(last.value);
+  while (!(last = await steps.next()).done) shares.push(last.value);
   assert.ok(shares.length > 2 && shares.every((share, n) => share >= (shares[n - 1] ?? 0) && share < 1), shares.join());
-  assert.deepEqual(last.value.splits, restrip.simplified(soup, 0.1).splits);
-  last.value.close();
-  for (const share of restrip.simplifying(soup, 0.1)) {
+  assert.deepEqual(last.value, levels);
+  for await (const share of simplifying(soup, 0.1)) {
     assert.ok(share > 0);
     break;
   }
+  // The program makes the same levels of these points, which are floats.
+  const [obj, pm] = ['soup.obj', 'soup.pm'].map((name) => join(scratch, name));
+  const lines = (letter, list, of) => Array.from({ length: list.length / 3 }, (_, i) => `${letter} ${Array.from(list.subarray(3 * i, 3 * i + 3), of).join(' ')}\n`).join('');
+  writeFileSync(obj, lines('v', soup.points, (x) => x) + lines('f', soup.triangles, (v) => v + 1));
+  execFileSync(program, ['simplify', obj, '--triangles', `${Math.round(soup.triangles.length / 30)}`, '-o', pm]);
+  // Its file names the vertices of the base first.
+  const places = ({ points, base, splits }) => [base, splits].map((list) => Array.from(list, (v) => (v === none ? 'none' : points.subarray(3 * v, 3 * v + 3).join())));
+  assert.deepEqual(places(await readMesh('soup.pm', readFileSync(pm))), places(levels));
+  // A mesh of which no edge may collapse is its own base.
+  const tetrahedron = { points: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], triangles: [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3] };
+  const { base: same, splits: no } = await simplified(tetrahedron, 0);
+  assert.deepEqual([[...same], no.length], [tetrahedron.triangles, 0]);
+  for (const empty of [{ points: [], triangles: [] }, { points: [0, 0, 0], triangles: [] }])
+    assert.deepEqual(await simplified(empty), { points: Float32Array.from(empty.points), base: new Uint32Array(0), splits: new Uint32Array(0) });
 }
 
 /// What a program has in hand is read, or refused for the true reason.
@@ -585,23 +600,23 @@ function misuseThrows() {
   const changed = (list, at, value) => list.map((n, i) => (i === at ? value : n));
   for (const value of [7, -1, 1.5, NaN, 2 ** 32]) {
     throws(() => restrip.progressive({ ...source, base: changed(base, 4, value) }), /base: number 1 names vertex .*; there are 7/);
-    throws(() => restrip.simplified({ points, triangles: changed(base, 23, value) }), /triangles: number 7 names vertex/);
+    throws(() => simplifying({ points, triangles: changed(base, 23, value) }), /triangles: number 7 names vertex/);
     throws(() => restrip.progressive({ ...source, splits: changed(splits, 3, value) }), /splits: number 0 names vertex/);
   }
   for (const value of [NaN, Infinity, 1e39, undefined]) {
     throws(() => restrip.progressive({ ...source, points: changed(points, 4, value) }), /vertex 1 has the coordinate/);
-    throws(() => restrip.simplified({ points: changed(points, 20, value), triangles: base }), /vertex 6 has the coordinate/);
+    throws(() => simplifying({ points: changed(points, 20, value), triangles: base }), /vertex 6 has the coordinate/);
   }
   throws(() => restrip.progressive({ ...source, points: points.slice(1) }), /points: 20 numbers/);
   throws(() => restrip.progressive({ ...source, splits: [1] }), /splits: 1 numbers/);
-  throws(() => restrip.simplified({ points }), /simplified\(\) needs { points, triangles }; triangles is missing/);
+  throws(() => simplifying({ points }), /simplified\(\) needs { points, triangles }; triangles is missing/);
   throws(() => restrip.mesh({ points }), /mesh\(\) needs { points, triangles }; triangles is missing/);
   throws(() => restrip.mesh(), /mesh\(\) needs { points, triangles }; nothing of it is given/);
   throws(() => restrip.mesh({ points: [[0, 0, 0], [1, 0, 0]], triangles: [] }), /points: its elements are lists; give the numbers in one list: points.flat\(\)/);
   throws(() => restrip.mesh({ points, triangles: [[0, 1, 2]] }), /triangles: its elements are lists/);
   throws(() => restrip.mesh({ points, triangles: 'abc' }), /triangles: 'abc' is not a list/);
   throws(() => new Restrip(), /a Restrip is made by load\(\)/);
-  for (const share of [-1, NaN, 2, 'half']) throws(() => restrip.simplified({ points, triangles: base }, share), /share is/);
+  for (const share of [-1, NaN, 2, 'half']) throws(() => simplifying({ points, triangles: base }, share), /share is/);
   for (const [wrong, why] of [[{ k: NaN }, /k is NaN/], [{ k: 2 ** 32 + 4 }, /k is 4294967300/], [{ a: -2 }, /a is -2/], [{ edges: -1n }, /edges is -1/], [{ ports: 1n << 64n }, /bits 0 to 63/], [{ family: 'fold' }, /unknown family 'fold'/]])
     throws(() => restrip.rule({ family: 'split', k: 4, a: 2, edges: 0, ports: 0, ...wrong }), why);
 
@@ -687,19 +702,16 @@ async function worksAboveTwoGigabytes() {
   mesh.close();
 }
 
-/// Meshes that nobody closed, and simplifications that nobody finished, give their memory back when the program cannot reach
-/// them; what it can reach stays.
+/// Meshes that nobody closed give their memory back when the program cannot reach them; what it can reach stays.
 async function unclosedIsFreed() {
   setFlagsFromString('--expose-gc');
   const collect = runInNewContext('gc');
   const { library, exports } = await loadOpen();
   const source = grid(60, 60);
+  const levels = await simplified(source, 0.5);
   const forget = {
     mesh: () => library.mesh(source).begin().update(),
-    simplified: () => { const mesh = library.simplified(source, 0.5).begin(); mesh.approach(new Uint8Array(mesh.levels)); },
-    unfinished: () => library.simplifying(source, 0.5).next(),
-    'not begun': () => library.simplifying(source, 0.5),
-    'stopped early': () => { for (const share of library.simplifying(source, 0.5)) return share; },
+    progressive: () => { const mesh = library.progressive(levels).begin(); mesh.approach(new Uint8Array(mesh.levels)); },
   };
   const kept = library.mesh(source).begin();
   const round = async (leave) => {
@@ -761,9 +773,9 @@ function asDependency() {
   for (const packed of ['package.json', ...about.files]) copyFileSync(join(folder, 'package', packed), join(installed, packed));
   writeFileSync(join(project, 'main.mjs'), `import { load } from '${about.name}';
     import { loadReaders } from '${about.name}/formats';
-    const readMesh = await loadReaders();
+    const { readMesh, simplified } = await loadReaders();
     const content = new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n');
-    const mesh = (await load()).simplified(await readMesh('t.obj', content)).begin();
+    const mesh = (await load()).progressive(await simplified(await readMesh('t.obj', content))).begin();
     mesh.update();
     console.log(mesh.indices.join());`);
   assert.equal(execFileSync(process.execPath, ['main.mjs'], { cwd: project, encoding: 'utf8' }).trim(), '0,1,2,4294967295');

@@ -11,7 +11,7 @@ import { pathToFileURL } from 'node:url';
 const [folder, program, scratch] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
 const { loadReaders } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
-const readMesh = await loadReaders();
+const { readMesh } = await loadReaders();
 
 const within = (name) => join(scratch, name);
 const read = (file) => readMesh(file, readFileSync(file));

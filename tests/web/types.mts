@@ -6,14 +6,17 @@ import readers from 'restrip-wasm/restrip-readers.wasm';
 
 const addresses: string[] = [address, readers];
 const restrip = await load(new URL(address, 'https://restrip.example/'));
-const readMesh = await loadReaders(addresses[1]);
+const { readMesh, simplified, simplifying } = await loadReaders(addresses[1]);
 await load(fetch(address));
 await readMesh('mesh.obj', new Blob(['v 0 0 0']));
 // @ts-expect-error
 new Restrip();
 const read = await readMesh('mesh.obj', new Uint8Array(3));
 if (read.triangles) {
-  using mesh: StripMesh = restrip.simplified(read, 0.5).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
+  for await (const share of simplifying(read)) void (share < 0.5);
+  // @ts-expect-error
+  await simplified(read.points);
+  using mesh: StripMesh = restrip.progressive(await simplified(read, 0.5)).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
   const done: number = mesh.moveTo(mesh.levels, 5);
   const figures: Figures = mesh.figures;
   // @ts-expect-error

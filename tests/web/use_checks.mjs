@@ -46,7 +46,7 @@ export function printed(folder) {
 
 /// Runs in a page that has the package; returns its observations.
 async function run(size, real) {
-  const readMesh = await (await import('restrip-wasm/formats')).loadReaders();
+  const { readMesh } = await (await import('restrip-wasm/formats')).loadReaders();
   const { begin } = await import('/use/begin.mjs');
   const { points, triangles } = await readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
   const { differ, picture, useFlatProgram } = await import('/pictures.mjs');

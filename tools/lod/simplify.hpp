@@ -1,4 +1,4 @@
-// Simplifies a soup to a progressive mesh with the library's simplifier (restrip/search/simplify.hpp).
+// Simplifies a soup to a progressive mesh with the simplifier (lod/simplifier.hpp).
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "lod/progressive_mesh.hpp"
+#include "lod/simplifier.hpp"
 #include "meshes/soup.hpp"
-#include "restrip/search/simplify.hpp"
 
 namespace restrip::tools {
-
-using restrip::BoundaryPolicy;
 
 struct SimplifyOptions {
   double base = 0.02;  ///< the wanted share of triangles, 0 < base <= 1

@@ -1,7 +1,7 @@
 // The first page. Its hare is peeled into one ribbon and rolled up again, once; then a slider moves its level of detail, and
 // the strips are maintained as they are in the viewer. Three thumbnails show what changes a mesh: a level of detail, a
 // viewer who walks over terrain, a brush. Without WebGL 2 the picture stays.
-import { load } from '../../bindings/js/restrip.mjs';
+import { load, none } from '../../bindings/js/restrip.mjs';
 import { embedded } from '../viewer/embedded.mjs';
 import { Camera, unit } from '../viewer/camera.mjs';
 import { Pane } from '../viewer/pane.mjs';
@@ -166,19 +166,43 @@ class Card {
   }
 }
 
-/// A grid of heights, as points and triangles.
-function terrain(side) {
+/// A grid of heights, as levels: from squares of `step` on, all diagonals are bisected, then all sides. To bisect an edge is
+/// a vertex split: its first end gives the new vertex the other end.
+function terrain(side, step) {
   const height = (x, z) => 0.16 * Math.sin(3.1 * x + 1) * Math.cos(2.3 * z) + 0.07 * Math.sin(7 * x - 3 * z) + 0.03 * Math.cos(11 * x + 13 * z);
-  const points = [];
-  const triangles = [];
+  const at = (x, z) => (x < 0 || x > side || z < 0 || z > side ? none : x * (side + 1) + z);
+  const [points, base, splits] = [[], [], []];
   for (let i = 0; i <= side; ++i)
     for (let j = 0; j <= side; ++j) {
       const [x, z] = [2 * i / side - 1, 2 * j / side - 1];
       points.push(x, height(x, z), z);
-      const v = i * (side + 1) + j;
-      if (i < side && j < side) triangles.push(v, v + 1, v + side + 2, v, v + side + 2, v + side + 1);
     }
-  return { points, triangles };
+  /// Every other square first, so that few splits need many others.
+  const each = (step, act) => {
+    for (const [first, next] of [[0, 0], [step, step], [0, step], [step, 0]])
+      for (let x = first; x <= side; x += 2 * step) for (let z = next; z <= side; z += 2 * step) act(x, z);
+  };
+  /// The record of the edge from (x, z) along (dx, dz): the vertices to its left and right are as far from its middle as its ends.
+  const bisected = (x, z, dx, dz) => [at(x, z), at(x + dx / 2, z + dz / 2), at(x + (dx + dz) / 2, z + (dz - dx) / 2), at(x + (dx - dz) / 2, z + (dz + dx) / 2)];
+  const bisect = (...edge) => splits.push(...bisected(...edge));
+  /// The diagonal of each square: neighbours have different ones.
+  const diagonals = (step, act) => each(step, (x, z) => {
+    const turned = (x + z) / step % 2;
+    if (x < side && z < side) act(x + turned * step, z, turned ? -step : step, step);
+  });
+  diagonals(step, (x, z, dx, dz) => {
+    const [u, , l, r] = bisected(x, z, dx, dz);
+    const v = at(x + dx, z + dz);
+    base.push(u, v, l, v, u, r);
+  });
+  for (; step > 1; step /= 2) {
+    diagonals(step, bisect);
+    each(step, (x, z) => {
+      if (x < side) bisect(x, z, step, 0);
+      if (z < side) bisect(x, z, 0, step);
+    });
+  }
+  return { points, base, splits };
 }
 /// An octahedron whose triangles were cut in four `times`, on the unit sphere.
 function sphere(times) {
@@ -244,7 +268,7 @@ try {
   const bytes = new Uint8Array(await embedded('mesh'));
   const hare = new Hare(restrip.baked(bytes));
   const cards = [new Card('detail', {}, () => restrip.baked(bytes).begin(), detail),
-    new Card('terrain', { yaw: 0.6, pitch: 0.75 }, () => restrip.simplified(terrain(40)).begin(), walk),
+    new Card('terrain', { yaw: 0.6, pitch: 0.75 }, () => restrip.progressive(terrain(48, 8)).begin(), walk),
     new Card('sculpt', { yaw: 0.4 }, () => restrip.mesh(sphere(3)).begin(), sculpt)];
   Object.assign(window, { restripHare: hare, restripCards: cards });  // for tests
 } catch (error) {

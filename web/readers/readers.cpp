@@ -1,5 +1,6 @@
-// The readers of the program `restrip` for JavaScript (bindings/js/formats.mjs): one module for each file that is read.
-// The caller writes the bytes into memory taken by readers_take, and reads the ReadResult that readers_read returns.
+// The readers and the simplifier of the program `restrip` for JavaScript (bindings/js/formats.mjs): one module for each
+// file that is read, and for each mesh that is simplified. The caller writes the bytes into memory taken by
+// readers_take, and reads the ReadResult that readers_read or readers_simplified returns.
 //
 // The readers throw, but this module cannot catch. The sentence of an exception goes to JavaScript, which throws it and
 // drops the module with all of its memory.
@@ -8,11 +9,16 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
+#include "lod/coloring_check.hpp"
 #include "lod/mesh_formats.hpp"
+#include "lod/simplifier.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/soup.hpp"
 
@@ -55,6 +61,9 @@ ReadMesh mesh;
 std::string left_out;
 std::vector<float> points;
 ReadResult found;
+std::optional<Simplifier> simplifier;
+std::vector<Corners> base;
+std::vector<restrip::SplitRecord> splits;
 
 template <class List>
 void give(const List& list, std::size_t numbers, const void*& address, std::uint32_t& count) {
@@ -107,5 +116,31 @@ const ReadResult* readers_read(const char* bytes, std::uint32_t count, const cha
   }
   left_out = left_out_in_words(left_out_of(mesh));
   give(left_out, 1, found.left_out, found.left_out_bytes);
+  return &found;
+}
+
+/// Begins to simplify a mesh of finite points, three numbers each, and triangles of them, three vertices each.
+READERS_EXPORT(readers_simplify)
+void readers_simplify(const float* coordinates, std::uint32_t point_numbers, const std::uint32_t* corners,
+                      std::uint32_t corner_numbers) {
+  std::vector<Simplifier::Point> places(point_numbers / 3);
+  for (std::uint32_t i = 0; i < point_numbers; ++i) places[i / 3][i % 3] = static_cast<double>(coordinates[i]);
+  simplifier.emplace(restrip::StripMesh::build(std::span(corners, corner_numbers), places.size()), places);
+}
+
+/// Does at most `most` collapses. The number of triangles above `wanted`, or 0 if no further one can or need be done.
+READERS_EXPORT(readers_simplify_on)
+std::uint32_t readers_simplify_on(std::uint32_t wanted, std::uint32_t most) {
+  return simplifier->run(wanted, most) ? 0 : static_cast<std::uint32_t>(simplifier->mesh().triangle_count() - wanted);
+}
+
+/// The levels, without the points, which are those given.
+READERS_EXPORT(readers_simplified)
+const ReadResult* readers_simplified() {
+  base = corners_of(simplifier->mesh());
+  splits.assign(simplifier->collapses().rbegin(), simplifier->collapses().rend());
+  found.kind = ReadResult::Kind::progressive;
+  give(base, 3, found.triangles, found.triangle_numbers);
+  give(splits, 4, found.splits, found.split_numbers);
   return &found;
 }

@@ -16,10 +16,10 @@ function normalsOf(points, triangles) {
   return normals;
 }
 
-/// A generator of the share that is done; it returns the mesh. `read` is the result of the readers
-/// (bindings/js/formats.d.ts). Throws an Error that says what is wrong.
-export function* prepared(restrip, name, read) {
-  const mesh = read.baked ? restrip.baked(read.baked) : read.base ? restrip.progressive(read) : yield* restrip.simplifying(read);
+/// `read`: a progressive or baked mesh, as the readers give it (bindings/js/formats.d.ts). Throws an Error that says what is
+/// wrong.
+export function prepared(restrip, name, read) {
+  const mesh = read.baked ? restrip.baked(read.baked) : restrip.progressive(read);
   try {
     if (mesh.levels === 0) throw new Error(`${name}: no edge of it can be collapsed, so it has one level only`);
     const { points, splits, leftOut } = mesh.begin({ policy: 'local' });

@@ -371,7 +371,7 @@ try {
   if (viewer) {
     window.restripViewer = viewer;  // for the console, and for tests
     by('still').hidden = true;
-    await viewer.show({ ...prepared(restrip, 'hare', { baked: new Uint8Array(await embedded('mesh')) }).next().value });
+    await viewer.show({ ...prepared(restrip, 'hare', { baked: new Uint8Array(await embedded('mesh')) }) });
     viewer.link.follow();
   }
 } catch (error) {

@@ -378,16 +378,19 @@ RESTRIP_API restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, re
                                                     restrip_halfedge right, uint32_t v_t);
 
 /* One vertex split, by vertices: v_t is split off v_s, between v_l and v_r. On the boundary v_l or v_r is RESTRIP_NONE.
- * It makes the triangles (v_s, v_t, v_l) and (v_t, v_s, v_r). */
+ * It makes the triangles (v_s, v_t, v_l) and (v_t, v_s, v_r). Records come from a simplifier: `restrip simplify -o
+ * x.pm` writes them (docs/reference/file-formats.md), or yours, by restrip_mesh_collapse of the halfedge from v_s to
+ * v_t: v_l and v_r are the apexes of the triangles to its left and right before it, and the last collapse is the first
+ * record. */
 typedef struct restrip_record {
   uint32_t v_s;
   uint32_t v_t;
   uint32_t v_l;
   uint32_t v_r;
 } restrip_record;
-/* Plays the records in their order, or, with `forward` 0, collapses them again from the last one on: the records of
- * restrip_simplify_u32 on a mesh of its base. Ends with the status of the first that the mesh refuses, which is
- * RESTRIP_VERTEX_IN_USE for records that are played already; `done` may be null, or receives the number played. */
+/* Plays the records in their order, or, with `forward` 0, collapses them again from the last one on. Ends with the
+ * status of the first that the mesh refuses, which is RESTRIP_VERTEX_IN_USE for records that are played already; `done`
+ * may be null, or receives the number played. */
 RESTRIP_API restrip_status restrip_mesh_play(restrip_mesh* mesh, const restrip_record* records, size_t n,
                                              int32_t forward, size_t* done);
 
@@ -550,58 +553,6 @@ RESTRIP_API restrip_status restrip_baked_payload(const restrip_mesh* mesh, size_
  * as the mesh. */
 RESTRIP_API restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates,
                                                 size_t* vertex_count);
-
-/* ---- Simplification ---------------------------------------------------------------------------- */
-
-/* Boundary vertices of a mesh that is simplified: they stay, or move along the boundary. */
-enum { RESTRIP_BOUNDARY_LOCK = 0, RESTRIP_BOUNDARY_MOVE = 1 };
-
-/* Why some edges cannot collapse. */
-typedef struct restrip_obstacle {
-  const char* why; /* one human-readable sentence, constant */
-  size_t edges;
-} restrip_obstacle;
-
-/* A coarser mesh and the way back. */
-typedef struct restrip_levels_view {
-  const uint32_t* base; /* the remaining triangles, three corners each */
-  size_t base_count;    /* indices: three times the number of triangles that was reached */
-  /* From coarse to fine: record i splits v_s of the base with records 0 to i - 1. All are vertices of the input, and
-   * the last record leads back to its triangles. */
-  const restrip_record* records;
-  size_t record_count;
-  /* Empty when the wanted number was reached. Else no edge that is left may collapse, and these say why, the most
-   * frequent reason first. */
-  const restrip_obstacle* obstacles;
-  size_t obstacle_count;
-} restrip_levels_view;
-
-/* The levels of detail of a mesh. */
-typedef struct restrip_levels restrip_levels;
-/* Collapses edges into one of their ends, the cheapest first, until at most `wanted` triangles are left or no edge may
- * collapse. No vertex moves. No triangle turns by 90 degrees or more or loses its area, and a height field stays one
- * (runtime/include/restrip/search/simplify.hpp lists all guarantees). `points` has three coordinates for each vertex.
- * `report` may be null; triangles with a corner twice are left out. RESTRIP_BAD_ARGUMENT when a coordinate is not
- * finite, a corner is not below vertex_count, index_count is not a multiple of 3, or `boundary` is unknown; then `text`
- * receives which one, cut off after text_size - 1 bytes; it may be null with text_size 0. RESTRIP_TOO_LARGE as for
- * restrip_mesh_build_u32. Nothing is allocated before these checks. After an error *levels is null. O(T log T), about
- * 350 bytes a vertex and 100 a triangle. */
-RESTRIP_API restrip_status restrip_simplify_u32(const uint32_t* indices, size_t index_count, const double* points,
-                                                size_t vertex_count, size_t wanted, int32_t boundary,
-                                                restrip_build_report* report, char* text, size_t text_size,
-                                                restrip_levels** levels);
-RESTRIP_API restrip_status restrip_simplify_u16(const uint16_t* indices, size_t index_count, const double* points,
-                                                size_t vertex_count, size_t wanted, int32_t boundary,
-                                                restrip_build_report* report, char* text, size_t text_size,
-                                                restrip_levels** levels);
-/* Continues to `wanted` triangles, by at most `most` collapses, for callers that show progress or may stop: begin with
- * restrip_simplify_u32 and a `wanted` of SIZE_MAX. `left` may be null, or receives how many triangles more than wanted
- * there are; 0 when it has ended. */
-RESTRIP_API restrip_status restrip_levels_run(restrip_levels* levels, size_t wanted, size_t most, size_t* left);
-/* The pointers are valid until the levels are changed, read again or freed. Linear in the view. */
-RESTRIP_API restrip_status restrip_levels_read(restrip_levels* levels, restrip_levels_view* view);
-/* Null is allowed. */
-RESTRIP_API void restrip_levels_free(restrip_levels* levels);
 
 /* ---- Rules ------------------------------------------------------------------------------------- */
 

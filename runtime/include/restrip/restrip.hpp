@@ -42,7 +42,6 @@
 #include "restrip/rules/rules.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/policy.hpp"
-#include "restrip/search/simplify.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/search/strips_of.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "mesh/fan_checks.hpp"
@@ -56,9 +57,31 @@ Refusal check_split(const StripMesh& mesh, const VertexSplit& where, Vertex new_
 }
 
 Refusal check_collapse(const StripMesh& mesh, Halfedge chord) {
-  return detail::check_collapse_with(mesh, chord, [&mesh](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
-    return detail::share_neighbor(mesh, v_s, v_t, v_l, v_r);
-  });
+  if (!mesh.alive(chord)) return Refusal::no_such_edge;
+  const Halfedge back = mesh.opposite(chord);
+  const Vertex v_s = mesh.from(chord);
+  const Vertex v_t = mesh.to(chord);
+  if (mesh.non_manifold(v_s) || mesh.non_manifold(v_t)) return Refusal::non_manifold_vertex;
+  const bool left = !StripMesh::on_boundary(chord);
+  const bool right = !StripMesh::on_boundary(back);
+  const bool tail_on_boundary = mesh.leaves_boundary(chord);
+  const bool head_on_boundary = mesh.leaves_boundary(back);
+  if (left && right && tail_on_boundary && head_on_boundary) return Refusal::joins_boundaries;
+
+  Vertex v_l = none;
+  Vertex v_r = none;
+  for (const auto& [there, inward, apex] : {std::tuple{left, chord, &v_l}, {right, back, &v_r}}) {
+    if (!there) continue;
+    const Halfedge up = StripMesh::next(inward);
+    const Halfedge down = StripMesh::next(up);
+    *apex = mesh.from(down);
+    if (StripMesh::on_boundary(mesh.opposite(up)) && StripMesh::on_boundary(mesh.opposite(down)))
+      return Refusal::dangling_edge;
+    if (mesh.non_manifold(*apex)) return Refusal::non_manifold_vertex;
+    if (!detail::keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
+  }
+  // The fan has three triangles or more: in the only other case, a tetrahedron, the apexes have too few.
+  return detail::share_neighbor(mesh, v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
 }
 
 Refusal check_flip(const StripMesh& mesh, Halfedge h) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <tuple>
 
 #include "restrip/mesh/refusal.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
@@ -34,37 +33,6 @@ inline bool keeps_enough(const StripMesh& mesh, Halfedge h, std::size_t fewer) {
   if (name < mesh.vertex_bound()) return mesh.spoke(name).id != none ? Refusal::vertex_in_use : Refusal::granted;
   const std::size_t gap = name - mesh.vertex_bound();
   return gap > StripMesh::max_vertex_gap + mesh.triangle_bound() ? Refusal::vertex_too_far : Refusal::granted;
-}
-
-/// check_collapse for callers with a custom test whether a vertex other than v_l and v_r is a neighbour of both v_s and
-/// v_t: shared(v_s, v_t, v_l, v_r). It is called last; everything else takes constant time.
-template <class Shared>
-[[nodiscard]] Refusal check_collapse_with(const StripMesh& mesh, Halfedge chord, Shared&& shared) {
-  if (!mesh.alive(chord)) return Refusal::no_such_edge;
-  const Halfedge back = mesh.opposite(chord);
-  const Vertex v_s = mesh.from(chord);
-  const Vertex v_t = mesh.to(chord);
-  if (mesh.non_manifold(v_s) || mesh.non_manifold(v_t)) return Refusal::non_manifold_vertex;
-  const bool left = !StripMesh::on_boundary(chord);
-  const bool right = !StripMesh::on_boundary(back);
-  const bool tail_on_boundary = mesh.leaves_boundary(chord);
-  const bool head_on_boundary = mesh.leaves_boundary(back);
-  if (left && right && tail_on_boundary && head_on_boundary) return Refusal::joins_boundaries;
-
-  Vertex v_l = none;
-  Vertex v_r = none;
-  for (const auto& [there, inward, apex] : {std::tuple{left, chord, &v_l}, {right, back, &v_r}}) {
-    if (!there) continue;
-    const Halfedge up = StripMesh::next(inward);
-    const Halfedge down = StripMesh::next(up);
-    *apex = mesh.from(down);
-    if (StripMesh::on_boundary(mesh.opposite(up)) && StripMesh::on_boundary(mesh.opposite(down)))
-      return Refusal::dangling_edge;
-    if (mesh.non_manifold(*apex)) return Refusal::non_manifold_vertex;
-    if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
-  }
-  // The fan has three triangles or more: in the only other case, a tetrahedron, the apexes have too few.
-  return shared(v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
 }
 
 }  // namespace restrip::detail

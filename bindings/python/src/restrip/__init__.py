@@ -4,15 +4,13 @@
 >>> restrip.strips_of(numpy.array([[0, 1, 2], [2, 1, 3], [2, 3, 4]]))
 array([0, 1, 2, 3, 4], dtype=uint16)
 
-`strips_of` is for meshes that do not change, `simplify` makes levels of detail. `LiveMesh` has the operations of a mesh
-that changes, maintains its strips, and returns the parts of its index buffer that changed. Faces go in as arrays of any
-integer type with three columns, such as `trimesh.Trimesh.faces`, or `mesh.regular_faces` of pyvista.
+`strips_of` is for meshes that do not change. `LiveMesh` has the operations of a mesh that changes, maintains its strips,
+and returns the parts of its index buffer that changed. Faces go in as arrays of any integer type with three columns,
+such as `trimesh.Trimesh.faces`, or `mesh.regular_faces` of pyvista.
 """
 from __future__ import annotations
 
 import ctypes
-import math
-import numbers
 import operator
 import sys
 import warnings
@@ -23,7 +21,7 @@ import numpy as np
 from . import _library as lib
 from ._library import NONE, RestripError, describe
 
-__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Simplified", "Table", "describe", "faces_of", "simplify", "strips_of"]
+__all__ = ["Change", "Coloring", "LiveMesh", "NONE", "Report", "RestripError", "Table", "describe", "faces_of", "strips_of"]
 __version__: str = lib.plain("version").decode()
 
 # For type checkers; __init__ and the functions name the same words when a value is none of them.
@@ -93,20 +91,6 @@ class Report(NamedTuple):
     non_manifold_edges: int
     inconsistent_edges: int
     non_manifold_vertices: int
-
-
-class Simplified(NamedTuple):
-    """A coarser mesh and the way back. All vertices are those of the points given:
-      faces      the remaining faces, three columns
-      records    from coarse to fine, four columns: each splits v_t off v_s, between v_l and v_r (NONE on the boundary). On
-                 LiveMesh(faces, len(points)) mesh.play(records) leads back to the faces given
-      shortfall  None, or a sentence that says why there are more faces than wanted
-      report     a Report on the faces given"""
-
-    faces: Numbers
-    records: Numbers
-    shortfall: Optional[str]
-    report: Report
 
 
 def _one_of(what: str, value: str, known: Union[Sequence[str], Dict[str, int]]) -> int:
@@ -512,8 +496,11 @@ class LiveMesh:
         raise refusal or ValueError("apply: the table has no positions")
 
     def play(self, records: ArrayLike, forward: bool = True) -> None:
-        """Splits the vertices of the records of simplify(), four columns, in their order; with forward=False collapses them again,
-        the last one first. RestripError if the mesh refuses one: the earlier ones are played."""
+        """Splits vertices by records, in their order; with forward=False collapses them again, the last one first. A record, of four
+        columns, splits v_t off v_s, between v_l and v_r (NONE on the boundary). Records come from a simplifier: `restrip simplify
+        -o x.pm` writes them, or yours, by collapse(find(v_s, v_t)); v_l and v_r are the third vertices of the faces to its left and
+        right before it, and the last collapse is the first record. RestripError if the mesh refuses one: the earlier ones are
+        played."""
         records = _numbers_of("records", records)
         if records.ndim != 2 or records.shape[1] != 4:
             raise ValueError(f"records: expected four columns, found the shape {records.shape}")
@@ -795,54 +782,6 @@ def _renamed(indices: np.ndarray, used: Optional[np.ndarray], index: Index) -> n
         raise RestripError(_TOO_LARGE, f"indices: {_NEEDS_32}")
     dtype = np.dtype(np.uint16 if narrow and index != 32 else np.uint32)
     return np.where(restarts, np.iinfo(dtype).max, named).astype(dtype)
-
-
-def simplify(points: ArrayLike, faces: ArrayLike, share: Optional[float] = None, *, count: Optional[int] = None, boundary: Literal["move", "lock"] = "move") -> Simplified:
-    """A coarser mesh, and the collapses that lead there, for levels of detail.
-
-    `points` has three columns of finite numbers, `faces` three columns of vertices below their number. Edges collapse into one
-    of their ends, the cheapest first, until `share` (0 to 1) of the faces is left, or `count` faces; give one of them. No face
-    turns by 90 degrees or more or loses its area, and a height field stays one. `boundary` is "move", along the boundary, or
-    "lock". If no edge may collapse any more, there are more faces than wanted: `shortfall` of the result, and a warning, say
-    why. Takes O(n log n) time.
-    """
-    places = np.asarray(points)
-    if places.size == 0:
-        places = places.reshape(-1, 3).astype(np.float64)
-    if places.ndim != 2 or places.shape[1] != 3 or places.dtype.kind not in "fiu":
-        raise ValueError(f"points: expected numbers with three columns, found {places.dtype} of shape {places.shape}")
-    corners = _corners(faces, NONE)
-    policy = _one_of("boundary", boundary, ("lock", "move"))
-    if (share is None) == (count is None):
-        raise ValueError("simplify: give either share or count")
-    if count is not None:
-        wanted = _number("count", count)
-    elif isinstance(share, numbers.Real) and 0 <= share <= 1:
-        wanted = math.ceil(float(share) * len(corners))
-    else:
-        raise ValueError(f"share {share!r}: expected a number from 0 to 1")
-    places = np.ascontiguousarray(places, np.float64)
-    report, levels, view = lib.BuildReport(), ctypes.c_void_p(), lib.LevelsView()
-    _explained("simplify_u32", _address(corners), corners.size, _address(places), len(places), _MOST, policy, report, levels)
-    try:
-        left = ctypes.c_size_t(1)
-        while left.value:
-            lib.call("levels_run", levels, wanted, _SLICE, left)
-        lib.call("levels_read", levels, view)
-        base = _numbers(view.base, view.base_count, np.uint32).reshape(-1, 3).copy()
-        records = _numbers(view.records, 4 * view.record_count, np.uint32).reshape(-1, 4).copy()
-        obstacles = [(obstacle.edges, obstacle.why.decode()) for obstacle in view.obstacles[:view.obstacle_count]]
-    finally:
-        lib.plain("levels_free", levels)
-    shortfall = None
-    if len(base) > wanted:
-        reasons = "; ".join(f"{edges}: {why}" for edges, why in obstacles)
-        shortfall = f"{len(base)} faces are left, {wanted} were wanted: none of the {sum(edges for edges, _ in obstacles)} edges may collapse ({reasons})"
-        warnings.warn(f"restrip: {shortfall}", stacklevel=2)
-    result = Simplified(base, records, shortfall, Report(*(getattr(report, name) for name in Report._fields)))
-    if result.report.degenerate_triangles:
-        warnings.warn(f"restrip: {result.report.degenerate_triangles} of {len(corners)} faces are left out: {result.report}", stacklevel=2)
-    return result
 
 
 def faces_of(indices: ArrayLike) -> Indices:

@@ -61,15 +61,6 @@ class BufferView(c.Structure):
                 ("draw_count", _size), ("triangles", _size)]
 
 
-class Obstacle(c.Structure):
-    _fields_ = [("why", c.c_char_p), ("edges", _size)]
-
-
-class LevelsView(c.Structure):
-    _fields_ = [("base", c.c_void_p), ("base_count", _size), ("records", c.c_void_p), ("record_count", _size), ("obstacles", c.POINTER(Obstacle)),
-                ("obstacle_count", _size)]
-
-
 _change = c.POINTER(Change)
 Stop = c.CFUNCTYPE(_int, c.c_void_p)
 # Functions that return a status: the types of their arguments.
@@ -103,15 +94,12 @@ _checked = {
     "mesh_save": [_mesh, c.POINTER(c.c_void_p), c.POINTER(_size)],
     "mesh_load": [c.c_char_p, _size, _size, c.c_char_p, _size, c.POINTER(_mesh)],
     **{f"live_{name}": [_mesh, c.POINTER(_int)] for name in ("undo", "redo")},
-    "simplify_u32": [c.c_void_p, _size, c.c_void_p, _size, _size, _int, c.POINTER(BuildReport), c.c_char_p, _size, c.POINTER(c.c_void_p)],
-    "levels_run": [c.c_void_p, _size, _size, c.POINTER(_size)],
-    "levels_read": [c.c_void_p, c.POINTER(LevelsView)],
     "live_history_size": [_mesh, c.POINTER(_size), c.POINTER(_size)],
 }
 # Functions that return a value.
 _plain = {
     "abi_version": (_u32, []), "version": (c.c_char_p, []), "describe": (c.c_char_p, [_int]), "mesh_free": (None, [_mesh]), "buffer_free": (None, [c.c_void_p]),
-    "levels_free": (None, [c.c_void_p]), "table_free": (None, [c.c_void_p]),
+    "table_free": (None, [c.c_void_p]),
     **{f"mesh_{name}": (_size, [_mesh]) for name in ("triangle_count", "triangle_bound", "vertex_bound")},
     "mesh_find": (_u32, [_mesh, _u32, _u32]),
     **{f"mesh_{name}": (_u32, [_mesh, _u32]) for name in ("spoke", "next", "opposite", "from", "to", "triangle")},
@@ -162,7 +150,7 @@ def describe(code: int) -> str:
 
 def shown(name: str) -> str:
     """A function by its name in this package."""
-    return {"live_begin": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "simplify_u32": "simplify", "table_make": "Table", "mesh_stripify_until": "stripify"}.get(name, name.split("_", 1)[1])
+    return {"live_begin": "begin_buffer", "mesh_buffer": "indices", "mesh_build_u32": "LiveMesh", "table_make": "Table", "mesh_stripify_until": "stripify"}.get(name, name.split("_", 1)[1])
 
 
 @contextlib.contextmanager

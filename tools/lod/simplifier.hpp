@@ -21,8 +21,8 @@
 //    normals, no triangle ever faces the other way.
 // Collapses that turn a triangle by more than 60 degrees wait until no other is left, then corners of the outline.
 //
-// The same input gives the same collapses on every machine, as long as the library is compiled with -ffp-contract=off,
-// as its CMake targets are, and without -ffast-math: all arithmetic is IEEE additions, multiplications, divisions and
+// The same input gives the same collapses on every machine, as long as it is compiled with -ffp-contract=off,
+// as our CMake targets are, and without -ffast-math: all arithmetic is IEEE additions, multiplications, divisions and
 // square roots, and ties are broken by the numbers of vertices. Compilers for ARM and others otherwise fuse
 // multiplications and additions, which may change the choice between collapses of almost the same cost.
 #pragma once
@@ -38,10 +38,10 @@
 #include "restrip/mesh/split_record.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
-namespace restrip {
+namespace restrip::tools {
 
-namespace detail::simplify {
-class Engine;  // simplify.cpp
+namespace simplifying {
+class Engine;  // simplifier.cpp
 }
 
 enum class BoundaryPolicy : std::uint8_t {
@@ -88,7 +88,7 @@ class Simplifier {
   [[nodiscard]] std::size_t large_vertices() const noexcept;
 
  private:
-  std::unique_ptr<detail::simplify::Engine> engine_;
+  std::unique_ptr<simplifying::Engine> engine_;
 };
 
-}  // namespace restrip
+}  // namespace restrip::tools

@@ -17,19 +17,18 @@
 // them. A collapse makes about seven proposals, each with one entry of the heap.
 //
 // Source: Garland and Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
-#include "restrip/search/simplify.hpp"
+#include "lod/simplifier.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "mesh/fan_checks.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
 
-namespace restrip {
+namespace restrip::tools {
 
-namespace detail::simplify {
+namespace simplifying {
 
 namespace {
 
@@ -246,7 +245,6 @@ class Engine {
   void gather(Vertex v);
   [[nodiscard]] double cost_of(const Quadric& quadric, std::size_t to) const;
   [[nodiscard]] bool keeps_direction(Triangle t, const Shape& before, const Shape& after) const;
-  [[nodiscard]] Refusal refusal_of(Halfedge chord);
   void collapse(Halfedge chord);
 
   StripMesh mesh_;
@@ -285,7 +283,7 @@ bool Engine::run(std::size_t wanted, std::size_t most) {
       continue;
     }
     const Halfedge chord = mesh_.opposite(best.h);
-    if (refusal_of(chord) != Refusal::granted) {
+    if (check_collapse(mesh_, chord) != Refusal::granted) {
       propose(best.v_t, &best);
       continue;
     }
@@ -323,7 +321,7 @@ void Engine::place(std::span<const Point> points) {
 Shape Engine::shape_of(Triangle t) const {
   const auto corners = mesh_.corners(t);
   const Point& a = sites_[corners[0]].point;
-  return simplify::shape_of(minus(sites_[corners[1]].point, a), minus(sites_[corners[2]].point, a));
+  return simplifying::shape_of(minus(sites_[corners[1]].point, a), minus(sites_[corners[2]].point, a));
 }
 
 void Engine::find_normals() {
@@ -509,7 +507,7 @@ void Engine::gather(Vertex v) {
   });
   fan_triangles_ = StripMesh::on_boundary(fan_.back().h) ? fan_.size() - 1 : fan_.size();
   for (std::size_t i = 0; i < fan_triangles_; ++i)
-    fan_[i].shape = simplify::shape_of(fan_[i].way, fan_[i + 1 < fan_.size() ? i + 1 : 0].way);
+    fan_[i].shape = simplifying::shape_of(fan_[i].way, fan_[i + 1 < fan_.size() ? i + 1 : 0].way);
 }
 
 /// The cost of the collapse into a neighbour, or infinite if a triangle would turn over or lose its area.
@@ -522,7 +520,7 @@ double Engine::cost_of(const Quadric& quadric, std::size_t to) const {
     const std::size_t j = i + 1 < fan_.size() ? i + 1 : 0;
     if (i == to || j == to) continue;  // is removed
     const Shape& before = fan_[i].shape;
-    const Shape after = simplify::shape_of(minus(fan_[i].way, way), minus(fan_[j].way, way));
+    const Shape after = simplifying::shape_of(minus(fan_[i].way, way), minus(fan_[j].way, way));
     if (!(after.squared > flat * after.side * after.side)) {
       if (!(after.squared > 0)) {
         if (!(before.squared <= 0)) return infinite;
@@ -555,19 +553,6 @@ bool Engine::keeps_direction(Triangle t, const Shape& before, const Shape& after
 }
 
 // ---- collapses
-
-Refusal Engine::refusal_of(Halfedge chord) {
-  return detail::check_collapse_with(mesh_, chord, [this](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
-    ++mark_;
-    for_each_spoke(mesh_, v_t, [this](Halfedge h) { sites_[mesh_.to(h)].mark = mark_; });
-    bool shared = false;
-    for_each_spoke(mesh_, v_s, [&](Halfedge h) {
-      const Vertex w = mesh_.to(h);
-      shared = shared || (sites_[w].mark == mark_ && w != v_l && w != v_r);
-    });
-    return shared;
-  });
-}
 
 void Engine::collapse(Halfedge chord) {
   const SplitRecord record = record_of_collapse(mesh_, chord);
@@ -614,7 +599,7 @@ std::vector<Obstacle> Engine::obstacles() {
     if (boundary_ == BoundaryPolicy::lock && (mesh_.leaves_boundary(h) || mesh_.leaves_boundary(back)))
       return "the boundary is locked";
     if (from.fixed && to.fixed) return "both ends stay where they are";
-    const Refusal refusal = refusal_of(h);
+    const Refusal refusal = check_collapse(mesh_, h);
     return refusal != Refusal::granted ? describe(refusal) : "a triangle would turn over or lose its area";
   };
   static_assert(Simplifier::most_neighbors == 256);
@@ -634,13 +619,13 @@ std::size_t Engine::large_vertices() const noexcept {
   return n;
 }
 
-}  // namespace detail::simplify
+}  // namespace simplifying
 
 // ---- the interface
 
 Simplifier::Simplifier(StripMesh mesh, std::span<const Point> points, BoundaryPolicy boundary,
                        std::span<const Vertex> fixed)
-    : engine_(std::make_unique<detail::simplify::Engine>(std::move(mesh), points, boundary, fixed)) {}
+    : engine_(std::make_unique<simplifying::Engine>(std::move(mesh), points, boundary, fixed)) {}
 Simplifier::~Simplifier() = default;
 Simplifier::Simplifier(Simplifier&& other) noexcept = default;
 Simplifier& Simplifier::operator=(Simplifier&& other) noexcept = default;
@@ -651,4 +636,4 @@ const std::vector<SplitRecord>& Simplifier::collapses() const noexcept { return 
 std::vector<Obstacle> Simplifier::obstacles() { return engine_->obstacles(); }
 std::size_t Simplifier::large_vertices() const noexcept { return engine_->large_vertices(); }
 
-}  // namespace restrip
+}  // namespace restrip::tools

@@ -2,7 +2,7 @@
 // boundary vertex from the boundary; height fields never face down and keep their outline; flat faces and sharp edges
 // stay exact; details of any size follow the same rules; fixed vertices stay; what stops short says why. An oracle that
 // knows a list of triangles only replays every record and computes all of this again.
-#include "restrip/search/simplify.hpp"
+#include "lod/simplifier.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 #include <utility>
 
 #include "restrip/mesh/checks.hpp"
-#include "sample_meshes.hpp"
+#include "runtime/sample_meshes.hpp"
 
-namespace restrip {
+namespace restrip::tools {
 namespace {
 
 using Corners = std::array<Vertex, 3>;
@@ -320,7 +320,7 @@ Simplifier expect_right(const Model& model, std::size_t wanted, BoundaryPolicy p
   return expect_right(model, wanted, policy, [](const Oracle&) {});
 }
 
-TEST(Simplify, EveryCollapseIsPermitted) {
+TEST(Simplifier, EveryCollapseIsPermitted) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
     for (const Model& model : {torus(20, 12), cliffs(seed), joined(prism(3, 4, 5), letter(8), 20), island()})
@@ -331,7 +331,7 @@ TEST(Simplify, EveryCollapseIsPermitted) {
   }
 }
 
-TEST(Simplify, StopsShortOnlyWhenNoEdgeMayCollapse) {
+TEST(Simplifier, StopsShortOnlyWhenNoEdgeMayCollapse) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const Model model = damaged(seed % 2 == 0 ? torus(12, 8) : prism(2, 3, 4), seed);
     const Simplifier simplifier = expect_right(model, 1);
@@ -348,7 +348,7 @@ TEST(Simplify, StopsShortOnlyWhenNoEdgeMayCollapse) {
   }
 }
 
-TEST(Simplify, AHeightFieldNeverFacesDownAndKeepsItsArea) {
+TEST(Simplifier, AHeightFieldNeverFacesDownAndKeepsItsArea) {
   Random random(3);
   const auto rough = field(20, [&](unsigned, unsigned) { return 10 * random.unit(); });
   for (const Model& model : {island(), cliffs(1), cliffs(2), letter(12), rough}) {
@@ -362,7 +362,7 @@ TEST(Simplify, AHeightFieldNeverFacesDownAndKeepsItsArea) {
   }
 }
 
-TEST(Simplify, VerticalWallsNeverLeanOver) {
+TEST(Simplifier, VerticalWallsNeverLeanOver) {
   // The walls are triangles whose normals are exactly horizontal.
   Model model = field(12, [](unsigned x, unsigned y) { return x > 5 ? 9.0 + (x * y) % 3 : 0.0; });
   for (Point& p : model.points)
@@ -371,7 +371,7 @@ TEST(Simplify, VerticalWallsNeverLeanOver) {
   expect_right(model, 8, BoundaryPolicy::move, [](const Oracle& oracle) { EXPECT_GE(oracle.least_facing_up(), 0); });
 }
 
-TEST(Simplify, APrismStaysAPrismUntilTwelveTriangles) {
+TEST(Simplifier, APrismStaysAPrismUntilTwelveTriangles) {
   for (const auto& [a, b, c] : {std::array{1U, 1U, 3U}, {4U, 5U, 6U}, {1U, 9U, 2U}}) {
     const Model model = prism(a, b, c);
     const double whole = 2.0 * (a * b + b * c + c * a);
@@ -382,7 +382,7 @@ TEST(Simplify, APrismStaysAPrismUntilTwelveTriangles) {
   }
 }
 
-TEST(Simplify, CornersOfTheOutlineStayUntilNothingElseIsLeft) {
+TEST(Simplifier, CornersOfTheOutlineStayUntilNothingElseIsLeft) {
   Random random(9);
   // A rough field, in which a corner would be cheap.
   const Model model = field(16, [&](unsigned, unsigned) { return 30 * random.unit(); });
@@ -398,7 +398,7 @@ TEST(Simplify, CornersOfTheOutlineStayUntilNothingElseIsLeft) {
   EXPECT_EQ(expect_right(letter(20), 4).mesh().triangle_count(), 4U);  // its six corners
 }
 
-TEST(Simplify, FlatRegionsGetNoNeedles) {
+TEST(Simplifier, FlatRegionsGetNoNeedles) {
   const Model model = field(32, [](unsigned, unsigned) { return 0.0; });
   const Simplifier simplifier = expect_right(model, 300);
   double worst = 1;
@@ -414,7 +414,7 @@ TEST(Simplify, FlatRegionsGetNoNeedles) {
   EXPECT_GT(worst, 0.05);  // height over longest side
 }
 
-TEST(Simplify, ScaleAndPlaceDoNotMatter) {
+TEST(Simplifier, ScaleAndPlaceDoNotMatter) {
   const Model model = joined(torus(20, 12), island(), 64);
   const auto collapses = [&](double scale, double offset) {
     Model other = model;
@@ -430,7 +430,7 @@ TEST(Simplify, ScaleAndPlaceDoNotMatter) {
   EXPECT_EQ(collapses(1, 1 << 20), expected);
 }
 
-TEST(Simplify, RunsInPiecesAsAtOnce) {
+TEST(Simplifier, RunsInPiecesAsAtOnce) {
   const Model model = torus(30, 20);
   Simplifier at_once(mesh_of(model), model.points);
   EXPECT_TRUE(at_once.run(100));
@@ -441,7 +441,7 @@ TEST(Simplify, RunsInPiecesAsAtOnce) {
   EXPECT_EQ(pieces.collapses(), at_once.collapses());
 }
 
-TEST(Simplify, PointsThatAreNotFiniteStay) {
+TEST(Simplifier, PointsThatAreNotFiniteStay) {
   Model model = torus(20, 12);
   model.points[7][1] = std::nan("");
   model.points[99][2] = std::numeric_limits<double>::infinity();
@@ -455,7 +455,7 @@ TEST(Simplify, PointsThatAreNotFiniteStay) {
 }
 
 // The oracle's squares would underflow, so triangles are judged as if the grid were 1 wide.
-TEST(Simplify, DetailsOfAnySizeNeverTurnOver) {
+TEST(Simplifier, DetailsOfAnySizeNeverTurnOver) {
   Random random(1);
   Model grid = field(11, [](unsigned, unsigned) { return 0.0; });
   for (Point& p : grid.points)
@@ -479,7 +479,7 @@ TEST(Simplify, DetailsOfAnySizeNeverTurnOver) {
     }
 }
 
-TEST(Simplify, FixedVerticesStay) {
+TEST(Simplifier, FixedVerticesStay) {
   const Model model = joined(torus(20, 12), letter(12), 20);
   Random random(4);
   for (const BoundaryPolicy policy : {BoundaryPolicy::lock, BoundaryPolicy::move}) {
@@ -505,4 +505,4 @@ TEST(Simplify, FixedVerticesStay) {
 }
 
 }  // namespace
-}  // namespace restrip
+}  // namespace restrip::tools
