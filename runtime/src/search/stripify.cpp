@@ -10,6 +10,7 @@
 #include "restrip/search/stripify.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "restrip/mesh/walks.hpp"
 #include "search/annealing.hpp"
@@ -40,17 +41,23 @@ void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uin
     annealing.keep();
     annealing.go_back();
   };
-  annealing.cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100, &poll);
-  annealing.keep();
-  annealing.go_back();
+  // On regular meshes the strips of the first pass are hard to beat, so they are improved before they are forgotten.
+  const std::uint64_t first = limit != 0 && effort == Effort::full ? limit : 100 * triangles;
+  for (const auto& [moves, heat] : {std::pair{first / 5, 20U}, {first - first / 5, 100U}}) {
+    annealing.cool(moves, heat, &poll);
+    annealing.keep();
+    annealing.go_back();
+  }
   make_chains();
   if (effort == Effort::full) return;
   // Annealed strips are worse than the ones kept at times, but better after their chains. Small meshes take hardly any
   // time, so they are searched until luck does not matter.
   const std::uint64_t moves = limit != 0 ? limit : 900 * triangles;
   for (std::uint64_t done = 0; (done == 0 || (limit == 0 && done < 1'000'000)) && !poll.stops(); done += moves + 1) {
-    annealing.cool(moves, 100, &poll);
-    make_chains();
+    for (const auto& [share, heat] : {std::pair{moves - moves / 9, 100U}, {moves / 9, 20U}}) {
+      annealing.cool(share, heat, &poll);
+      make_chains();
+    }
   }
 }
 
