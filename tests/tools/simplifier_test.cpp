@@ -16,8 +16,12 @@
 #include "restrip/mesh/checks.hpp"
 #include "runtime/sample_meshes.hpp"
 
-namespace restrip::tools {
+namespace restrip::simplifier_test {
 namespace {
+
+using tools::BoundaryPolicy;
+using tools::Obstacle;
+using tools::Simplifier;
 
 using Corners = std::array<Vertex, 3>;
 using Point = Simplifier::Point;
@@ -505,4 +509,4 @@ TEST(Simplifier, FixedVerticesStay) {
 }
 
 }  // namespace
-}  // namespace restrip::tools
+}  // namespace restrip::simplifier_test

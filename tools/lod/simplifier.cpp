@@ -30,8 +30,6 @@ namespace restrip::tools {
 
 namespace simplifying {
 
-namespace {
-
 using Halfedge = StripMesh::Halfedge;
 using Point = Simplifier::Point;
 using Vector = Simplifier::Point;
@@ -208,8 +206,6 @@ constexpr auto later = [](const Candidate& a, const Candidate& b) { return b < a
 /// The collapses that are permitted, from the preferred ones to all.
 enum class Stage : std::uint8_t { careful, any_turn, corners };
 constexpr std::array stages{Stage::careful, Stage::any_turn, Stage::corners};
-
-}  // namespace
 
 class Engine {
  public:
