@@ -1,7 +1,8 @@
 # Each public header of the runtime has a test of the same name: tests/runtime has the folders of
 # runtime/include/restrip. The test includes the header before
 # all other headers of the project. So if the test is compiled alone (in every preset without shared units), the header
-# is shown to be self-contained.
+# is shown to be self-contained. Headers that declare what others define are tested with those, and compiled alone by
+# cross.declarations.
 
 # judge(HEADER TEST OUT): the fault of TEST, a file, as the test of HEADER, a path from runtime/include; empty if none.
 function(judge header test out)
@@ -30,6 +31,14 @@ function(test_of header out)
 endfunction()
 
 file(GLOB_RECURSE headers RELATIVE ${ROOT}/runtime/include ${ROOT}/runtime/include/*.hpp)
+list(LENGTH headers seen)
+foreach(name IN LISTS DECLARATIONS)
+  list(FIND headers restrip/${name}.hpp place)
+  if(place EQUAL -1)
+    message(SEND_ERROR "restrip/${name}.hpp does not exist")
+  endif()
+  list(REMOVE_ITEM headers restrip/${name}.hpp)
+endforeach()
 foreach(header IN LISTS headers)
   test_of(${header} test)
   judge(${header} ${test} fault)
@@ -37,7 +46,6 @@ foreach(header IN LISTS headers)
     message(SEND_ERROR "${header} has no test of its name: ${fault} (CONTRIBUTING.md, \"Folders\")")
   endif()
 endforeach()
-list(LENGTH headers seen)
 if(seen LESS 20)
   message(FATAL_ERROR "only ${seen} public headers were found; has the folder moved?")
 endif()

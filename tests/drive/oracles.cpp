@@ -10,7 +10,6 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/policy.hpp"
-#include "runtime/locator_agrees.hpp"
 #include "runtime/whole_mesh.hpp"
 
 namespace restrip::drive {

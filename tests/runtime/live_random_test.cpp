@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../support/sanitizers.hpp"
-#include "baked_torus.hpp"
+#include "baked_sequence.hpp"
 #include "drive/driver.hpp"
 #include "drive/live_subject.hpp"
 #include "restrip/search/policy.hpp"

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "../support/random_operations.hpp"
 #include "form_reader.hpp"
 #include "formats/baked_format.hpp"
+#include "random_operations.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strips.hpp"

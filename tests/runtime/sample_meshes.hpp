@@ -1,5 +1,5 @@
 // Small and middle-sized meshes for tests: closed, with boundary, with several components, with handles, with vertices
-// of valence two.
+// of valence two, with edges of more than two triangles, with one vertex of very many.
 #pragma once
 
 #include <algorithm>
@@ -205,5 +205,109 @@ void color_at_random(StripMesh& mesh, double share, Random& random) {
     mesh.set_solid(h, true);
   }
 }
+
+// ---- edges of more than two triangles: two-sided sheets, books, boxes that share an edge
+
+using Triangles = std::vector<Corners>;
+
+/// `columns` times `rows` squares on vertices that `at` numbers.
+template <class At>
+Triangles sheet(Vertex columns, Vertex rows, At&& at) {
+  Triangles made;
+  for (Vertex x = 0; x < columns; ++x)
+    for (Vertex y = 0; y < rows; ++y) {
+      made.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      made.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  return made;
+}
+/// The list, and every triangle again with the opposite winding.
+inline Triangles with_backs(Triangles list) {
+  for (std::size_t t = 0, size = list.size(); t < size; ++t) list.push_back({list[t][1], list[t][0], list[t][2]});
+  return list;
+}
+/// Sheets that share the column 0; with three pages, three sheets on one edge.
+inline Triangles book(Vertex pages) {
+  Triangles all;
+  for (Vertex p = 0; p < pages; ++p) {
+    const Triangles page = sheet(9, 12, [p](Vertex x, Vertex y) { return x == 0 ? y : 13 * (9 * p + x) + y; });
+    all.insert(all.end(), page.begin(), page.end());
+  }
+  return all;
+}
+/// A band with half a turn: its ends are joined with opposite windings.
+inline Triangles band(Vertex length) {
+  Triangles made;
+  for (Vertex x = 0; x < length; ++x) {
+    const bool turned = x + 1 == length;
+    const Vertex a = 2 * x;
+    const Vertex b = turned ? 1 : 2 * x + 2;
+    const Vertex c = turned ? 0 : 2 * x + 3;
+    made.insert(made.end(), {{a, b, a + 1}, {a + 1, b, c}});
+  }
+  return made;
+}
+/// Boxes of 4 x 4 squares a side that all have one edge in common.
+inline Triangles boxes(Vertex count) {
+  constexpr Vertex n = 4;
+  Triangles all;
+  for (Vertex box = 0; box < count; ++box) {
+    const auto at = [box](Vertex x, Vertex y, Vertex z) {
+      return (x == 0 && y == 0 ? 0 : 125 * box) + x + 5 * y + 25 * z;
+    };
+    for (const Triangles& side : {sheet(n, n, [&](Vertex x, Vertex y) { return at(y, x, 0); }),
+                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(x, y, n); }),
+                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(x, 0, y); }),
+                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(y, n, x); }),
+                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(0, y, x); }),
+                                  sheet(n, n, [&](Vertex x, Vertex y) { return at(n, x, y); })})
+      all.insert(all.end(), side.begin(), side.end());
+  }
+  return all;
+}
+
+// ---- one vertex of very many triangles, against time quadratic in the valence
+
+struct HubMesh {
+  const char* name;
+  std::vector<Corners> triangles;
+  Vertex vertices;
+};
+
+/// n triangles that share vertex 0 and no edge.
+inline HubMesh pinched(Vertex n) {
+  HubMesh mesh{"pinched", {}, 2 * n + 1};
+  for (Vertex i = 0; i < n; ++i) mesh.triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+  return mesh;
+}
+
+/// A double cone over n vertices, its triangles in random order.
+inline HubMesh shuffled_double_cone(Vertex n) {
+  HubMesh mesh{"double cone", {}, n + 2};
+  for (Vertex i = 0; i < n; ++i) {
+    mesh.triangles.push_back({0, 2 + i, 2 + (i + 1) % n});
+    mesh.triangles.push_back({1, 2 + (i + 1) % n, 2 + i});
+  }
+  std::mt19937 random(7);
+  for (std::size_t i = mesh.triangles.size(); i > 1; --i)
+    std::swap(mesh.triangles[i - 1], mesh.triangles[random() % i]);
+  return mesh;
+}
+
+/// A cone over n vertices with two rings around it, whose strips get as long as the rings.
+inline HubMesh cone_with_rings(Vertex n) {
+  HubMesh mesh{"cone with rings", {}, 3 * n + 1};
+  for (Vertex i = 0; i < n; ++i) {
+    const Vertex j = (i + 1) % n;
+    mesh.triangles.push_back({0, 1 + i, 1 + j});
+    for (const Vertex ring : {1U, 1 + n}) {
+      mesh.triangles.push_back({ring + i, ring + n + i, ring + n + j});
+      mesh.triangles.push_back({ring + i, ring + n + j, ring + j});
+    }
+  }
+  return mesh;
+}
+
+inline std::vector<HubMesh> hub_meshes(Vertex n) { return {pinched(n), shuffled_double_cone(n), cone_with_rings(n)}; }
 
 }  // namespace restrip::sample

@@ -1,5 +1,5 @@
 // Simplifying, replaying and drawing take linear time, baking less than quadratic, however many triangles share one
-// vertex. Steps are counted at two sizes, one twice the other. tests/runtime/hub_steps_test.cpp does the same for the
+// vertex. Steps are counted at two sizes, one twice the other. tests/runtime/steps_test.cpp does the same for the
 // library.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@
 #include "replay/replay.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
-#include "runtime/hub_meshes.hpp"
+#include "runtime/sample_meshes.hpp"
 #include "runtime/step_counter.hpp"
 #include "shapes.hpp"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <numeric>
 
-#include "../support/canonical_joined.hpp"
+#include "../runtime/fan_operation.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
 #include "restrip/rules/key.hpp"
@@ -66,18 +66,6 @@ TEST(Paper, AMeshWithoutSplitsHasOneLevel) {
   EXPECT_EQ(mesh.runs.front().isolating_percent(), 0);
 }
 
-TEST(Paper, RowsCountEveryVertex) {
-  for (const std::size_t triangles : {69451U, 871414U}) {
-    const auto row = paper_row(triangles);
-    ASSERT_TRUE(row);
-    // Every triangle has three corners.
-    std::size_t corners = 0;
-    for (std::size_t n = 1; n < row->triangles_per_vertex.size(); ++n) corners += n * row->triangles_per_vertex[n];
-    EXPECT_EQ(corners, 3 * triangles) << row->mesh;
-  }
-  EXPECT_FALSE(paper_row(12));
-}
-
 TEST(Paper, BunnyIsThePapersAndItsPolicyLandsNearItsFigure) {
   const auto file = REAL_MESH("bunny.obj");
   const PaperMesh mesh = measure(read_subject(file), {});
@@ -85,11 +73,6 @@ TEST(Paper, BunnyIsThePapersAndItsPolicyLandsNearItsFigure) {
   EXPECT_TRUE(mesh.equals_paper());
   EXPECT_NEAR(runs_of(mesh).at("paper").isolating_percent(), *mesh.paper->isolating_percent, 5);
   EXPECT_EQ(runs_of(mesh).at("local").isolating, 0U);
-}
-
-TEST(PaperRules, Positions) {
-  EXPECT_EQ(split_positions(8).size(), 15U);
-  EXPECT_EQ(split_positions(9).size(), 19U);
 }
 
 TEST(PaperRules, ReducedRulesCoverEveryConfiguration) {

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "common/digest.hpp"
 #include "naive_tables.hpp"
@@ -18,31 +16,18 @@ namespace restrip::verify::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using corpus::bytes_of;
+using corpus::lines_of;
 
 void write(const fs::path& path, const std::string& bytes) {
   fs::create_directories(path.parent_path());
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 std::string argument(const std::string& line) {
   const std::size_t space = line.find(' ');
   return space == std::string::npos ? std::string{} : line.substr(space + 1);
 }
-
-/// By the name of a file in tests/corpus/altered.
-fs::path altered(const std::string& name) { return fs::path(RESTRIP_CORPUS_DIR) / "altered" / name; }
 
 }  // namespace
 
@@ -68,52 +53,6 @@ std::vector<Damage> damages() {
   for (const Damage& damage : all)
     if (damage.message.empty() || damage.exit_code == 0 || damage.instructions.empty())
       throw std::runtime_error(damage.name + ": incomplete");
-  return all;
-}
-
-std::string Alteration::in(std::string text) const {
-  std::size_t place = ('\n' + text).find('\n' + what);
-  if (place == std::string::npos) place = text.find(what);
-  if (place == std::string::npos) throw std::runtime_error(fmt::format("{}: no \"{}\"", of, what));
-  return text.replace(place, what.size() + (by ? 0 : 1), by.value_or(""));
-}
-
-std::string text_to_alter(const std::string& name) {
-  const std::string all = bytes_of(altered("texts.txt"));
-  const std::string head = fmt::format("=== {}\n", name);
-  const std::size_t at = ('\n' + all).find('\n' + head);
-  if (at == std::string::npos) throw std::runtime_error("no text " + name);
-  const std::size_t begin = at + head.size();
-  const std::size_t end = all.find("\n=== ", begin);
-  return all.substr(begin, end == std::string::npos ? end : end + 1 - begin);
-}
-
-std::vector<Alteration> alterations(const std::string& file) {
-  std::vector<Alteration> all;
-  Alteration next;
-  char last = 0;
-  for (const std::string& line : lines_of(bytes_of(altered(file)))) {
-    if (line.empty() || line.starts_with("#")) continue;
-    const std::string text = line.substr(std::min<std::size_t>(line.size(), 2));
-    const bool continues = line[0] == last;
-    const auto longer = [&](const std::string& so_far) {
-      return continues ? fmt::format("{}\n{}", so_far, text) : text;
-    };
-    if (line[0] == 'o')
-      next.of = argument(line);
-    else if (line[0] == '-')
-      next.what = longer(next.what);
-    else if (line[0] == '+')
-      next.by = longer(next.by.value_or(""));
-    else if (line[0] != '=')
-      throw std::runtime_error(fmt::format("{}: unknown line \"{}\"", file, line));
-    else if (continues)
-      all.back().says = longer(all.back().says);
-    else
-      all.push_back({next.of, next.what, std::exchange(next.by, {}), text});
-    last = line[0];
-  }
-  if (all.empty()) throw std::runtime_error(file + ": no case");
   return all;
 }
 

@@ -17,9 +17,10 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
+
+#include "../support/alterations.hpp"
 
 namespace restrip::verify::test {
 
@@ -39,26 +40,9 @@ std::vector<Damage> damages();
 /// Makes this folder a damaged copy of the small tables.
 void make_damaged_tables(const Damage& damage, const std::filesystem::path& folder);
 
-/// A text that is altered in one place, and the expected message: a case of a file of tests/corpus/altered. Consecutive
-/// lines of one kind form one text, and "#" begins a comment:
-///
-///   of NAME       the text that the following cases alter
-///   - TEXT        what goes, at the beginning of a line if it stands at one; without `+` the end of the line goes as
-///   well
-///   + TEXT        what comes in its place
-///   = TEXT        part of the message; empty if the text is correct
-struct Alteration {
-  std::string of;
-  std::string what;
-  std::optional<std::string> by;
-  std::string says;
-
-  /// The altered text; throws std::runtime_error if the alteration is impossible.
-  std::string in(std::string text) const;
-};
-std::vector<Alteration> alterations(const std::string& file);
-/// What an `of` names: the text below "=== NAME" in texts.txt.
-std::string text_to_alter(const std::string& name);
+using corpus::Alteration;
+using corpus::alterations;
+using corpus::text_to_alter;
 
 /// Writes a MANIFEST that lists the files in the folder, with their present bytes and rows.
 void write_manifest(const std::filesystem::path& tables_dir);

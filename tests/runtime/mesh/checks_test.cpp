@@ -12,11 +12,12 @@
 #include <array>
 #include <cstddef>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "../../support/random_operations.hpp"
+#include "random_operations.hpp"
 #include "sample_meshes.hpp"
 #include "triangle_list.hpp"
 
@@ -279,23 +280,16 @@ TEST(Checks, HandlesThatAreNoneAreRefused) {
   EXPECT_EQ(check_collapse(mesh, {}), Refusal::no_such_edge);
 }
 
-// On the boundary the order of the two spokes says who stays there; either way the collapse of the new mesh edge gives
-// the mesh back, and so does the split undo the collapse of an edge with one end inside, whichever end stays.
-TEST(Checks, BoundarySplitsInEitherOrderAreUndone) {
-  std::size_t inside_stays = 0;
-  for (const StripMesh& mesh : {sample::rectangle(3, 2), sample::tube(4, 2), sample::rectangle(2, 1)})
-    for (const Halfedge left : halfedges_of(mesh))
-      for (const Halfedge right : halfedges_of(mesh)) {
-        if (!mesh.leaves_boundary(left) || check_split(mesh, {left, right}) != Refusal::granted) continue;
-        StripMesh copy = mesh;
-        const Halfedge chord = split(copy, Where{left, right}).halfedge;
-        ASSERT_NE(copy.leaves_boundary(chord), copy.leaves_boundary(copy.opposite(chord)));
-        inside_stays += copy.leaves_boundary(chord) ? 0U : 1U;
-        ASSERT_EQ(check_collapse(copy, chord), Refusal::granted);
-        collapse(copy, chord);
-        ASSERT_EQ(sample::triangles_of(copy), sample::triangles_of(mesh));
-      }
-  EXPECT_GT(inside_stays, 50U);
+TEST(Refusals, EachHasItsOwnSentence) {
+  static_assert(static_cast<int>(Refusal::granted) == 0, "a refusal that is not zero is one");
+  std::set<std::string> sentences;
+  const int last = static_cast<int>(Refusal::colors_not_valid);
+  for (int n = 0; n <= last; ++n) {
+    const std::string sentence = describe(static_cast<Refusal>(n));
+    EXPECT_GT(sentence.size(), 15U);
+    EXPECT_TRUE(sentences.insert(sentence).second) << sentence;
+  }
+  EXPECT_STREQ(describe(static_cast<Refusal>(last + 1)), "unknown");
 }
 
 #ifdef NDEBUG

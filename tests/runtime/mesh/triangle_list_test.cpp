@@ -187,26 +187,22 @@ TEST(TriangleList, ReadsTriplesAndIndicesOfTwoSizes) {
   std::vector<std::uint32_t> wide;
   for (const Corners& c : triples) wide.insert(wide.end(), c.begin(), c.end());
   const std::vector<std::uint16_t> narrow(wide.begin(), wide.end());
-  const TriangleList of_triples(triples);
-  const TriangleList of_wide(wide);
-  const TriangleList of_narrow(narrow);
-  ASSERT_EQ(of_triples.size(), 4U);
-  ASSERT_EQ(of_wide.size(), 4U);
-  ASSERT_EQ(of_narrow.size(), 4U);
-  for (Triangle t = 0; t < 4; ++t)
-    for (unsigned s = 0; s < 3; ++s) {
-      EXPECT_EQ(of_triples.corner(4 * t + s), triples[t][s]);
-      EXPECT_EQ(of_wide.corner(4 * t + s), triples[t][s]);
-      EXPECT_EQ(of_narrow.corner(4 * t + s), triples[t][s]);
-    }
-  EXPECT_TRUE(of_narrow.is_triangle(1, 4));
-  EXPECT_FALSE(of_narrow.is_triangle(1, 3));
-  EXPECT_TRUE(of_narrow.degenerate(2));
-  EXPECT_FALSE(of_narrow.in_range(3, 4));
+  const auto expect_triples = [&](const auto& list) {
+    ASSERT_EQ(list.size(), 4U);
+    for (std::uint32_t side = 0; side < 16; ++side)
+      if (side % 4 < 3) {
+        EXPECT_EQ(list.corner(side), triples[side / 4][side % 4]);
+      }
+    EXPECT_TRUE(list.is_triangle(1, 4) && !list.is_triangle(1, 3));
+    EXPECT_TRUE(list.degenerate(2) && !list.in_range(3, 4));
+  };
+  expect_triples(TriangleList(triples));
+  expect_triples(TriangleList(wide));
+  expect_triples(TriangleList(narrow));
   EXPECT_THROW((void)TriangleList(std::span(wide).first(8)), std::invalid_argument);
   Across across(4);
   BuildReport report;
-  EXPECT_THROW(find_neighbors(of_wide, std::size_t{1} << 32, across, report), std::length_error);
+  EXPECT_THROW(find_neighbors(TriangleList(wide), std::size_t{1} << 32, across, report), std::length_error);
 }
 
 }  // namespace

@@ -4,16 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <random>
 #include <utility>
 #include <vector>
 
 #include "applied_lists.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
-#include "restrip/output/strips.hpp"
-#include "restrip/search/stripify.hpp"
 #include "restrip/tables/shipped_operations.hpp"
 #include "sample_meshes.hpp"
 #include "triangle_list.hpp"
@@ -75,39 +71,28 @@ TEST(Apply, TakesBackTheHandlesThatItGave) {
 // An operation with a border side fits in at most one orientation of a triangle. A brute-force count of the sheet knows
 // where: at corners with two triangles, seen from the side that leads from the corner into the mesh.
 TEST(Apply, AnywhereFindsTheOrientationThatFits) {
-  std::mt19937 random(3);
-  std::size_t one_way = 0;
-  std::size_t any_way = 0;
-  for (int round = 0; round < 100; ++round) {
-    StripMesh mesh = sample::rectangle(6, 5, static_cast<unsigned>(round));
-    stripify(mesh);
+  std::size_t found = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const StripMesh mesh = sample::rectangle(6, 5, seed);
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      std::vector<Halfedge> fitting;
+      Halfedge fitting = StripMesh::halfedge(t);
+      std::size_t ways = 0;
       for (unsigned s = 0; s < 3; ++s) {
         // `m b c`, with m b on the boundary, m of two triangles, and `a m c` next to it across m c.
         const Halfedge h = StripMesh::halfedge(t, s);
         const Halfedge beyond = mesh.opposite(StripMesh::next(StripMesh::next(h)));
-        const bool is_rim = StripMesh::on_boundary(mesh.opposite(h)) && !StripMesh::on_boundary(beyond);
-        if (is_rim && StripMesh::on_boundary(mesh.opposite(StripMesh::next(StripMesh::next(beyond)))) &&
-            check_apply(mesh, tables::merge_boundary_rules, h) == Refusal::granted)
-          fitting.push_back(h);
+        if (!StripMesh::on_boundary(mesh.opposite(h)) || StripMesh::on_boundary(beyond) ||
+            !StripMesh::on_boundary(mesh.opposite(StripMesh::next(StripMesh::next(beyond)))) ||
+            check_apply(mesh, tables::merge_boundary_rules, h) != Refusal::granted)
+          continue;
+        if (ways++ == 0) fitting = h;
       }
-      const Halfedge first = first_place(mesh, tables::merge_boundary_rules, t);
-      ASSERT_EQ(first, fitting.empty() ? mesh.alive(t) ? StripMesh::halfedge(t) : Halfedge{} : fitting.front());
+      ASSERT_EQ(first_place(mesh, tables::merge_boundary_rules, t), fitting);
+      found += ways == 0 || fitting == StripMesh::halfedge(t) ? 0U : 1U;
     }
-    const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
-    one_way += check_apply(mesh, tables::merge_boundary_rules, StripMesh::halfedge(t)) == Refusal::granted ? 1U : 0U;
-    const Halfedge first = first_place(mesh, tables::merge_boundary_rules, t);
-    const bool fits = check_apply(mesh, tables::merge_boundary_rules, first) == Refusal::granted;
-    const std::size_t before = mesh.triangle_count();
-    const Checked done = checked_apply(mesh, tables::merge_boundary_rules, first);
-    ASSERT_EQ(done.granted(), fits);
-    ASSERT_EQ(mesh.triangle_count(), before - (fits ? 1 : 0));
-    ASSERT_TRUE(check_coloring(mesh).valid);
-    any_way += fits ? 1U : 0U;
   }
-  EXPECT_GT(any_way, 2 * one_way);
-  StripMesh torus = sample::torus(5, 5);
+  EXPECT_GT(found, 20U);
+  const StripMesh torus = sample::torus(5, 5);
   EXPECT_EQ(first_place(torus, tables::merge_boundary_rules, 7), StripMesh::halfedge(7));
   EXPECT_EQ(first_place(torus, tables::split_face_rules, 50), Halfedge{});
 }
@@ -128,6 +113,14 @@ TEST(Apply, RefusesWithAReason) {
   EXPECT_EQ(check_apply(tetrahedron, tables::flip_matching_rules, StripMesh::halfedge(0)), Refusal::edge_exists);
   EXPECT_EQ(check_apply(sample::meshes().back(), tables::split_face_rules, StripMesh::halfedge(0)),
             Refusal::non_manifold_vertex);
+  // By name; which patches fit: live_random_test.cpp.
+  for (const OperationPlace& at :
+       {split_face_at(rectangle, {}), join_faces_at(rectangle, {}), bisect_at(rectangle, {}), merge_at(rectangle, {})})
+    EXPECT_EQ(check_apply(rectangle, at), Refusal::no_such_edge);
+  EXPECT_EQ(check_apply(rectangle, split_face_at(rectangle, rectangle.opposite(rim))), Refusal::boundary_edge);
+  EXPECT_EQ(check_apply(rectangle, bisect_at(rectangle, rectangle.opposite(rim))), Refusal::granted);
+  EXPECT_EQ(check_apply(sample::octahedron(), join_faces_at(sample::octahedron(), StripMesh::halfedge(0))),
+            Refusal::other_patch);
   StripMesh bad = sample::torus(5, 5);
   for (unsigned s = 0; s < 3; ++s) bad.set_solid(StripMesh::halfedge(0, s), true);
   EXPECT_EQ(check_apply(bad, tables::split_face_rules, StripMesh::halfedge(0)), Refusal::colors_not_valid);

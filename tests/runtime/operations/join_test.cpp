@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "operations/absorb.hpp"
-#include "random_operation.hpp"
+#include "random_operations.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"

@@ -1,21 +1,26 @@
 // Splits and collapses of any valence report exactly what they change. Fans that do not fit into words are compared
-// with a second search for the best recolouring. Random operations on the free functions are in live_random_test.cpp.
+// with a second search for the best recolouring. Checked operations do all or nothing. Random operations on the free
+// functions are in live_random_test.cpp.
 #include "restrip/operations/operations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "patch_in_mesh.hpp"
-#include "random_operation.hpp"
+#include "naive_patch.hpp"
+#include "outside_frontier.hpp"
+#include "random_operations.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 #include "whole_mesh.hpp"
 
@@ -107,6 +112,88 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
   }
 }
 
+/// The triangles around some vertices, which edges between them are inner, and where the strips go that leave them.
+class PatchInMesh {
+ public:
+  PatchInMesh(const StripMesh& mesh, std::set<Vertex> centers) : mesh_(&mesh), centers_(std::move(centers)) {
+    for (const Vertex v : centers_)
+      for (const Halfedge h : sample::spokes_around(mesh, v))
+        if (!StripMesh::on_boundary(h) && node_.emplace(StripMesh::triangle(h), 0).second)
+          triangles_.push_back(StripMesh::triangle(h));
+    for (std::size_t n = 0; n < triangles_.size(); ++n) node_[triangles_[n]] = static_cast<int>(n);
+  }
+
+  /// In the mesh as it is: the frontier's value of the patch's colours.
+  long value() const {
+    long result = 0;
+    for (const Triangle t : triangles_) {
+      result -= mesh_->solid_degree(t) == 0 ? 1 : 0;
+      for_each_side(t, [&](Halfedge h, Halfedge there) {
+        if (is_inner(h) && h.id < there.id && mesh_->solid(h)) result += 1'000'000;
+      });
+    }
+    return result;
+  }
+
+  /// Pairs of ports, by their halfedges outside, that solid edges join inside.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs() const {
+    naive::UnionFind inside(triangles_.size());
+    std::vector<std::pair<std::uint32_t, std::size_t>> ports;
+    for (const Triangle t : triangles_)
+      for_each_side(t, [&](Halfedge h, Halfedge there) {
+        if (!mesh_->solid(h)) return;
+        const auto at = static_cast<std::size_t>(node_.at(t));
+        if (is_inner(h))
+          inside.unite(at, static_cast<std::size_t>(node_.at(StripMesh::triangle(there))));
+        else
+          ports.emplace_back(there.id, at);
+      });
+    std::set<std::pair<std::uint32_t, std::uint32_t>> result;
+    for (const auto& [one, at] : ports)
+      for (const auto& [other, there] : ports)
+        if (one != other && inside.find(at) == inside.find(there)) result.emplace(one, other);
+    return result;
+  }
+
+  /// The best value in every world that allows these pairs inside.
+  long best_anywhere(const std::set<std::pair<std::uint32_t, std::uint32_t>>& before) const {
+    naive::OutsideFrontier graph = inner_graph();
+    std::vector<std::uint32_t> names;
+    for (const Triangle t : triangles_)
+      for_each_side(t, [&](Halfedge h, Halfedge there) {
+        if (is_inner(h) || !mesh_->solid(h)) return;
+        graph.add_hidden(node_.at(t), static_cast<int>(names.size()));
+        names.push_back(there.id);
+      });
+    return graph.best([&](int one, int other) {
+      return before.count({names[static_cast<std::size_t>(one)], names[static_cast<std::size_t>(other)]}) != 0;
+    });
+  }
+
+ private:
+  template <class Visit>
+  void for_each_side(Triangle t, const Visit& visit) const {
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto h = StripMesh::halfedge(t, side);
+      if (const auto there = mesh_->opposite(h); !StripMesh::on_boundary(there)) visit(h, there);
+    }
+  }
+  bool is_inner(Halfedge h) const { return centers_.count(mesh_->from(h)) + centers_.count(mesh_->to(h)) > 0; }
+  naive::OutsideFrontier inner_graph() const {
+    naive::OutsideFrontier graph(static_cast<int>(triangles_.size()));
+    for (const Triangle t : triangles_)
+      for_each_side(t, [&](Halfedge h, Halfedge there) {
+        if (is_inner(h) && h.id < there.id) graph.add_edge(node_.at(t), node_.at(StripMesh::triangle(there)));
+      });
+    return graph;
+  }
+
+  const StripMesh* mesh_;
+  std::set<Vertex> centers_;
+  std::vector<Triangle> triangles_;
+  std::map<Triangle, int> node_;
+};
+
 // A count finds the reported change, and no colouring of the patch is better that joins what was joined.
 void expect_best(const StripMesh& before, const std::set<Vertex>& centers, const StripMesh& after,
                  const std::set<Vertex>& around, const Rewrite& done) {
@@ -165,6 +252,35 @@ TEST(Operations, GoingDownAndUpGivesTheSameHandles) {
   collapse(mesh, first.halfedge);
   split(mesh, Where{mesh.spoke(v_s, v_l), mesh.spoke(v_s, v_r), Where::Spokes::both});
   EXPECT_EQ(corners(), up);
+}
+
+TEST(Checked, OperationsDoAllOrNothing) {
+  StripMesh mesh = sample::rectangle(4, 4);
+  Keeper keeper(mesh, Policy::local, Cost::strips());
+  const std::vector<sample::Corners> before = sample::triangles_of(mesh);
+  const Halfedge edge = mesh.spoke(0);
+  EXPECT_EQ(checked_flip(mesh, edge).refusal, Refusal::boundary_edge);
+  EXPECT_EQ(checked_flip(keeper, edge).refusal, Refusal::boundary_edge);
+  EXPECT_EQ(checked_collapse(mesh, {}).refusal, Refusal::no_such_edge);
+  EXPECT_EQ(checked_collapse(keeper, {}).refusal, Refusal::no_such_edge);
+  const Halfedge inside = mesh.spoke(6);
+  EXPECT_EQ(checked_split(mesh, {inside, inside}).refusal, Refusal::same_spoke);
+  EXPECT_EQ(checked_split(mesh, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
+  EXPECT_EQ(checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
+  // Up to this name all vertices would be allocated.
+  EXPECT_EQ(checked_split(mesh, {inside, turn_ccw(mesh, inside)}, none - 1).refusal, Refusal::vertex_too_far);
+  const auto furthest = static_cast<Vertex>(mesh.vertex_bound() + StripMesh::max_vertex_gap + mesh.triangle_bound());
+  EXPECT_EQ(check_split(mesh, {inside, turn_ccw(mesh, inside)}, furthest + 1), Refusal::vertex_too_far);
+  EXPECT_EQ(check_split(mesh, {inside, turn_ccw(mesh, inside)}, furthest), Refusal::granted);
+  const auto alone = [](Vertex v) { return std::vector<sample::Corners>{{30, 31, v}}; };
+  EXPECT_EQ(check_replace(mesh, {}, alone(furthest + 1)), Refusal::vertex_too_far);
+  EXPECT_EQ(check_replace(mesh, {}, alone(furthest)), Refusal::granted);
+  EXPECT_EQ(sample::triangles_of(mesh), before);
+  const Checked up = checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 30);
+  ASSERT_TRUE(up);
+  EXPECT_EQ(mesh.to(up.rewrite.halfedge), 30U);
+  EXPECT_TRUE(checked_collapse(keeper, up.rewrite.halfedge));
+  EXPECT_EQ(sample::triangles_of(mesh), before);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "form_reader.hpp"
-#include "random_operation.hpp"
+#include "random_operations.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"

@@ -14,7 +14,6 @@
 #include "measure/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
-#include "sheets.hpp"
 
 namespace restrip {
 namespace {

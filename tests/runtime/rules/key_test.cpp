@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "../../support/canonical_joined.hpp"
 #include "fan_operation.hpp"
 #include "naive_patch.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <optional>
 
-#include "../../support/canonical_joined.hpp"
 #include "exhaustive_search.hpp"
 #include "fan_operation.hpp"
 #include "restrip/operations/operations.hpp"

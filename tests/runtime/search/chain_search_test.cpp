@@ -13,7 +13,6 @@
 #include <set>
 #include <vector>
 
-#include "coloring_cost.hpp"
 #include "sample_meshes.hpp"
 #include "search/greedy.hpp"
 #include "strip_moves.hpp"
@@ -92,20 +91,6 @@ TEST(ChainSearch, RepeatedEndsWhereNoMoveAtAnEndPays) {
         ChainSearch search(cost);
         expect_ends_where_no_move_pays(mesh, cost, [&] { return run_everywhere(mesh, search, limits); });
       }
-}
-
-TEST(ChainSearch, LongerChainsEndLower) {
-  std::int32_t last = 0;
-  for (const std::uint32_t length : {1U, 2U, 4U}) {
-    StripMesh mesh = sample::torus(30, 30);
-    stripify_fast(mesh);
-    ChainSearch search;
-    std::int32_t price = 0;
-    for (int round = 0; round < 3; ++round)
-      price += run_everywhere(mesh, search, {.length = length, .worse = 1}).price(search.cost());
-    EXPECT_LT(price, last - 10) << length;
-    last = price;
-  }
 }
 
 // A strip whose ends are far away is left by cuts at its swaps alone.

@@ -10,9 +10,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "coloring_cost.hpp"
-#include "locator_agrees.hpp"
-#include "random_operation.hpp"
+#include "random_operations.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -22,6 +20,7 @@
 #include "sample_meshes.hpp"
 #include "search/greedy.hpp"
 #include "strip_moves.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -223,23 +222,6 @@ TEST(RuleFirst, ColoursStayAsTheyAreWhereNothingIsCheaper) {
       EXPECT_GT(taken, 300U);
       EXPECT_EQ(kept != 0, !(cost == Cost::strips()));
     }
-}
-
-// If swaps cost nothing, a cycle of all new triangles would be cheapest.
-TEST(RuleFirst, APatchAloneBecomesOneStrip) {
-  constexpr Cost cost{5, 0, 2};
-  for (const Policy policy : searching_policies()) {
-    StripMesh triangle = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2}, 3);
-    Keeper one(triangle, policy, cost);
-    one.apply(tables::split_face_rules, StripMesh::halfedge(0));
-    expect_right(one);
-    EXPECT_EQ(one.strips(), 1U);
-    StripMesh pair = StripMesh::build(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, 4);
-    Keeper two(pair, policy, cost);
-    two.apply(tables::bisect_rules, StripMesh::halfedge(0, 2));
-    expect_right(two);
-    EXPECT_EQ(two.strips(), 1U);
-  }
 }
 
 // Newest-vertex bisection, of random triangles or of all in turn: each triangle is halved opposite its newest vertex,

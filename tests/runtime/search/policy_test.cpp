@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "random_operation.hpp"
+#include "random_operations.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -74,7 +74,8 @@ TEST(Policies, EveryInterfaceHasTheirDefaults) {
   expect_in(python, "policy: Policy = \"quick\", cost: Cost = \"indices\"");
   expect_in(python, "effort: Optional[Effort] = \"fast\"");
   expect_in(python, "{\"strips\": (1, 0, 0), \"indices\": (3, 1, 0)}");
-  static_assert(Cost::strips() == Cost{1, 0, 0} && Cost::indices() == Cost{3, 1, 0});
+  static_assert(Cost::strips() == Cost{1, 0, 0} && Cost::indices() == Cost{3, 1, 0} && Cost::strips() == Cost{});
+  static_assert(Effort::fast < Effort::full && Effort::full < Effort::best, "later ones do more");
 }
 
 TEST(Policies, EachKeepsFewerStripsThanTheOneBefore) { expect_less_with_each_policy(Cost::strips(), Policy::bare); }

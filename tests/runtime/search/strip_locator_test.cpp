@@ -7,14 +7,14 @@
 #include <random>
 #include <vector>
 
-#include "locator_agrees.hpp"
-#include "random_operation.hpp"
+#include "random_operations.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {

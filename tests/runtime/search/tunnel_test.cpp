@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <utility>
 
-#include "locator_agrees.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "search/greedy.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {

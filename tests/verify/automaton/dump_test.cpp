@@ -1,8 +1,11 @@
-// Claim: a dump of the automaton is accepted if and only if every number that a look-up can use, and every answer,
-// agrees with the certificate. The dump is made here from the numbers of the shipped header.
+// Claims: in the automaton of fewest strips, fewer strips come first in fans of any valence; and a dump of the
+// automaton is accepted if and only if every number that a look-up can use, and every answer, agrees with the
+// certificate. The dump is made here from the numbers of the shipped header.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -89,6 +92,26 @@ TEST(AutomatonDump, FormIsChecked) {
   EXPECT_NE(shipped.check(shipped.dump + "more\n").fault, "");
   EXPECT_NE(check_automaton_dump_of("false", shipped.certificate, max_k).fault, "");
   EXPECT_NE(check_automaton_dump_of("true", shipped.certificate, max_k).fault, "");
+}
+
+// A cost is strips and isolated triangles in one number. They can be separated, in the certificate and in sums of a few
+// of its numbers: every cost differs from whole strips by a few isolated triangles only.
+TEST(AutomatonCosts, IsolatedTrianglesNeverOutweighAStrip) {
+  const std::string file = std::string(RESTRIP_TABLES_DIR) + "/certificates/automaton.cert";
+  const AutomatonCertificate certificate = parse_automaton(file, read_file(file));
+  std::size_t compared = 0;
+  const auto expect_few = [&](int cost) {
+    ++compared;
+    const int rest = std::abs(cost) % strip_cost;
+    EXPECT_LE(std::min(rest, strip_cost - rest), 3) << cost;
+  };
+  for (const AutomatonClass& c : certificate.classes) {
+    for (const auto& cost : c.costs)
+      if (cost) expect_few(*cost);
+    for (const auto& step : c.steps)
+      if (step) expect_few(step->cost);
+  }
+  EXPECT_GT(compared, 1000U);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"
