@@ -18,7 +18,7 @@
 #include "common/system_calls.hpp"
 #include "support/failing_new.hpp"
 #include "support/refusal_of.hpp"
-#include "tools/scratch_folder.hpp"
+#include "tools/folders.hpp"
 
 namespace restrip::files {
 namespace {

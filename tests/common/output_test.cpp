@@ -16,7 +16,7 @@
 #include "common/reading.hpp"
 #include "common/system_calls.hpp"
 #include "support/refusal_of.hpp"
-#include "tools/scratch_folder.hpp"
+#include "tools/folders.hpp"
 
 namespace restrip::files {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "support/refusal_of.hpp"
-#include "tools/scratch_folder.hpp"
+#include "tools/folders.hpp"
 
 namespace restrip::files {
 namespace {

@@ -5,6 +5,7 @@ report in which something fails or is missing, or that has a claim that it does 
   coverage_test.py BIN: the folder with the programs, whose claims are all known
 """
 import importlib.util
+import re
 import subprocess
 import sys
 import tempfile
@@ -34,6 +35,19 @@ def faults(file=None, alter=None):
                 assert text != before, f"nothing was altered in {name}"
             (Path(folder) / name).write_text(text, encoding="utf-8")
         return coverage.Coverage(Path(folder)).check()
+
+
+class Examples(unittest.TestCase):
+    def test_are_rules_of_the_section_that_the_page_names(self):
+        page = (ROOT / FILES[0]).read_text(encoding="utf-8")
+        certificate = (ROOT / "tables/certificates/split.cert").read_text(encoding="ascii")
+        section = re.search(r"Take `(section [^`]+)`", page)[1]
+        rows = re.split(r"^(?=section )", certificate, flags=re.M)
+        rows = next(part for part in rows if part.startswith(section + "\n")).splitlines()
+        examples = re.findall(r"`(rule [0-9a-f]+ [^`]+)`", page)
+        self.assertGreaterEqual(len(examples), 2)
+        for example in examples:
+            self.assertIn(example, rows)
 
 
 class Check(unittest.TestCase):

@@ -20,7 +20,7 @@ static_assert(restrip::boundary_split_rule({3, 1}, 0, 0).valid && restrip::bound
 static_assert(restrip::flip_rule(true, 0b0101).valid && restrip::split_rule({20, 9}, 0, 0).valid);
 
 /// n squares a side, two triangles each.
-StripMesh sheet(Vertex n) {
+std::vector<std::array<Vertex, 3>> sheet(Vertex n) {
   std::vector<std::array<Vertex, 3>> triangles;
   const auto at = [n](Vertex row, Vertex column) { return row * (n + 1) + column; };
   for (Vertex row = 0; row < n; ++row)
@@ -28,51 +28,18 @@ StripMesh sheet(Vertex n) {
       triangles.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1)});
       triangles.push_back({at(row, column), at(row + 1, column + 1), at(row + 1, column)});
     }
-  return StripMesh::build(triangles, (n + std::size_t{1}) * (n + 1));
-}
-
-/// Collapses every edge that may be collapsed, from each third vertex on, and splits the vertices again.
-template <class Collapse, class Split>
-void down_and_up(StripMesh& mesh, Collapse&& collapse, Split&& split) {
-  struct Record {
-    Vertex v_s, v_t, v_l, v_r;
-  };
-  std::vector<Record> records;
-  for (Vertex v = 0; v < mesh.vertex_bound(); v += 3) {
-    if (mesh.spoke(v).id == restrip::none) continue;
-    const Halfedge chord = mesh.spoke(v);
-    const Halfedge back = mesh.opposite(chord);
-    if (restrip::check_collapse(mesh, chord) != restrip::Refusal::granted) continue;
-    if (StripMesh::on_boundary(chord) || StripMesh::on_boundary(back)) continue;
-    records.push_back({v, mesh.to(chord), mesh.to(StripMesh::next(chord)), mesh.to(StripMesh::next(back))});
-    collapse(chord);
-  }
-  while (!records.empty()) {
-    const Record r = records.back();
-    records.pop_back();
-    split({mesh.spoke(r.v_s, r.v_l), mesh.spoke(r.v_s, r.v_r)});
-  }
+  return triangles;
 }
 
 void print(const char* what, const StripMesh& mesh) {
   const restrip::ColoringReport report = restrip::check_coloring(mesh);
-  const restrip::Strips strips = restrip::extract_strips(mesh);
-  const std::vector<std::uint32_t> indices = restrip::strip_indices(mesh, strips);
+  const std::vector<std::uint32_t> indices = restrip::strip_indices(mesh);
   std::uint32_t sum = 0;
   for (const std::uint32_t index : indices) sum = sum * 31 + index;
   std::printf("%s: %s, %u triangles, %u strips, %u isolated, indices %u, sum %lx\n", what,
               report.valid ? "valid" : "not valid", static_cast<unsigned>(report.triangles),
               static_cast<unsigned>(report.strips), static_cast<unsigned>(report.isolated),
               static_cast<unsigned>(indices.size()), static_cast<unsigned long>(sum));
-}
-
-void by_rules(const char* what, StripMesh& mesh) {
-  using Where = restrip::VertexSplit;
-  down_and_up(
-      mesh, [&](Halfedge h) { restrip::collapse(mesh, h); }, [&](const Where& where) { restrip::split(mesh, where); });
-  print(what, mesh);
-  for (Triangle t = 0; t < mesh.triangle_bound(); t += 7) restrip::checked_flip(mesh, StripMesh::halfedge(t, 0));
-  print(what, mesh);
 }
 
 /// A vertex of 70 triangles takes more than one word; cut and closed again.
@@ -86,30 +53,49 @@ void large_fan() {
   print("large fan", mesh);
 }
 
-void by_keeper(restrip::Policy policy, const char* what) {
-  StripMesh mesh = sheet(24);
-  restrip::stripify(mesh, policy == restrip::Policy::full ? restrip::Effort::full : restrip::Effort::fast,
-                    restrip::Cost::strips());
-  std::vector<Triangle> changed;
-  mesh.watch(&changed);
-  restrip::LiveBuffer buffer({.form = restrip::StripForm::lengths});
-  buffer.rebuild(mesh);
-  restrip::Keeper keeper(mesh, policy, restrip::Cost::strips());
-  down_and_up(
-      mesh, [&](Halfedge h) { restrip::checked_collapse(keeper, h); },
-      [&](const restrip::VertexSplit& where) { restrip::checked_split(keeper, where); });
-  const std::size_t ranges = buffer.update(mesh, changed).size();
-  std::vector<restrip::IndexRange> runs;
-  buffer.draws(runs);
-  keeper.improve(5000);
-  std::printf("%u strips, %u runs, %u ranges\n", static_cast<unsigned>(keeper.strips()),
-              static_cast<unsigned>(runs.size()), static_cast<unsigned>(ranges));
-  print(what, mesh);
+/// Operations at random places, the same everywhere, with undo; then a save that is loaded.
+void operations(restrip::Policy policy, restrip::StripForm form, const char* what) {
+  restrip::LiveMesh live(sheet(24), 25 * 25, {.policy = policy, .history = 5000, .format = {.form = form}});
+  std::uint32_t random = 1;
+  std::size_t done = 0;
+  std::size_t ranges = 0;
+  for (int step = 0; step < 3000; ++step) {
+    random = random * 1'664'525 + 1'013'904'223;
+    const Halfedge h =
+        StripMesh::halfedge((random >> 8) % static_cast<Triangle>(live.mesh().triangle_bound()), step % 3);
+    switch (random >> 29) {
+      case 0:
+      case 1:
+        done += live.collapse(h) ? 1U : 0U;
+        break;
+      case 2:
+        done += live.flip(h) ? 1U : 0U;
+        break;
+      case 3:
+        done += live.split_face(h) ? 1U : 0U;
+        break;
+      case 4:
+        done += live.bisect(h) ? 1U : 0U;
+        break;
+      case 5:
+        if (live.mesh().alive(h)) done += live.split({h, restrip::turn_ccw(live.mesh(), h)}) ? 1U : 0U;
+        break;
+      case 6:
+        live.undo();
+        break;
+      default:
+        ranges += live.update().size();
+    }
+  }
+  live.improve(5000);
+  const restrip::LiveMesh loaded = restrip::LiveMesh::load(live.save());
+  std::printf("%u done, %u ranges\n", static_cast<unsigned>(done), static_cast<unsigned>(ranges));
+  print(what, loaded.mesh());
 }
 
 /// Split and collapse with precomputed flips.
 void by_record() {
-  StripMesh mesh = sheet(2);
+  StripMesh mesh = StripMesh::build(sheet(2), 9);
   restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
   restrip::BakedRecords records;
   records.flips = {mesh.spoke(4, 5)};
@@ -133,11 +119,10 @@ int main(int count, char** arguments) {
     read_invalid_coloring();
     return 0;
   }
-  StripMesh mesh = sheet(12);
-  by_rules("rules", mesh);
   large_fan();
   by_record();
-  by_keeper(restrip::Policy::local, "local");
-  by_keeper(restrip::Policy::quick, "quick");
-  by_keeper(restrip::Policy::full, "full");
+  operations(restrip::Policy::rules, restrip::StripForm::list, "rules");
+  operations(restrip::Policy::local, restrip::StripForm::restart, "local");
+  operations(restrip::Policy::quick, restrip::StripForm::stitched, "quick");
+  operations(restrip::Policy::full, restrip::StripForm::lengths, "full");
 }

@@ -2,6 +2,7 @@
 // std::logic_error when it is not as promised. None shares code with what it checks.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <vector>
@@ -161,6 +162,21 @@ class Twin : public Oracle {
 
  private:
   Subject& other_;
+};
+
+/// All oracles that look at one LiveMesh; those that judge by lists do so up to `most_judged` triangles.
+struct Oracles {
+  explicit Oracles(std::size_t history, std::size_t most_judged = 60) : looks(history != 0), mirror(most_judged) {}
+  [[nodiscard]] std::array<Oracle*, 7> all() {
+    return {&device, &looks, &counts, &bounds, &functions, &mirror, &numbers};
+  }
+  Device device;
+  FrameLooks looks;
+  Counts counts;
+  Bounds bounds;
+  FreeFunctions functions;
+  Mirror mirror;
+  Numbers numbers;
 };
 
 }  // namespace restrip::drive

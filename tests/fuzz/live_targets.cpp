@@ -18,15 +18,8 @@ namespace {
 
 void drive_with_oracles(drive::Input& input, LiveMesh live, std::size_t history, const drive::Limits& limits) {
   drive::LiveSubject subject(std::move(live), history);
-  drive::Device device;
-  drive::FrameLooks looks(history != 0);
-  drive::Counts counts;
-  drive::Bounds bounds;
-  drive::FreeFunctions functions;
-  drive::Mirror mirror(24);
-  drive::Numbers numbers;
-  drive::drive(input, subject,
-               std::array<drive::Oracle*, 7>{&device, &looks, &counts, &bounds, &functions, &mirror, &numbers}, limits);
+  drive::Oracles oracles(history, 24);
+  drive::drive(input, subject, oracles.all(), limits);
 }
 
 /// False for a format that a LiveMesh refuses.

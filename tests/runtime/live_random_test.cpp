@@ -22,21 +22,6 @@ namespace {
 
 constexpr std::size_t endless = 1'000'000;  // a history that drops nothing
 
-/// All oracles that look at one LiveMesh.
-struct Oracles {
-  explicit Oracles(std::size_t history, std::size_t most_judged = 60) : looks(history != 0), mirror(most_judged) {}
-  [[nodiscard]] std::array<Oracle*, 7> all() {
-    return {&device, &looks, &counts, &bounds, &functions, &mirror, &numbers};
-  }
-  Device device;
-  FrameLooks looks;
-  Counts counts;
-  Bounds bounds;
-  FreeFunctions functions;
-  Mirror mirror;
-  Numbers numbers;
-};
-
 /// A LiveMesh that does only some calls.
 class OnlySome : public LiveSubject {
  public:

@@ -15,10 +15,9 @@ import pathlib
 import struct
 import sys
 
-from gltf_maker import BYTE, FLOAT, SHORT, UBYTE, USHORT, File
+from gltf_maker import BYTE, FLOAT, N, SHORT, UBYTE, USHORT, cross, cube, File, save, sphere, unit
 from program import Program
 from strip_readers import corners_of_glb, drawn_obj, drawn_ply, glb, obj, parts_of_glb
-from textured import N, cross, cube, save, sphere, unit
 
 run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 

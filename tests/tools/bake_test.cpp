@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "folders.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "lod/trail_search.hpp"
 #include "meshes/made_mesh.hpp"
-#include "real_meshes.hpp"
 #include "replay/replay.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/baked.hpp"

@@ -16,10 +16,9 @@ import struct
 import subprocess
 import sys
 
-from gltf_maker import BYTE, FLOAT, LETTER, SHORT, UBYTE, USHORT, File, edited_glb
+from gltf_maker import BYTE, FLOAT, LETTER, SHORT, UBYTE, USHORT, cube, edited_glb, File, save, sphere
 from program import Program
 from strip_readers import RESTART, glb
-from textured import cube, save, sphere
 
 run, scratch, node, npm = Program(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3], sys.argv[4]
 may_be_missing = "--may-be-missing" in sys.argv[5:]

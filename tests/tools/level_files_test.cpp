@@ -8,12 +8,12 @@
 #include <random>
 
 #include "common/reading.hpp"
+#include "folders.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/made_mesh.hpp"
-#include "real_meshes.hpp"
 #include "replay/methods.hpp"
 #include "replay/replay.hpp"
 #include "restrip/formats/baked_file.hpp"

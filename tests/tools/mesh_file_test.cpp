@@ -10,11 +10,12 @@
 #include <cctype>
 #include <utility>
 
+#include "folders.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/little_endian.hpp"
 #include "meshes/soup.hpp"
-#include "scratch_folder.hpp"
 #include "shapes.hpp"
+#include "support/alterations.hpp"
 #include "support/refusal_of.hpp"
 
 namespace restrip::tools {
@@ -115,32 +116,11 @@ TEST(Obj, NumbersThatUnderflowAreZeroOrTheNearest) {
   expect_refused(".obj", "v 1e400 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "found '1e400'");
 }
 
-TEST(Obj, Refusals) {
-  expect_refused(".obj", "v 0 0 0\nv 1 0 0\n", "no triangles");
-  expect_refused(".obj", "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers, but the line ends");
-  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nv 0 0 nan\nf 1 2 3\n",
-                 ":3: vertex 2 has a coordinate that is infinite or not");
-  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n0 inf 0\n0 1 0\n3 0 1 2\n", ":4: vertex 1 has a coordinate");
-  expect_refused(".stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 nan 0\n",
-                 ":5: 'nan' is infinite or not a number");
-  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nv 0 0 1e300\nf 1 2 3\n", "infinite or not a number");
-  expect_refused(".obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 2\n", "2 triangles, each with a corner twice");
-  expect_refused(".obj", "v 0 0 0\nf 0 1 1\n", "counted from 1");
-  expect_refused(".obj", "v 0 0 0\nf -2 1 1\n", "is not a vertex");
-  expect_refused(".obj", "v 0 0 0\nf 1 1 x\n", "is not a vertex");
-  expect_refused(".obj", "v 0 0 0\nf 1 1 2\n", ":2: a face refers to vertex 2 (counted from 1), but there are 1");
-  expect_refused(".obj", "v 0 0 0\nf 1 1 99999999999999999999\n", "is not a vertex");
-}
-
-TEST(Obj, RefusalsWithAttributes) {
-  const std::string two = "v 0 0 0\nv 1 0 0\n";
-  expect_refused(".obj", "f 1 2 3\n", ":1: a face refers to vertex 3 (counted from 1), but there are 0",
-                 ReadAttributes::yes);
-  expect_refused(".obj", two + "f 1 2 3\n", ":3: a face refers to vertex 3 (counted from 1), but there are 2",
-                 ReadAttributes::yes);
-  // A vertex added for another pair of attributes is not a vertex of the file.
-  expect_refused(".obj", two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", ":6: a face refers to vertex 3",
-                 ReadAttributes::yes);
+TEST(Meshes, OneAlterationIsNamed) {
+  for (const corpus::Alteration& alteration : corpus::alterations("meshes.txt"))
+    for (const ReadAttributes attributes : {ReadAttributes::no, ReadAttributes::yes})
+      expect_refused(alteration.of.substr(alteration.of.rfind('.')),
+                     alteration.in(corpus::text_to_alter(alteration.of)), alteration.says, attributes);
 }
 
 TEST(Off, CommentsAndColoursAreSteppedOver) {
@@ -185,32 +165,8 @@ TEST(Texts, MayBeginWithAByteOrderMarkAndEndLinesInAnyWay) {
       }
 }
 
-TEST(Off, Refusals) {
-  expect_refused(".off", "XOFF\n", "does not begin with OFF");
-  expect_refused(".off", "4OFF\n3 1 0\n0 0 0 2\n1 0 0 1\n0 1 0 1\n3 0 1 2\n",
-                 ":3: vertex 0 has the fourth coordinate 2");
-  expect_refused(".off", "nOFF 4\n3 1 0\n", "points of 4 dimensions");
-  // One number is missing and another one is extra: neither lines nor numbers alone fit.
-  expect_refused(".off", "OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n", ":3: expected a coordinate, found ''");
-  expect_refused(".off", "OFF BINARY\n", "binary OFF");
-  expect_refused(".off", "OFF\n3\n", "the file ends");
-  expect_refused(".off", "OFF\n4000000000 1 0\n", "more than its");
-  expect_refused(".off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n", "more than its");
-  expect_refused(".off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "the file ends");
-  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "expected a corner");
-  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n", ":5: expected a coordinate, found 'x'");
-  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "refers to vertex 3");
-  expect_refused(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "expected a corner");
-}
-
-constexpr std::string_view ply_text =
-    "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty uchar "
-    "red\nproperty double z\n"
-    "element face 1\nproperty uchar flags\nproperty list uchar int vertex_index\nend_header\n0 0 9 0\n1 0 9 0\n0 1 9 "
-    "0\n7 3 0 1 2\n";
-
 TEST(Ply, TextWithOtherProperties) {
-  const Soup soup = read_as(".ply", ply_text);
+  const Soup soup = read_as(".ply", corpus::text_to_alter("mesh.ply"));
   EXPECT_EQ(soup.points, (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
 }
@@ -261,26 +217,6 @@ TEST(Ply, EveryPrefixIsRefused) {
     for (std::size_t size = 0; size < whole.size(); ++size)
       expect_refused(".ply", std::string_view(whole).substr(0, size), "");
   }
-}
-
-TEST(Ply, Refusals) {
-  const auto with = [](std::string_view what, std::string_view instead) {
-    std::string text(ply_text);
-    return text.replace(text.find(what), what.size(), instead);
-  };
-  expect_refused(".ply", "ply\nformat ascii 1.0\n", "ends before `end_header`");
-  expect_refused(".ply", "ply\nend_header\n", "no `format` line");
-  expect_refused(".ply", with("ascii", "ebcdic"), ":2: unknown format");
-  expect_refused(".ply", with("element vertex 3", "element vertex 3000000000"), "more than its remaining");
-  expect_refused(".ply", with("element vertex 3", "element vertex many"), "without a count");
-  expect_refused(".ply", with("double z", "quad z"), "unknown type 'quad'");
-  expect_refused(".ply", with("double z", "double w"), "no property `z`");
-  expect_refused(".ply", with("list uchar", "list float"), "must be an integer");
-  expect_refused(".ply", with("7 3 0 1 2", "7 3000 0 1 2"), "a list `vertex_index` of length 3000");
-  expect_refused(".ply", with("7 3 0 1 2", "7 3 0 1 -2"), "which is not a vertex");
-  expect_refused(".ply", with("7 3 0 1 2", "7 3 0 1 5"), "refers to vertex 5");
-  expect_refused(".ply", with("7 3 0 1 2", "7 3 0 1"), "ends among the faces");
-  expect_refused(".ply", with("comment c", "commend c"), "unknown keyword");
 }
 
 TEST(Ply, WhatNoTriangleUsesMayBeNoNumber) {
@@ -379,15 +315,11 @@ TEST(Stl, LettersMayBeLargeAndMoreBytesFollow) {
   EXPECT_EQ(left_out_in_words(read_as(".stl", coloured).left_out), "colours");
 }
 
-TEST(Stl, Refusals) {
+TEST(Stl, BinaryFilesThatAreNotComplete) {
   const std::string whole = stl_binary(tetrahedron());
   expect_refused(".stl", std::string_view(whole).substr(5, 60), "is it complete?");
   expect_refused(".stl", whole.substr(0, whole.size() - 1), "");
   expect_refused(".stl", std::string(79, '\n') + "x", "is it complete?");
-  expect_refused(".stl", "solid a\nfacet\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n",
-                 ":6: a facet whose number of vertices is not three");
-  expect_refused(".stl", "solid a\nfacet\nouter loop\nvertex 0 0 0\n", "ends inside a facet");
-  expect_refused(".stl", "solid a\nfacet\nouter loop\nvertex 0 0\n", "three numbers");
 }
 
 using InFolder = ScratchFolder;

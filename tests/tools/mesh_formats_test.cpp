@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "common/output.hpp"
+#include "folders.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
@@ -25,7 +26,6 @@
 #include "meshes/soup.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
-#include "scratch_folder.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "../runtime/sample_meshes.hpp"
+#include "folders.hpp"
 #include "lod/mesh_files.hpp"
 #include "measure/vertex_cache.hpp"
-#include "real_meshes.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/search/strips_of.hpp"

@@ -10,8 +10,8 @@
 #include <numeric>
 
 #include "../runtime/fan_operation.hpp"
+#include "folders.hpp"
 #include "meshes/made_mesh.hpp"
-#include "real_meshes.hpp"
 #include "restrip/rules/key.hpp"
 #include "shapes.hpp"
 

@@ -4,7 +4,7 @@ command reports counts in correct English, with a singular for one.
 
     program_test.py restrip SCRATCH [DIVISOR]
 
-Of the large meshes every test takes one DIVISOR-th: with sanitizers the program is many times slower.
+Of the large meshes every test takes one DIVISOR-th: usually a quarter shows the same.
 """
 import json
 import os

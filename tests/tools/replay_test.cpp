@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "folders.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "measure/vertex_cache.hpp"
 #include "meshes/made_mesh.hpp"
-#include "real_meshes.hpp"
 #include "replay/methods.hpp"
 #include "replay/walk.hpp"
 #include "restrip/output/live_buffer.hpp"

@@ -6,10 +6,10 @@
 
 #include <utility>
 
+#include "folders.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
-#include "real_meshes.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "shapes.hpp"
 

@@ -2,7 +2,7 @@
 included, is as the schema says, and of altered ones the schema refuses what the reader refuses, but for what its description says that a
 schema cannot.
 
-  schema_test.py SCHEMA VERIFIER SCRATCH FILE…
+  schema_test.py SCHEMA VERIFIER SCRATCH STRIDE FILE…
 """
 import copy
 import itertools
@@ -106,13 +106,13 @@ def all_altered(good):
             yield operation
 
 
-def altered():
-    """Each ninth of these."""
-    return itertools.islice(itertools.chain(*map(all_altered, (GOOD, BOUNDARY, FAMILY, TURNS, LIST))), 0, None, 9)
+def altered(stride):
+    """One of so many of these."""
+    return itertools.islice(itertools.chain(*map(all_altered, (GOOD, BOUNDARY, FAMILY, TURNS, LIST))), 0, None, stride)
 
 
 def main():
-    schema_file, verifier, scratch, *files = sys.argv[1:]
+    schema_file, verifier, scratch, stride, *files = sys.argv[1:]
     schema = json.loads(Path(schema_file).read_text(encoding="utf-8"))
     validator = jsonschema and jsonschema.Draft202012Validator(schema)
 
@@ -128,7 +128,7 @@ def main():
     path = Path(scratch) / "altered.json"
     path.parent.mkdir(parents=True, exist_ok=True)
     accepted = refused = beyond = 0
-    for operation in altered():
+    for operation in altered(int(stride)):
         path.write_text(json.dumps(operation), encoding="utf-8")
         # The reader comes first: that this is not a header of a table is another matter, exit code 1.
         done = subprocess.run([verifier, "--operation", path, "--header", "/dev/null"], capture_output=True, text=True, check=False)

@@ -1,17 +1,27 @@
 #!/usr/bin/env python3
-"""Claim: the programs that make and verify tables do what every option says, or refuse it with a sentence; they show
-progress on a terminal only; counts of one are singular.
+"""Claims about all programs: options, JSON reports, and output that cannot be written (see the three functions).
 
-  table_programs_test.py BIN ROOT
+  programs_test.py BIN ROOT SCRATCH
 """
+import json
 import os
 import pty
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+BIN, ROOT, SCRATCH = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3]).resolve()
+COMMANDS = {
+    "restrip": ("--help", "--version", "stats --help", "stats one.obj", "stats one.obj --json -", "convert one.obj -o - --to ply"),
+    "restrip-generate": ("--help", "--version", "tables --help", "dump --family flip", "dump --family split --k 7"),
+    "restrip-verify": ("--help", "explain --help", "rules --help"),
+    "restrip-verify-automaton": ("--help",),
+    "restrip-dump-tables": ("--help", "--max-k 3", "--max-k 7", "--digests --max-k 3", "--automaton --max-k 3"),
+    "restrip-check": ("--help", "one.trace", "one.trace --json -"),
+}
 REFUSED = [
     ("restrip-generate tables --cost 5,2,0 --language c --out {out}", "The following arguments were not expected: 5,2,0 --cost"),
     ("restrip-generate dump --family flip --k 4", "--family flip: it has one position, without --k"),
@@ -56,8 +66,9 @@ def on_terminal(command):
     return shown.decode()
 
 
-def main():
-    folder, root = Path(sys.argv[1]), Path(sys.argv[2])
+def options():
+    """Every option does what it says, or is refused with a sentence; progress is shown on a terminal only; one is singular."""
+    folder, root = BIN, ROOT
     with tempfile.TemporaryDirectory() as scratch_name:
         scratch = Path(scratch_name)
         places = {"out": scratch / "out", "bisect": root / "tables/operations/bisect.json",
@@ -108,4 +119,76 @@ def main():
             raise SystemExit(printed)
 
 
-main()
+def without_times(report):
+    if isinstance(report, dict):
+        return {name: without_times(value) for name, value in report.items() if "seconds" not in name}
+    return [without_times(value) for value in report] if isinstance(report, list) else report
+
+
+def json_reports():
+    """Every command with a report takes --json FILE in one way. With a file it prints its text, and the file is JSON; with - standard
+    output is the same JSON alone; a name that does not end in .json is refused before any work, and nothing is written."""
+    scratch = SCRATCH / "json_reports"
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
+    bisect, certificate = ROOT / "tables/operations/bisect.json", ROOT / "tables/certificates/operations/bisect.cert"
+    mesh = scratch / "made.obj"
+
+    def run(command, *more, code=0):
+        done = subprocess.run([str(word) for word in (BIN / command[0], *command[1:], *more)], capture_output=True, text=True)
+        assert done.returncode == code, (command, more, done)
+        return done
+
+    run(["restrip", "make-mesh", "--triangles", "200", "-o", mesh])
+    commands = {
+        "automaton": (["restrip-generate", "automaton", "--out", scratch / "automaton"], "classes"),
+        "rules": (["restrip-generate", "rules", "--operation", bisect, "--out", scratch / "rules"], "operations"),
+        "tables": (["restrip-generate", "tables", "--max-k", "3", "--out", scratch / "tables"], "files"),
+        "operation": (["restrip-verify", "--operation", bisect, "--certificate", certificate], "claims"),
+        "explain": (["restrip-verify", "explain", "--operation", bisect, "--before", "1", "--ports", "0"], "sets"),
+        "families": (["restrip-verify", "--tables-dir", ROOT / "tables", "--family", "flip"], "claims"),
+        "arcs": (["restrip-verify-automaton", "--tables-dir", ROOT / "tables", "--max-k", "3", "--every", "1000"], "claims"),
+    }
+    for name, (command, member) in commands.items():
+        wrong = run(command, "--json", scratch / "report.txt", code=2)
+        assert "report.txt" in wrong.stderr and not (scratch / "report.txt").exists() and not wrong.stdout, (name, wrong)
+        alone = json.loads(run(command, "--json", "-").stdout)
+        file = scratch / (name + ".json")
+        text = run(command, "--json", file).stdout
+        assert text and not text.startswith("{"), (name, text)
+        assert member in alone and without_times(json.loads(file.read_text())) == without_times(alone), name
+
+    for path in json.loads((scratch / "tables.json").read_text())["files"]:
+        assert (scratch / "tables" / path["path"]).stat().st_size == path["bytes"], path
+    print("%d commands" % len(commands))
+
+
+def full_output():
+    """A program whose standard output cannot be written says so and fails, whatever it prints: a report, JSON, a dump of megabytes, or
+    a line of help that a buffer holds until the end."""
+    scratch = SCRATCH / "full_output"
+    scratch.mkdir(parents=True, exist_ok=True)
+    (scratch / "one.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (scratch / "one.trace").write_text("restrip-trace 1\nclaim best\nt 0 1 2\nend 0\n")
+    tried = 0
+    for program, lines in COMMANDS.items():
+        if not (BIN / program).exists():
+            assert program == "restrip-check", program  # needs OCaml
+            continue
+        for line in lines:
+            def run(output, command=(BIN / program, *line.split())):
+                with open(output, "wb") as file:
+                    return subprocess.run(command, stdout=file, stderr=subprocess.PIPE, text=True, check=False, cwd=scratch)
+            good = run(scratch / "out")
+            assert good.returncode == 0 and (scratch / "out").stat().st_size > 0, (program, line, good)
+            full = run("/dev/full")
+            assert full.returncode not in (0, -11, -6) and program in full.stderr, (program, line, full)
+            tried += 1
+    programs = {path.name for path in BIN.glob("restrip*") if "_" not in path.name}
+    assert programs - {"restrip-make-small-tables", "restrip-fuzz"} <= COMMANDS.keys(), programs
+    print(f"full output: {tried} commands, all fail with a sentence")
+
+
+options()
+json_reports()
+full_output()

@@ -1,14 +1,27 @@
-// A separate folder for each test, removed afterwards; and the contents of a folder, to compare before and after.
+// A separate folder for each test, removed afterwards; the contents of a folder, to compare before and after; and real
+// meshes, from the folder that RESTRIP_MESHES names.
 #pragma once
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <string>
+
+/// In a test: `const auto file = REAL_MESH("bunny.obj");`. Skips the test, visibly, if the mesh is missing. Large ones
+/// are used with RESTRIP_LONG_TESTS only: the others show the same in a tenth of the time.
+#define REAL_MESH(name)                                                                                     \
+  restrip::tools::real_mesh(name);                                                                          \
+  if (restrip::tools::real_mesh(name).empty())                                                              \
+  GTEST_SKIP() << (name)                                                                                    \
+               << " is missing or large: set RESTRIP_MESHES to the folder that holds the real meshes, and " \
+                  "configure with RESTRIP_LONG_TESTS"
 
 namespace restrip {
 
@@ -51,5 +64,19 @@ class ScratchFolder : public testing::Test {
            fmt::format("restrip_{}_{}", test->test_suite_name(), test->name());
   }();
 };
+
+inline std::filesystem::path real_mesh(const char* name) {
+  const char* folder = std::getenv("RESTRIP_MESHES");
+  if (folder == nullptr) return {};
+  const std::filesystem::path file = std::filesystem::path(folder) / name;
+#ifdef RESTRIP_LONG_TESTS
+  constexpr std::uintmax_t largest = std::numeric_limits<std::uintmax_t>::max();
+#else
+  constexpr std::uintmax_t largest = 1'500'000;
+#endif
+  const bool is_used = std::filesystem::is_directory(file) ||
+                       (std::filesystem::exists(file) && std::filesystem::file_size(file) <= largest);
+  return is_used ? file : std::filesystem::path();
+}
 
 }  // namespace restrip::tools
