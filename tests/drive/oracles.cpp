@@ -174,7 +174,8 @@ void Counts::after(const Step& step, const Outcome& outcome, Subject& subject) {
   if (live.level()) return;  // records have no other counts
   promise(keeper.isolated() == last_.isolated, "isolated triangles are counted");
   promise(keeper.swaps() == last_.swaps, "swaps are counted");
-  if (keeper.locator() != nullptr) promise(disagreement(*keeper.locator(), live.mesh()).empty(), "strips are located");
+  if (const StripLocator* const locator = detail::locator_of(keeper))
+    promise(disagreement(*locator, live.mesh()).empty(), "strips are located");
   if (!outcome.done()) return;
   if (is_operation(step.call)) {
     promise(static_cast<long>(before.strips) + outcome.rewrite.strips == static_cast<long>(last_.strips),
@@ -217,7 +218,7 @@ void Bounds::after(const Step& step, const Outcome& outcome, Subject& subject) {
   const RuleCounts& now = keeper.rule_counts();
   promise(now.asked == rules_.asked + 1 && now.taken + now.kept == rules_.taken + rules_.kept + 1,
           "an operation asks one rule");
-  promise(!rules_only || keeper.locator() != nullptr || now.improved == rules_.improved,
+  promise(!rules_only || detail::locator_of(keeper) != nullptr || now.improved == rules_.improved,
           "nothing follows a rule under the policy `rules`");
   promise(!(keeper.weights() == Cost::strips()) || now.kept == rules_.kept, "rules are taken for fewest strips");
   (void)step;
@@ -294,7 +295,7 @@ void FreeFunctions::after(const Step& step, const Outcome& outcome, Subject& sub
   const LiveMesh& live = *subject.live();
   promise(sample::triangles_of(mesh_) == subject.triangles(), "a LiveMesh does what they do");
   const Keeper& keeper = live.keeper();
-  if (!outcome.done() || keeper.policy() != Policy::rules || keeper.locator() != nullptr) return;
+  if (!outcome.done() || keeper.policy() != Policy::rules || detail::locator_of(keeper) != nullptr) return;
   if (!(keeper.weights() == Cost::strips())) return;
   promise(differing_triangles(mesh_, live.mesh()).empty(), "and nothing else under the policy `rules`");
   promise(step.call == Call::replace ||

@@ -61,7 +61,8 @@ class UnderPolicy final : public Maintainer {
   [[nodiscard]] RuleCounts rule_counts() const override { return keeper_.rule_counts(); }
   [[nodiscard]] std::string fault() const override {
     if (!(keeper_.weights() == Cost::strips())) return find_fault(keeper_);
-    return keeper_.locator() != nullptr ? find_fault(mesh_, *keeper_.locator()) : std::string();
+    const StripLocator* const locator = restrip::detail::locator_of(keeper_);
+    return locator != nullptr ? find_fault(mesh_, *locator) : std::string();
   }
 
  private:

@@ -160,8 +160,9 @@ void Keeper::keep(Policy policy, const Cost& cost) {
 
 std::size_t Keeper::swaps() const { return engine_->choice.weighs() ? counts_.swaps : count_swaps(*mesh_); }
 const RuleCounts& Keeper::rule_counts() const noexcept { return engine_->choice.counts(); }
-const StripLocator* Keeper::locator() const noexcept {
-  return engine_->fewest && engine_->fewest->tunnels() && up_to_date_ ? &engine_->fewest->locator() : nullptr;
+const StripLocator* detail::locator_of(const Keeper& keeper) noexcept {
+  const auto& fewest = keeper.engine_->fewest;
+  return fewest && fewest->tunnels() && keeper.up_to_date_ ? &fewest->locator() : nullptr;
 }
 
 // ---- operations that are checked first

@@ -26,8 +26,8 @@ namespace restrip {
 namespace {
 
 void expect_right(const Keeper& keeper) {
-  if (keeper.locator() != nullptr) {
-    ASSERT_EQ(disagreement(*keeper.locator(), keeper.mesh()), "");
+  if (const StripLocator* const locator = detail::locator_of(keeper)) {
+    ASSERT_EQ(disagreement(*locator, keeper.mesh()), "");
   }
   ASSERT_TRUE(check_coloring(keeper.mesh()).valid);
   const ColoringChange cost = cost_of(keeper.mesh());

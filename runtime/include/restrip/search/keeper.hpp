@@ -19,8 +19,8 @@
 //
 // Exceptions (std::bad_alloc, and std::length_error of the mesh). The mesh and its colouring are valid after an
 // exception: the operation, or the repair that follows it, is done completely, in part or not at all. The data of the
-// keeper are then out of date: up_to_date() is false, locator() is null and the counts are stale until rebuild(), which
-// the next operation calls itself.
+// keeper are then out of date: up_to_date() is false and the counts are stale until rebuild(), which the next
+// operation calls itself.
 #pragma once
 
 #include <array>
@@ -37,11 +37,14 @@
 
 namespace restrip {
 
+class Keeper;
 class StripLocator;
 
 namespace detail {
 
 class Step;
+/// Null under policies without a locator, and while the keeper is not up to date.
+[[nodiscard]] const StripLocator* locator_of(const Keeper& keeper) noexcept;
 
 }  // namespace detail
 
@@ -120,12 +123,10 @@ class Keeper {
   [[nodiscard]] const Cost& weights() const noexcept { return cost_; }
   /// False after an exception, until rebuild() or the next operation.
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
-  /// For the tests of the library: the class is private. Null under policies without a locator, and while it is not up
-  /// to date.
-  [[nodiscard]] const StripLocator* locator() const noexcept;
 
  private:
   struct Engine;
+  friend const StripLocator* detail::locator_of(const Keeper& keeper) noexcept;
 
   void begin();
   Rewrite perform(const detail::Step& step);
