@@ -19,6 +19,7 @@
 #include "output/strip_buffer.hpp"
 #include "random_operations.hpp"
 #include "restrip/live_mesh.hpp"
+#include "restrip/mesh/triangle_list.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -336,6 +337,21 @@ TEST(HubSteps, BuildingIsLinear) {
     EXPECT_EQ(report.non_manifold_edges + report.inconsistent_edges, 0U);
     return work;
   });
+}
+
+// Pages on one edge, each a triangle and its back.
+TEST(HubSteps, PairingThePagesOfABookIsLinear) {
+  std::array<Work, 2> pairing;
+  for (const unsigned size : {0U, 1U}) {
+    const Vertex pages = 2'000U << size;
+    std::vector<sample::Corners> list;
+    for (Vertex p = 2; p < pages + 2; ++p) list.insert(list.end(), {{0, 1, p}, {1, 0, p}});
+    std::vector<std::array<std::uint32_t, 3>> across(list.size());
+    BuildReport report;
+    pairing[size] = work_of([&] { find_neighbors(TriangleList(list), pages + 2, across, report); });
+    EXPECT_EQ(report.non_manifold_edges, 1U);
+  }
+  EXPECT_TRUE(grows_at_most(linear, pairing[0], pairing[1]));
 }
 
 TEST(HubSteps, StripsFromScratchAreLinear) {

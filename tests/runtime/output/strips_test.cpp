@@ -161,16 +161,6 @@ TEST(Strips, SwapsAreKnownFromFourColours) {
   EXPECT_GT(shorter, 0U);
 }
 
-TEST(Strips, AnEmptyMeshHasNone) {
-  const StripMesh mesh;
-  const Strips strips = extract_strips(mesh);
-  EXPECT_EQ(strips.size(), 0U);
-  EXPECT_TRUE(strip_indices(mesh, strips).empty());
-  EXPECT_TRUE(strip_indices(mesh).empty());
-  EXPECT_EQ(strip_index_count(mesh, strips), 0U);
-  EXPECT_TRUE(check_coloring(mesh).valid);
-}
-
 TEST(CheckColoring, FindsWhatIsWrong) {
   StripMesh mesh = sample::octahedron();
   EXPECT_EQ(check_coloring(mesh).isolated, 8U);

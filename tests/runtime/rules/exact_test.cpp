@@ -13,7 +13,6 @@
 #include <limits>
 #include <vector>
 
-#include "exhaustive_search.hpp"
 #include "fan_operation.hpp"
 #include "naive_patch.hpp"
 

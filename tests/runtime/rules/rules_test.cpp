@@ -5,7 +5,6 @@
 
 #include <optional>
 
-#include "exhaustive_search.hpp"
 #include "fan_operation.hpp"
 #include "restrip/operations/operations.hpp"
 

@@ -115,19 +115,6 @@ TEST(Keeper, OfAnEmptyMeshHasNothingToImprove) {
     }
 }
 
-TEST(KeeperByCost, SameOperationsSameColours) {
-  const auto outcome = [](Policy policy) {
-    std::mt19937 random(23);
-    StripMesh mesh = sample::torus(20, 20);
-    stripify_fast(mesh);
-    Keeper keeper(mesh, policy, Cost::indices());
-    for (int done = 0; done < 500;) done += random_operation(keeper, random, done % 2 == 0) ? 1 : 0;
-    return strip_indices(mesh, extract_strips(mesh));
-  };
-  for (const Policy policy : searching_policies()) EXPECT_EQ(outcome(policy), outcome(policy));
-  EXPECT_NE(outcome(Policy::local), outcome(Policy::full));
-}
-
 // After a change that is not the keeper's, its counters are right again once it has counted again.
 TEST(KeeperByCost, CountsAgainWhenAsked) {
   StripMesh mesh = sample::torus(12, 9);
