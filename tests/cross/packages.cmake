@@ -22,7 +22,7 @@ target_link_libraries(compile_time_rule PRIVATE restrip::restrip)
   run(${CMAKE_COMMAND} --build ${SCRATCH}/${what})
   run(${SCRATCH}/${what}/compile_time_rule)
 endfunction()
-include(${ROOT}/tests/cross/expected_section.cmake)
+include(${ROOT}/tests/cross/compare_output.cmake)
 # c_program(WHAT LIBRARY_FOLDER FLAGS…): compiles the C example with the flags; it must find the shared library in that
 # folder.
 function(c_program what folder)
