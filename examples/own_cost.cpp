@@ -1,5 +1,7 @@
-// A custom cost: own_cost.json removes a vertex of six triangles as own_operation.json does, but ranks ports given up
-// before strips (docs/reference/operation-file.md, "Cost"). So fewer strips are cut, and more remain.
+// A custom operation, and a custom cost: own_operation.json says that a vertex of six triangles is removed, and how its
+// hole is closed; own_cost.json says the same, but ranks ports given up before strips
+// (docs/reference/operation-file.md, "Cost"). So fewer strips are cut, and more remain. The build makes tables of best
+// rules from both files, which are applied at random places of a torus.
 #include <bit>
 #include <cstdio>
 #include <random>

@@ -11,7 +11,7 @@ if(WAY STREQUAL "package")
     run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix --component ${component})
   endforeach()
   run(${SCRATCH}/prefix/bin/restrip-generate rules --operation ${ROOT}/examples/own_operation.json
-      --operation ${ROOT}/examples/own_family.json --out ${SCRATCH}/rules)
+      --operation ${ROOT}/examples/own_cost.json --operation ${ROOT}/examples/own_family.json --out ${SCRATCH}/rules)
   list(APPEND arguments -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix -DRESTRIP_SOURCE=${ROOT} -DRULES=${SCRATCH}/rules/include)
 elseif(WAY STREQUAL "subdirectory")
   list(APPEND arguments -DRESTRIP_SOURCE=${ROOT})
@@ -25,7 +25,7 @@ if(WAY STREQUAL "package")
   run(${CMAKE_COMMAND} --build ${SCRATCH}/c)
   run(${SCRATCH}/c/c_consumer)
   run(${SCRATCH}/c/c_static_consumer)
-  run(${SCRATCH}/build/own_operation)
+  run(${SCRATCH}/build/own_cost)
   run(${SCRATCH}/build/own_family)
   run(${SCRATCH}/prefix/bin/restrip-verify --operation ${ROOT}/examples/own_family.json
       --certificate ${SCRATCH}/rules/certificates/operations/remove-vertex.cert
