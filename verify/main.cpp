@@ -3,7 +3,6 @@
 // custom operations.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
@@ -42,7 +41,6 @@ void refuse_if(bool condition, const std::string& what) {
 
 int main(int argc, char** argv) {
   Options options;
-  options.show_progress = isatty(STDERR_FILENO) != 0;
   std::string json;
 
   CLI::App app("Proves the rewriting rules: reads the certificates and checks every claim for every configuration.");

@@ -150,11 +150,7 @@ class Verification {
     for (const Family& family : families_)
       if (judged(family))
         for (const PositionTask& task : tasks_of(family, rules_of(family))) tasks.push_back(task);
-    const auto progress = [&, all = tasks.size()](std::size_t n) {
-      if (options_.show_progress)
-        fmt::print(stderr, "\r{} of {} positions checked{}", n, all, n == all ? "\r\x1b[K" : "");
-    };
-    const std::vector<PositionCheck> checks = check_positions(tasks, std::max(1U, options_.threads), progress);
+    const std::vector<PositionCheck> checks = check_positions(tasks, std::max(1U, options_.threads));
     for (const PositionCheck& check : checks) {
       totals_.configurations += check.valid;
       totals_.graphs += check.graphs;

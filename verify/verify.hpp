@@ -18,7 +18,6 @@ struct Options {
   std::vector<std::string> families;  ///< of certificates; empty: all
   unsigned threads = 2;
   unsigned max_k = largest_fan;  ///< tests use smaller tables
-  bool show_progress = false;    ///< on standard error
 
   // For a custom operation or family; also used: the dump command and the options after the families.
   std::string operation;       ///< its description

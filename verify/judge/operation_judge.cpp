@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 
+#include "common/progress.hpp"
 #include "common/share.hpp"
 #include "judge/report.hpp"
 
@@ -261,8 +261,7 @@ PositionCheck check_position(const PositionTask& task) {
 
 }  // namespace
 
-std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, unsigned threads,
-                                           const std::function<void(std::size_t)>& on_done) {
+std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, unsigned threads) {
   // Large patches first, so that no thread is left with a long task at the end.
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -272,12 +271,10 @@ std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& task
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
 
   std::vector<PositionCheck> checks(tasks.size());
-  std::mutex mutex;
-  std::size_t done = 0;
+  Progress progress("checking positions", order.size());
   share(order.size(), threads, [&](std::size_t i) {
     checks[order[i]] = check_position(tasks[order[i]]);
-    const std::lock_guard lock(mutex);
-    on_done(++done);
+    progress.step();
   });
   return checks;
 }

@@ -2,7 +2,6 @@
 // theorem about keys. In the latter case reasons must show that nothing is better.
 #pragma once
 
-#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -98,9 +97,7 @@ struct PositionTask {
   std::string file;
 };
 
-/// Runs all tasks on this number of threads; results are in the order of the tasks. `on_done` is called with the number
-/// of finished tasks, from one thread at a time.
-std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, unsigned threads,
-                                           const std::function<void(std::size_t)>& on_done);
+/// Runs all tasks on this number of threads; results are in the order of the tasks.
+std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& tasks, unsigned threads);
 
 }  // namespace restrip::verify

@@ -1,7 +1,6 @@
 // All bit shifts of the verifier. Elsewhere, functions with names access colours.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -66,21 +65,6 @@ constexpr std::uint32_t mixed_number(Mask before, Mask ports, std::uint32_t answ
 constexpr std::uint32_t mixed(Mask before, Mask ports, Mask colors, int strips) {
   return mixed_number(before, ports, 0x80000000U | static_cast<std::uint32_t>(strips + 8) << 16U | colors);
 }
-
-/// Up to 256 bits in a row, compared as a whole.
-struct BitRow {
-  std::array<std::uint64_t, 4> words{};
-  unsigned size = 0;
-
-  static constexpr unsigned capacity = 256;
-  constexpr void append(bool bit) {
-    words[size / 64] |= std::uint64_t{bit} << size % 64;
-    ++size;
-  }
-  constexpr void append(unsigned value, unsigned bits) {
-    for (unsigned i = 0; i < bits; ++i) append(is_solid(value, i));
-  }
-};
 
 /// The key of a configuration (docs/reference/operation-file.md, "What a rule must be"): what a rule needs to know.
 struct Key {

@@ -297,7 +297,7 @@ class Page {
       field('progress').hidden = false;
       if (label) {
         field('progress').value = done / total;
-        return void (field('state').textContent = `Generating: ${label} …`);
+        return void (field('state').textContent = `Working: ${label} …`);
       }
       field('state').textContent = 'Proving …';
       field('claims').tBodies[0].insertAdjacentHTML('beforeend', `<tr><td>${claim.holds ? '✓' : '✗'} ${escaped(claim.claim)}</td><td>${escaped(claim.method)}</td><td>${claim.cases.toLocaleString('en')}</td></tr>`);
