@@ -3,8 +3,7 @@
 a PNG is decoded here by zlib alone. Every pixel that is not at an edge shows the nearest triangle in the colour of its strip,
 or the background; strips have different colours, in the number that the report says; SVG is XML with a polygon for each triangle that
 faces the camera, in an order that shows in 98 % of those pixels what the depth buffer shows; from the other side all other
-triangles are seen; lines go through the centres of triangles and the edges between them. Bad options are refused, and nothing
-is written then.
+triangles are seen. Bad options are refused, and nothing is written then.
 
     draw_test.py restrip FOLDER
 """
@@ -21,7 +20,7 @@ from strip_readers import glb, rotated, triangles_of_strip
 
 run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 240, 180
-BACKGROUND, EDGE, SURFACE = (255, 255, 255), (48, 52, 58), (222, 226, 230)
+BACKGROUND, EDGE = (255, 255, 255), (48, 52, 58)
 LEVEL = ("--base", "0.2", "--policy", "quick", "--triangles", "300")
 
 
@@ -99,18 +98,13 @@ def pixels_of(t):
                 yield column, row, (of_a * az + of_b * bz + of_c * cz if inside else None), off
 
 
-def middle(*places):
-    return tuple(sum(p[i] for p in places) / len(places) for i in range(2))
-
-
 def svg(path):
     root = ElementTree.parse(path).getroot()
     space = "{http://www.w3.org/2000/svg}"
     assert root.tag == space + "svg" and root.get("viewBox") == f"0 0 {WIDTH} {HEIGHT}"
     group = root.find(space + "g")
-    polygons = [(tuple(tuple(map(float, at.split(","))) for at in p.get("points").split()), p.get("fill"))
-                for p in group.findall(space + "polygon")]
-    return polygons, [(p.get("d"), p.get("stroke")) for p in group.findall(space + "path")]
+    return [(tuple(tuple(map(float, at.split(","))) for at in p.get("points").split()), p.get("fill"))
+            for p in group.findall(space + "polygon")]
 
 
 def rgb(word):
@@ -136,7 +130,7 @@ def check(azimuth, elevation):
     assert report["triangles_drawn"] == report_of_svg["triangles_drawn"] == len(front), (report, len(front))
 
     # SVG: those triangles, each once, in a colour for each strip.
-    polygons, _ = svg(scratch / "a.svg")
+    polygons = svg(scratch / "a.svg")
     assert len(polygons) == len(front)
     colors, order = {}, []
     for corners, fill in polygons:
@@ -145,7 +139,7 @@ def check(azimuth, elevation):
         order.append(found[0])
         assert colors.setdefault(found[0][0], rgb(fill)) == rgb(fill)
     assert sorted(order) == sorted(front)
-    assert len(set(colors.values()) | {BACKGROUND, EDGE, SURFACE}) == len(colors) + 3
+    assert len(set(colors.values()) | {BACKGROUND, EDGE}) == len(colors) + 2
     assert report_of_svg["strips_shown"] == len(colors) == len({s for s, _ in front})
 
     # PNG: what is nearest, wherever no outline is near.
@@ -176,32 +170,6 @@ def check(azimuth, elevation):
     used = {pixel for row in picture for pixel in row}
     assert used <= set(colors.values()) | {BACKGROUND, EDGE}
     assert len(used - {BACKGROUND, EDGE}) == report["strips_shown"], (len(used), report)
-
-    # Lines: in SVG by the middles of the edges that a strip crosses, in PNG at the centre of what is seen.
-    report = draw("l.png", *camera, "--lines")
-    assert draw("l.svg", *camera, "--lines")["strips_shown"] == len(colors)
-    polygons, paths = svg(scratch / "l.svg")
-    assert len(polygons) == len(paths) == len(front) and {fill for _, fill in polygons} == {"#%02x%02x%02x" % SURFACE}
-    for (strip, number), (path, stroke) in zip(order, paths):
-        assert rgb(stroke) == colors[strip]
-        spots = [tuple(map(float, at.split(","))) for at in path.removeprefix("M").removesuffix("h0").split("L")]
-        triangle = strips[strip][number]
-        doors = [middle(*(places[v] for v in set(triangle) & set(strips[strip][i])))
-                 for i in (number - 1, number + 1) if 0 <= i < len(strips[strip])]
-        wanted = [middle(*front[strip, number]), *doors]
-        assert len(spots) == len(wanted) and path.endswith("h0") == (not doors)
-        assert all(any(near([spot], [other]) for other in wanted) for spot in spots), (spots, wanted)
-    picture = png(scratch / "l.png")
-    centers = 0
-    for name, t in front.items():
-        column, row = (int(value) for value in middle(*t))
-        if (column, row) in nearest and nearest[column, row][1] == name:
-            assert picture[row][column] == colors[name[0]], name
-            centers += 1
-    assert centers > len(front) / 3, centers
-    used = {pixel for row in picture for pixel in row}
-    assert SURFACE in used and used <= set(colors.values()) | {BACKGROUND, EDGE, SURFACE}
-    assert len(used - {BACKGROUND, EDGE, SURFACE}) == report["strips_shown"]
     return set(front)
 
 
@@ -257,7 +225,6 @@ for arguments, words in (
         ((scratch / "mesh.pm", "-o", scratch / "x.png", "--base", "0.5"), "--base"),
         ((scratch / "none.obj", "-o", scratch / "x.png"), "no such file"),
         ((scratch / "none.obj", "-o", scratch / "none" / "x.png"), "does not exist; make it first"),
-        ((mesh, "-o", scratch / "x.json", "--lines"), "--lines"),
         ((mesh, "-o", scratch / "x.json", "--camera", "1,2"), "--camera")):
     refused = run("draw", *arguments, code=2).stderr
     assert words in refused, refused

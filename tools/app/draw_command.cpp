@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "app/options.hpp"
-#include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "lod/coloring_check.hpp"
@@ -28,6 +27,7 @@
 #include "meshes/text_cursor.hpp"
 #include "pictures/scene.hpp"
 #include "replay/methods.hpp"
+#include "replay/source.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/rules/rules.hpp"
 
@@ -47,7 +47,6 @@ struct DrawCommand {
   std::size_t triangles = 0;  ///< minimum size of the level; 0: the finest level
   Camera camera;
   PictureSize size;
-  StripStyle style = StripStyle::faces;
   MendingOptions mending;
   std::string json;
 };
@@ -148,7 +147,7 @@ int run(const DrawCommand& command) {
   } else {
     if (format != ".svg" && format != ".png")  // a pipe of any name
       throw BadInput(fmt::format("unknown extension '{}'; pictures are written as .svg, .png", format));
-    const Scene scene = scene_of(points, strips, command.camera, command.size, command.style);
+    const Scene scene = scene_of(points, strips, command.camera, command.size);
     const Picture picture = format == ".svg" ? svg_of(scene) : png_of(scene);
     out.write(picture.bytes);
     report.json["policy"] = policy;
@@ -220,10 +219,7 @@ Subcommand add_draw(CLI::App& app) {
                command.size = {(*sides)[0], (*sides)[1]};
              },
              "of the picture, in pixels")
-          ->option_text(fmt::format("WIDTH,HEIGHT (default: {},{})", command.size.width, command.size.height)),
-      sub->add_flag_callback(
-          "--lines", [&command] { command.style = StripStyle::lines; },
-          "draw strips as lines through the centres of their triangles, in place of coloured triangles")};
+          ->option_text(fmt::format("WIDTH,HEIGHT (default: {},{})", command.size.width, command.size.height))};
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, only_pictures, &command] {

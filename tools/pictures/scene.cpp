@@ -42,7 +42,7 @@ std::uint32_t number_of(const Color& c) noexcept {
 
 /// If two strips would have the same colour, the later one takes the next free one, as long as one is free.
 std::vector<Color> distinct_colors(std::size_t count) {
-  constexpr std::array others{background_color, edge_color, surface_color};
+  constexpr std::array others{background_color, edge_color};
   constexpr std::uint32_t all = 1U << 24U;
   // Each used colour, by number, leads towards the next free one and is shortened on access, so that many strips do not
   // search all colours one by one.
@@ -121,16 +121,6 @@ class Projection {
   Spot to_;
 };
 
-/// The midpoint of the edge shared by two triangles.
-Spot door_between(const Projection& project, std::span<const Point> points, const Corners& one, const Corners& other) {
-  std::array<std::uint32_t, 2> ends{one[0], one[1]};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto in_other = [&](std::uint32_t v) { return std::find(other.begin(), other.end(), v) != other.end(); };
-    if (in_other(one[i]) && in_other(one[(i + 1) % 3])) ends = {one[i], one[(i + 1) % 3]};
-  }
-  return middle(project(points[ends[0]]), project(points[ends[1]]));
-}
-
 }  // namespace
 
 Spot center_of(const Face& face) noexcept {
@@ -139,22 +129,16 @@ Spot center_of(const Face& face) noexcept {
 }
 
 Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
-               const PictureSize& size, StripStyle style) {
+               const PictureSize& size) {
   const Projection project(points, strips, camera, size);
-  Scene scene{size, style, {}, distinct_colors(strips.size()), 0, 0};
-  for (std::size_t s = 0; s < strips.size(); ++s) {
-    const StripCorners& strip = strips[s];
-    for (std::size_t i = 0; i < strip.size(); ++i) {
-      const Corners& t = strip[i];
-      Face face{{project(points[t[0]]), project(points[t[1]]), project(points[t[2]])}, s};
+  Scene scene{size, {}, distinct_colors(strips.size())};
+  for (std::size_t s = 0; s < strips.size(); ++s)
+    for (const Corners& t : strips[s]) {
+      const Face face{{project(points[t[0]]), project(points[t[1]]), project(points[t[2]])}, s};
       // Twice the area, positive if the corners are counter-clockwise as seen: y points down.
       const auto& [p, q, r] = face.corners;
-      if (!((r.x - p.x) * (q.y - p.y) - (q.x - p.x) * (r.y - p.y) > 0)) continue;
-      if (i != 0) face.doors[face.door_count++] = door_between(project, points, t, strip[i - 1]);
-      if (i + 1 != strip.size()) face.doors[face.door_count++] = door_between(project, points, t, strip[i + 1]);
-      scene.faces.push_back(face);
+      if ((r.x - p.x) * (q.y - p.y) - (q.x - p.x) * (r.y - p.y) > 0) scene.faces.push_back(face);
     }
-  }
   std::stable_sort(scene.faces.begin(), scene.faces.end(),
                    [](const Face& a, const Face& b) { return center_of(a).depth < center_of(b).depth; });
   double edges = 0;
@@ -167,7 +151,6 @@ Scene scene_of(std::span<const Point> points, std::span<const StripCorners> stri
   const double edge = edges / (3 * static_cast<double>(std::max<std::size_t>(scene.faces.size(), 1)));
   constexpr double shows_edges = 5;
   scene.edge_width = edge < shows_edges ? 0 : std::clamp(0.03 * edge, 0.6, 1.5);
-  scene.line_width = std::clamp(0.16 * edge, 1.0, 8.0);
   return scene;
 }
 
@@ -185,24 +168,12 @@ Picture svg_of(const Scene& scene) {
       scene.size.width, scene.size.height, hex(background_color), hex(edge_color), edges ? scene.edge_width : seam);
   std::vector<bool> shown(scene.colors.size());
   for (const Face& face : scene.faces) {
-    const std::string color = hex(scene.colors[face.strip]);
-    const std::string fill = scene.style == StripStyle::faces ? color : hex(surface_color);
+    const std::string fill = hex(scene.colors[face.strip]);
     const auto& [p, q, r] = face.corners;
     svg += fmt::format(R"(<polygon points="{:.2f},{:.2f} {:.2f},{:.2f} {:.2f},{:.2f}" fill="{}"{}/>)", p.x, p.y, q.x,
                        q.y, r.x, r.y, fill, edges ? "" : fmt::format(R"( stroke="{}")", fill));
     svg += '\n';
     shown[face.strip] = true;
-    if (scene.style == StripStyle::faces) continue;
-    // From door to door through the centre; a dot for an isolated triangle.
-    const Spot center = center_of(face);
-    svg += fmt::format(R"(<path fill="none" stroke="{}" stroke-width="{:.2f}" d=")", color, scene.line_width);
-    if (face.door_count == 2) svg += fmt::format("M{:.2f},{:.2f}L", face.doors[1].x, face.doors[1].y);
-    svg += fmt::format("{}{:.2f},{:.2f}", face.door_count == 2 ? "" : "M", center.x, center.y);
-    if (face.door_count == 0)
-      svg += "h0";
-    else
-      svg += fmt::format("L{:.2f},{:.2f}", face.doors[0].x, face.doors[0].y);
-    svg += "\"/>\n";
   }
   svg += "</g>\n</svg>\n";
   return {std::move(svg), static_cast<std::size_t>(std::count(shown.begin(), shown.end(), true))};
@@ -265,7 +236,6 @@ Picture png_of(const Scene& scene) {
   if (scene.faces.size() >= no_face) throw std::runtime_error("a picture of too many triangles");
   // Thinner edges would have gaps: the nearest pixel may be half a diagonal away.
   const double edge = scene.edge_width > 0 ? std::max(scene.edge_width / 2, 0.5) : 0;
-  const double line = std::max(scene.line_width / 2, 0.75);
   const std::vector<std::uint32_t> visible = visible_faces(scene);
   std::vector<Color> pixels(visible.size(), background_color);
   std::vector<bool> shown(scene.colors.size());
@@ -278,16 +248,8 @@ Picture png_of(const Scene& scene) {
     bool is_edge = false;
     for (std::size_t i = 0; i < 3; ++i)
       is_edge = is_edge || distance_from(face.corners[i], face.corners[(i + 1) % 3], x, y) < edge;
-    bool is_strip = !is_edge;
-    if (scene.style == StripStyle::lines) {
-      const Spot center = center_of(face);
-      double nearest = std::hypot(x - center.x, y - center.y);
-      for (std::size_t i = 0; i < face.door_count; ++i)
-        nearest = std::min(nearest, distance_from(center, face.doors[i], x, y));
-      is_strip = nearest < line;
-    }
-    pixels[at] = is_strip ? scene.colors[face.strip] : is_edge ? edge_color : surface_color;
-    if (is_strip) shown[face.strip] = true;
+    pixels[at] = is_edge ? edge_color : scene.colors[face.strip];
+    if (!is_edge) shown[face.strip] = true;
   }
 
   png_image image{};

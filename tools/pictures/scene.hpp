@@ -29,11 +29,6 @@ struct PictureSize {
 inline constexpr std::uint32_t least_picture_side = 16;
 inline constexpr std::uint32_t most_picture_side = 8192;
 
-enum class StripStyle {
-  faces,  ///< each triangle in the colour of its strip
-  lines   ///< grey triangles; each strip a line through their centres and the edges that it crosses
-};
-
 struct Color {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -42,7 +37,6 @@ struct Color {
 };
 inline constexpr Color background_color{255, 255, 255};
 inline constexpr Color edge_color{48, 52, 58};
-inline constexpr Color surface_color{222, 226, 230};  ///< of triangles under lines
 
 /// In pixels; y points down, and a greater depth is nearer to the camera.
 struct Spot {
@@ -55,24 +49,20 @@ struct Spot {
 struct Face {
   std::array<Spot, 3> corners;
   std::size_t strip = 0;
-  std::array<Spot, 2> doors{};  ///< midpoints of the edges that its strip crosses
-  std::size_t door_count = 0;
 };
 [[nodiscard]] Spot center_of(const Face& face) noexcept;
 
 struct Scene {
   PictureSize size;
-  StripStyle style = StripStyle::faces;
   std::vector<Face> faces;    ///< far ones first, by their centres
-  std::vector<Color> colors;  ///< of each strip; all differ, and differ from the three above
+  std::vector<Color> colors;  ///< of each strip; all differ, and differ from the two above
   double edge_width = 0;      ///< width of triangle edges, in pixels; 0: triangles are too small to show them
-  double line_width = 0;      ///< of the lines
 };
 
 /// The whole mesh, visible or not, fits into the picture with a margin of a fortieth of the shorter side. Triangles
 /// that face away are left out. O(n log n) for n triangles. At most 2^23 strips.
 [[nodiscard]] Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
-                             const PictureSize& size, StripStyle style);
+                             const PictureSize& size);
 
 struct Picture {
   std::string bytes;
@@ -80,11 +70,11 @@ struct Picture {
 };
 
 /// One polygon per face, far ones first, so that near ones cover them. Correct unless triangles of very different size
-/// overlap. Lines are drawn with their triangles.
+/// overlap.
 [[nodiscard]] Picture svg_of(const Scene& scene);
 
 /// Uses a depth buffer; 15 bytes a pixel. Without antialiasing: every pixel has the colour of the background, of an
-/// edge, of the surface, or of a strip. Throws std::runtime_error if libpng fails.
+/// edge, or of a strip. Throws std::runtime_error if libpng fails.
 [[nodiscard]] Picture png_of(const Scene& scene);
 
 }  // namespace restrip::tools
