@@ -1,14 +1,13 @@
-// Misses of the hardware models are those of meshoptimizer's analyser, and strips for a vertex cache have fewer indices
-// and miss it less often than meshoptimizer's strips, on made meshes and, by the margins below, on real ones. Meshes
-// with edges of more than two triangles take no more indices than meshoptimizer needs, in the given order and in its
-// vertex-cache order, with and without restarts.
+// Strips for a vertex cache have fewer indices and miss it less often than meshoptimizer's strips, on made meshes and,
+// by the margins below, on real ones; by meshoptimizer's analyser also on hardware as NVidia's. Meshes with edges of
+// more than two triangles take no more indices than meshoptimizer needs, in the given order and in its vertex-cache
+// order, with and without restarts.
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -41,15 +40,11 @@ List strips_of_meshoptimizer(const StripMesh& mesh) {
   return strips;
 }
 
-void expect_misses_of_meshoptimizer(const List& strips, std::size_t vertices, const std::string& name) {
+/// As meshoptimizer models it: a cache of 32 vertices, emptied after 32 misses or triangles.
+std::size_t misses_of_nvidia(const List& strips, std::size_t vertices) {
   List list(meshopt_unstripifyBound(strips.size()));
   list.resize(meshopt_unstripify(list.data(), strips.data(), strips.size(), restart_index));
-  for (const CacheModel& cache : {amd_cache, nvidia_cache, intel_cache, CacheModel{3, 0, 1}, CacheModel{5, 7, 0}})
-    EXPECT_EQ(vertex_cache_misses(strips, cache),
-              meshopt_analyzeVertexCache(list.data(), list.size(), vertices, static_cast<unsigned>(cache.vertices),
-                                         static_cast<unsigned>(cache.warp), static_cast<unsigned>(cache.triangles))
-                  .vertices_transformed)
-        << name << ": " << cache.vertices << ", " << cache.warp << ", " << cache.triangles;
+  return meshopt_analyzeVertexCache(list.data(), list.size(), vertices, 32, 32, 32).vertices_transformed;
 }
 
 std::size_t misses_of_list(const StripMesh& mesh, std::size_t size) {
@@ -70,27 +65,17 @@ struct Margins {
 
 void expect_better_than_meshoptimizer(StripMesh mesh, const std::string& name, std::initializer_list<Margins> margins) {
   const List theirs = strips_of_meshoptimizer(mesh);
-  expect_misses_of_meshoptimizer(theirs, mesh.vertex_bound(), name);
   stripify(mesh, Effort::fast, Cost::indices());
   for (const Margins& most : margins) {
     SCOPED_TRACE(name + ", " + std::to_string(most.size));
     StripMesh own = mesh;
     const List ours = strip_indices(own, strips_for_vertex_cache(own, {.size = most.size}));
-    expect_misses_of_meshoptimizer(ours, mesh.vertex_bound(), name);
     const std::size_t misses = vertex_cache_misses(ours, most.size);
     EXPECT_LE(100 * ours.size(), most.indices * theirs.size());
     EXPECT_LE(100 * misses, most.misses * vertex_cache_misses(theirs, most.size));
     EXPECT_LE(100 * misses, most.misses_of_list * misses_of_list(mesh, most.size));
-    EXPECT_LE(100 * vertex_cache_misses(ours, nvidia_cache), most.nvidia * vertex_cache_misses(theirs, nvidia_cache));
-  }
-}
-
-TEST(VertexCacheModels, RandomStrips) {
-  std::mt19937 random(5);
-  for (const unsigned vertices : {3U, 20U, 60U, 500U}) {
-    List strips(2000);
-    for (unsigned& v : strips) v = random() % 7 == 0 ? restart_index : static_cast<unsigned>(random()) % vertices;
-    expect_misses_of_meshoptimizer(strips, vertices, std::to_string(vertices));
+    EXPECT_LE(100 * misses_of_nvidia(ours, mesh.vertex_bound()),
+              most.nvidia * misses_of_nvidia(theirs, mesh.vertex_bound()));
   }
 }
 
