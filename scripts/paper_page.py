@@ -5,6 +5,8 @@ One page of HTML that needs nothing else; the CSV files next to it hold the figu
 timings: the same bytes on every run.
 """
 import argparse
+import csv
+import io
 import json
 import os
 import sys
@@ -219,6 +221,39 @@ def page(report):
         each_mesh(strips_part) + "</body>\n</html>\n")
 
 
+def csv_files(report):
+    """The figures of each picture, by the name of their file. Masks are decimal, numbered as in docs/reference/notation.md."""
+    lonely = [(at, rule) for at in report["lonely"] for rule in at["orbits"]]
+    policies = [(mesh, run) for mesh in report["meshes"] for run in mesh["policies"]]
+    runs = [(mesh, run.get("policy", run.get("name")), run) for mesh in report["meshes"] for run in mesh["policies"] + mesh["scratch"]]
+    return {
+        "positions.csv": ("k,a,b", ((at["k"], at["a"], at["k"] - at["a"]) for at in report["positions"])),
+        "rules-4.csv": ("a,loop,ports,inner,strips,isolated,orbit",
+                        ((four["a"], *(rule[name] for name in ("loop", "ports", "inner", "strips", "isolated", "orbit")))
+                         for four in report["four_vertex"] for rule in four["all"])),
+        "lonely-counts.csv": ("k,a,valid,lonely,rule_isolates,rule_adds_strip,orbits",
+                              ((*(at[name] for name in ("k", "a", "valid", "lonely", "rule_isolates", "rule_adds_strip")),
+                                len(at["orbits"])) for at in report["lonely"])),
+        "lonely.csv": ("k,a,loop,ports,orbit,whole,isolated_if_whole,inner,strips,isolated",
+                       ((at["k"], at["a"], *(rule[name] for name in ("loop", "ports", "orbit", "whole", "isolated_if_whole", "inner",
+                                                                     "strips", "isolated"))) for at, rule in lonely)),
+        "valence.csv": ("mesh,triangles_per_vertex,vertices,percent,paper_vertices",
+                        ((mesh["mesh"], row["triangles"], row["vertices"], f"{row['percent']:.2f}", row["paper"])
+                         for mesh in report["meshes"] for row in mesh["valence"])),
+        "isolating.csv": ("mesh,policy,splits,isolating,percent",
+                          ((mesh["mesh"], run["policy"], run["splits"], run["isolating"], f"{percent(run):.2f}") for mesh, run in policies)),
+        "strips.csv": ("mesh,policy,triangles,strips,isolated",
+                       ((mesh["mesh"], name, level["triangles"], level["strips"], level["isolated"])
+                        for mesh, name, run in runs for level in run["levels"])),
+    }
+
+
+def csv_text(header, rows):
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows([header.split(","), *rows])
+    return text.getvalue()
+
+
 def write_whole(file, text):
     """The file as it was, or all of the text."""
     handle, partial = tempfile.mkstemp(dir=file.parent, prefix=file.name + ".")
@@ -238,8 +273,10 @@ def main():
     parser.add_argument("folder", type=Path, help="the folder that restrip paper wrote")
     file = parser.parse_args().folder / "report.json"
     try:
-        html = page(json.loads(file.read_text(encoding="utf-8")))
-        write_whole(file.with_name("index.html"), html)
+        report = json.loads(file.read_text(encoding="utf-8"))
+        files = {name: csv_text(*figures) for name, figures in csv_files(report).items()}
+        for name, text in {**files, "index.html": page(report)}.items():
+            write_whole(file.with_name(name), text)
     except OSError as error:
         sys.exit(f"paper_page.py: {error.filename}: {error.strerror}; name a folder that restrip paper wrote")
     except (ValueError, KeyError, TypeError) as error:

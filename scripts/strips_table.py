@@ -6,7 +6,6 @@ baked:      the cost of baked strips (docs/how-to/baked-strips.md)
 isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/explanation/paper.md)
 """
 import argparse
-import csv
 import json
 import os
 import subprocess
@@ -132,12 +131,12 @@ def baked_table(program, meshes, _):
 def isolating_table(program, meshes, _):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.check_call([program.path, "paper", "--out", folder, *meshes], stdout=subprocess.DEVNULL)
-        with open(os.path.join(folder, "isolating.csv"), encoding="utf-8") as file:
-            counts = {(row["mesh"], row["policy"]): row for row in csv.DictReader(file)}
+        with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
+            counts = {(mesh["mesh"], run["policy"]): run for mesh in json.load(file)["meshes"] for run in mesh["policies"]}
     header("policy", "what happens at a split that is not of a 4-vertex", *map(name_of, meshes))
     for way, what in PAPER_WAYS.items():
         rows = [counts[os.path.basename(mesh), way] for mesh in meshes]
-        line([f"`{way}`", what, *(f"{int(row['isolating']):,} of {int(row['splits']):,}, {row['percent']} %" for row in rows)])
+        line([f"`{way}`", what, *(f"{row['isolating']:,} of {row['splits']:,}, {100 * row['isolating'] / row['splits']:.2f} %" for row in rows)])
 
 
 TABLES = {"indices": indices_table, "baked": baked_table, "isolating": isolating_table}

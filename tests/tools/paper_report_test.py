@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Claims: `restrip paper` writes CSV files and a report, from which scripts/paper_page.py makes one page of well-formed,
+"""Claims: `restrip paper` writes a report, from which scripts/paper_page.py makes CSV files and one page of well-formed,
 self-contained HTML with every figure and the numbers of the CSV files. Every run produces the same bytes. Bad input produces no
 files, and what is not a report gets no page. (pictures_test.py tests the script's pictures.)
 

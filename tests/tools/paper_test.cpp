@@ -25,7 +25,7 @@ std::map<std::string, PolicyRun> runs_of(const PaperMesh& mesh) {
 }
 
 TEST(Paper, IsolatesInHalfOfTheSplitsAndWeInNone) {
-  const PaperMesh mesh = measure({"torus", make_mesh(6000), std::nullopt}, {});
+  const PaperMesh mesh = measure(simplified("torus", make_mesh(6000), {}));
   EXPECT_TRUE(mesh.faults.empty());
   const auto runs = runs_of(mesh);
   EXPECT_GT(runs.at("paper").isolating_percent(), 40);
@@ -50,17 +50,17 @@ TEST(Paper, IsolatesInHalfOfTheSplitsAndWeInNone) {
   EXPECT_LE(top.isolated * 8, top.strips);
   EXPECT_EQ(std::accumulate(mesh.splits_by_valence.begin(), mesh.splits_by_valence.end(), std::size_t{0}),
             runs.at("local").splits);
-  for (const ScratchRun& run : mesh.scratch) EXPECT_EQ(run.levels.back().triangles, mesh.triangles) << run.name;
+  for (const PolicyRun& run : mesh.scratch) EXPECT_EQ(run.levels.back().triangles, mesh.triangles) << run.name;
 }
 
 TEST(Paper, BoundariesAreNoFault) {
-  const PaperMesh mesh = measure({"sheet", sheet(20), std::nullopt}, {});
+  const PaperMesh mesh = measure(simplified("sheet", sheet(20), {}));
   EXPECT_TRUE(mesh.faults.empty());
   EXPECT_GT(mesh.runs.front().splits, 100U);
 }
 
 TEST(Paper, AMeshWithoutSplitsHasOneLevel) {
-  const PaperMesh mesh = measure({"tetrahedron", tetrahedron(), std::nullopt}, {});
+  const PaperMesh mesh = measure(simplified("tetrahedron", tetrahedron(), {}));
   EXPECT_TRUE(mesh.faults.empty());
   EXPECT_EQ(mesh.runs.front().splits, 0U);
   EXPECT_EQ(mesh.runs.front().isolating_percent(), 0);
@@ -68,7 +68,7 @@ TEST(Paper, AMeshWithoutSplitsHasOneLevel) {
 
 TEST(Paper, BunnyIsThePapersAndItsPolicyLandsNearItsFigure) {
   const auto file = REAL_MESH("bunny.obj");
-  const PaperMesh mesh = measure(read_subject(file), {});
+  const PaperMesh mesh = measure(source_of(read_mesh_file(file), file, {}, {}, false));
   EXPECT_TRUE(mesh.faults.empty());
   EXPECT_TRUE(mesh.equals_paper());
   EXPECT_NEAR(runs_of(mesh).at("paper").isolating_percent(), *mesh.paper->isolating_percent, 5);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "app/options.hpp"
-#include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "lod/bake.hpp"
@@ -15,6 +14,7 @@
 #include "lod/mesh_files.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/replay.hpp"
+#include "replay/source.hpp"
 
 namespace restrip::tools {
 namespace {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "lod/mesh_formats.hpp"
 #include "meshes/text_cursor.hpp"
@@ -21,33 +20,6 @@ const CLI::Validator share(
                  : fmt::format("{} is not a share of the triangles; give a number above 0 and at most 1", word);
     },
     "X above 0 and at most 1", "share");
-
-/// The edit distance (Levenshtein) of two words.
-std::size_t distance(const std::string& one, const std::string& other) {
-  std::vector<std::size_t> row(other.size() + 1);
-  std::iota(row.begin(), row.end(), 0U);
-  for (std::size_t i = 1; i <= one.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= other.size(); ++j) {
-      const std::size_t exchanged = diagonal + (one[i - 1] == other[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, exchanged});
-    }
-  }
-  return row.back();
-}
-
-/// "did you mean WORD?" for the most similar of the words; at most a third of its letters may differ. Otherwise all of
-/// them: "there are a, b and c".
-std::string suggestion(const std::string& word, const std::vector<std::string>& words) {
-  const auto nearest = std::min_element(words.begin(), words.end(), [&](const std::string& a, const std::string& b) {
-    return distance(a, word) < distance(b, word);
-  });
-  return nearest != words.end() && 3 * distance(*nearest, word) <= nearest->size()
-             ? fmt::format("did you mean {}?", *nearest)
-             : fmt::format("there are {}", list_in_words(words, "and"));
-}
 
 /// The values of an option: the description of its check, if it has one, which follows CLI11's name of the type.
 std::string values_in_words(const std::string& type) {
@@ -95,7 +67,8 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return {[words](std::string& word) {
             return std::find(words.begin(), words.end(), word) != words.end()
                        ? std::string()
-                       : fmt::format("{} is not a value; {}", word.substr(0, 40), suggestion(word, words));
+                       : fmt::format("{} is not a value; there are {}", word.substr(0, 40),
+                                     list_in_words(words, "and"));
           },
           fmt::format("{}", fmt::join(words, "|")), "one of several words"};
 }
@@ -306,7 +279,7 @@ std::string wrong_subcommand(const CLI::App& app, const std::string& argument) {
     if (sub->get_name() == argument) return "";
     names.push_back(sub->get_name());
   }
-  return fmt::format("unknown subcommand '{}'; {}", argument.substr(0, 40), suggestion(argument, names));
+  return fmt::format("unknown subcommand '{}'; there are {}", argument.substr(0, 40), list_in_words(names, "and"));
 }
 
 }  // namespace restrip::tools

@@ -65,7 +65,7 @@ Subcommand add_make_mesh(CLI::App& app);
 [[nodiscard]] const CLI::Validator& whole_number();
 [[nodiscard]] CLI::Validator whole_number_from(std::uint64_t least, std::uint64_t most);
 
-/// One of these words. An error names the most similar one.
+/// One of these words. An error lists them.
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// ".obj, .off and .ply"; `last_word` is "and" or "or".
@@ -110,8 +110,7 @@ class PlainFormatter : public CLI::Formatter {
   [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
 };
 
-/// An error message for a first argument that is neither a subcommand nor an option, with the most similar subcommand,
-/// if one is similar. Empty if the argument is valid.
+/// An error message for a first argument that is neither a subcommand nor an option. Empty if the argument is valid.
 [[nodiscard]] std::string wrong_subcommand(const CLI::App& app, const std::string& argument);
 
 }  // namespace restrip::tools

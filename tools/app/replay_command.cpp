@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/options.hpp"
-#include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "lod/mesh_files.hpp"
@@ -18,6 +17,7 @@
 #include "meshes/strip_file.hpp"
 #include "replay/methods.hpp"
 #include "replay/replay.hpp"
+#include "replay/source.hpp"
 #include "replay/walk.hpp"
 #include "restrip/search/stripify.hpp"
 

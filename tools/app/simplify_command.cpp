@@ -6,13 +6,13 @@
 #include <string>
 
 #include "app/options.hpp"
-#include "app/source.hpp"
 #include "common/counted.hpp"
 #include "common/output.hpp"
 #include "common/printable.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/soup_builder.hpp"
+#include "replay/source.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {

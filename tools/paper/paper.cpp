@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <variant>
 
 #include "common/counted.hpp"
 #include "common/progress.hpp"
 #include "lod/coloring_check.hpp"
-#include "lod/mesh_files.hpp"
-#include "meshes/mend.hpp"
 #include "replay/methods.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
@@ -38,46 +35,14 @@ std::optional<PaperRow> paper_row(std::size_t triangles) {
   return row == rows.end() ? std::nullopt : std::optional(*row);
 }
 
-std::vector<ValenceRow> valence_rows(const PaperMesh& mesh) {
-  const auto at = [](const std::vector<std::size_t>& row, std::size_t n) { return n < row.size() ? row[n] : 0; };
-  const std::vector<std::size_t>& here = mesh.survey.triangles_per_vertex;
-  const std::size_t end = std::max(here.size(), mesh.paper ? mesh.paper->triangles_per_vertex.size() : 0);
-  std::vector<ValenceRow> rows;
-  for (std::size_t n = 1; n < end; ++n) {
-    ValenceRow row{n, at(here, n), 0, std::nullopt};
-    row.percent = 100 * static_cast<double>(row.vertices) / static_cast<double>(mesh.survey.used_vertices);
-    if (mesh.paper) row.paper = at(mesh.paper->triangles_per_vertex, n);
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-PaperSubject read_subject(const std::filesystem::path& file, const MendingOptions& mending) {
-  PaperSubject subject;
-  subject.name = file.filename().string();
-  ReadMesh read = read_mesh_file(file);
-  if (auto* soup = std::get_if<Soup>(&read)) {
-    subject.mended = mend(*soup, file.string(), mending);
-    close_seams(*soup, subject.mended);
-    subject.soup = std::move(*soup);
-    return subject;
-  }
-  refuse_mending(file, mending);
-  auto* baked = std::get_if<BakedBytes>(&read);
-  subject.progressive = std::move(baked != nullptr ? baked->baked.mesh : std::get<ProgressiveMesh>(read));
-  subject.soup = finest_level(*subject.progressive);
-  return subject;
-}
-
-PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
+PaperMesh measure(const Source& subject, std::size_t levels) {
+  const ProgressiveMesh& source = subject.mesh;
   PaperMesh result;
-  result.name = subject.name;
-  result.survey = report_on(subject.soup);
-  result.mended = subject.mended;
-  result.triangles = subject.soup.triangles.size();
+  result.name = std::filesystem::path(subject.subject.name).filename().string();
+  result.survey = report_on({source.points, subject.original});
+  result.mended = subject.subject.mended;
+  result.triangles = subject.original.size();
   result.paper = paper_row(result.triangles);
-  const ProgressiveMesh source =
-      subject.progressive ? *subject.progressive : simplify(subject.soup, options.simplify).mesh;
   StripMesh base = StripMesh::build(source.base, source.points.size());
   stripify(base, Effort::full, Cost::strips());
   result.base_triangles = base.triangle_count();
@@ -85,7 +50,7 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
   // Plays all splits and measures each level.
   const auto climb = [&](const std::string& label, const StripMesh& mesh, auto&& step, auto&& at_level) {
     Progress progress(result.name + ": " + label, source.splits.size());
-    const auto sizes = level_sizes(result.base_triangles, source.fine_triangles(), options.levels);
+    const auto sizes = level_sizes(result.base_triangles, source.fine_triangles(), levels);
     std::size_t next = 0;
     for (std::size_t i = 0; i < source.splits.size(); ++i) {
       if (next != sizes.size() && mesh.triangle_count() >= sizes[next]) {
@@ -120,7 +85,7 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
       const PreparedMethod prepared(method, source, given);
       StripMesh mesh = prepared.base();
       const auto maintainer = prepared.begin(mesh);
-      PolicyRun run{method.name, method.description, method.kind == Method::Kind::paper, 0, 0, {}};
+      PolicyRun run{method.name, method.description, method.kind == Method::Kind::paper};
       std::vector<Triangle> patch;
       std::vector<std::size_t> by_valence;
       const auto step = [&](const Record& record) {
@@ -143,8 +108,8 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
     }
 
   // From scratch.
-  ScratchRun fast{"scratch-fast", "strips from scratch at each level, one pass", {}};
-  ScratchRun full{"scratch-full", "strips from scratch at each level, with tunnelling", {}};
+  PolicyRun fast{"scratch-fast", "strips from scratch at each level, one pass"};
+  PolicyRun full{"scratch-full", "strips from scratch at each level, with tunnelling"};
   StripMesh mesh = base;
   climb(
       "from scratch", mesh, [&](const Record& record) { insert(mesh, record); },
@@ -156,70 +121,6 @@ PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
       });
   result.scratch = {std::move(fast), std::move(full)};
   return result;
-}
-
-// The figures of `restrip paper` as CSV, JSON and text.
-
-namespace {
-
-/// A field of a CSV file (RFC 4180).
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-template <class... Fields>
-void add_row(std::string& csv, const char* format, const Fields&... fields) {
-  csv += fmt::format(fmt::runtime(format), fields...);
-  csv += '\n';
-}
-
-}  // namespace
-
-std::vector<files::NamedBytes> csv_files(const RuleFigures& figures) {
-  std::string positions = "k,a,b\n";
-  for (const SplitPosition& at : figures.positions) add_row(positions, "{},{},{}", at.k, at.a, at.k - at.a);
-
-  std::string rules = "a,loop,ports,inner,strips,isolated,orbit\n";
-  for (const RuleFigures::FourVertex& four : figures.four)
-    for (const RuleOfOrbit& r : four.all)
-      add_row(rules, "{},{},{},{},{},{},{}", r.at.a, r.loop, r.ports, r.inner, r.strips, r.isolated, r.orbit);
-
-  std::string counts = "k,a,valid,lonely,rule_isolates,rule_adds_strip,orbits\n";
-  std::string lonely = "k,a,loop,ports,orbit,whole,isolated_if_whole,inner,strips,isolated\n";
-  for (const LonelyCount& count : figures.lonely) {
-    add_row(counts, "{},{},{},{},{},{},{}", count.at.k, count.at.a, count.valid, count.lonely, count.isolated,
-            count.adding_strip, count.orbits.size());
-    for (const LonelyRule& one : count.orbits) {
-      const RuleOfOrbit& r = one.rule;
-      add_row(lonely, "{},{},{},{},{},{},{},{},{},{}", r.at.k, r.at.a, r.loop, r.ports, r.orbit, one.whole,
-              one.isolated_if_whole, r.inner, r.strips, r.isolated);
-    }
-  }
-  return {{"positions.csv", positions}, {"rules-4.csv", rules}, {"lonely-counts.csv", counts}, {"lonely.csv", lonely}};
-}
-
-std::vector<files::NamedBytes> csv_files(const std::vector<PaperMesh>& meshes) {
-  std::string valence = "mesh,triangles_per_vertex,vertices,percent,paper_vertices\n";
-  std::string isolating = "mesh,policy,splits,isolating,percent\n";
-  std::string strips = "mesh,policy,triangles,strips,isolated\n";
-  for (const PaperMesh& mesh : meshes) {
-    const std::string name = field(mesh.name);
-    for (const ValenceRow& row : valence_rows(mesh))
-      add_row(valence, "{},{},{},{:.2f},{}", name, row.triangles, row.vertices, row.percent,
-              row.paper ? fmt::format("{}", *row.paper) : std::string());
-    for (const PolicyRun& run : mesh.runs) {
-      add_row(isolating, "{},{},{},{},{:.2f}", name, run.name, run.splits, run.isolating, run.isolating_percent());
-      for (const Level& level : run.levels)
-        add_row(strips, "{},{},{},{},{}", name, run.name, level.triangles, level.strips, level.isolated);
-    }
-    for (const ScratchRun& run : mesh.scratch)
-      for (const Level& level : run.levels)
-        add_row(strips, "{},{},{},{},{}", name, run.name, level.triangles, level.strips, level.isolated);
-  }
-  return {{"valence.csv", valence}, {"isolating.csv", isolating}, {"strips.csv", strips}};
 }
 
 std::string as_text(const std::vector<PaperMesh>& meshes) {
@@ -234,7 +135,7 @@ std::string as_text(const std::vector<PaperMesh>& meshes) {
     for (const PolicyRun& run : mesh.runs)
       text += fmt::format("  {:<20}{:>10.2f} %{:>22}{:>14}\n", run.name, run.isolating_percent(),
                           run.levels.back().strips, run.levels.back().isolated);
-    for (const ScratchRun& run : mesh.scratch)
+    for (const PolicyRun& run : mesh.scratch)
       text += fmt::format("  {:<20}{:>12}{:>22}{:>14}\n", run.name, "", run.levels.back().strips,
                           run.levels.back().isolated);
     for (const std::string& fault : mesh.faults) text += fmt::format("  FAULT: {}\n", fault);
@@ -280,14 +181,21 @@ nlohmann::ordered_json as_json(const RuleFigures& figures, const std::vector<Pap
     return {{"policy", run.name},   {"says", run.says},           {"of_paper", run.of_paper},
             {"splits", run.splits}, {"isolating", run.isolating}, {"levels", list_of(run.levels, level)}};
   };
-  const auto scratch = [&](const ScratchRun& run) -> Json {
+  const auto scratch = [&](const PolicyRun& run) -> Json {
     return {{"name", run.name}, {"says", run.says}, {"levels", list_of(run.levels, level)}};
   };
-  const auto valence = [](const ValenceRow& row) -> Json {
-    return {{"triangles", row.triangles},
-            {"vertices", row.vertices},
-            {"percent", row.percent},
-            {"paper", row.paper ? Json(*row.paper) : Json(nullptr)}};
+  const auto valences = [](const PaperMesh& mesh) {
+    const auto at = [](const std::vector<std::size_t>& row, std::size_t n) { return n < row.size() ? row[n] : 0; };
+    const std::vector<std::size_t>& here = mesh.survey.triangles_per_vertex;
+    const std::size_t end = std::max(here.size(), mesh.paper ? mesh.paper->triangles_per_vertex.size() : 0);
+    Json rows = Json::array();
+    for (std::size_t n = 1; n < end; ++n)
+      rows.push_back(
+          {{"triangles", n},
+           {"vertices", at(here, n)},
+           {"percent", 100 * static_cast<double>(at(here, n)) / static_cast<double>(mesh.survey.used_vertices)},
+           {"paper", mesh.paper ? Json(at(mesh.paper->triangles_per_vertex, n)) : Json(nullptr)}});
+    return rows;
   };
   const auto paper = [](const PaperRow& row) -> Json {
     return {{"mesh", row.mesh},
@@ -303,7 +211,7 @@ nlohmann::ordered_json as_json(const RuleFigures& figures, const std::vector<Pap
               {"used_vertices", mesh.survey.used_vertices},
               {"paper", mesh.paper ? paper(*mesh.paper) : Json(nullptr)},
               {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
-              {"valence", list_of(valence_rows(mesh), valence)},
+              {"valence", valences(mesh)},
               {"splits_by_valence", std::move(by_valence)},
               {"policies", list_of(mesh.runs, policy)},
               {"scratch", list_of(mesh.scratch, scratch)},

@@ -5,17 +5,16 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "common/output.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/mesh_report.hpp"
 #include "replay/replay.hpp"
+#include "replay/source.hpp"
 #include "restrip/rules/rules.hpp"
 
 namespace restrip::tools {
@@ -36,25 +35,19 @@ struct PaperRow {
 /// The paper's row for a mesh of this size, if it has one.
 [[nodiscard]] std::optional<PaperRow> paper_row(std::size_t triangles);
 
-/// One pass from base to finest level under one way of keeping strips (methods.hpp).
+/// One pass from base to finest level under one way of keeping strips (methods.hpp), or with strips from scratch at
+/// every level.
 struct PolicyRun {
   std::string name;
   std::string says;
   bool of_paper = false;
-  std::size_t splits = 0;
+  std::size_t splits = 0;     ///< 0 from scratch
   std::size_t isolating = 0;  ///< splits after which the patch had more isolated triangles than before
-  std::vector<Level> levels;
+  std::vector<Level> levels = {};
 
   [[nodiscard]] double isolating_percent() const noexcept {
     return splits == 0 ? 0 : 100 * static_cast<double>(isolating) / static_cast<double>(splits);
   }
-};
-
-/// Strips from scratch at every level.
-struct ScratchRun {
-  std::string name;
-  std::string says;
-  std::vector<Level> levels;
 };
 
 struct PaperMesh {
@@ -65,7 +58,7 @@ struct PaperMesh {
   std::size_t base_triangles = 0;
   std::vector<std::size_t> splits_by_valence;  ///< [k]: splits of a vertex of k triangles
   std::vector<PolicyRun> runs;                 ///< the paper's, then ours
-  std::vector<ScratchRun> scratch;
+  std::vector<PolicyRun> scratch;
   std::vector<std::string> faults;  ///< found by a check; empty if all is well
   Mended mended;                    ///< of its file, if it was read
 
@@ -75,28 +68,9 @@ struct PaperMesh {
   }
 };
 
-/// One row of the valence table.
-struct ValenceRow {
-  std::size_t triangles = 0;  ///< per vertex
-  std::size_t vertices = 0;
-  double percent = 0;  ///< of the vertices that some triangle uses
-  std::optional<std::size_t> paper;
-};
-/// From one triangle to the maximum of any vertex, here or in the paper.
-[[nodiscard]] std::vector<ValenceRow> valence_rows(const PaperMesh& mesh);
-
-/// A mesh that has been read, so that a bad file is found before hours of work.
-struct PaperSubject {
-  std::string name;
-  Soup soup;
-  std::optional<ProgressiveMesh> progressive;  ///< if the file was one
-  Mended mended = {};
-};
-/// Throws BadInput, also if a progressive mesh is to be mended.
-[[nodiscard]] PaperSubject read_subject(const std::filesystem::path& file, const MendingOptions& mending = {});
-
-/// About two seconds per 10,000 triangles, mostly for baking and for strips from scratch.
-[[nodiscard]] PaperMesh measure(const PaperSubject& subject, const PaperOptions& options);
+/// Counts strips at this number of levels. The subject needs the triangles of its finest level. About two seconds per
+/// 10,000 triangles, mostly for baking and for strips from scratch.
+[[nodiscard]] PaperMesh measure(const Source& subject, std::size_t levels = PaperOptions().levels);
 
 // ---- figures 6, 7 and 8, computed from the shipped tables: where a vertex can be split, the rules of the 4-vertex,
 // and where a triangle would stay isolated if no strip were cut
@@ -160,20 +134,8 @@ struct RuleFigures {
 };
 [[nodiscard]] RuleFigures rule_figures();
 
-// ---- the report: a CSV file for each figure, and all of them together as JSON, from which scripts/paper_page.py makes
-// a page. Without dates and timings, so the bytes are the same on every run.
-
-/// Each file has a header line; masks are decimal, numbered as in docs/reference/notation.md. Percentages have two
-/// digits.
-///   positions.csv      k,a,b                          figure 6
-///   rules-4.csv        a,loop,ports,inner,strips,isolated,orbit   figure 7, one line for each orbit
-///   lonely-counts.csv  k,a,valid,lonely,rule_isolates,rule_adds_strip,orbits
-///   lonely.csv         k,a,loop,ports,orbit,whole,isolated_if_whole,inner,strips,isolated   figure 8
-[[nodiscard]] std::vector<files::NamedBytes> csv_files(const RuleFigures& figures);
-///   valence.csv        mesh,triangles_per_vertex,vertices,percent,paper_vertices   tables 1 and 2, plots 9 and 10
-///   isolating.csv      mesh,policy,splits,isolating,percent
-///   strips.csv         mesh,policy,triangles,strips,isolated
-[[nodiscard]] std::vector<files::NamedBytes> csv_files(const std::vector<PaperMesh>& meshes);
+// ---- the report as JSON, from which scripts/paper_page.py makes a page and a CSV file for each figure. Without dates
+// and timings, so the bytes are the same on every run.
 
 /// Everything that the page shows: {base, boundary, levels, table_max_k, split_positions, positions: [{k, a}],
 /// four_vertex: [{a, loop_orbits, by_loop, all}], lonely: [{k, a, valid, lonely, rule_isolates, rule_adds_strip,

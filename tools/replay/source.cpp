@@ -1,4 +1,4 @@
-#include "app/source.hpp"
+#include "replay/source.hpp"
 
 #include <fmt/format.h>
 
