@@ -6,12 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "common/counted.hpp"
 #include "common/disjoint_sets.hpp"
 #include "meshes/edges.hpp"
 #include "meshes/soup.hpp"
@@ -162,34 +160,6 @@ void orient(Soup& soup, const std::string& name, Mended& mended) {
 std::size_t coincident_vertices(const Soup& soup) { return repeated(soup, soup.attributes); }
 
 std::size_t vertices_at_seams(const Soup& soup) { return repeated(soup, {}) - repeated(soup, soup.attributes); }
-
-std::string as_text(const Mended& mended) {
-  std::string text;
-  if (mended.asked.weld)
-    text += fmt::format("welded: {} with others at the same place; {} vanished\n",
-                        counted(mended.welded_vertices, "vertex", "vertices"),
-                        counted(mended.vanished_triangles, "triangle"));
-  if (mended.asked.orient) text += fmt::format("oriented: {} turned\n", counted(mended.turned_triangles, "triangle"));
-  if (mended.closed_seams != 0)
-    text += fmt::format("seams closed: {} at the same place as others, one with them now\n",
-                        counted(mended.closed_seams, "vertex", "vertices"));
-  if (!mended.left_out.empty()) text += fmt::format("left out: {}\n", left_out_in_words(mended.left_out));
-  if (mended.rounding.matters)
-    text += fmt::format("coordinates rounded to 32 bits, by {:.2g} at most; {} at the place of another thereby\n",
-                        mended.rounding.largest, counted(mended.rounding.coinciding, "vertex lies", "vertices lie"));
-  return text;
-}
-
-void add_to(nlohmann::ordered_json& report, const Mended& mended) {
-  if (mended.rounding.matters)
-    report["rounded"] = {{"largest", mended.rounding.largest}, {"coinciding_vertices", mended.rounding.coinciding}};
-  if (mended.asked.weld || mended.asked.orient)
-    report["mended"] = {{"welded_vertices", mended.welded_vertices},
-                        {"vanished_triangles", mended.vanished_triangles},
-                        {"turned_triangles", mended.turned_triangles}};
-  if (mended.closed_seams != 0) report["closed_seams"] = mended.closed_seams;
-  if (!mended.left_out.empty()) report["left_out_content"] = mended.left_out;
-}
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include "meshes/mesh_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -175,6 +176,60 @@ nlohmann::ordered_json as_json(const MeshReport& report, const Mended& mended) {
   json["triangles_per_vertex"] = std::move(histogram);
   add_to(json, mended);
   return json;
+}
+
+// What was changed when a mesh was read, and how its strips were written.
+
+std::string as_text(const Mended& mended) {
+  std::string text;
+  if (mended.asked.weld)
+    text += fmt::format("welded: {} with others at the same place; {} vanished\n",
+                        counted(mended.welded_vertices, "vertex", "vertices"),
+                        counted(mended.vanished_triangles, "triangle"));
+  if (mended.asked.orient) text += fmt::format("oriented: {} turned\n", counted(mended.turned_triangles, "triangle"));
+  if (mended.closed_seams != 0)
+    text += fmt::format("seams closed: {} at the same place as others, one with them now\n",
+                        counted(mended.closed_seams, "vertex", "vertices"));
+  if (!mended.left_out.empty()) text += fmt::format("left out: {}\n", left_out_in_words(mended.left_out));
+  if (mended.rounding.matters)
+    text += fmt::format("coordinates rounded to 32 bits, by {:.2g} at most; {} at the place of another thereby\n",
+                        mended.rounding.largest, counted(mended.rounding.coinciding, "vertex lies", "vertices lie"));
+  return text;
+}
+
+void add_to(nlohmann::ordered_json& report, const Mended& mended) {
+  if (mended.rounding.matters)
+    report["rounded"] = {{"largest", mended.rounding.largest}, {"coinciding_vertices", mended.rounding.coinciding}};
+  if (mended.asked.weld || mended.asked.orient)
+    report["mended"] = {{"welded_vertices", mended.welded_vertices},
+                        {"vanished_triangles", mended.vanished_triangles},
+                        {"turned_triangles", mended.turned_triangles}};
+  if (mended.closed_seams != 0) report["closed_seams"] = mended.closed_seams;
+  if (!mended.left_out.empty()) report["left_out_content"] = mended.left_out;
+}
+
+std::string as_text(const WrittenStrips& written, const std::string& name) {
+  if (written.index_bits == 0) return {};
+  std::string text = fmt::format("{}: {} of {} bits, {}", name, counted(written.indices, "index", "indices"),
+                                 written.index_bits, name_of(written.form));
+  if (written.batches > 1) text += fmt::format(", in {}", counted(written.batches, "batch", "batches"));
+  if (written.wanted)
+    text += fmt::format("; a list, because the form {} has more (--keep-strips writes it)", name_of(*written.wanted));
+  text += '\n';
+  if (!written.required_extensions.empty())
+    text += fmt::format("{}: requires {}, a proposal that few viewers know; the others refuse the file\n", name,
+                        fmt::join(written.required_extensions, ", "));
+  return text;
+}
+
+void add_to(nlohmann::ordered_json& json, const WrittenStrips& written) {
+  if (written.index_bits == 0) return;
+  json["file"] = {{"form", name_of(written.form)},
+                  {"index_bits", written.index_bits},
+                  {"indices", written.indices},
+                  {"batches", written.batches}};
+  if (written.wanted) json["file"]["list_in_place_of"] = name_of(*written.wanted);
+  if (!written.required_extensions.empty()) json["required_extensions"] = written.required_extensions;
 }
 
 }  // namespace restrip::tools

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
-#include "common/counted.hpp"
 #include "meshes/little_endian.hpp"
 
 namespace restrip::tools {
@@ -63,30 +61,6 @@ std::string bin_bytes(const IndexBuffer& buffer, bool in_batches) {
   }
   put(bytes, buffer);
   return bytes;
-}
-
-std::string as_text(const WrittenStrips& written, const std::string& name) {
-  if (written.index_bits == 0) return {};
-  std::string text = fmt::format("{}: {} of {} bits, {}", name, counted(written.indices, "index", "indices"),
-                                 written.index_bits, name_of(written.form));
-  if (written.batches > 1) text += fmt::format(", in {}", counted(written.batches, "batch", "batches"));
-  if (written.wanted)
-    text += fmt::format("; a list, because the form {} has more (--keep-strips writes it)", name_of(*written.wanted));
-  text += '\n';
-  if (!written.required_extensions.empty())
-    text += fmt::format("{}: requires {}, a proposal that few viewers know; the others refuse the file\n", name,
-                        fmt::join(written.required_extensions, ", "));
-  return text;
-}
-
-void add_to(nlohmann::ordered_json& json, const WrittenStrips& written) {
-  if (written.index_bits == 0) return;
-  json["file"] = {{"form", name_of(written.form)},
-                  {"index_bits", written.index_bits},
-                  {"indices", written.indices},
-                  {"batches", written.batches}};
-  if (written.wanted) json["file"]["list_in_place_of"] = name_of(*written.wanted);
-  if (!written.required_extensions.empty()) json["required_extensions"] = written.required_extensions;
 }
 
 FileStrips color_as_in_file(StripMesh& mesh, const Soup& soup, std::span<const std::uint32_t> origin) {

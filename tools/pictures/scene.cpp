@@ -10,7 +10,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -21,8 +20,8 @@ Spot middle(const Spot& p, const Spot& q) noexcept {
   return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.depth + q.depth) / 2};
 }
 
-/// Colours of strips by number: hues a golden ratio apart, in three lightnesses.
-Color usual_color(std::size_t strip) {
+/// Colours of strips by number: hues a golden ratio apart, in three lightnesses. About a thousand differ.
+Color color_of(std::size_t strip) {
   const double turns = std::numbers::phi * static_cast<double>(strip + 1);
   const double hue = 12 * (turns - std::floor(turns));  // in twelfths of the circle
   constexpr double saturation = 0.65;
@@ -34,38 +33,6 @@ Color usual_color(std::size_t strip) {
         std::lround(255 * (lightness - spread * std::clamp(std::min(at - 3, 9 - at), -1.0, 1.0))));
   };
   return {channel(0), channel(8), channel(4)};
-}
-
-std::uint32_t number_of(const Color& c) noexcept {
-  return std::uint32_t{c.red} << 16U | std::uint32_t{c.green} << 8U | std::uint32_t{c.blue};
-}
-
-/// If two strips would have the same colour, the later one takes the next free one, as long as one is free.
-std::vector<Color> distinct_colors(std::size_t count) {
-  constexpr std::array others{background_color, edge_color};
-  constexpr std::uint32_t all = 1U << 24U;
-  // Each used colour, by number, leads towards the next free one and is shortened on access, so that many strips do not
-  // search all colours one by one.
-  std::unordered_map<std::uint32_t, std::uint32_t> next_of;
-  // The colour or the next free one, which must exist.
-  const auto take = [&next_of](std::uint32_t number) {
-    std::uint32_t free = number;
-    for (auto next = next_of.find(free); next != next_of.end(); next = next_of.find(free)) free = next->second;
-    const std::uint32_t next = (free + 1) % all;
-    while (number != free) number = std::exchange(next_of.at(number), next);
-    next_of.emplace(free, next);
-    return free;
-  };
-  for (const Color& color : others) take(number_of(color));
-  std::vector<Color> colors;
-  colors.reserve(count);
-  for (std::size_t strip = 0; strip < count; ++strip) {
-    const std::uint32_t usual = number_of(usual_color(strip));
-    const std::uint32_t number = strip + others.size() < all ? take(usual) : usual;
-    colors.push_back({static_cast<std::uint8_t>(number >> 16U), static_cast<std::uint8_t>(number >> 8U),
-                      static_cast<std::uint8_t>(number)});
-  }
-  return colors;
 }
 
 /// Projects the mesh into the picture.
@@ -131,14 +98,16 @@ Spot center_of(const Face& face) noexcept {
 Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
                const PictureSize& size) {
   const Projection project(points, strips, camera, size);
-  Scene scene{size, {}, distinct_colors(strips.size())};
-  for (std::size_t s = 0; s < strips.size(); ++s)
+  Scene scene{size, {}, {}};
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    scene.colors.push_back(color_of(s));
     for (const Corners& t : strips[s]) {
       const Face face{{project(points[t[0]]), project(points[t[1]]), project(points[t[2]])}, s};
       // Twice the area, positive if the corners are counter-clockwise as seen: y points down.
       const auto& [p, q, r] = face.corners;
       if ((r.x - p.x) * (q.y - p.y) - (q.x - p.x) * (r.y - p.y) > 0) scene.faces.push_back(face);
     }
+  }
   std::stable_sort(scene.faces.begin(), scene.faces.end(),
                    [](const Face& a, const Face& b) { return center_of(a).depth < center_of(b).depth; });
   double edges = 0;

@@ -33,7 +33,6 @@ struct Color {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
   std::uint8_t blue = 0;
-  friend bool operator==(const Color&, const Color&) = default;
 };
 inline constexpr Color background_color{255, 255, 255};
 inline constexpr Color edge_color{48, 52, 58};
@@ -55,12 +54,12 @@ struct Face {
 struct Scene {
   PictureSize size;
   std::vector<Face> faces;    ///< far ones first, by their centres
-  std::vector<Color> colors;  ///< of each strip; all differ, and differ from the two above
+  std::vector<Color> colors;  ///< of each strip; those of about a thousand strips differ
   double edge_width = 0;      ///< width of triangle edges, in pixels; 0: triangles are too small to show them
 };
 
 /// The whole mesh, visible or not, fits into the picture with a margin of a fortieth of the shorter side. Triangles
-/// that face away are left out. O(n log n) for n triangles. At most 2^23 strips.
+/// that face away are left out. O(n log n) for n triangles.
 [[nodiscard]] Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
                              const PictureSize& size);
 
