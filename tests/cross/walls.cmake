@@ -7,7 +7,7 @@ set(allowed_in_verify "${std}|\"common/(counted|digest|json|printable|reading|sh
 set(allowed_in_runtime "${std}|\"(restrip|mesh|operations|output|search|formats|live)/.*\"|RESTRIP_USER_CONFIG")
 set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-z0-9_]+).hpp\"")
 set(allowed_in_tools "${std}|\"(restrip|mesh|search|formats|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
-set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<(CGAL|OpenMesh)/.*>")
+set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>|<OpenMesh/.*>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_bindings/js "${std}|\"restrip.h\"")
 set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
