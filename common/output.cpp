@@ -22,9 +22,12 @@
 #include "common/system_calls.hpp"
 
 namespace restrip::files {
+namespace fs = std::filesystem;
 namespace {
 
 thread_local std::vector<const Claim*> claims;
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 }  // namespace
 
@@ -63,16 +66,11 @@ std::optional<struct stat> Claim::status() const {
 
 /// For files that do not exist yet.
 bool Claim::same_place(const Claim& other) const {
-  const auto folder = [](const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  };
   std::error_code error;
   return descriptor_ < 0 && other.descriptor_ < 0 && file_.filename() == other.file_.filename() &&
-         std::filesystem::equivalent(folder(file_), folder(other.file_), error) && !error &&
-         !std::filesystem::is_character_file(file_, error);
+         fs::equivalent(folder_of(file_), folder_of(other.file_), error) && !error &&
+         !fs::is_character_file(file_, error);
 }
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -170,8 +168,6 @@ std::optional<struct stat> status_of(const fs::path& file) {
   struct stat status {};
   return ::stat(file.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
-
-fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 /// The target of links, and the descriptor if it is one of this process (/dev/stdout, /dev/fd/3).
 struct Destination {

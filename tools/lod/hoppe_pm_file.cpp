@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -138,8 +137,7 @@ class HoppeReader {
     return p;
   }
   void set_point(Vertex v, const Point& p) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      refuse(fmt::format("vertex {} moves to a position that is infinite or not a number", v));
+    if (!is_finite(p)) refuse(fmt::format("vertex {} moves to a position that is infinite or not a number", v));
     mesh_.points[v] = p;
   }
 

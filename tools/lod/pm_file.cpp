@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,7 +31,9 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
         fmt::format("{}: not a progressive mesh: it begins neither with '{}', as OpenMesh's do, nor with PM, as "
                     "Hoppe's do",
                     name, pm_magic));
-  if (bytes.size() < pm_header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));
+  const auto refuse = [&name](const std::string& why) { throw BadInput(fmt::format("{}: {}", name, why)); };
+  constexpr const char* remedy = "write it again from the mesh (restrip simplify)";
+  if (bytes.size() < pm_header_bytes) refuse("ends inside its header; is it complete?");
   std::size_t at = pm_magic.size();
   const auto next = [&bytes, &at] { return little_endian(bytes, std::exchange(at, at + 4)); };
   const std::size_t vertices = next();
@@ -40,15 +41,9 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   const std::size_t splits = next();
   const std::size_t expected = pm_header_bytes + vertices * vertex_bytes + faces * face_bytes + splits * split_bytes;
   if (bytes.size() != expected)
-    throw BadInput(
-        fmt::format("{}: {} vertices, {} faces and {} splits take {} bytes, but the file has {}; is it complete?", name,
-                    vertices, faces, splits, expected, bytes.size()));
-
-  if (faces == 0)
-    throw BadInput(
-        fmt::format("{}: its base has no triangles, so there is nothing to replay; write it again from the "
-                    "mesh (restrip simplify)",
-                    name));
+    refuse(fmt::format("{} vertices, {} faces and {} splits take {} bytes, but the file has {}; is it complete?",
+                       vertices, faces, splits, expected, bytes.size()));
+  if (faces == 0) refuse(fmt::format("its base has no triangles, so there is nothing to replay; {}", remedy));
   ProgressiveMesh mesh;
   mesh.file = name;
   mesh.points.reserve(vertices + splits);
@@ -57,25 +52,20 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   const auto add_point = [&] {
     Point p;
     for (double* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(next());
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw BadInput(
-          fmt::format("{}: vertex {} has a coordinate that is infinite or not a number; write it again from the mesh "
-                      "(restrip simplify)",
-                      name, mesh.points.size()));
+    if (!is_finite(p))
+      refuse(
+          fmt::format("vertex {} has a coordinate that is infinite or not a number; {}", mesh.points.size(), remedy));
     mesh.points.push_back(p);
   };
   for (std::size_t v = 0; v < vertices; ++v) add_point();
   for (Corners& triangle : mesh.base)
     for (Vertex& corner : triangle) {
       corner = next();
-      if (corner >= vertices)
-        throw BadInput(fmt::format("{}: a face refers to vertex {} of {}", name, corner, vertices));
+      if (corner >= vertices) refuse(fmt::format("a face refers to vertex {} of {}", corner, vertices));
     }
   if (std::all_of(mesh.base.begin(), mesh.base.end(), degenerate))
-    throw BadInput(
-        fmt::format("{}: every triangle of its base is degenerate (a corner twice), so there is nothing to "
-                    "replay; write it again from the mesh (restrip simplify)",
-                    name));
+    refuse(fmt::format("every triangle of its base is degenerate (a corner twice), so there is nothing to replay; {}",
+                       remedy));
   for (std::size_t i = 0; i < splits; ++i) {
     const auto v_t = static_cast<Vertex>(vertices + i);
     add_point();
@@ -84,8 +74,7 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
     const Vertex v_l = next();
     const auto known = [v_t](Vertex v) { return v == none || v < v_t; };
     if (v_s >= v_t || !known(v_l) || !known(v_r) || v_l == v_r)
-      throw BadInput(fmt::format("{}: split {} refers to vertices {}, {}, {}, of which there are {}", name, i, v_s, v_r,
-                                 v_l, v_t));
+      refuse(fmt::format("split {} refers to vertices {}, {}, {}, of which there are {}", i, v_s, v_r, v_l, v_t));
     mesh.splits.push_back({v_s, v_t, v_l, v_r});
   }
   return mesh;
@@ -258,7 +247,7 @@ std::optional<ProgressiveMesh> parse_progressive_gltf(std::string_view bytes, co
   }
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     Point& p = mesh.points[v] = in_32_bits(mesh.points[v]);
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    if (!is_finite(p))
       throw BadInput(fmt::format("{}: vertex {} moves to a position that is infinite or not a number", name, v));
   }
   return mesh;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -106,6 +107,11 @@ struct Point {
   double z = 0;
   friend bool operator==(const Point&, const Point&) = default;
 };
+
+/// Whether every coordinate is.
+[[nodiscard]] inline bool is_finite(const Point& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
 
 /// As most formats and graphics processors store it.
 [[nodiscard]] constexpr Point in_32_bits(const Point& p) noexcept {

@@ -25,8 +25,7 @@ void SoupBuilder::refuse(const std::string& why) const { throw BadInput(fmt::for
 void SoupBuilder::add_point(double x, double y, double z, std::size_t line) {
   if (soup_.points.size() == max_vertices) refuse(fmt::format("more than {} vertices", max_vertices));
   Point point{x, y, z};
-  const Point rounded = in_32_bits(point);  // checks the range
-  if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y) || !std::isfinite(rounded.z)) {
+  if (!is_finite(in_32_bits(point))) {
     lost_points_.push_back({soup_.points.size(), line});
     point = {};
   }
