@@ -310,7 +310,7 @@ class Meshes(Folder):
     def test_an_input_is_never_an_output(self):
         (self.folder / "link.pm").symlink_to("a.obj")
         (self.folder / "report").mkdir()
-        for mesh, other in (("a.obj", "hard.svg"), ("a.pm", "hard.baked"), ("a.obj", "hard.json"), ("a.obj", "report/strips.csv")):
+        for mesh, other in (("a.obj", "hard.svg"), ("a.pm", "hard.baked"), ("a.obj", "hard.json"), ("a.obj", "report/report.json")):
             os.link(self.folder / mesh, self.folder / other)
         before = self.contents()
         for arguments in ("simplify a.obj -o a.obj", "simplify a.obj -o link.pm", "bake a.pm -o hard.baked",
