@@ -114,7 +114,7 @@ style_tool() {
   done
 }
 
-build_packages=(g++ cmake ninja-build libboost-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+build_packages=(g++ cmake ninja-build libboost-dev "libnauty-dev|libnauty2-dev" libfmt-dev libcli11-dev nlohmann-json3-dev
   libpng-dev libssl-dev libgtest-dev python3-markdown-it python3-pygments)
 # For tests only, and for test.sh --all.
 test_packages=(git mypy libopenmesh-dev python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel nodejs ocaml "pkgconf|pkg-config")

@@ -28,16 +28,24 @@ struct DumpCommand {
 };
 
 /// The columns, with these names for the colours.
-std::vector<std::string> columns(const Description& description, const std::string& before, const std::string& after) {
-  std::vector<std::string> names = description.numbers;
-  names.insert(names.end(), {before, "ports", after});
-  if (description.may_give_up != 0) names.emplace_back("ports_after");
-  names.insert(names.end(), {"strips", "isolated"});
+std::string columns(const Description& description, const std::string& before, const std::string& after) {
+  std::string text;
+  for (const std::string& number : description.numbers) text += number + ",";
+  return text + before + ",ports," + after + (description.may_give_up != 0 ? ",ports_after" : "") + ",strips,isolated";
+}
+
+std::vector<std::string> columns_in(const std::string& header) {
+  std::vector<std::string> names(1);
+  for (const char c : header)
+    if (c == ',')
+      names.emplace_back();
+    else
+      names.back() += c;
   return names;
 }
 
 /// The columns of a shipped family: "loop" for the fan alone, "inner" if there are other triangles.
-std::vector<std::string> columns(const Description& family) {
+std::string columns(const Description& family) {
   const auto colors_of = [](const SideForm& form) -> std::string {
     const auto* fan = std::get_if<Fan>(&form);
     return fan != nullptr && fan->elements.size() == 1 ? "loop" : "inner";
@@ -49,10 +57,9 @@ std::vector<std::string> columns(const Description& family) {
 
 /// One row for each valid configuration, ordered by position, then colours before, then ports; all decimal. As JSON the
 /// names of the columns, and the rows as lists.
-void dump(const std::vector<std::string>& names, const std::vector<AnsweredPosition>& positions,
-          const files::ReportOutput& out) {
-  std::string text = fmt::format("{}\n", fmt::join(names, ","));
-  std::string json = fmt::format("{{\n\"columns\": {},\n\"rows\": [", nlohmann::ordered_json(names).dump());
+void dump(const std::string& header, const std::vector<AnsweredPosition>& positions, const files::ReportOutput& out) {
+  std::string text = header + '\n';
+  std::string json = fmt::format("{{\n\"columns\": {},\n\"rows\": [", nlohmann::json(columns_in(header)).dump());
   const char* between = "\n";
   for (const auto& [position, section] : positions) {
     const Operation operation = operation_at(position, position.patch);
@@ -112,7 +119,7 @@ Subcommand add_dump(CLI::App& app) {
   std::string all;
   std::vector<std::string> names;
   for (const Description& family : families()) {
-    all += fmt::format("  {:<19}{}\n", family.name, fmt::join(columns(family), ","));
+    all += fmt::format("  {:<19}{}\n", family.name, columns(family));
     names.push_back(family.name);
   }
   sub->footer("Columns:\n" + all +

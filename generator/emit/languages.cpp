@@ -251,7 +251,7 @@ std::string operation_check(std::string_view text, const char* position, const c
   const std::string name = identifier(layout.named().name);
   Filling filling{{"name", name}, {"capitals", capitals(name)}, {"positions", ""}, {"arguments", ""}};
   for (const OperationLayout::At& at : layout.positions)
-    filling["positions"] += fmt::format(fmt::runtime(position), nlohmann::ordered_json(name_of(at.position)).dump(),
+    filling["positions"] += fmt::format(fmt::runtime(position), nlohmann::json(name_of(at.position)).dump(),
                                         layout.matching() ? 0 : at.position.patch.before.edges.size(),
                                         at.position.patch.before.ports(), fmt::join(at.position.numbers(), ", "));
   for (std::size_t i = 0; i < layout.named().numbers.size(); ++i)
@@ -404,7 +404,7 @@ std::string json_automaton(const AutomatonArrays& automaton) {
 
 std::string json_operation(const OperationLayout& layout) {
   const Description& named = layout.named();
-  const auto quoted = [](const std::string& text) { return nlohmann::ordered_json(text).dump(); };
+  const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
   std::vector<std::string> positions;
   const auto listed = [](const std::vector<SurfaceTriangle>& triangles) {
     std::vector<std::string> words;
@@ -433,7 +433,7 @@ std::string json_operation(const OperationLayout& layout) {
       "{{\n\"format\": \"restrip-operation-table\",\n\"version\": 1,\n"
       "\"command\": \"restrip-generate rules --language json\",\n\"name\": {},\n\"about\": {},\n\"matching\": {},\n"
       "\"numbers\": {},\n\"positions\": [\n{}\n],\n\"none\": {},\n{}\n}}\n",
-      quoted(named.name), quoted(named.about), layout.matching(), nlohmann::ordered_json(named.numbers).dump(),
+      quoted(named.name), quoted(named.about), layout.matching(), nlohmann::json(named.numbers).dump(),
       fmt::join(positions, ",\n"), layout.none(), json_numbers({"entries", layout.width, layout.entries}, "entries"));
 }
 

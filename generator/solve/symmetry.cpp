@@ -1,16 +1,31 @@
 #include "solve/symmetry.hpp"
 
+#include <nauty/nauty.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <mutex>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 namespace restrip::generator {
 namespace {
 
 using Permutation = std::vector<unsigned>;
+
+// nauty reports the generators of the group to a plain function.
+std::vector<Permutation>* generators = nullptr;
+
+// nauty has global state between calls.
+std::mutex one_at_a_time;
+
+void take_generator(int, int* image, int*, int, int, int n) {
+  Permutation p;
+  for (int i = 0; i < n; ++i) p.push_back(static_cast<unsigned>(image[i]));
+  generators->push_back(p);
+}
 
 /// What a symmetry must preserve, as a graph with coloured vertices: ports, triangles before, triangles after, edges
 /// after, and a vertex for each term that chooses among some of these.
@@ -35,13 +50,10 @@ struct PatchGraph {
       join(first_edge + e, first_after + after.edges[e].u);
       join(first_edge + e, first_after + after.edges[e].v);
     }
-    for (std::size_t i = 0; i < operation.preference.size(); ++i) {
-      std::vector<Term> terms = operation.preference[i];
-      while (!terms.empty()) {  // equal ones have one vertex
-        const Term term = terms.back();
-        const auto times = static_cast<std::int64_t>(std::erase(terms, term));
+    for (std::size_t i = 0; i < operation.preference.size(); ++i)
+      for (const Term& term : operation.preference[i]) {
         const unsigned vertex = size();
-        colors.push_back({4, static_cast<std::int64_t>(i), static_cast<std::int64_t>(term.count), term.weight, times});
+        colors.push_back({4, static_cast<std::int64_t>(i), static_cast<std::int64_t>(term.count), term.weight});
         const auto choose = [&](unsigned first, std::size_t count) {
           for (unsigned j = 0; j < count; ++j)
             if ((term.of >> j & 1U) != 0) join(vertex, first + j);
@@ -50,90 +62,51 @@ struct PatchGraph {
         if (term.count == Count::solid) choose(first_edge, after.edges.size());
         if (term.count == Count::ends || term.count == Count::ends_at_port) choose(first_after, after.nodes);
       }
+  }
+
+  /// Generators of its automorphism group, and the order of the group.
+  [[nodiscard]] std::vector<Permutation> generators_of(double& order) const {
+    const unsigned n = size();
+    const int m = SETWORDSNEEDED(static_cast<int>(n));
+    std::vector<graph> g(static_cast<std::size_t>(m) * n, 0);
+    for (const auto& [u, v] : edges) {
+      ADDELEMENT(GRAPHROW(g.data(), u, static_cast<unsigned>(m)), v);
+      ADDELEMENT(GRAPHROW(g.data(), v, static_cast<unsigned>(m)), u);
     }
+    std::vector<int> lab(n);
+    std::vector<int> ptn(n, 1);
+    std::vector<int> orbits(n);
+    std::iota(lab.begin(), lab.end(), 0);
+    const auto color = [&](int vertex) -> const Color& { return colors[static_cast<unsigned>(vertex)]; };
+    std::stable_sort(lab.begin(), lab.end(), [&](int u, int v) { return color(u) < color(v); });
+    for (unsigned i = 0; i < n; ++i)
+      if (i + 1 == n || color(lab[i]) != color(lab[i + 1])) ptn[i] = 0;
+    static DEFAULTOPTIONS_GRAPH(defaults);
+    optionblk options = defaults;
+    options.defaultptn = FALSE;
+    options.userautomproc = take_generator;
+    statsblk stats;
+    std::vector<Permutation> found;
+    const std::lock_guard lock(one_at_a_time);
+    generators = &found;
+    densenauty(g.data(), lab.data(), ptn.data(), orbits.data(), &options, &stats, m, static_cast<int>(n), nullptr);
+    // nauty's memory belongs to this thread, which may end.
+    nauty_freedyn();
+    nautil_freedyn();
+    naugraph_freedyn();
+    generators = nullptr;
+    order = stats.grpsize1 * std::pow(10.0, stats.grpsize2);
+    return found;
   }
 
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(colors.size()); }
   void join(unsigned u, unsigned v) { edges.emplace_back(u, v); }
 
-  using Color = std::array<std::int64_t, 5>;
+  using Color = std::array<std::int64_t, 4>;
   std::vector<Color> colors;
   std::vector<std::pair<unsigned, unsigned>> edges;
   unsigned first_before = 0;
   unsigned first_after = 0;
-};
-
-/// Finds automorphisms by backtracking. Vertices get images in breadth-first order, so that neighbours soon show which
-/// images do not fit.
-class AutomorphismSearch {
- public:
-  explicit AutomorphismSearch(const PatchGraph& graph)
-      : colors_(graph.colors), joined_(graph.size(), std::vector<bool>(graph.size())) {
-    for (const auto& [u, v] : graph.edges) joined_[u][v] = joined_[v][u] = true;
-    std::vector<bool> met(graph.size());
-    for (unsigned start = 0; start < graph.size(); ++start) {
-      if (met[start]) continue;
-      met[start] = true;
-      order_.push_back(start);
-      for (std::size_t i = order_.size() - 1; i < order_.size(); ++i)
-        for (unsigned v = 0; v < graph.size(); ++v) {
-          if (met[v] || !joined_[order_[i]][v]) continue;
-          met[v] = true;
-          order_.push_back(v);
-        }
-    }
-  }
-
-  /// Generators of the group: for each vertex, with the vertices before it fixed, an automorphism for each image that
-  /// those found so far do not reach. The order of the group is the product of the sizes of these orbits.
-  std::vector<Permutation> generators(double& order) {
-    std::vector<Permutation> found;
-    order = 1;
-    for (std::size_t fixed = order_.size(); fixed-- > 0;) {
-      std::vector<unsigned> orbit{order_[fixed]};
-      const auto reached = [&](unsigned v) { return std::find(orbit.begin(), orbit.end(), v) != orbit.end(); };
-      const auto grow = [&] {
-        for (std::size_t i = 0; i < orbit.size(); ++i)
-          for (const Permutation& map : found)
-            if (!reached(map[orbit[i]])) orbit.push_back(map[orbit[i]]);
-      };
-      grow();
-      for (std::size_t later = fixed + 1; later < order_.size(); ++later) {
-        images_.assign(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(fixed));
-        if (reached(order_[later]) || !extend(order_[later])) continue;
-        Permutation& map = found.emplace_back(order_.size());
-        for (std::size_t i = 0; i < order_.size(); ++i) map[order_[i]] = images_[i];
-        grow();
-      }
-      order *= static_cast<double>(orbit.size());
-    }
-    return found;
-  }
-
- private:
-  /// Gives the next vertex this image, and then all others theirs; false if that is not possible.
-  bool extend(unsigned to) {
-    if (++steps_ > most_steps)
-      throw std::runtime_error(
-          "the patches have too many equal parts: their symmetries were not found in 20,000,000 steps");
-    const unsigned vertex = order_[images_.size()];
-    if (colors_[vertex] != colors_[to]) return false;
-    for (std::size_t i = 0; i < images_.size(); ++i)
-      if (images_[i] == to || joined_[vertex][order_[i]] != joined_[to][images_[i]]) return false;
-    images_.push_back(to);
-    if (images_.size() == order_.size()) return true;
-    for (const unsigned next : order_)
-      if (extend(next)) return true;
-    images_.pop_back();
-    return false;
-  }
-
-  static constexpr std::uint64_t most_steps = 20'000'000;
-  const std::vector<PatchGraph::Color>& colors_;
-  std::vector<std::vector<bool>> joined_;
-  Permutation order_;
-  Permutation images_;  ///< of the first vertices in that order
-  std::uint64_t steps_ = 0;
 };
 
 Permutation composed(const Permutation& first, const Permutation& second) {
@@ -188,7 +161,7 @@ Symmetries symmetries(const Operation& operation) {
                       on_edges(operation.patch.after, p, graph.first_after)});
     return maps;
   };
-  const std::vector<Permutation> generating = AutomorphismSearch(graph).generators(found.order);
+  const std::vector<Permutation> generating = graph.generators_of(found.order);
   found.generators = maps_of(generating);
   found.maps = found.order <= most_listed ? maps_of(closure(generating, graph.size())) : found.generators;
   if (operation.turns_first && found.order <= most_listed)

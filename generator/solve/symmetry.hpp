@@ -1,4 +1,4 @@
-// The symmetries of an operation, found by backtracking, and their action on masks.
+// The symmetries of an operation, found by nauty, and their action on masks.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,6 @@ struct Symmetries {
   std::vector<PatchMap> generators;
   double order = 1;  ///< the order of the group
 };
-/// Throws std::runtime_error if equal parts make the search take more than a second.
 [[nodiscard]] Symmetries symmetries(const Operation& operation);
 
 /// Moves bit i to bit to[i].

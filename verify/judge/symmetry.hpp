@@ -52,7 +52,8 @@ class Symmetries {
 /// ports that may be given up, and the cost. Throws InputError as above.
 bool isomorphic(const Operation& one, const Operation& other);
 
-// Counts orbits of configurations by merging each with its images under the symmetries found here.
+// Counts orbits of configurations by merging each with its images under the symmetries found here. The generator counts
+// them by nauty's symmetries.
 
 struct OrbitCounts {
   std::uint64_t all = 0;

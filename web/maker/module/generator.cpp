@@ -8,9 +8,9 @@
 
 namespace restrip::maker {
 
-nlohmann::ordered_json generated(const nlohmann::ordered_json& request) {
+nlohmann::ordered_json generated(const nlohmann::json& request) {
   std::vector<std::string> names;
-  for (const auto& [name, text] : memory_files()) names.push_back(name);
+  for (const auto& [name, text] : request.at("files").items()) names.push_back(name);
   std::optional<unsigned> max_k;
   if (request.contains("max_k")) max_k = request.at("max_k").get<unsigned>();
   generator::Order order = generator::order_of(names, max_k);

@@ -37,7 +37,7 @@ template <class Command>
 void run(char* request, std::uint32_t bytes, const Command& command) {
   nlohmann::ordered_json out;
   try {
-    const nlohmann::ordered_json asked = nlohmann::ordered_json::parse(std::string_view(request, bytes));
+    const nlohmann::json asked = nlohmann::json::parse(std::string_view(request, bytes));
     std::free(request);
     auto& files = restrip::maker::memory_files();
     files.clear();
@@ -46,7 +46,7 @@ void run(char* request, std::uint32_t bytes, const Command& command) {
   } catch (const std::exception& error) {
     out = {{"error", error.what()}};
   }
-  answer = out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  answer = out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace restrip::maker {
 std::map<std::string, std::string>& memory_files();
 
 /// Each reads `request`, and returns the members of the answer.
-nlohmann::ordered_json generated(const nlohmann::ordered_json& request);
-nlohmann::ordered_json judged(const nlohmann::ordered_json& request);
+nlohmann::ordered_json generated(const nlohmann::json& request);
+nlohmann::ordered_json judged(const nlohmann::json& request);
 
 }  // namespace restrip::maker

@@ -32,14 +32,14 @@ struct Asked {
 };
 std::optional<Asked> asked;
 
-verify::Mask mask_of(const nlohmann::ordered_json& request, const char* member) {
+verify::Mask mask_of(const nlohmann::json& request, const char* member) {
   const std::string digits = request.at(member).get<std::string>();
   verify::Mask mask = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), mask, 16);
   return mask;
 }
 
-nlohmann::ordered_json explained(const nlohmann::ordered_json& request) {
+nlohmann::ordered_json explained(const nlohmann::json& request) {
   const std::string text = verify::read_file(request.at("operation").get<std::string>());
   const auto numbers = request.at("numbers").get<verify::Numbers>();
   if (!asked || asked->text != text || asked->numbers != numbers) {
@@ -60,7 +60,7 @@ nlohmann::ordered_json explained(const nlohmann::ordered_json& request) {
 
 }  // namespace
 
-nlohmann::ordered_json judged(const nlohmann::ordered_json& request) {
+nlohmann::ordered_json judged(const nlohmann::json& request) {
   if (request.contains("before")) return explained(request);
   verify::Options options;
   options.threads = 1;
