@@ -86,8 +86,14 @@ TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   EXPECT_TRUE(of_indices.valid());
   EXPECT_GT(of_indices.levels_compared, 0U);
   ASSERT_EQ(of_strips.levels.size(), of_indices.levels.size());
-  for (std::size_t i = 0; i < of_strips.levels.size(); ++i)
-    EXPECT_LT(of_indices.levels[i].indices * 100, of_strips.levels[i].indices * 91) << i;
+  std::size_t fewest = 0;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < of_strips.levels.size(); ++i) {
+    EXPECT_LT(of_indices.levels[i].indices * 100, of_strips.levels[i].indices * 92) << i;
+    fewest += of_indices.levels[i].indices;
+    most += of_strips.levels[i].indices;
+  }
+  EXPECT_LT(fewest * 100, most * 90);
   constexpr std::size_t bytes_a_record = 30;  // docs/how-to/baked-strips.md; here the base counts too
   EXPECT_LE(baked_bytes(indices).size(), bytes_a_record * indices.records.size());
 }
