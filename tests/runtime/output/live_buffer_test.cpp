@@ -57,6 +57,26 @@ TEST(LiveBuffer, WidensWhenAVertexNeedsIt) {
   }
 }
 
+/// Whichever corner of a strip of a few triangles has the number that 16 bits cannot name.
+TEST(LiveBuffer, RefusesAVertexForSixteenBitsAnywhereInAStrip) {
+  for (const StripForm form : forms)
+    for (Vertex triangles = 1; triangles <= 5; ++triangles)
+      for (Vertex place = 0; place < triangles + 2; ++place)
+        for (const Vertex name : {65'534U, 65'535U}) {
+          std::vector<Vertex> indices;
+          for (Vertex i = 0; i < triangles; ++i)
+            for (const Vertex corner : {i, i + 1 + i % 2, i + 2 - i % 2})
+              indices.push_back(corner == place ? name : corner);
+          StripMesh mesh = StripMesh::build(indices, 65'536);
+          ASSERT_EQ(stripify(mesh), 1U);
+          LiveBuffer narrow({.form = form, .width = IndexWidth::bits16});
+          if (name == 65'535)
+            EXPECT_THROW(narrow.update(mesh, {}), std::length_error) << triangles << ' ' << place;
+          else
+            EXPECT_NO_THROW(narrow.update(mesh, {})) << triangles << ' ' << place;
+        }
+}
+
 /// Room that was reserved is asked for once; then no update reports an outgrown buffer.
 TEST(LiveBuffer, ReservesRoomOnTheDevice) {
   std::mt19937 random(23);
