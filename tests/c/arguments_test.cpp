@@ -1,5 +1,5 @@
-// No argument ends the program: null pointers, numbers out of range, invalid colours and arrays that are too short
-// return codes, each with a text, and leave the mesh unchanged.
+// No argument ends the program: null pointers, numbers out of range and arrays that are too short return codes, each
+// with a text, and leave the mesh unchanged. tests/python sets invalid colours.
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -178,23 +178,6 @@ TEST(CArguments, ShortArraysAreLeftAlone) {
   std::uint8_t byte = 7;
   EXPECT_EQ(restrip_mesh_get_colors(mesh.get(), &byte, 1), RESTRIP_TOO_SMALL);
   EXPECT_EQ(byte, 7);
-}
-
-TEST(CArguments, OnlyValidColorsAreTaken) {
-  const Handle mesh = handle_of(sample::octahedron());
-  restrip_mesh* const m = mesh.get();
-  ASSERT_EQ(restrip_mesh_stripify(m, RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
-  const auto good = colors_of(m);
-  ASSERT_EQ(restrip_mesh_set_colors(m, std::vector<std::uint8_t>(8, 0).data(), 8), RESTRIP_OK);
-  EXPECT_EQ(strip_count(m), 8U);
-  ASSERT_EQ(restrip_mesh_set_colors(m, good.data(), 8), RESTRIP_OK);
-  EXPECT_EQ(strip_count(m), counted(m).strips);
-  EXPECT_EQ(restrip_mesh_set_colors(m, good.data(), 7), RESTRIP_BAD_ARGUMENT);
-  auto wrong = good;
-  wrong[3] ^= 1;  // one side of an edge only
-  EXPECT_EQ(restrip_mesh_set_colors(m, wrong.data(), 8), RESTRIP_BAD_COLORING);
-  EXPECT_EQ(restrip_mesh_set_colors(m, std::vector<std::uint8_t>(8, 7).data(), 8), RESTRIP_BAD_COLORING);
-  EXPECT_EQ(colors_of(m), good);
 }
 
 TEST(CArguments, WhatIsLeftOutIsReported) {

@@ -1,7 +1,6 @@
 // A baked mesh played through the C interface has, at every level, the triangles, colours and indices that the
 // library's player has there, whether the level is reached by splits or by collapses. Damaged bytes give a code and the
-// reader's text. Any other operation leaves the levels, and restarting returns to them. Records of a mesh without baked
-// strips lead to its finest level and back.
+// reader's text. Any other operation leaves the levels, and restarting returns to them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -179,40 +178,6 @@ TEST(CBaked, MemoryMayRunOut) {
                       });
   ASSERT_EQ(status, RESTRIP_OK);
   EXPECT_GT(failures, 2U);
-}
-
-using Corners = std::array<std::uint32_t, 3>;
-/// Each from its smallest corner on: equal for equal sets with equal windings.
-std::vector<Corners> sorted(std::vector<Corners> triangles) {
-  for (Corners& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
-TEST(CPlay, RecordsLeadToTheFinestLevelAndBack) {
-  for (const tools::Soup& soup : {tools::make_mesh(2'000), tools::sheet(12)})
-    for (const auto boundary : {tools::BoundaryPolicy::lock, tools::BoundaryPolicy::move}) {
-      const tools::ProgressiveMesh levels = tools::simplify(soup, {0.25, boundary}).mesh;
-      std::vector<std::uint32_t> base;
-      for (const Corners& t : levels.base) base.insert(base.end(), t.begin(), t.end());
-      std::vector<restrip_record> records;
-      for (const SplitRecord& split : levels.splits) records.push_back({split.v_s, split.v_t, split.v_l, split.v_r});
-      ASSERT_GT(records.size(), 20U);
-      restrip_mesh* made = nullptr;
-      ASSERT_EQ(restrip_mesh_build_u32(base.data(), base.size(), soup.points.size(), nullptr, nullptr, &made),
-                RESTRIP_OK);
-      const Handle mesh(made);
-      std::size_t done = 0;
-      ASSERT_EQ(restrip_mesh_play(made, records.data(), records.size(), 1, &done), RESTRIP_OK);
-      EXPECT_EQ(done, records.size());
-      EXPECT_EQ(sorted(corners_of(made)), sorted({soup.triangles.begin(), soup.triangles.end()}));
-      EXPECT_EQ(restrip_mesh_play(made, records.data(), records.size(), 1, &done), RESTRIP_VERTEX_IN_USE);
-      EXPECT_EQ(done, 0U);
-      ASSERT_EQ(restrip_mesh_play(made, records.data(), records.size(), 0, nullptr), RESTRIP_OK);
-      std::vector<Corners> left(restrip_mesh_triangle_count(made));
-      ASSERT_EQ(restrip_mesh_triangles(made, left.data()->data(), 3 * left.size()), RESTRIP_OK);
-      EXPECT_EQ(sorted(left), sorted({levels.base.begin(), levels.base.end()}));
-    }
 }
 
 }  // namespace

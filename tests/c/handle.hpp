@@ -83,16 +83,4 @@ inline std::span<const restrip_range> updated(restrip_mesh* mesh) {
   EXPECT_EQ(restrip_live_update(mesh, 2, 4, &ranges, &count, nullptr), RESTRIP_OK);
   return {ranges, count};
 }
-/// As it is after the last update.
-inline restrip_buffer_view live_view(restrip_mesh* mesh) {
-  restrip_buffer_view view{};
-  EXPECT_EQ(restrip_live_buffer(mesh, &view, nullptr), RESTRIP_OK);
-  return view;
-}
-inline std::string saved(restrip_mesh* mesh) {
-  const void* bytes = nullptr;
-  std::size_t size = 0;
-  EXPECT_EQ(restrip_mesh_save(mesh, &bytes, &size), RESTRIP_OK);
-  return {static_cast<const char*>(bytes), size};
-}
 }  // namespace restrip::c_test
