@@ -178,13 +178,6 @@ TEST(ToolsHubSteps, StoppingShortIsLinear) {
   });
 }
 
-TEST(ToolsHubSteps, ReplayingIsLinear) {
-  for (const char* method : {"local", "quick"})
-    expect_linear(3'000, [method](const Soup& soup, const ProgressiveMesh& mesh) {
-      EXPECT_TRUE(replay(PreparedMethod(method, mesh), soup.triangles, {.repeats = 0, .cycles = 1}).valid());
-    });
-}
-
 // The search for few strips at coarse levels takes more steps than linear on rings; it stays below quadratic time.
 TEST(ToolsHubSteps, BakingIsBelowQuadraticTime) {
   for (const Cost cost : {Cost::strips(), Cost::indices()})

@@ -241,13 +241,6 @@ TEST(PmFile, RealOne) {
   EXPECT_EQ(report.by_valence, valences);
 }
 
-TEST(PmFile, TheOtherOrientationDoesNotFit) {
-  const auto file = REAL_MESH("om_bunny.pm");
-  ProgressiveMesh mesh = parse_pm(files::read_whole(file), file.string());
-  for (Record& record : mesh.splits) std::swap(record.v_l, record.v_r);
-  EXPECT_GT(replay(PreparedMethod("local", mesh), {}, {2, 0, 0}).operations_without_rule, 0U);
-}
-
 // The counts are in the file's own header.
 TEST(PmFile, HoppesIsReadAndReplayed) {
   const auto file = REAL_MESH("hoppe_standingblob.pm");

@@ -329,24 +329,5 @@ TEST_F(InFolder, ExtensionsMayBeLarge) {
   EXPECT_EQ(read_mesh(folder_ / "A.OBJ").triangles.size(), 1U);
 }
 
-TEST_F(InFolder, Refusals) {
-  const auto refused = [](const std::filesystem::path& file) { return refusal_of([&] { (void)read_mesh(file); }); };
-  EXPECT_NE(refused(folder_ / "none.obj").find("none.obj: no such file"), std::string::npos);
-  EXPECT_NE(refused(folder_).find("is a directory"), std::string::npos);
-  put("empty.ply", "");
-  EXPECT_NE(refused(folder_ / "empty.ply").find("the file is empty"), std::string::npos);
-  put("a.xyz", "0 0 0\n");
-  EXPECT_NE(refused(folder_ / "a.xyz").find("unknown extension '.xyz'; name the format by --from"), std::string::npos);
-  using namespace std::string_view_literals;
-  for (const auto& [name, bytes] :
-       {std::pair{"photo.png", "\x89PNG\r\n\x1a\n\0\0"sv}, std::pair{"photo.jpeg", "\xff\xd8\xff\xe0 JFIF"sv},
-        std::pair{"photo.GIF", "GIF89a"sv}, std::pair{"photo.webp", "RIFF\x10\0\0\0WEBPVP8 "sv},
-        std::pair{"photo", "\x89PNG\r\n\x1a\n\0\0"sv}}) {
-    put(name, std::string(bytes));
-    EXPECT_NE(refused(folder_ / name).find("a picture, which has no triangles; give a mesh: .obj"), std::string::npos)
-        << name;
-  }
-}
-
 }  // namespace
 }  // namespace restrip::tools

@@ -389,6 +389,10 @@ class Meshes(Folder):
         self.put("nan.pm", whole[:20] + struct.pack("<f", float("nan")) + whole[24:])
         (self.folder / "folder.obj").mkdir()
         self.put("what", "what is this?\n")
+        pictures = {"photo.png": b"\x89PNG\r\n\x1a\n\0\0", "photo.jpeg": b"\xff\xd8\xff\xe0 JFIF", "photo.GIF": b"GIF89a",
+                    "photo.webp": b"RIFF\x10\0\0\0WEBPVP8 ", "photo": b"\x89PNG\r\n\x1a\n\0\0"}
+        for name, start in pictures.items():
+            self.put(name, start)
         for name in ("zero.xyz", "zero.obj"):
             (self.folder / name).symlink_to("/dev/zero")
         # A line of many megabytes, and a file of a terabyte: both are sparse and take no room on the disk.
@@ -405,6 +409,7 @@ class Meshes(Folder):
                 ("stats zero.obj", "larger than 256 MiB, the limit"),
                 ("stats /dev/zero", "larger than 256 MiB"),
                 ("stats /dev/null", "the file is empty"),
+                *((f"stats {name}", "a picture, which has no triangles; give a mesh: .obj") for name in pictures),
                 ("stats what", "neither its name nor how it begins says what it is; name the format by --from"),
                 ("stats line.off", "line.off:1: a line of more than 64 MiB, the limit"),
                 ("stats huge.ply", "huge.ply: is larger than 16 GiB, the limit for a file"),

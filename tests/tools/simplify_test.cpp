@@ -39,21 +39,6 @@ TEST(Simplify, ClosedMeshReachesItsTarget) {
   expect_leads_back(result.mesh, soup);
 }
 
-TEST(Simplify, BoundaryMovesOrStays) {
-  const Soup soup = sheet(20);
-  const auto base_boundary = [&](BoundaryPolicy policy) {
-    const Simplification result = simplify(soup, {0.05, policy});
-    expect_leads_back(result.mesh, soup);
-    for (const Record& record : result.mesh.splits)  // closed fans only
-      EXPECT_TRUE(policy == BoundaryPolicy::move || (record.v_l != none && record.v_r != none));
-    BuildReport report;
-    (void)StripMesh::build(result.mesh.base, result.mesh.points.size(), &report);
-    return report.boundary_edges;
-  };
-  EXPECT_EQ(base_boundary(BoundaryPolicy::lock), 80U);
-  EXPECT_LT(base_boundary(BoundaryPolicy::move), 80U);
-}
-
 // The whole mesh needs no split, and no collapse is legal.
 TEST(Simplify, ATetrahedronStaysAsItIs) {
   for (const auto& [share, wanted] : {std::pair{1.0, 4U}, {0.1, 1U}}) {
