@@ -171,23 +171,5 @@ TEST(History, AFrameThatSplitsAndCollapsesBackIsAFrame) {
   EXPECT_GT(triangles_as_they_were, 100U);
 }
 
-TEST(History, ForgetsTrianglesThatCameAndWentInAFrame) {
-  StripMesh mesh = sample::torus(5, 5);
-  std::vector<Triangle> changed;
-  mesh.watch(&changed);
-  History history(mesh);
-  const StripMesh::Halfedge h = StripMesh::halfedge(7);
-  const auto bound = static_cast<Triangle>(mesh.triangle_bound());
-  collapse(mesh, split(mesh, {h, turn_ccw(mesh, turn_ccw(mesh, h))}).halfedge);
-  flip(mesh, StripMesh::halfedge(30));
-  ASSERT_EQ(mesh.triangle_bound(), bound + 2);
-  history.frame(mesh, changed);
-  const Look look = look_at(mesh);
-  ASSERT_TRUE(history.undo(mesh));
-  ASSERT_TRUE(history.redo(mesh));
-  EXPECT_FALSE(mesh.alive(bound) || mesh.alive(bound + 1));
-  EXPECT_EQ(look_at(mesh), look);
-}
-
 }  // namespace
 }  // namespace restrip

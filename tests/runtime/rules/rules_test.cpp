@@ -37,8 +37,8 @@ Rule rule_of(const exact::FanOperation& split, bool splits, Word colors, Word po
   return splits ? boundary_split_rule({k, i}, colors, ports) : boundary_collapse_rule({k, i}, colors, ports);
 }
 
-/// Every rule is sound, and its solid edges and isolated triangles are as many as the automaton's, which was compared
-/// with brute force.
+/// Every rule is sound, and its solid edges and isolated triangles are as many as the automaton's. The verifier judges
+/// the tables by the definition.
 std::size_t compare_all(const exact::FanOperation& split, bool splits) {
   const exact::FanOperation before = splits ? split.inverse() : split;
   const exact::FanOperation after = splits ? split : split.inverse();

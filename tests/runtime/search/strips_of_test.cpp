@@ -90,26 +90,5 @@ TEST(StripsOf, DrawsEverySoupUnderEveryEffort) {
   }
 }
 
-TEST(StripsOf, TakesShortIndicesAndAnEmptyList) {
-  const StripMesh mesh = sample::sphere(3);
-  std::vector<std::uint16_t> narrow;
-  for (const Corners& c : sample::triangles_of(mesh)) narrow.insert(narrow.end(), c.begin(), c.end());
-  const Indices indices = std::get<Indices>(strips_of(narrow, mesh.vertex_bound(), plain).indices);
-  EXPECT_EQ(form_reader::read_strips(std::span<const std::uint32_t>(indices)), sample::triangles_of(mesh));
-  EXPECT_TRUE(strips_of(std::vector<Corners>{}, 0, plain, Effort::fast).empty());
-}
-
-/// Triangles without neighbours: a list has fewer indices than strips with restarts, and the call says so.
-TEST(StripsOf, NeverMoreThanTheListUnlessAskedFor) {
-  std::vector<Corners> islands(1000);
-  for (Vertex v = 0; v < 3000; ++v) islands[v / 3][v % 3] = v;
-  for (const StripForm form : {StripForm::restart, StripForm::stitched, StripForm::lengths, StripForm::list}) {
-    const IndexBuffer buffer = strips_of(islands, 3000, {.form = form});
-    EXPECT_EQ(buffer.size(), 3000U);
-    EXPECT_EQ(buffer.form, form == StripForm::lengths ? form : StripForm::list);
-  }
-  EXPECT_EQ(strips_of(islands, 3000, plain).size(), 3999U);
-}
-
 }  // namespace
 }  // namespace restrip
