@@ -59,7 +59,7 @@ void operations(restrip::Policy policy, restrip::StripForm form, const char* wha
   std::uint32_t random = 1;
   std::size_t done = 0;
   std::size_t ranges = 0;
-  for (int step = 0; step < 3000; ++step) {
+  for (unsigned step = 0; step < 3000; ++step) {
     random = random * 1'664'525 + 1'013'904'223;
     const Halfedge h =
         StripMesh::halfedge((random >> 8) % static_cast<Triangle>(live.mesh().triangle_bound()), step % 3);

@@ -196,7 +196,7 @@ TEST(ToolsHubSteps, DrawingIsLinear) {
     std::vector<StripCorners> strips(order.size());
     for (std::size_t s = 0; s < order.size(); ++s)
       for (const Triangle t : order[s]) strips[s].push_back(mesh.corners(t));
-    const Scene scene = scene_of(soup.points, strips, {}, {64, 64}, StripStyle::faces);
+    const Scene scene = scene_of(soup.points, strips, {}, {64, 64});
     EXPECT_FALSE(svg_of(scene).bytes.empty());
     EXPECT_FALSE(png_of(scene).bytes.empty());
   });
@@ -210,9 +210,7 @@ TEST(ToolsHubSteps, ColoringStripsIsLinear) {
     std::vector<StripCorners> strips;
     for (const Corners& t : soup.triangles) strips.push_back({t});
     std::size_t colors = 0;
-    work[size] = work_of([&] {
-      colors = scene_of(soup.points, strips, {}, {64, 64}, StripStyle::faces).colors.size();
-    });
+    work[size] = work_of([&] { colors = scene_of(soup.points, strips, {}, {64, 64}).colors.size(); });
     EXPECT_EQ(colors, strips.size());
   }
   EXPECT_TRUE(grows_at_most(linear, work[0], work[1]));

@@ -24,10 +24,10 @@
 
 namespace restrip {
 
-namespace {
+namespace detail {
 
 /// What undo restores besides the mesh.
-struct State {
+struct FrameState {
   std::optional<Keeper::Counts> counts;  ///< none: the keeper reads the mesh
   std::optional<std::size_t> level;      ///< of baked strips, in step
   std::size_t strips = 0;                ///< of that level
@@ -35,9 +35,9 @@ struct State {
 
 /// Frames of the mesh, with the states between them.
 struct Frames {
-  Frames(const StripMesh& now, const State& state, std::size_t most) : mesh(now, most), states{state} {}
+  Frames(const StripMesh& now, const FrameState& state, std::size_t most) : mesh(now, most), states{state} {}
 
-  void frame(const StripMesh& now, std::span<const Triangle> triangles, const State& state) {
+  void frame(const StripMesh& now, std::span<const Triangle> triangles, const FrameState& state) {
     const std::size_t before = mesh.undoable();
     if (!mesh.frame(now, triangles)) {
       states[before] = state;
@@ -49,8 +49,12 @@ struct Frames {
   }
 
   History mesh;
-  std::deque<State> states;  // at the beginning of the first frame and at the end of each
+  std::deque<FrameState> states;  // at the beginning of the first frame and at the end of each
 };
+
+}  // namespace detail
+
+namespace {
 
 /// The base of a baked mesh, with room for all levels.
 StripMesh base_of(const BakedFile& file) {
@@ -129,7 +133,7 @@ struct LiveMesh::Parts {
     if ((forward ? history->mesh.redoable() : history->mesh.undoable()) == 0) return false;
     forward ? history->mesh.redo(mesh) : history->mesh.undo(mesh);
     framed = changed.size();
-    const State& then = history->states[history->mesh.undoable()];
+    const detail::FrameState& then = history->states[history->mesh.undoable()];
     if (then.level) {
       level = then.level;
       level_strips = then.strips;
@@ -140,8 +144,9 @@ struct LiveMesh::Parts {
     }
     return true;
   }
-  [[nodiscard]] State state() const noexcept {
-    return level ? State{std::nullopt, level, level_strips} : State{keeper.counts(), std::nullopt, 0};
+  [[nodiscard]] detail::FrameState state() const noexcept {
+    return level ? detail::FrameState{std::nullopt, level, level_strips}
+                 : detail::FrameState{keeper.counts(), std::nullopt, 0};
   }
   /// If memory runs out for the keeper, it reads the mesh before its next operation.
   void recolor(std::span<const std::uint8_t> solid_sides) {
@@ -177,7 +182,7 @@ struct LiveMesh::Parts {
   std::size_t framed = 0;
   LiveBuffer buffer;
   std::size_t most_history;
-  std::optional<Frames> history;
+  std::optional<detail::Frames> history;
   bool begun = false;
   bool lost = false;
 };
@@ -251,7 +256,7 @@ void LiveMesh::keep(Policy policy, const Cost& cost) {
   parts_->keeper.keep(policy, cost);
   parts_->level.reset();
   if (parts_->history)
-    for (State& state : parts_->history->states) state = {};  // counts of another cost
+    for (detail::FrameState& state : parts_->history->states) state = {};  // counts of another cost
 }
 std::size_t LiveMesh::improve(std::size_t budget) { return keeper().improve(budget); }
 std::size_t LiveMesh::recolor(Effort effort, const Cost& cost, std::uint64_t limit, const Interrupt* interrupt) {

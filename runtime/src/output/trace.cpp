@@ -16,7 +16,7 @@
 
 namespace restrip {
 
-namespace {
+namespace detail {
 
 using TracedEdge = std::array<std::uint32_t, 2>;     // the smaller vertex first
 using TracedCorners = std::array<std::uint32_t, 3>;  // counter-clockwise, the smallest first
@@ -26,6 +26,14 @@ struct TracedTriangle {
   std::uint32_t solid = 0;  // bit s: the edge from corner s to the next one
   [[nodiscard]] bool there() const noexcept { return corners[0] != none; }
 };
+
+}  // namespace detail
+
+namespace {
+
+using detail::TracedCorners;
+using detail::TracedEdge;
+using detail::TracedTriangle;
 
 TracedTriangle traced_triangle(const StripMesh& mesh, Triangle t) {
   TracedTriangle now;
