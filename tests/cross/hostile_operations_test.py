@@ -3,8 +3,12 @@
 and so have the files in other languages; they compile whatever the name. Generator and verifier refuse any other content,
 and both refuse the same files. A dump program is not run if its header has any other content.
 
+Of random patches, whole and damaged, both take the same ones, and number triangles, edges and ports alike: the verifier takes the
+certificates and headers of all that are taken.
+
   hostile_operations_test.py BIN COMPILER ROOT
 """
+import itertools
 import json
 import random
 import re
@@ -17,6 +21,7 @@ from pathlib import Path
 SEEDS = (7, 2024)
 LANGUAGES = ("c++", "c", "rust", "json", "glsl", "wgsl")
 FILES_OF_A_SEED = 90
+PATCHES_OF_A_SEED = 60
 PLAIN = {
     "restrip_operation": 1,
     "name": "plain",
@@ -105,6 +110,63 @@ def hostile(random_numbers):
     return name, "Words. " * random_numbers.randint(0, 1) + about
 
 
+def turned(triangle, steps):
+    return triangle[steps:] + triangle[:steps]
+
+
+def triangle_at(triangles, a, b):
+    """The triangle to the left of the edge from a to b, turned so that the edge is its first; or None."""
+    return next((turned(t, s) for t in triangles for s in range(3) if turned(t, s)[:2] == [a, b]), None)
+
+
+def patch(random_numbers):
+    """A disc of triangles, the same after flips and with new vertices, perhaps an edge on the boundary; half of them are damaged."""
+    fresh = (f"v{number}" for number in itertools.count())
+    any_of = lambda triangles: turned(random_numbers.choice(triangles), random_numbers.randrange(3))
+    before = [[next(fresh) for _ in range(3)]]
+    for _ in range(random_numbers.randrange(3)):
+        a, b, _ = any_of(before)
+        if not triangle_at(before, b, a):
+            before.append([b, a, next(fresh)])
+    after = list(before)
+    for _ in range(random_numbers.randrange(3)):
+        a, b, c = any_of(after)
+        beyond = triangle_at(after, b, a)
+        gone = [t for t in after if set(t) == {a, b, c} or (beyond and set(t) == set(beyond))]
+        if beyond and random_numbers.random() < 0.5:
+            after = [t for t in after if t not in gone] + [[c, a, beyond[2]], [beyond[2], b, c]]
+        else:
+            inside = next(fresh)
+            after = [t for t in after if set(t) != {a, b, c}] + [[a, b, inside], [b, c, inside], [c, a, inside]]
+    boundary = [any_of(before)[:2]] if random_numbers.random() < 0.3 else []
+    sides = [[turned(list(t), random_numbers.randrange(3)) for t in random_numbers.sample(side, len(side))] for side in (before, after)]
+    if random_numbers.random() < 0.5:
+        side = random_numbers.choice(sides)
+        corners, other = random_numbers.choice(side), random_numbers.choice(side)
+        random_numbers.choice((
+            lambda: corners.reverse(), lambda: side.remove(corners), lambda: side.append(list(other)),
+            lambda: side.append([corners[0], next(fresh), next(fresh)]), lambda: boundary.append([corners[0], other[1]]),
+            lambda: corners.__setitem__(random_numbers.randrange(3), random_numbers.choice(other)),
+            lambda: corners.__setitem__(random_numbers.randrange(3), random_numbers.choice(("", "not a name")))))()
+    return dict(PLAIN, name="patch", give_up="all", before=sides[0], after=sides[1], **({"boundary": boundary} if boundary else {}))
+
+
+def check_patches(programs, file, out):
+    counts = {True: 0, False: 0}
+    for seed in SEEDS:
+        random_numbers = random.Random(seed)
+        for _ in range(PATCHES_OF_A_SEED):
+            file.write_text(json.dumps(patch(random_numbers)), encoding="utf-8")
+            refused = refused_alike(programs, file, out)
+            counts[not refused] += 1
+            if not refused:
+                programs.said([programs.folder / "restrip-verify", "--operation", file, "--certificate", out / "certificates/operations/patch.cert",
+                               "--header", out / "include/restrip/tables/operations/patch.hpp"], (0,))
+    print(counts[True], "patches accepted,", counts[False], "refused")
+    if min(counts.values()) < 30:
+        raise SystemExit("too few to be conclusive")
+
+
 def main():
     folder, compiler, root = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
     with tempfile.TemporaryDirectory() as scratch_name:
@@ -187,6 +249,8 @@ def main():
                 f"layout(std430, set = 0, binding = {place}) readonly buffer Table{place} {{ uint restrip_words_of_{file.stem[16:]}[]; }};\n" +
                 file.read_text(encoding="utf-8") for place, file in enumerate(shaders)) + "void main() {}\n", encoding="utf-8")
             subprocess.run(["glslangValidator", "-V", "-o", scratch / "all.spv", source], stdout=subprocess.DEVNULL, check=True)
+
+        check_patches(programs, file, out)
 
         # Each is refused by both; so are bytes that are not UTF-8, and a byte order mark.
         plain = json.dumps(PLAIN).encode()

@@ -72,8 +72,9 @@ TEST(Description, DefaultsAgreeWithThePage) {
 }
 
 TEST(Description, OneAlterationIsNamed) {
-  for (const Alteration& alteration : alterations("descriptions.txt"))
-    expect_said(alteration.in(text_to_alter(alteration.of)), alteration.says);
+  for (const char* file : {"descriptions.txt", "surfaces.txt"})
+    for (const Alteration& alteration : alterations(file))
+      expect_said(alteration.in(text_to_alter(alteration.of)), alteration.says);
 }
 
 TEST(Description, Names) {
