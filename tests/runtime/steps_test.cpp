@@ -350,6 +350,8 @@ TEST(HubSteps, PairingThePagesOfABookIsLinear) {
     BuildReport report;
     pairing[size] = work_of([&] { find_neighbors(TriangleList(list), pages + 2, across, report); });
     EXPECT_EQ(report.non_manifold_edges, 1U);
+    // All sides are joined, and no page to its own back.
+    for (Triangle t = 0; t < list.size(); ++t) EXPECT_TRUE(across[t][0] != none && across[t][0] / 4 != (t ^ 1U));
   }
   EXPECT_TRUE(grows_at_most(linear, pairing[0], pairing[1]));
 }

@@ -32,15 +32,9 @@ TEST(Obj, CornersWithTextureAndNormalIndices) {
   const Soup soup = read_as(
       ".obj",
       "# c\nv 0 0 0\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 "
-      "2/1/1 3/1/1\n");
+      "2/1/1 3/1/1\nf 1 2\n");
   EXPECT_EQ(soup.points.size(), 3U);
   EXPECT_EQ(soup.triangles, std::vector<Corners>(4, Corners{0, 1, 2}));
-}
-
-TEST(Obj, ConvexPolygonsBecomeFansAndAreCounted) {
-  const Soup soup = read_as(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\n");
-  EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}));
-  EXPECT_EQ(soup.polygons, 1U);
   EXPECT_EQ(soup.stubs, 1U);
 }
 

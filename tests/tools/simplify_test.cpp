@@ -39,16 +39,6 @@ TEST(Simplify, ClosedMeshReachesItsTarget) {
   expect_leads_back(result.mesh, soup);
 }
 
-// The whole mesh needs no split, and no collapse is legal.
-TEST(Simplify, ATetrahedronStaysAsItIs) {
-  for (const auto& [share, wanted] : {std::pair{1.0, 4U}, {0.1, 1U}}) {
-    const Simplification result = simplify(tetrahedron(), {share, BoundaryPolicy::move});
-    EXPECT_EQ(result.mesh.base.size(), 4U);
-    EXPECT_TRUE(result.mesh.splits.empty());
-    EXPECT_EQ(result.wanted_triangles, wanted);
-  }
-}
-
 TEST(Simplify, LeavesFaultsAlone) {
   Soup soup = sheet(12);
   soup.triangles.push_back({0, 0, 1});                        // degenerate

@@ -139,23 +139,6 @@ TEST(TriangleList, NeighborsAreRightInMeshesInAnyOrder) {
   }
 }
 
-// A book: pages on one edge, each a triangle and its back. All sides are joined, and no page to its own back;
-// steps_test.cpp counts the steps.
-TEST(TriangleList, PairsThePagesOfABook) {
-  constexpr Vertex pages = 50;
-  std::vector<Corners> list;
-  for (Vertex p = 2; p < pages + 2; ++p) list.insert(list.end(), {{0, 1, p}, {1, 0, p}});
-  Across across(list.size());
-  BuildReport report;
-  find_neighbors(TriangleList(list), pages + 2, across, report);
-  EXPECT_EQ(report.non_manifold_edges, 1U);
-  for (Triangle t = 0; t < list.size(); ++t) {
-    ASSERT_NE(across[t][0], none);
-    EXPECT_NE(across[t][0] / 4, t ^ 1U);
-  }
-  expect_table(list, pages + 2);
-}
-
 TEST(TriangleList, ReadsTriplesAndIndicesOfTwoSizes) {
   const std::vector<Corners> triples{{0, 1, 2}, {2, 1, 3}, {3, 3, 0}, {1, 0, 9}};
   std::vector<std::uint32_t> wide;
