@@ -101,11 +101,11 @@ def git(folder, *arguments):
 class LineEnds(unittest.TestCase):
     def setUp(self):
         if not (ROOT / ".git").exists():
-            self.skipTest("left out: this is no checkout of git")
+            self.skipTest("left out: this is not a checkout of git")
 
     def test_a_checkout_with_carriage_returns(self):
         with tempfile.TemporaryDirectory() as folder:
-            # The index of the working tree, uncommitted files included, as a repository of its own.
+            # The index of the working tree, uncommitted files included, as a separate repository.
             git(folder, "init", "-q", ".")
             listed = git(ROOT, "ls-files", "-z", "-co", "--exclude-standard").decode().rstrip("\0").split("\0")
             kept = [name for name in listed if (ROOT / name).is_file()]

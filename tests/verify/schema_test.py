@@ -107,7 +107,7 @@ def all_altered(good):
 
 
 def altered(stride):
-    """One of so many of these."""
+    """Every `stride`th of the altered files."""
     return itertools.islice(itertools.chain(*map(all_altered, (GOOD, BOUNDARY, FAMILY, TURNS, LIST))), 0, None, stride)
 
 

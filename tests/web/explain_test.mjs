@@ -1,7 +1,7 @@
 // The viewer's part Your turn judges as `restrip-verify explain` does, in the same words: the verdict and its sentence,
 // the set of edges that cannot all be solid, and the change of strips and isolated triangles. Compared are one recolouring
 // of every configuration up to k = 6, by `restrip-verify rules`, and some by `explain`; the viewer's pictures of these
-// mark as many edges, and as many connections outside.
+// mark the same numbers of edges and of connections outside.
 //   node explain_test.mjs WEB_FOLDER RESTRIP_VERIFY SCRATCH
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

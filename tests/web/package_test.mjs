@@ -702,7 +702,7 @@ async function worksAboveTwoGigabytes() {
   mesh.close();
 }
 
-/// Meshes that nobody closed give their memory back when the program cannot reach them; what it can reach stays.
+/// Meshes that were not closed give their memory back when the program cannot reach them; what it can reach stays.
 async function unclosedIsFreed() {
   setFlagsFromString('--expose-gc');
   const collect = runInNewContext('gc');

@@ -54,7 +54,7 @@ struct Face {
 struct Scene {
   PictureSize size;
   std::vector<Face> faces;    ///< far ones first, by their centres
-  std::vector<Color> colors;  ///< of each strip; those of about a thousand strips differ
+  std::vector<Color> colors;  ///< of each strip; about a thousand strips have different ones
   double edge_width = 0;      ///< width of triangle edges, in pixels; 0: triangles are too small to show them
 };
 

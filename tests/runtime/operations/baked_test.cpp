@@ -1,5 +1,5 @@
-// Baked flips lead from level to level and back: a sequence played up and down is the same bit for bit, and its
-// colours are those of the strips that it was taken from.
+// Baked flips lead from level to level and back: a sequence played up and down is the same bit for bit, and has the
+// colours of the strips from which it was taken.
 #include "restrip/operations/baked.hpp"
 
 #include <gtest/gtest.h>
