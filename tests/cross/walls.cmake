@@ -3,7 +3,7 @@
 set(std "<[a-z_0-9]+>")
 set(allowed_in_common "${std}|\"common/.*\"|<(fmt|nlohmann|openssl)/.*>|<(fcntl|signal|unistd|sys/stat|sys/types).h>")
 set(allowed_in_generator "${std}|\"common/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
-set(allowed_in_verify "${std}|\"common/(counted|digest|json|printable|reading|share).hpp\"|<(boost|fmt|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
+set(allowed_in_verify "${std}|\"common/(counted|digest|json|printable|progress|reading|share).hpp\"|<(boost|fmt|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"(restrip|mesh|operations|output|search|formats|live)/.*\"|RESTRIP_USER_CONFIG")
 set(allowed_in_tables "${std}|\"restrip/tables/(([a-z_]+_)?format|operations/[a-z0-9_]+).hpp\"")
 set(allowed_in_tools "${std}|\"(restrip|mesh|search|formats|common|measure|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann)/.*>|<(png|unistd).h>")
