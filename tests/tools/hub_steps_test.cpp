@@ -202,7 +202,7 @@ TEST(ToolsHubSteps, DrawingIsLinear) {
   });
 }
 
-// Any number of strips get distinct colours, each found without a search through the used ones.
+// A picture of any number of strips has a colour for each, computed from its number.
 TEST(ToolsHubSteps, ColoringStripsIsLinear) {
   std::array<Work, 2> work;
   for (const unsigned size : {0U, 1U}) {

@@ -33,20 +33,22 @@ void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uin
   }
   if (effort == Effort::fast) return;
   annealing.keep();
+  const auto take_the_cheapest = [&] {
+    annealing.keep();
+    annealing.go_back();
+  };
   const auto make_chains = [&] {
     constexpr ChainLimits far{.looks = 70, .length = 16, .worse = 2};
     while (chains.run_everywhere(annealing.colors(), far, poll).price(cost) < 0 && effort == Effort::best &&
            !poll.stops()) {
     }
-    annealing.keep();
-    annealing.go_back();
+    take_the_cheapest();
   };
   // On regular meshes the strips of the first pass are hard to beat, so they are improved before they are forgotten.
   const std::uint64_t first = limit != 0 && effort == Effort::full ? limit : 100 * triangles;
   for (const auto& [moves, heat] : {std::pair{first / 5, 20U}, {first - first / 5, 100U}}) {
     annealing.cool(moves, heat, &poll);
-    annealing.keep();
-    annealing.go_back();
+    take_the_cheapest();
   }
   make_chains();
   if (effort == Effort::full) return;
