@@ -79,7 +79,7 @@ if(NOT RESTRIP_SANITIZE)
                          ${PROJECT_SOURCE_DIR}/examples/*.json)
   add_test(NAME verify.operations.schema
            COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/schema_test.py ${PROJECT_SOURCE_DIR}/docs/operation.schema.json
-                   $<TARGET_FILE:restrip-verify> ${CMAKE_CURRENT_BINARY_DIR}/schema $<IF:$<BOOL:${RESTRIP_LONG_TESTS}>,9,31> ${schema_files})
+                   $<TARGET_FILE:restrip-verify> ${CMAKE_CURRENT_BINARY_DIR}/schema $<IF:$<BOOL:${RESTRIP_LONG_TESTS}>,9,17> ${schema_files})
   file(GLOB small_certificates ${RESTRIP_CORPUS_DIR}/accept/small/certificates/*.cert)
   add_test(NAME verify.operations.reasons_by_script
            COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/reasons_test.py ${reasons_script}
