@@ -1,8 +1,8 @@
 # Tables made in a user's build: restrip_generate_tables() and restrip_verify_tables(). docs/how-to/cmake.md is the manual.
 #
 # Set the global property RESTRIP_VERSION before including this file. Afterwards define the programs as targets
-# restrip::generate, restrip::verify, restrip::verify-automaton: programs for this machine, from the same build or
-# imported. An installed package and a subdirectory both use this file.
+# restrip::generate, restrip::verify and restrip::dump-tables: programs for this machine, from the same build or imported.
+# An installed package and a subdirectory both use this file.
 include_guard(GLOBAL)
 
 # The largest fans that the generator makes, and that the verifier judges.
@@ -18,7 +18,7 @@ set(RESTRIP_HOST_PROGRAMS "" CACHE PATH "Folder of restrip-generate and the othe
 # _restrip_import_programs(WHY): imports the programs as they are found; WHY is what is missing, or empty.
 function(_restrip_import_programs why)
   set(${why} "" PARENT_SCOPE)
-  foreach(name IN ITEMS generate verify verify-automaton dump-tables)
+  foreach(name IN ITEMS generate verify dump-tables)
     if(TARGET restrip::${name})
       continue()
     endif()
@@ -352,6 +352,6 @@ function(restrip_verify_tables target)
   endif()
   add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} ${dump})
   add_test(NAME ${target}.automaton
-           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8
+           COMMAND $<TARGET_FILE:restrip::verify> automaton --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8
                    ${automaton_dump})
 endfunction()

@@ -355,7 +355,7 @@ def check(path, max_k=8, operation=None):
             if number == 1 and words != ["restrip-certificate", "3"] and lines[1] != b"family automaton":
                 raise Wrong("not a certificate of version 3")
             if number == 2 and words[1:] == ["automaton"]:
-                return "%s: not looked at, an automaton has no reasons; restrip-verify-automaton checks it" % path
+                return "%s: not looked at, an automaton has no reasons; restrip-verify automaton checks it" % path
             if number == 2 and words[0] == "operation":
                 family, waiting = words[1], [operation.name] if operation else positions(words[1], max_k)
                 if operation and family != operation.name:

@@ -34,12 +34,12 @@ Line = namedtuple("Line", "pattern claims how read operations k", defaults=(None
 
 
 def holds(claim, *rest, subject=r"(?P<operation>[a-z-]+)", **more):
-    """A line of restrip-verify or restrip-verify-automaton."""
+    """A line of restrip-verify."""
     return Line(rf"^holds +{subject} +{claim} ", *rest, **more)
 
 
 def automaton_lines():
-    """The lines of restrip-verify-automaton."""
+    """The lines of restrip-verify automaton."""
     line = lambda *words, **more: holds(*words, subject="automaton", operations=FANS, **more)
     return [
         line("every meeting is sound and best", ("Sound", "Locally optimal", "Checkable"), "every pair of kinds of arcs", CERTIFICATES, k="every"),

@@ -15,7 +15,6 @@ ABOUT = {
     "restrip": "triangle strips of meshes, maintained while a mesh changes",
     "restrip-generate": "make tables of rules by exhaustive search",
     "restrip-verify": "prove tables of rules",
-    "restrip-verify-automaton": "prove the automaton of rules for large fans",
     "restrip-dump-tables": "print the answers of the compiled tables",
     "restrip-check": "check a recorded run, by functions extracted from Coq",
 }

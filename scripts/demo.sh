@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
 # Installs the packages it needs, as root or with sudo (Debian, Ubuntu), builds restrip in build/programs, generates the tables
-# again, proves them, maintains the strips of a mesh through a whole level-of-detail replay, and makes the pages for a
-# browser. Safe to repeat; the first run takes about six minutes on two processors.
+# again, proves them, and maintains the strips of a mesh through a whole level-of-detail replay. Safe to repeat; the first
+# run takes about three minutes on two processors.
 #
 #   scripts/demo.sh [MESH]                 MESH: an OBJ, PLY, OFF, STL or glTF file; without one, a built-in closed mesh
-#   scripts/demo.sh --bin FOLDER [MESH]    with programs that are built already: no installation, no build, no pages
+#   scripts/demo.sh --pages [MESH]         also makes the pages for a browser: a viewer, an atlas of all rules, and this
+#                                          documentation. Clang for WebAssembly is installed; two minutes more
+#   scripts/demo.sh --bin FOLDER [MESH]    with programs that are built already: no installation, no build
 set -Eeuo pipefail
+pages=
 case "${1:-}" in
-  --help) sed -n '2,7s/^# \{0,1\}//p' "$0"; exit 0 ;;
+  --help) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
   --bin) ;;
+  --pages) pages=yes; shift ;;
   -*) echo "demo.sh: unknown: $1; --help explains" >&2; exit 2 ;;
 esac
 if [ "${1:-}" = --bin ]; then
@@ -21,10 +25,9 @@ cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
 if [ -z "${bin:-}" ]; then
-  build=yes
   bin=build/programs/bin
-  need "${build_packages[@]}" python3
-  need_clang
+  need "${build_packages[@]}"
+  [ -z "$pages" ] || { need "${page_packages[@]}"; need_clang; }
 
   say "building"
   configured=$(cmake --preset programs)
@@ -45,16 +48,19 @@ say "proving that every rule is sound and that none which keeps its ports is bet
 say "replaying a mesh from 2 % to 100 % of its triangles, strips kept by the rules"
 if [ -n "${mesh:-}" ]; then
   "$bin/restrip" stats "$mesh"
-  "$bin/restrip" replay "$mesh" --base 0.02
+  "$bin/restrip" replay "$mesh" --base 0.02 --repeats 1
 else
-  "$bin/restrip" replay --built-in --base 0.02
+  "$bin/restrip" replay --built-in --base 0.02 --repeats 1
 fi
 cat <<'END'
 For comparison: the paper (Porcu, Sanna, Scateni), which has rules for 4-vertices and lets the new triangles of every other
 split inherit colours, reports an isolated triangle in 52.7 % of the splits of its teapot and 51.5 % of the splits of its bunny.
 END
 
-[ -n "${build:-}" ] || exit 0
+if [ -z "$pages" ]; then
+  echo "scripts/demo.sh --pages also makes pages for a browser, in which the strips of a mesh are kept while its detail changes."
+  exit 0
+fi
 if without=$(grep 'no target `web`' <<<"$configured"); then
   leave_out "the pages: ${without#-- }"
   exit 0

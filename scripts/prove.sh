@@ -117,7 +117,7 @@ check automaton "every answer of the automaton is sound and optimal, for every k
   "every colouring of short arcs, every pair of the finitely many kinds of arcs; whole fans to k = 10 as well" \
   "C++ compiler, verify/automaton, the interface lemma of docs/explanation/automaton.md" \
   's/^verified: (.*)$/\1/p' \
-  $bin/restrip-verify-automaton --tables-dir tables --dump-command "$bin/restrip-dump-tables --automaton"
+  $bin/restrip-verify automaton --tables-dir tables --dump-command "$bin/restrip-dump-tables --automaton"
 check reasons "every rule in the certificates is sound and optimal" \
   "the certificates' reasons, without any search" \
   "Python, scripts/check_reasons.py" \

@@ -103,7 +103,7 @@ if [ -n "$trials" ]; then
   on_machine() {
     scripts/fresh_machine.sh --files "$scratch/files" "$1" "build/debian-$1" bash machine.sh
     [ "$1" != stable ] || scripts/fresh_machine.sh --files "$scratch/files" stable build/debian-stable \
-      bash -c "tar -xzf restrip-$version.tar.gz && cd restrip-$version && scripts/demo.sh"
+      bash -c "tar -xzf restrip-$version.tar.gz && cd restrip-$version && scripts/demo.sh --pages"
   }
   set -m  # each in a process group, so that all of it can be stopped
   for release in oldstable stable; do

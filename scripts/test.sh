@@ -2,10 +2,11 @@
 # Sets this machine up, builds restrip and tests it. Safe to repeat; the logs are in build/logs.
 #
 #   scripts/test.sh         shows that the project works on this machine: unit tests, tables generated again and proved,
-#                           C, WebAssembly, the commands of README. With one compiler; about 20 minutes on two processors
+#                           the packages for C, Python and JavaScript. With one compiler; ten minutes on two processors
 #   scripts/test.sh --all   also the other compiler with its sanitizers, clang-tidy, the format of the sources, deliberate
-#                           faults, the tutorials, users' builds, the pages in a browser, all languages of the generator,
-#                           benchmarks, packages, and the demo on the newest stable Debian: 60 minutes
+#                           faults, the fuzzer, every command of the documents, the tutorials, users' builds, the pages in
+#                           a browser, all languages of the generator, benchmarks, Debian packages, and the demo on the
+#                           newest stable Debian: 50 minutes
 #
 # Both leave out what this machine lacks and list it at the end.
 set -Eeuo pipefail
@@ -13,7 +14,7 @@ all=
 case "${1:-}" in
   '') ;;
   --all) all=yes ;;
-  *) sed -n '2,10s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "test.sh: unknown: $1" >&2; exit 2 ;;
+  *) sed -n '2,11s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "test.sh: unknown: $1" >&2; exit 2 ;;
 esac
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
@@ -80,7 +81,7 @@ options=(-DRESTRIP_ALLOW_MISSING=OFF)
 [ ${#left_out[@]} -eq 0 ] || options=(-DRESTRIP_ALLOW_MISSING=ON)
 
 # The commands of README on another release, from nothing. The folder is kept: remove it for a machine without packages.
-[ -z "$all" ] || in_background debian "the demo on the newest stable Debian" scripts/fresh_machine.sh stable build/debian-stable scripts/demo.sh
+[ -z "$all" ] || in_background debian "the demo on the newest stable Debian" scripts/fresh_machine.sh stable build/debian-stable scripts/demo.sh --pages
 
 say "configuring"
 if [ -n "$all" ]; then

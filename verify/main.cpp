@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include "automaton/command.hpp"
 #include "common/output.hpp"
 #include "explain/commands.hpp"
 #include "model/input.hpp"
@@ -90,6 +91,7 @@ int main(int argc, char** argv) {
     if (const std::string name = option->get_name();
         name == "--tables-dir" || name == "--digest-command" || name == "--headers" || name == "--family")
       operation->excludes(option);
+  const auto automaton = add_automaton(app);
   const auto explain = add_explain(app);
   const auto rules = add_rules(app);
   const auto given = [&](const char* name) { return !app.get_option(name)->empty(); };
@@ -97,6 +99,7 @@ int main(int argc, char** argv) {
     for (const CLI::Option* option : app.get_options())
       refuse_if(!app.get_subcommands().empty() && !option->empty(),
                 fmt::format("{} cannot be used with a subcommand", option->get_name()));
+    if (app.got_subcommand("automaton")) return automaton();
     if (app.got_subcommand("explain")) return explain();
     if (app.got_subcommand("rules")) return rules();
     refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&

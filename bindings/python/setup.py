@@ -46,10 +46,12 @@ class WithLibrary(build_py):
         if made:
             shutil.copyfile(made, target)
             return
+        library = pathlib.Path(SCRATCH) / "library.cpp"  # one unit: separately, the same headers are compiled thirty times
+        library.write_text("".join(f'#include "{source.as_posix()}"\n' for source in sorted((ROOT / "runtime/src").rglob("*.cpp"))))
         subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-fPIC", "-shared", "-fvisibility=hidden",
                         "-fvisibility-inlines-hidden", *shlex.split(os.environ.get("CXXFLAGS", "")), f'-DRESTRIP_VERSION="{VERSION}"',
                         *(f"-I{folder}" for folder in (C / "include", ROOT / "runtime/include", ROOT / "runtime/src", ROOT / "tables/include")),
-                        C / "restrip.cpp", *sorted((ROOT / "runtime/src").rglob("*.cpp")), "-o", target], check=True)
+                        C / "restrip.cpp", library, "-o", target], check=True)
 
 
 class WithSources(sdist):

@@ -138,7 +138,7 @@ class Reports(unittest.TestCase):
         for check, *words in (("operations", "restrip-verify", "--operation", ROOT / "tables/operations/bisect.json", "--certificate",
                                ROOT / "tables/certificates/operations/bisect.cert", "--header", ROOT / "tables/include/restrip/tables/operations/bisect.hpp"),
                               ("search", "restrip-verify", "--tables-dir", small, "--max-k", "4"),
-                              ("automaton", "restrip-verify-automaton", "--tables-dir", ROOT / "tables", "--max-k", "4")):
+                              ("automaton", "restrip-verify", "automaton", "--tables-dir", ROOT / "tables", "--max-k", "4")):
             done = subprocess.run([BIN / words[0], *words[1:]], capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, coverage.unknown_claims(check, done.stdout)), (0, []), done.stderr)
             printed += done.stdout

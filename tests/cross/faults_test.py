@@ -168,7 +168,7 @@ def dump_program(copy, scratch):
 def judge(program, part):
     """The commands that read compiled headers; `part` is what is judged of them."""
     if part == "automaton":
-        return run(BIN / "restrip-verify-automaton", "--tables-dir", ROOT / "tables", "--max-k", "3", "--dump-command", f"'{program}' --automaton")
+        return run(BIN / "restrip-verify", "automaton", "--tables-dir", ROOT / "tables", "--max-k", "3", "--dump-command", f"'{program}' --automaton")
     return run(BIN / "restrip-verify", "--headers", "--family", part, "--max-k", MAX_K, "--dump-command", f"'{program}' --max-k {MAX_K}")
 
 

@@ -17,8 +17,7 @@ BIN, ROOT, SCRATCH = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3]).res
 COMMANDS = {
     "restrip": ("--help", "--version", "stats --help", "stats one.obj", "stats one.obj --json -", "convert one.obj -o - --to ply"),
     "restrip-generate": ("--help", "--version", "tables --help", "dump --family flip", "dump --family split --k 7"),
-    "restrip-verify": ("--help", "explain --help", "rules --help"),
-    "restrip-verify-automaton": ("--help",),
+    "restrip-verify": ("--help", "automaton --help", "explain --help", "rules --help"),
     "restrip-dump-tables": ("--help", "--max-k 3", "--max-k 7", "--digests --max-k 3", "--automaton --max-k 3"),
     "restrip-check": ("--help", "one.trace", "one.trace --json -"),
 }
@@ -35,7 +34,7 @@ REFUSED = [
     ("restrip-verify --operation {bisect} --max-k 4 --certificate {certificate}", "describes no family, so --max-k has no effect"),
     ("restrip-verify --header {bisect}", "--header requires --operation"),
     ("restrip-generate automaton --operation {bisect} --language c --out {out}", "excludes"),
-    ("restrip-verify-automaton --digest-max-k 8", "--digest-max-k requires --digest-command"),
+    ("restrip-verify automaton --digest-max-k 8", "--digest-max-k requires --digest-command"),
     ("restrip-dump-tables --digests --max-k 9", "the tables answer fans of up to 8 triangles"),
 ]
 JOIN = """{"restrip_operation": 1, "name": "join", "constraint": "strips",
@@ -73,7 +72,7 @@ def options():
         scratch = Path(scratch_name)
         places = {"out": scratch / "out", "bisect": root / "tables/operations/bisect.json",
                   "certificate": root / "tables/certificates/operations/bisect.cert"}
-        programs = ("restrip-generate", "restrip-verify", "restrip-verify-automaton", "restrip-dump-tables")
+        programs = ("restrip-generate", "restrip-verify", "restrip-dump-tables")
         versions = {subprocess.run([folder / name, "--version"], capture_output=True, check=True).stdout for name in programs if (folder / name).exists()}
         if len(versions) != 1 or not re.fullmatch(rb"\d+\.\d+\.\d+\n", *versions):
             sys.exit(f"--version: {versions}")
@@ -147,7 +146,7 @@ def json_reports():
         "operation": (["restrip-verify", "--operation", bisect, "--certificate", certificate], "claims"),
         "explain": (["restrip-verify", "explain", "--operation", bisect, "--before", "1", "--ports", "0"], "sets"),
         "families": (["restrip-verify", "--tables-dir", ROOT / "tables", "--family", "flip"], "claims"),
-        "arcs": (["restrip-verify-automaton", "--tables-dir", ROOT / "tables", "--max-k", "3", "--every", "1000"], "claims"),
+        "arcs": (["restrip-verify", "automaton", "--tables-dir", ROOT / "tables", "--max-k", "3", "--every", "1000"], "claims"),
     }
     for name, (command, member) in commands.items():
         wrong = run(command, "--json", scratch / "report.txt", code=2)

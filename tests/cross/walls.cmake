@@ -94,7 +94,7 @@ function(judge room source line out)
   endif()
   if(source MATCHES "/runtime/src/" AND what MATCHES "^(${door_private})$"
      OR source MATCHES "/tables/dump/" AND what MATCHES "^(${door_dump})$"
-     OR source MATCHES "/verify/((([a-z]+/)?main|explain/commands).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
+     OR source MATCHES "/verify/((main|[a-z]+/commands?).cpp|model/program.hpp)" AND what MATCHES "^(${door_reports})$"
      OR source MATCHES "/web/maker/module/" AND what MATCHES "^(${door_maker})$"
      OR source MATCHES "/web/maker/module/generator.cpp$" AND what MATCHES "^(${door_maker_generator})$"
      OR source MATCHES "/web/maker/module/verify.cpp$" AND what MATCHES "^(${door_maker_verify})$"

@@ -407,7 +407,6 @@ class Meshes(Folder):
                 ("stats nan.pm", "vertex 0 has a coordinate that is infinite or not a number"),
                 ("stats zero.xyz", "unknown extension '.xyz'; name the format by --from"),
                 ("stats zero.obj", "larger than 256 MiB, the limit"),
-                ("stats /dev/zero", "larger than 256 MiB"),
                 ("stats /dev/null", "the file is empty"),
                 *((f"stats {name}", "a picture, which has no triangles; give a mesh: .obj") for name in pictures),
                 ("stats what", "neither its name nor how it begins says what it is; name the format by --from"),

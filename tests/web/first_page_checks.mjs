@@ -100,7 +100,7 @@ export async function firstPageHolds(browser, folder, scratch) {
   await page.until('document.querySelectorAll("#found a").length > 2');
   assert.ok(await page.run('[...document.querySelectorAll("#found a")].some(({ href }) => href.endsWith("docs/reference/policies.html#strips-from-scratch"))'));
   await page.run(() => document.querySelector('#search').requestSubmit());
-  await page.until('!location.href.endsWith("policies.html")');
+  await page.until('!location.href.endsWith("policies.html") && document.readyState === "complete"');
   await page.open(next);
   assert.equal(await page.run('document.querySelector(".steps [rel=prev]").href'), address('docs/reference/policies.html'));
   assert.deepEqual(page.faults, []);

@@ -47,7 +47,7 @@ std::string sealed_again(const Words& lines) {
 }
 
 /// The checker's first message; empty if all claims hold.
-std::string verdict_of(const std::string& text) {
+std::string first_message_of(const std::string& text) {
   try {
     const AutomatonCertificate certificate = parse_automaton("altered.cert", text);
     const ClassCheck check = check_classes(certificate);
@@ -89,13 +89,13 @@ class AutomatonRejects : public testing::Test {
       const auto& [row, line] = rows[(2 * n + 1) * rows.size() / (2 * count)];
       Words lines = good();
       lines[row] = line;
-      const std::string verdict = verdict_of(sealed_again(lines));
+      const std::string verdict = first_message_of(sealed_again(lines));
       EXPECT_NE(verdict.find(message), std::string::npos) << good()[row] << " -> " << line << ": " << verdict;
     }
   }
 };
 
-TEST_F(AutomatonRejects, NothingInAGoodCertificate) { EXPECT_EQ(verdict_of(sealed_again(good())), ""); }
+TEST_F(AutomatonRejects, NothingInAGoodCertificate) { EXPECT_EQ(first_message_of(sealed_again(good())), ""); }
 
 /// A cost that differs from the rows.
 TEST_F(AutomatonRejects, WrongWeights) {
@@ -209,7 +209,7 @@ TEST_F(AutomatonRejects, MalformedFiles) {
       lines.erase(row);
     else
       *row = by;
-    const std::string verdict = verdict_of(sealed_again(lines));
+    const std::string verdict = first_message_of(sealed_again(lines));
     EXPECT_NE(verdict.find(said), std::string::npos) << start << " -> " << by << ": " << verdict;
   }
   const std::string bytes = sealed_again(good());

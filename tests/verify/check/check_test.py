@@ -105,7 +105,7 @@ def words(all_):
 
 
 for fan in (True, False):
-    once, twice = (words_of(long_trace(n, fan)) for n in (4000, 8000))
+    once, twice = (words_of(long_trace(n, fan)) for n in (1000, 2000))
     assert once < twice < 2.3 * once, (fan, once, twice)
 
 # ---- refused

@@ -1,11 +1,10 @@
-// restrip-verify-automaton: proves the certificate of an automaton, for fans of any valence, using only
-// docs/reference/notation.md and docs/explanation/automaton.md.
+#include "automaton/command.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -20,10 +19,8 @@
 #include "model/input.hpp"
 #include "model/program.hpp"
 
+namespace restrip::verify {
 namespace {
-
-using namespace restrip::verify;
-using restrip::counted;
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
@@ -33,6 +30,7 @@ struct AutomatonOptions {
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
   unsigned max_k = 10;                  ///< the largest fans that are searched
   unsigned every = 1;                   ///< only every n-th place of the fans with k > 8 is searched
+  std::string json;
 };
 
 struct AutomatonTotals {
@@ -112,8 +110,8 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   return totals;
 }
 
-int run(const AutomatonOptions& options, const std::string& json) {
-  const restrip::files::ReportOutput out(json);
+int run(const AutomatonOptions& options) {
+  const files::ReportOutput out(options.json);
   std::vector<ClaimResult> claims;
   if (!out.replaces_text()) fmt::print("{}", heading());
   const AutomatonTotals totals = verify_automaton(options, [&](const ClaimResult& result) {
@@ -137,43 +135,43 @@ int run(const AutomatonOptions& options, const std::string& json) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  AutomatonOptions options;
-  std::string json;
-  CLI::App app("Proves the certificate of an automaton: rules of fans of any valence.");
-  app.name("restrip-verify-automaton");
-  app.set_version_flag("--version", RESTRIP_VERSION);
-  app.footer(
+std::function<int()> add_automaton(CLI::App& app) {
+  CLI::App* const command =
+      app.add_subcommand("automaton", "The certificate of an automaton: rules of fans of any valence");
+  command->footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
       "Example, from the top of the source tree, with the folder of the programs in PATH:\n"
-      "  restrip-verify-automaton --tables-dir tables\n"
+      "  restrip-verify automaton --tables-dir tables\n"
       "The compiled automaton as well:\n"
-      "  restrip-verify-automaton --tables-dir tables \\\n"
+      "  restrip-verify automaton --tables-dir tables \\\n"
       "    --dump-command \"restrip-dump-tables --automaton\"\n"
       "The look-up in C, from the folder that `restrip-generate automaton --language c` wrote:\n"
       "  cc restrip_automaton_check.c -o check_automaton\n"
-      "  restrip-verify-automaton --tables-dir SOURCE/tables --digest-command ./check_automaton");
-  app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
-  app.add_option("--dump-command", options.dump_command,
-                 "A program that prints the compiled automaton; its numbers and answers are compared");
-  CLI::Option* const digest_command = app.add_option(
-      "--digest-command", options.digest_commands,
+      "  restrip-verify automaton --tables-dir SOURCE/tables --digest-command ./check_automaton");
+  const auto given = std::make_shared<AutomatonOptions>();
+  command->add_option("--tables-dir", given->tables_dir, "The folder with certificates/")->capture_default_str();
+  command->add_option("--dump-command", given->dump_command,
+                      "A program that prints the compiled automaton; its numbers and answers are compared");
+  CLI::Option* const digest_command = command->add_option(
+      "--digest-command", given->digest_commands,
       "A program that prints digests of the answers of a look-up in another language "
       "(docs/how-to/other-languages.md); may be repeated. They are compared with digests of the certificate's answers");
-  app.add_option("--digest-max-k", options.digest_max_k, "The largest fans of the digests")
+  command->add_option("--digest-max-k", given->digest_max_k, "The largest fans of the digests")
       ->capture_default_str()
       ->needs(digest_command)
       ->check(CLI::Range(3U, largest_digest_fan));
-  app.add_option("--tables-max-k", options.tables_max_k,
-                 "The largest fans of the other certificates in the folder, and of the dump")
+  command->add_option("--tables-max-k", given->tables_max_k,
+                      "The largest fans of the other certificates in the folder, and of the dump")
       ->capture_default_str()
       ->check(CLI::Range(3U, largest_judged_fan));
-  app.add_option("--max-k", options.max_k, "The largest fans that are searched as a whole")
+  command->add_option("--max-k", given->max_k, "The largest fans that are searched as a whole")
       ->capture_default_str()
       ->check(CLI::Range(0, 12));
-  app.add_option("--every", options.every, "Of the places with k > 8, search only every N-th")
+  command->add_option("--every", given->every, "Of the places with k > 8, search only every N-th")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  add_json_option(app, json);
-  return exit_code_of(app, argc, argv, [&] { return run(options, json); });
+  add_json_option(*command, given->json);
+  return [given] { return run(*given); };
 }
+
+}  // namespace restrip::verify
