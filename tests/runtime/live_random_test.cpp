@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../support/sanitizers.hpp"
+#include "../support/large.hpp"
 #include "baked_sequence.hpp"
 #include "drive/driver.hpp"
 #include "drive/live_subject.hpp"

@@ -23,7 +23,7 @@
 #include "restrip/output/strips.hpp"
 #include "search/strip_locator.hpp"
 #include "shapes.hpp"
-#include "support/sanitizers.hpp"
+#include "support/large.hpp"
 
 namespace restrip::tools {
 namespace {

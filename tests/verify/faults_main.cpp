@@ -28,8 +28,7 @@ using restrip::fault_names;
 constexpr std::array<const char*, 3> stages{
     "Description.*:Families.*:Forged*:Orbits.*:OperationJudge.*Corpus:OperationJudge.Good*:OperationJudge.Symm*:"
     "Unlisted.*:IndexCost.*",
-    "Corpus.*Hold:TableDump.*:OperationJudge.*:OperationHeader.*",
-    "Corpus.Damaged*:ShippedRows.*"};
+    "Corpus.*Hold:TableDump.*:OperationJudge.*:OperationHeader.*", "Corpus.Damaged*:ShippedRows.*"};
 constexpr std::size_t longest_name = 200;
 char* running = nullptr;  ///< the name of the current test, in memory shared by the processes
 

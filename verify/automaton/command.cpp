@@ -160,8 +160,9 @@ std::function<int()> add_automaton(CLI::App& app) {
       ->capture_default_str()
       ->needs(digest_command)
       ->check(CLI::Range(3U, largest_digest_fan));
-  command->add_option("--tables-max-k", given->tables_max_k,
-                      "The largest fans of the other certificates in the folder, and of the dump")
+  command
+      ->add_option("--tables-max-k", given->tables_max_k,
+                   "The largest fans of the other certificates in the folder, and of the dump")
       ->capture_default_str()
       ->check(CLI::Range(3U, largest_judged_fan));
   command->add_option("--max-k", given->max_k, "The largest fans that are searched as a whole")

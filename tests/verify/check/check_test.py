@@ -144,7 +144,7 @@ refused(with_line(solid, None), "but|changes strips by")
 refused(with_line(solid, lines[solid] + "\n" + lines[solid]), "solid already")
 
 # The stated changes.
-for number in range(first, len(lines) - 1, 41):
+for number in range(first, len(lines) - 1, 97):
     words = lines[number].split(" ")
     for place, what in ((3, "strips"), (4, "isolated triangles")):
         for change in (-1, 1):
@@ -161,14 +161,14 @@ refused(with_line(2, None), "triangle|edge")
 refused(with_line(2, lines[2] + "\n" + re.sub(r"\d+$", "999999", lines[2])), "already has one on that side")
 
 # Lines that are missing, twice, or in the wrong order; a file that ends early, wherever that is.
-for number in range(first, len(lines) - 1, 61):
+for number in range(first, len(lines) - 1, 131):
     refused(with_line(number, None), "")
     refused(with_line(number, lines[number] + "\n" + lines[number]), "")
     refused(with_line(number, lines[number + 1] + "\n" + lines[number]), "")
 refused("\n".join(lines[:-1]) + "\n", "ends without its last line")
 refused(whole + "end 0\n", "text after the end")
 refused(with_line(len(lines) - 1, "end 1"), "the end states 1 operations")
-for size in range(0, len(whole) - 1, len(whole) // 40):
+for size in range(0, len(whole) - 1, len(whole) // 15):
     refused(whole[:size], "")
 
 # What is claimed of optimality, where all else is true.
