@@ -3,39 +3,30 @@
 # again, proves them, and maintains the strips of a mesh through a whole level-of-detail replay. Safe to repeat; the first
 # run takes about three minutes on two processors.
 #
-#   scripts/demo.sh [MESH]                 MESH: an OBJ, PLY, OFF, STL or glTF file; without one, a built-in closed mesh
-#   scripts/demo.sh --pages [MESH]         also makes the pages for a browser: a viewer, an atlas of all rules, and this
-#                                          documentation. Clang for WebAssembly is installed; two minutes more
-#   scripts/demo.sh --bin FOLDER [MESH]    with programs that are built already: no installation, no build
+#   scripts/demo.sh [MESH]            MESH: an OBJ, PLY, OFF, STL or glTF file; without one, a built-in closed mesh
+#   scripts/demo.sh --pages [MESH]    also makes the pages for a browser: a viewer, an atlas of all rules, and this
+#                                     documentation. Clang for WebAssembly is installed; two minutes more
 set -Eeuo pipefail
 pages=
 case "${1:-}" in
-  --help) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
-  --bin) ;;
+  --help) sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
   --pages) pages=yes; shift ;;
   -*) echo "demo.sh: unknown: $1; --help explains" >&2; exit 2 ;;
 esac
-if [ "${1:-}" = --bin ]; then
-  [ -d "${2:-}" ] || { echo "demo.sh: --bin needs the folder of the programs" >&2; exit 2; }
-  bin=$(realpath -- "$2")
-  shift 2
-fi
 [ $# -eq 0 ] || mesh=$(realpath -e -- "$1" 2>/dev/null) || { echo "demo.sh: $1: no such file" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
-if [ -z "${bin:-}" ]; then
-  bin=build/programs/bin
-  need "${build_packages[@]}"
-  [ -z "$pages" ] || { need "${page_packages[@]}"; need_clang; }
+need "${build_packages[@]}"
+[ -z "$pages" ] || { need "${page_packages[@]}"; need_clang; }
 
-  say "building"
-  configured=$(cmake --preset programs)
-  cmake --build --preset programs
-fi
+say "building"
+configured=$(cmake --preset programs)
+cmake --build --preset programs
+bin=build/programs/bin
 
 say "generating the tables by exhaustive search, and comparing them with those checked in"
-tables=$bin/../demo/tables
+tables=build/programs/demo/tables
 rm -rf "$tables"
 "$bin/restrip-generate" tables --out "$tables" --threads "$(nproc)"
 mapfile -t files < <(cd "$tables" && find . -type f ! -name MANIFEST)  # the one of tables/ also lists handwritten files

@@ -125,7 +125,7 @@ TEST(LiveRandom, WorksAfterAnyAllocationHasFailed) {
                               .cost = seed % 2 == 0 ? Cost::indices() : Cost::strips(),
                               .history = endless,
                               .format = {.form = static_cast<StripForm>(seed), .width = IndexWidth::automatic}};
-    for (std::size_t step = 0; step < 30; ++step)
+    for (std::size_t step = 0; step < 30; step += 4 / test::large(4))
       for (std::uint32_t failing = 2;; ++failing) {
         Input input(bytes);
         LiveSubject subject(LiveMesh(sample::torus(5, 5), options), options.history);
@@ -136,7 +136,7 @@ TEST(LiveRandom, WorksAfterAnyAllocationHasFailed) {
         if (tally.shortages == 0) break;
       }
   }
-  EXPECT_GT(failed, 300U);
+  EXPECT_GT(failed, test::large(300));
 }
 
 TEST(LiveRandom, UndoesLevelsOfABakedMesh) {
