@@ -29,7 +29,7 @@ struct Order {
   std::set<std::string> languages{"c++"};  ///< of language_files(); C++ has headers, certificates and MANIFEST
 };
 
-/// For custom operations in these files. Without `max_k` families have positions as far as operation files may go.
+/// For custom operations in these files. Without `max_k` families have positions up to default_max_k.
 /// Throws std::runtime_error if two have the same name, or if `max_k` has no effect.
 [[nodiscard]] Order order_of(const std::vector<std::string>& files, std::optional<unsigned> max_k);
 

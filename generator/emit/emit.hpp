@@ -77,7 +77,7 @@ struct LanguageFile {
 [[nodiscard]] std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages,
                                                                   const std::string& stem);
 
-// The files of JSON (json.cpp).
+// The files of JSON (languages.cpp).
 [[nodiscard]] std::string json_tables(const TableLayout& layout);
 [[nodiscard]] std::string json_operation(const OperationLayout& layout);
 [[nodiscard]] std::string json_automaton(const AutomatonArrays& automaton);

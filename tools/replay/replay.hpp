@@ -110,8 +110,8 @@ struct Subject {
   std::size_t wanted_triangles = 0;  ///< of the base; 0 if the base was given
   LeftOut left_out;
   Mended mended;       ///< of the file, if it was read
-  std::string policy;  ///< the way's name
-  Search search;       ///< of the way
+  std::string policy;  ///< the method's name
+  Search search;       ///< of the method
   Cost cost;           ///< the minimised cost
   std::optional<BakedCosts> baked;
 };

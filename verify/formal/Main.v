@@ -1,8 +1,8 @@
 (** * The theorems
 
     [Statements.v] defines each of them; this file names the tables and numbers of the shipped headers to which they apply.
-    They are printed from the headers: [Shipped.shipped o] is the table of position [o], [Flip.full] the table of flips,
-    [Shipped.by_key o] the rows of the certificates, and [Automaton.automaton] holds the numbers of the automaton.
+    Printed from the headers, [Shipped.shipped o] is the table of position [o], [Flip.full] the table of flips, and
+    [Automaton.automaton] holds the numbers of the automaton; [Shipped.by_key o] are rows of the certificates.
 
     After each theorem Coq prints its assumptions; scripts/prove.sh requires "Closed under the global context". *)
 Require Import Arith Bool List NArith.

@@ -1,4 +1,4 @@
-// The checks of operations.
+// The checks of splits, collapses and flips.
 #include "restrip/mesh/checks.hpp"
 
 #include <algorithm>

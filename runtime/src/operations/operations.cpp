@@ -1,8 +1,8 @@
 // Split, collapse and flip by the rules.
 //
 // Outline. (1) A turn around the vertices reads the colours of the patch, numbered as in docs/reference/notation.md.
-// (2) The rule is looked up: fans of at most max_word_valence triangles on words, longer ones on bit strings by the
-// automaton. (3) Edges are cleared, (4) the mesh changes, (5) edges are set. Interior fans of ordinary valence, nearly
+// (2) The rule is looked up: closed fans up to k = 8 in the tables; others by the automaton, on words up to
+// max_word_valence triangles and on bit strings beyond. (3) Edges are cleared, (4) the mesh changes, (5) edges are set. Interior fans of ordinary valence, nearly
 // all, have code of their own (InteriorFan): one turn reads everything and remembers the spokes, and only dual edges
 // whose colour changes are written.
 //

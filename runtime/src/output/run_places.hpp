@@ -12,7 +12,7 @@
 
 namespace restrip::detail {
 
-/// Consecutive indices that draw a part of a strip, the last of them a restart index.
+/// Consecutive indices that draw a part of a strip, the last of them separates it from the next run.
 struct Run {
   std::uint32_t first = 0;
   std::uint32_t length = 0;
@@ -22,8 +22,8 @@ struct Run {
 };
 
 /// Place 0 is the head: it lies at the beginning, its run is empty, and its gap lies before the first run. Places are
-/// named by numbers that are used again. All functions take constant time, and none but make_room() may throw; runs
-/// must not overlap.
+/// named by numbers that are used again. All functions take constant time but make_room(), which may copy and throw;
+/// runs must not overlap.
 class RunPlaces {
  public:
   static constexpr std::uint32_t head = 0;

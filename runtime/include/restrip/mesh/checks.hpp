@@ -2,7 +2,7 @@
 //
 // A check changes nothing. An operation is granted exactly when all of this holds:
 //  - its halfedges belong to the mesh, and its vertices v_h, v_s, v_t, v_l, v_r are manifold (StripMesh::non_manifold),
-//    except the new one, which is not part of a triangle yet;
+//    except the new one, which is part of no triangle yet and not named far beyond all others (max_vertex_gap);
 //  - closed fans that are split have three triangles or more;
 //  - the mesh keeps its properties: no edge of three triangles, no new non-manifold vertex, three triangles or more at
 //    every interior vertex of the operation, no vertex lost except the one that a collapse removes, the same topology.
