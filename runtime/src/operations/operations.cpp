@@ -2,9 +2,9 @@
 //
 // Outline. (1) A turn around the vertices reads the colours of the patch, numbered as in docs/reference/notation.md.
 // (2) The rule is looked up: closed fans up to k = 8 in the tables; others by the automaton, on words up to
-// max_word_valence triangles and on bit strings beyond. (3) Edges are cleared, (4) the mesh changes, (5) edges are set. Interior fans of ordinary valence, nearly
-// all, have code of their own (InteriorFan): one turn reads everything and remembers the spokes, and only dual edges
-// whose colour changes are written.
+// max_word_valence triangles and on bit strings beyond. (3) Edges are cleared, (4) the mesh changes, (5) edges are set.
+// Interior fans of ordinary valence, nearly all, have code of their own (InteriorFan): one turn reads everything and
+// remembers the spokes, and only dual edges whose colour changes are written.
 //
 // Invariant. At every moment the colouring is valid: the old one or the new one, perhaps with fewer solid edges.
 //

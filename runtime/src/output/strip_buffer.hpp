@@ -50,7 +50,7 @@ class StripBuffer {
   /// Makes the next update() also return the ranges of the last one, for a caller that has not uploaded them.
   void keep_ranges() noexcept { returned_ = false; }
 
-  /// The indices, if they have 32 or 16 bits; else empty. Unless stitched, all bits are set between two runs and in gaps.
+  /// The indices, if they have 32 or 16 bits; else empty. All bits are set between runs and in gaps, unless stitched.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return cells_.wide_indices(); }
   [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return cells_.narrow_indices(); }
   [[nodiscard]] IndexWidth width() const noexcept { return cells_.width(); }
