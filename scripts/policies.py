@@ -33,12 +33,12 @@ def rows():
 
 
 def prices():
-    """By policy: the least and the greatest time of an operation, in times of the mesh update alone, to one digit."""
+    """By policy: the least and the greatest time of an operation, in times of the mesh update alone, to two digits."""
     times = {"bare": [1.0]}
     with open(MEASURED, encoding="utf-8") as file:
         for row in csv.DictReader(file):
             times.setdefault(row["policy"], []).extend(float(row[part]) for part in ("split", "collapse"))
-    ends = {policy: [f"{float(f'{end(all_of):.1g}'):,.0f}" for end in (min, max)] for policy, all_of in times.items()}
+    ends = {policy: [f"{float(f'{end(all_of):.2g}'):,g}" for end in (min, max)] for policy, all_of in times.items()}
     return {policy: least if least == most_of_all else f"{least} to {most_of_all}" for policy, (least, most_of_all) in ends.items()}
 
 

@@ -240,10 +240,10 @@ RESTRIP_API restrip_status restrip_mesh_stripify_until(restrip_mesh* mesh, int32
  * mesh update alone. README.md explains the words. */
 enum {
   RESTRIP_POLICY_BARE = 0,   /* no rule, dual edges of changed triangles become dashed; 1 */
-  RESTRIP_POLICY_RULES = 1,  /* nothing; 2 */
-  RESTRIP_POLICY_LOCAL = 2,  /* 3 looks at the strip ends of the patch; 3 to 7 */
-  RESTRIP_POLICY_QUICK = 3,  /* 10 looks, chains of 8 moves; 20 to 60 */
-  RESTRIP_POLICY_FULL = 4,   /* 70 looks, around the patch as well; 50 to 300 */
+  RESTRIP_POLICY_RULES = 1,  /* nothing; 1.9 to 2.4 */
+  RESTRIP_POLICY_LOCAL = 2,  /* 3 looks at the strip ends of the patch; 2.6 to 7.3 */
+  RESTRIP_POLICY_QUICK = 3,  /* 10 looks, chains of 8 moves; 15 to 61 */
+  RESTRIP_POLICY_FULL = 4,   /* 70 looks, around the patch as well; 49 to 290 */
   RESTRIP_POLICY_BAKED = 255 /* of restrip_baked_read: plays stored strips; restrip_mesh_keep refuses it */
 };
 /* From now on operations maintain the strips by this policy, for this cost (docs/reference/policies.md has figures). A

@@ -61,13 +61,13 @@ struct PolicyRow {
 inline constexpr std::array policies{
     PolicyRow{
         Policy::bare, "bare", "the mesh update alone, no rule; strips fall apart", "the same", "none", "1", {}, {}},
-    PolicyRow{Policy::rules, "rules", "nothing", "nothing", "none", "2", {}, {}},
+    PolicyRow{Policy::rules, "rules", "nothing", "nothing", "none", "1.9 to 2.4", {}, {}},
     PolicyRow{Policy::local,
               "local",
               "ends of strips that meet are joined",
               "3 looks at the strip ends of the patch",
               "none",
-              "3 to 7",
+              "2.6 to 7.3",
               {},
               {IndexPlan::From::ends, {.looks = 3, .length = 3}}},
     PolicyRow{Policy::quick,
@@ -75,7 +75,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "10 looks, chains of 8 moves",
               "a locator of the strips",
-              "20 to 60",
+              "15 to 61",
               {56, 150},
               {IndexPlan::From::patch, {.looks = 10, .length = 8, .worse = 1}}},
     PolicyRow{Policy::full,
@@ -83,7 +83,7 @@ inline constexpr std::array policies{
               "tunnelling",
               "70 looks, around the patch as well",
               "a locator of the strips",
-              "50 to 300",
+              "49 to 290",
               {320, 0},
               {IndexPlan::From::ring, {.looks = 70, .length = 8, .worse = 2}}}};
 
