@@ -2,7 +2,7 @@
 # Sets this machine up, builds restrip and tests it. Safe to repeat; the logs are in build/logs.
 #
 #   scripts/test.sh         shows that the project works on this machine: unit tests, tables generated again and proved,
-#                           the packages for C, Python and JavaScript. With one compiler; ten minutes on two processors
+#                           the packages for C, Python and JavaScript. With one compiler; six minutes on two processors
 #   scripts/test.sh --all   also the other compiler with its sanitizers, clang-tidy, the format of the sources, deliberate
 #                           faults, the fuzzer, every command of the documents, the tutorials, users' builds, the pages in
 #                           a browser, all languages of the generator, benchmarks, Debian packages, and the demo on the
