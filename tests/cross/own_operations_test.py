@@ -40,6 +40,11 @@ REFUSED = {
     "too many triangles": (
         {"before": [["a", "u[j]", "u[j+1]", "j[0,3 k)"], ["b", "u[j+1]", "u[j]", "j[0,3 k)"]], "after": [["a", "u[0]", "b"], ["b", "u[3 k]", "a"]]},
         "before: expected 1 to 16 triangles", "before: expected 1 to 16 triangles"),
+    "too many edges": ({"before": [["v", "u[j]", "u[j+1]", "j[0,11)"], ["v", "u[11]", "u[0]"]], "after": [["u[0]", "u[j]", "u[j+1]", "j[1,11)"]]},
+                       "at most 22 edges and ports together", "at most 22 edges and ports together, found 12 and 12"),
+    "a cost that cannot be searched": (
+        {"before": [["v", "u[j]", "u[j+1]", "j[0,9)"], ["v", "u[9]", "u[0]"]], "after": [["u[0]", "u[j]", "u[j+1]", "j[1,9)"]], "give_up": "none",
+         "cost": [[{"count": "isolated"}]]}, "has no sound recolouring", "beyond 8 only rules of the default cost can be verified"),
     "a term too many": ({"where": "k >= 2, i < k" + " + k - k" * 8}, "at most 16 terms of a sum", "a sum of at most 16 terms"),
     "a range of millions": ({"before": [["v", "u[j]", "u[j+1]", "j[0,9999 k)"]]}, "expected 1 to 16 triangles", "expected numbers from 0 to 16"),
     "a number twice": ({"numbers": ["k", "i", "k"]}, "numbers[2]: this number is listed already", "numbers[2]: expected each number once"),

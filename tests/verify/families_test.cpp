@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/refusal_of.hpp"
 #include "corpus.hpp"
 #include "model/description.hpp"
 #include "naive_tables.hpp"
@@ -88,6 +89,14 @@ TEST(Families, AreReadAtTheirPositions) {
   EXPECT_FALSE(good[0].serves_every_position());
   EXPECT_EQ(good[0].at({3, 1}).most_strips, std::nullopt);
   EXPECT_EQ(good[0].at({3, 2}).most_strips, 0);
+}
+
+// A section has no rules to offer if it omits a number on which the patch after depends.
+TEST(Families, SectionsServeOnePatch) {
+  std::string text(families_text);
+  text.insert(text.find("\"before\""), R"("section": "k {k}", )");
+  EXPECT_EQ(refusal_of<InputError>([&] { (void)families_of(parse_descriptions("f.json", text, Author::restrip), 4); }),
+            "f.json: section k 4 cannot serve both split k 4 a 1 and split k 4 a 2: they differ after the operation");
 }
 
 }  // namespace
