@@ -119,7 +119,7 @@ build_packages=(g++ cmake ninja-build libboost-dev "libnauty-dev|libnauty2-dev" 
 # For the pages, together with need_clang.
 page_packages=(python3 python3-markdown-it python3-pygments)
 # For tests only, and for test.sh --all.
-test_packages=("${page_packages[@]}" git libgtest-dev libopenmesh-dev python3-numpy python3-pip python3-setuptools python3-venv python3-wheel nodejs ocaml "pkgconf|pkg-config")
+test_packages=("${page_packages[@]}" git libgtest-dev python3-numpy python3-pip python3-setuptools python3-venv python3-wheel nodejs ocaml "pkgconf|pkg-config")
 all_packages=(xz-utils mypy g++-multilib rustc glslang-tools libvulkan-dev debootstrap dpkg-dev file make
   "clang-tidy-$style_version" "clang-format-$style_version")
 command -v chromium >/dev/null || all_packages+=(chromium)  # missing in Ubuntu: install another Chromium there
