@@ -119,7 +119,10 @@ def programs_of(build, wanted):
         for name, command in re.findall(r"^ *add_test\((?:\[=*\[)?([^\]\s]+)(.*)\)$", file.read_text(encoding="utf-8"), re.M):
             if name.endswith("_NOT_BUILT"):  # a program whose tests are only known when it is built
                 program = name[:-len("_NOT_BUILT")]
-                if wanted.search(program.replace("_test", ".")):
+                room = program.split("_")[0]
+                tests = [".".join((room, *test)) for source in (ROOT / "tests" / room).rglob("*_test.cpp")
+                         for test in re.findall(r"^TEST(?:_[FP])?\((\w+), (\w+)", source.read_text(encoding="utf-8"), re.M)]
+                if any(wanted.search(test) for test in tests):
                     programs |= {target for target in targets if os.path.basename(target) == program}
             elif wanted.search(name):
                 words = re.findall(r'[^"\s]+', command)

@@ -12,6 +12,7 @@
 #include "../support/refusal_of.hpp"
 #include "corpus.hpp"
 #include "model/description.hpp"
+#include "model/input.hpp"
 #include "naive_tables.hpp"
 
 namespace restrip::verify::test {
