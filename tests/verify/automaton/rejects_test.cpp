@@ -186,6 +186,7 @@ TEST_F(AutomatonRejects, MalformedFiles) {
            {"value 7 ", "", "altered.cert:"},
            {"step 3 s ", "", "expected the letter d, found \"s\""},
            {"from 3 s ", "", "for each case"},
+           {"from 0 d ", "from 0 d -e --", "in the order of cases"},
            {"close 5 ", "", "expected 5, found"},
            {"meet 2 9 ", "", "expected 9, found 10"},
            {"section meetings", "", "expected"},
