@@ -6,7 +6,7 @@
 #   scripts/test.sh --all   also the other compiler with its sanitizers, clang-tidy, the format of the sources, deliberate
 #                           faults, the fuzzer, every command of the documents, the tutorials, users' builds, the pages in
 #                           a browser, all languages of the generator, benchmarks, Debian packages, and the demo on the
-#                           newest stable Debian: 50 minutes
+#                           newest stable Debian: 40 minutes
 #
 # Both leave out what this machine lacks and list it at the end.
 set -Eeuo pipefail
