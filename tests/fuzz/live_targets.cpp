@@ -103,7 +103,7 @@ std::vector<Target> live_targets() {
                                   .format = {form, bits}},
                                  n + 1));
     }
-  return {{"live", seeds, drive_live, 400}, {"saved", saved, read_saved, 3000}};
+  return {{"live", seeds, drive_live, 500}, {"saved", saved, read_saved, 3000}};
 }
 
 }  // namespace restrip::fuzz

@@ -21,7 +21,7 @@ struct Target {
   /// Reads the bytes as the programs do, and checks the result. True if they are accepted, false if they are refused as
   /// promised. Throws or ends the process if the reader breaks its promise.
   std::function<bool(std::string_view)> read;
-  unsigned runs = 0;  ///< default number of runs in a test; about two seconds with sanitizers
+  unsigned runs = 0;  ///< default number of runs in a test; with sanitizers seconds, of `live` a minute
 };
 
 /// Readers of meshes, of tables and custom operations (by the verifier); a LiveMesh, driven and loaded.
