@@ -33,7 +33,7 @@ mapfile -t files < <(cd "$tables" && find . -type f ! -name MANIFEST)  # the one
 for file in "${files[@]}"; do cmp "$tables/$file" "tables/$file"; done
 echo "every byte of ${#files[@]} files is the same"
 
-say "proving that every rule is sound and that none which keeps its ports is better, with a program that shares only the reading of files with the generator"
+say "proving that every rule is sound and that none which keeps its ports is better, with a program that shares only common/ with the generator"
 "$bin/restrip-verify" --tables-dir tables --dump-command "$bin/restrip-dump-tables"
 
 say "replaying a mesh from 2 % to 100 % of its triangles, strips kept by the default policy"

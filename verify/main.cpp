@@ -23,12 +23,7 @@ template <class Verify, class Last>
 int run(const Verify& verify, const Last& last, const Options& options, const std::string& json) {
   const restrip::files::ReportOutput out(json, {options.operation, options.certificate, options.header});
   std::vector<ClaimResult> claims;
-  if (!out.replaces_text()) fmt::print("{}", heading());
-  const Totals totals = verify([&](const ClaimResult& result) {
-    claims.push_back(result);
-    if (!out.replaces_text()) fmt::print("{}", line_of(result));
-    std::fflush(stdout);
-  });
+  const Totals totals = verify(listed_in(claims, !out.replaces_text()));
   out.print(last(totals), json_of(claims, totals));
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
 }

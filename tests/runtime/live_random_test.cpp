@@ -125,7 +125,7 @@ TEST(LiveRandom, WorksAfterAnyAllocationHasFailed) {
                               .cost = seed % 2 == 0 ? Cost::indices() : Cost::strips(),
                               .history = endless,
                               .format = {.form = static_cast<StripForm>(seed), .width = IndexWidth::automatic}};
-    for (std::size_t step = 0; step < 30; step += 4 / test::large(4))
+    for (std::size_t step = 0; step < 30; step += 4 / test::large(4))  // each or every fourth
       for (std::uint32_t failing = 2;; ++failing) {
         Input input(bytes);
         LiveSubject subject(LiveMesh(sample::torus(5, 5), options), options.history);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -113,12 +112,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
 int run(const AutomatonOptions& options) {
   const files::ReportOutput out(options.json);
   std::vector<ClaimResult> claims;
-  if (!out.replaces_text()) fmt::print("{}", heading());
-  const AutomatonTotals totals = verify_automaton(options, [&](const ClaimResult& result) {
-    claims.push_back(result);
-    if (!out.replaces_text()) fmt::print("{}", line_of(result));
-    std::fflush(stdout);
-  });
+  const AutomatonTotals totals = verify_automaton(options, listed_in(claims, !out.replaces_text()));
   out.print(fmt::format("{}: {}, {}, {} of arcs, {} of which {} failed; read: {}\n",
                         totals.failed == 0 ? "verified" : "NOT verified", counted(totals.classes, "class", "classes"),
                         counted(totals.rows, "row"), counted(totals.kinds, "kind"), counted(totals.claims, "claim"),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "common/counted.hpp"
@@ -45,10 +46,6 @@ std::string text_of(const Sources& sources) {
   return sources.of_headers.empty() ? text + " only; no header was read" : text;
 }
 
-std::string heading() {
-  return fmt::format("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8}\n", "", "family", "claim", "method", "cases", "seconds");
-}
-
 std::string line_of(const ClaimResult& result) {
   std::string text = fmt::format("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8.2f}\n", result.held() ? "holds" : "FAILS",
                                  result.subject, result.claim, result.method, grouped(result.cases), result.seconds);
@@ -56,6 +53,16 @@ std::string line_of(const ClaimResult& result) {
     text += fmt::format("{}, the first:\n{}\n", counted_grouped(result.failures.count, "counterexample"),
                         result.failures.first);
   return text;
+}
+
+ClaimListener listed_in(std::vector<ClaimResult>& claims, bool prints) {
+  if (prints)
+    fmt::print("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8}\n", "", "family", "claim", "method", "cases", "seconds");
+  return [&claims, prints](const ClaimResult& result) {
+    claims.push_back(result);
+    if (prints) fmt::print("{}", line_of(result));
+    std::fflush(stdout);
+  };
 }
 
 std::string last_line(const Totals& totals) {

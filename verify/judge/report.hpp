@@ -87,8 +87,9 @@ struct Totals {
 /// Called for each claim as soon as it is decided, in a fixed order.
 using ClaimListener = std::function<void(const ClaimResult&)>;
 
-std::string heading();
 std::string line_of(const ClaimResult& result);
+/// A listener that adds each claim to `claims` and, if `prints`, prints its line at once; the heading is printed now.
+ClaimListener listed_in(std::vector<ClaimResult>& claims, bool prints);
 /// One line each for the answers of the shipped headers that were proved and that were not compared, if any; then
 /// "verified: …" or "NOT verified: …", ending with the inputs.
 std::string last_line(const Totals& totals);
